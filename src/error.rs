@@ -1,0 +1,55 @@
+//! What a fallible call answers: a kind that maps one to one to `nm_status`, and a message that
+//! names the argument, the index and the rule.
+
+use std::fmt;
+
+/// The kinds of failure. The C ABI's `nm_status` carries the same values (append only).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum ErrorKind {
+    NullArgument = 1,
+    InvalidArgument = 2,
+    NonFinite = 3,
+    Dimension = 4,
+    Capacity = 5,
+    DegenerateInput = 6,
+    Limit = 7,
+    Cancelled = 8,
+    Io = 9,
+    Format = 10,
+    State = 11,
+    OutOfMemory = 12,
+    Panic = 13,
+}
+
+/// A failure: its kind and one sentence for a person.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    kind: ErrorKind,
+    message: String,
+}
+
+impl Error {
+    pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
+        Self { kind, message: message.into() }
+    }
+
+    pub fn kind(&self) -> ErrorKind {
+        self.kind
+    }
+
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Shorthand for results of this crate.
+pub type Result<T> = std::result::Result<T, Error>;

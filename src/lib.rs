@@ -1,0 +1,24 @@
+//! netmesh: conforming quality Delaunay meshes of points in any fixed dimension, of linear size in
+//! O(n log n) time whatever the spread (NETMESH, "Beating the Spread: Time-Optimal Point Meshing").
+
+#![deny(unsafe_code)]
+
+pub mod error;
+pub mod io;
+pub mod mesh;
+pub mod netmesh;
+pub mod numerics;
+pub mod options;
+pub mod quality;
+pub mod validate;
+
+#[allow(unsafe_code)]
+pub mod capi;
+pub(crate) mod complex;
+pub(crate) mod delaunay;
+
+pub use error::{Error, ErrorKind, Result};
+pub use mesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
+pub use options::{
+    Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
+};

@@ -1,0 +1,275 @@
+//! The mesh as its users see it: the inputs, and after a run the triangulation, both free of the
+//! dimension as a type. Plain data: whoever holds a [`Triangulation`] may read (and in tests
+//! corrupt) every part of it.
+
+use crate::error::{Error, ErrorKind, Result};
+use crate::netmesh;
+use crate::netmesh::parameters::Parameters;
+use crate::options::{Options, ProgressFn};
+use rustc_hash::FxHashMap;
+
+/// No id: a hull facet's missing neighbour, the root's missing parent.
+pub const NONE: u32 = u32::MAX;
+pub const MIN_DIM: usize = 2;
+pub const MAX_DIM: usize = 8;
+
+/// Where a vertex comes from. A released cage's vertices stay `Cage` only while their cage lives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum VertexKind {
+    Input = 0,
+    Steiner = 1,
+    Cage = 2,
+}
+
+/// A ball of the domain hierarchy (§4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    /// The vertex at the ball's centre.
+    pub center: u32,
+    /// Index of the enclosing domain, [`NONE`] for the root.
+    pub parent: u32,
+    pub radius: f64,
+}
+
+/// What the last run did.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Stats {
+    pub rounds: u64,
+    /// Point location work (Definition 9): how often an uninserted input was considered for a ball.
+    pub touches: u64,
+    pub max_touches: u64,
+    pub input_vertices: u64,
+    pub steiner_vertices: u64,
+    pub cage_vertices: u64,
+    pub cages_created: u64,
+    pub cages_grown: u64,
+    pub cages_released: u64,
+    /// In-ball and orientation tests that the floating-point filters did not decide.
+    pub exact_fallbacks: u64,
+    /// Vertices whose cell is out of reach of the bound in double precision.
+    pub precision_limited: u64,
+    pub seconds: f64,
+}
+
+/// The caller's points: copied bits, exact duplicates counted once.
+#[derive(Clone, Debug)]
+pub struct Inputs {
+    dim: usize,
+    /// All n points, `n x dim`, with the caller's bits.
+    coordinates: Vec<f64>,
+    /// Input i -> vertex; the distinct inputs are vertices `0..distinct` in input order.
+    vertices: Vec<u32>,
+    /// Vertex v -> the first input that has its coordinates.
+    first_input: Vec<u32>,
+}
+
+/// The result of a run: a Delaunay triangulation, its domain hierarchy and what made it.
+#[derive(Clone, Debug)]
+pub struct Triangulation {
+    pub dim: usize,
+    /// `vertices x dim`.
+    pub points: Vec<f64>,
+    /// `simplices x (dim + 1)` vertex ids, positively oriented: det[v1-v0, ..., vd-v0] > 0.
+    pub simplices: Vec<u32>,
+    /// `simplices x (dim + 1)` simplex ids, the i-th opposite vertex i; [`NONE`] on the hull.
+    pub neighbors: Vec<u32>,
+    pub kinds: Vec<VertexKind>,
+    /// Vertex -> index of the innermost domain that holds it; [`NONE`] where there are no domains.
+    pub vertex_domains: Vec<u32>,
+    /// For a vertex of kind `Cage`: the domain whose cage it is part of; otherwise [`NONE`].
+    /// An input that a cage yielded to is part of a cage and keeps the kind `Input`.
+    pub cage_of: Vec<u32>,
+    /// Index 0 is the root; a parent stands before its children. Empty for plain Delaunay.
+    pub domains: Vec<Domain>,
+    /// Cells that cannot reach the bound because doubles run out there.
+    pub precision_limited: Vec<bool>,
+    pub parameters: Parameters,
+    pub stats: Stats,
+}
+
+impl Triangulation {
+    pub fn vertex_count(&self) -> usize {
+        self.kinds.len()
+    }
+
+    pub fn simplex_count(&self) -> usize {
+        self.simplices.len() / (self.dim + 1)
+    }
+
+    pub fn point(&self, vertex: u32) -> &[f64] {
+        &self.points[vertex as usize * self.dim..][..self.dim]
+    }
+
+    pub fn simplex(&self, simplex: usize) -> &[u32] {
+        &self.simplices[simplex * (self.dim + 1)..][..self.dim + 1]
+    }
+
+    pub fn neighbors_of(&self, simplex: usize) -> &[u32] {
+        &self.neighbors[simplex * (self.dim + 1)..][..self.dim + 1]
+    }
+}
+
+impl Inputs {
+    /// Copies `n` points of `dim` coordinates that stand `stride` doubles apart (0 = `dim`).
+    ///
+    /// # Errors
+    /// `Dimension`, `InvalidArgument` (stride, length), `NonFinite` (names point and coordinate),
+    /// `Capacity` (2^32 - 2 points at most), `DegenerateInput` (fewer than two distinct points).
+    pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
+        if !(MIN_DIM..=MAX_DIM).contains(&dim) {
+            let message = format!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+            return Err(Error::new(ErrorKind::Dimension, message));
+        }
+        let stride = if stride == 0 { dim } else { stride };
+        if stride < dim {
+            let message = format!("stride is {stride}; it must be 0 or at least dim = {dim}");
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        if n as u64 >= NONE as u64 {
+            let message = format!("n is {n}; at most {} points fit 32-bit ids", NONE - 1);
+            return Err(Error::new(ErrorKind::Capacity, message));
+        }
+        let needed = match n {
+            0 => Some(0),
+            _ => (n - 1).checked_mul(stride).and_then(|start| start.checked_add(dim)),
+        };
+        if needed.is_none_or(|needed| points.len() < needed) {
+            let message = format!(
+                "points holds {} doubles; n = {n} points with stride {stride} need more",
+                points.len()
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        let mut coordinates = Vec::new();
+        let mut vertices = Vec::new();
+        reserve(&mut coordinates, n * dim)?;
+        reserve(&mut vertices, n)?;
+        for i in 0..n {
+            let point = &points[i * stride..][..dim];
+            if let Some(axis) = point.iter().position(|x| !x.is_finite()) {
+                let message = format!(
+                    "points[{i}] has a non-finite coordinate {axis}: {}; every coordinate must be finite",
+                    point[axis]
+                );
+                return Err(Error::new(ErrorKind::NonFinite, message));
+            }
+            coordinates.extend_from_slice(point);
+        }
+        let first_input = identify_duplicates(dim, &coordinates, &mut vertices)?;
+        if first_input.len() < 2 {
+            let message = format!(
+                "{n} points, {} of them distinct; a mesh needs at least two distinct points",
+                first_input.len()
+            );
+            return Err(Error::new(ErrorKind::DegenerateInput, message));
+        }
+        Ok(Self { dim, coordinates, vertices, first_input })
+    }
+
+    pub fn dim(&self) -> usize {
+        self.dim
+    }
+
+    /// Number of points given, duplicates included.
+    pub fn count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Number of distinct points: vertices `0..distinct()` of every mesh of these inputs.
+    pub fn distinct(&self) -> usize {
+        self.first_input.len()
+    }
+
+    pub fn duplicates(&self) -> usize {
+        self.count() - self.distinct()
+    }
+
+    /// Input i -> vertex.
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// The coordinates of input `i`, with the caller's bits.
+    pub fn point(&self, i: usize) -> &[f64] {
+        &self.coordinates[i * self.dim..][..self.dim]
+    }
+
+    /// The coordinates of distinct input (vertex) `v`.
+    pub fn distinct_point(&self, v: usize) -> &[f64] {
+        self.point(self.first_input[v] as usize)
+    }
+
+    /// The distinct points, `distinct x dim`.
+    pub fn distinct_points(&self) -> Vec<f64> {
+        (0..self.distinct()).flat_map(|v| self.distinct_point(v)).copied().collect()
+    }
+}
+
+/// Reserves or answers `OutOfMemory`: a caller's size must not abort the process.
+pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
+    vec.try_reserve_exact(additional).map_err(|_| {
+        let bytes = additional.saturating_mul(size_of::<T>());
+        Error::new(ErrorKind::OutOfMemory, format!("cannot allocate {bytes} bytes"))
+    })
+}
+
+/// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are equal.
+fn identify_duplicates(
+    dim: usize,
+    coordinates: &[f64],
+    vertices: &mut Vec<u32>,
+) -> Result<Vec<u32>> {
+    let n = coordinates.len() / dim;
+    let mut first_input = Vec::new();
+    reserve(&mut first_input, n)?;
+    let mut seen: FxHashMap<[u64; MAX_DIM], u32> = FxHashMap::default();
+    seen.try_reserve(n).map_err(|_| {
+        Error::new(ErrorKind::OutOfMemory, format!("cannot allocate the table of {n} points"))
+    })?;
+    for (i, point) in coordinates.chunks_exact(dim).enumerate() {
+        let mut key = [0; MAX_DIM];
+        for (k, x) in key.iter_mut().zip(point) {
+            *k = (x + 0.0).to_bits();
+        }
+        let vertex = *seen.entry(key).or_insert_with(|| {
+            first_input.push(i as u32);
+            first_input.len() as u32 - 1
+        });
+        vertices.push(vertex);
+    }
+    Ok(first_input)
+}
+
+/// Points, and after [`Mesh::run`] their mesh.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    inputs: Inputs,
+    triangulation: Option<Triangulation>,
+}
+
+impl Mesh {
+    /// See [`Inputs::new`].
+    pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
+        Ok(Self { inputs: Inputs::new(dim, n, points, stride)?, triangulation: None })
+    }
+
+    /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (an option out of range), `DegenerateInput` (plain Delaunay of inputs of
+    /// lower affine rank), `Limit`, `Cancelled`, `OutOfMemory`.
+    pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
+        self.triangulation = Some(netmesh::run(&self.inputs, options, progress)?);
+        Ok(())
+    }
+
+    pub fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// The result of the last successful run.
+    pub fn triangulation(&self) -> Option<&Triangulation> {
+        self.triangulation.as_ref()
+    }
+}

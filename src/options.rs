@@ -1,0 +1,119 @@
+//! What a caller may ask of a run. Zero means "the default for the dimension"; `netmesh::parameters`
+//! resolves, documents the ranges and refuses what lies outside them.
+
+/// What the run leaves behind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Output {
+    /// The paper's NETMESH: a hierarchical mesh of O(n) vertices, whatever the spread.
+    #[default]
+    Hierarchical = 0,
+    /// Then FINISHMESH (§6.6): a well-spaced mesh of one domain, of optimal size O(m).
+    WellSpaced = 1,
+}
+
+/// Which algorithm runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Algorithm {
+    #[default]
+    Netmesh = 0,
+    /// Sparse Voronoi Refinement, the baseline without cages. Not yet available.
+    Svr = 1,
+    /// The plain Delaunay triangulation of the input, without Steiner points.
+    Delaunay = 2,
+}
+
+/// How a round of inputs is selected (§6.5).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum NetOrdering {
+    /// A seeded sample of each D-ball, whose halving is verified.
+    #[default]
+    SampledNet = 0,
+    /// A deterministic net. Not yet available.
+    DeterministicNet = 1,
+}
+
+/// The measure that `quality_bound` bounds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Criterion {
+    /// The paper's tau: out-radius over in-radius of a Voronoi cell (§3).
+    #[default]
+    VoronoiAspect = 0,
+    /// Circumradius over shortest edge of a simplex, TetGen's and Triangle's measure.
+    RadiusEdge = 1,
+}
+
+/// Options of a run. All doubles and `max_vertices`: 0 = the default for the dimension.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    pub output: Output,
+    pub algorithm: Algorithm,
+    pub ordering: NetOrdering,
+    pub criterion: Criterion,
+    /// 0 = all cores. The result does not depend on it.
+    pub threads: u32,
+    pub quality_bound: f64,
+    pub epsilon: f64,
+    pub delta: f64,
+    /// The cage's yield radius, relative to the distance to the nearest vertex.
+    pub gamma: f64,
+    /// The refinement's yield radius, relative to the D-ball's radius.
+    pub yield_radius: f64,
+    /// `outf`: cages are outer-encroached within `encroachment * r / epsilon`.
+    pub encroachment: f64,
+    /// Radius of the cage sphere relative to the domain's radius.
+    pub cage_scale: f64,
+    /// Radius of the root ball relative to the input's bounding ball.
+    pub root_scale: f64,
+    pub seed: u64,
+    pub max_vertices: u64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            output: Output::default(),
+            algorithm: Algorithm::default(),
+            ordering: NetOrdering::default(),
+            criterion: Criterion::default(),
+            threads: 1,
+            quality_bound: 0.0,
+            epsilon: 0.0,
+            delta: 0.0,
+            gamma: 0.0,
+            yield_radius: 0.0,
+            encroachment: 0.0,
+            cage_scale: 0.0,
+            root_scale: 0.0,
+            seed: 0,
+            max_vertices: 0,
+        }
+    }
+}
+
+/// The stages of a run, as progress reports name them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Phase {
+    Prepare = 0,
+    Insert = 1,
+    Finish = 2,
+    Export = 3,
+}
+
+/// A progress report.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    pub phase: Phase,
+    /// Monotone in \[0, 1\]; -1 if unknown.
+    pub fraction: f64,
+    pub inputs_inserted: u64,
+    pub vertices: u64,
+    pub simplices: u64,
+}
+
+/// Called about 20 times a second on the thread that runs; `false` cancels the run.
+pub type ProgressFn<'a> = dyn FnMut(&Progress) -> bool + 'a;

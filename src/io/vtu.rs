@@ -21,13 +21,17 @@ pub(super) fn check_dimension(dim: usize) -> Result<()> {
 }
 
 /// The XML that says where the arrays are, then the arrays.
+///
+/// The arrays follow in the reverse of the order in which the XML declares them. meshio (5.3) takes
+/// them one after the other, looks each up by its offset and overwrites that with one of its own,
+/// which may be the offset of another: it then finds the first of the two in the XML. In this order
+/// that is always the right one.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let arrays = arrays(triangulation);
-    let mut offset = 0;
+    let mut offset: u64 = arrays.iter().map(Array::size_with_length).sum();
     let declarations = arrays.each_ref().map(|array| {
-        let declaration = array.declaration(offset);
-        offset += LENGTH_SIZE + array.bytes();
-        declaration
+        offset -= array.size_with_length();
+        array.declaration(offset)
     });
     let [kind, domain, precision_limited, points, connectivity, offsets, types] = declarations;
     let (vertices, cells) = (triangulation.vertex_count(), triangulation.simplex_count());
@@ -55,15 +59,12 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
 <AppendedData encoding="raw">
 _"#
     )?;
-    for array in &arrays {
+    for array in arrays.iter().rev() {
         out.write_all(&array.bytes().to_le_bytes())?;
         (array.write)(triangulation, out)?;
     }
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
-
-/// Before each array stands its number of bytes, as the file's `header_type`.
-const LENGTH_SIZE: u64 = 8;
 
 struct Array {
     name: &'static str,
@@ -79,6 +80,11 @@ impl Array {
         self.scalar_size * self.components * self.tuples as u64
     }
 
+    /// Before each array stands its number of bytes, as the file's `header_type`.
+    fn size_with_length(&self) -> u64 {
+        8 + self.bytes()
+    }
+
     fn declaration(&self, offset: u64) -> String {
         let Self { name, scalar, components, .. } = self;
         format!(
@@ -87,7 +93,7 @@ impl Array {
     }
 }
 
-/// The arrays in the file's order.
+/// The arrays in the order of the XML.
 fn arrays(triangulation: &Triangulation) -> [Array; 7] {
     let (vertices, cells) = (triangulation.vertex_count(), triangulation.simplex_count());
     let corners = triangulation.simplices.len();

@@ -20,7 +20,7 @@ pub(super) struct Lines<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
     /// Counted from 1, blank lines and comments included.
-    pub number: u64,
+    number: u64,
     pub text: &'a str,
 }
 
@@ -44,7 +44,7 @@ impl<'a> Lines<'a> {
 
     /// The next line; the error of a file that ends instead tells what it `lacks`.
     pub fn require(&mut self, lacks: impl FnOnce() -> String) -> Result<Line<'_>> {
-        // Asked for the number first: the line borrows `self`.
+        // Asked twice, as a line that is returned from inside a match would borrow `self` for good.
         if self.next()?.is_none() {
             let message = format!("the file ends after line {}: {}", self.number, lacks());
             return Err(Error::new(ErrorKind::Format, message));

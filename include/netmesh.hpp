@@ -290,13 +290,13 @@ private:
     }
 
     template <typename Element>
-    std::vector<Element> array(nm_status (*get)(const nm_mesh *, Element *, std::uint64_t,
-                                                std::uint64_t *)) const {
+    std::vector<Element> array(nm_status (*fetch)(const nm_mesh *, Element *, std::uint64_t,
+                                                  std::uint64_t *)) const {
         std::uint64_t needed = 0;
-        detail::check(get(handle_, nullptr, 0, &needed));
+        detail::check(fetch(handle_, nullptr, 0, &needed));
         std::vector<Element> values(static_cast<std::size_t>(needed));
         if (needed != 0) {
-            detail::check(get(handle_, values.data(), needed, nullptr));
+            detail::check(fetch(handle_, values.data(), needed, nullptr));
         }
         return values;
     }

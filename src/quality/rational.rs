@@ -35,8 +35,8 @@ impl<const D: usize> IntegerEdges<D> {
         Some(aligned(&ratios, self.exponent))
     }
 
-    /// The gradients of the barycentric coordinates of the vertices other than the base, each up
-    /// to a positive factor of its own, then their negated sum; `None` if the simplex is flat.
+    /// The gradients of the barycentric coordinates of the vertices other than the base, then that
+    /// of the base, their negated sum; `None` if the simplex is flat.
     pub fn gradients(&self) -> Option<Vec<Offset<D>>> {
         let rows = self.edges.iter().enumerate().map(|(i, edge)| {
             let unit = (0..D).map(|j| IBig::from(u8::from(i == j)));
@@ -49,7 +49,7 @@ impl<const D: usize> IntegerEdges<D> {
         columns.push(solution.iter().map(negated_sum).collect());
         let offset = |column: &Vec<IBig>| {
             let ratios: Vec<_> = column.iter().map(|x| ratio(x, &determinant)).collect();
-            aligned(&ratios, 0)
+            aligned(&ratios, -self.exponent)
         };
         Some(columns.iter().map(offset).collect())
     }

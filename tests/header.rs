@@ -70,7 +70,7 @@ fn the_constants_are_the_crates() {
 /// The ranges and defaults that the manual gives are the ones that are enforced.
 #[test]
 fn the_manuals_ranges_are_the_enforced_ones() {
-    use netmesh::Options;
+    use netmesh::{Mesh, Options};
     type Set = fn(&mut Options, f64);
     let fields: [(&str, Set); 7] = [
         ("epsilon", |options, value| options.epsilon = value),
@@ -82,6 +82,7 @@ fn the_manuals_ranges_are_the_enforced_ones() {
         ("root_scale", |options, value| options.root_scale = value),
     ];
     let header = header();
+    let mut mesh = Mesh::new(2, 3, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], 0).unwrap();
     for (field, set) in fields {
         let end = header.find(&format!("    double {field};")).unwrap();
         let start = header[..end].rfind("/**").unwrap();
@@ -89,7 +90,7 @@ fn the_manuals_ranges_are_the_enforced_ones() {
         let message = {
             let mut options = Options::default();
             set(&mut options, -1.0);
-            netmesh::netmesh::parameters::Parameters::resolve(2, &options).unwrap_err().to_string()
+            mesh.run(&options, None).unwrap_err().to_string()
         };
         let range = &message[message.find('[').unwrap()..];
         assert!(manual.contains(&format!("In {range}")), "{field}: {manual}: {message}");

@@ -123,3 +123,102 @@ impl<F: FnMut(&[u8]) -> i32> Write for CallbackWriter<F> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{from_c, last_message, square};
+    use std::ptr::{null, null_mut};
+
+    fn failure() -> Error {
+        Error::new(ErrorKind::State, "the export's own")
+    }
+
+    fn io_error(error: std::io::Error) -> Error {
+        Error::new(ErrorKind::Io, error.to_string())
+    }
+
+    #[test]
+    fn every_byte_arrives_in_order_and_in_chunks() {
+        let bytes: Vec<u8> = (0..300_000_u32).map(|i| i as u8).collect();
+        let (mut received, mut calls) = (Vec::new(), 0);
+        let send = |chunk: &[u8]| {
+            assert!(!chunk.is_empty());
+            received.extend_from_slice(chunk);
+            calls += 1;
+            0
+        };
+        write_through(send, |out| {
+            bytes.chunks(7).try_for_each(|chunk| out.write_all(chunk)).map_err(io_error)
+        })
+        .unwrap();
+        assert!(received == bytes);
+        assert!((5..=6).contains(&calls), "{calls}");
+    }
+
+    #[test]
+    fn a_nonzero_answer_stops_for_good() {
+        for swallowed in [false, true] {
+            let mut calls = 0;
+            let send = |_: &[u8]| {
+                calls += 1;
+                if calls == 2 { -7 } else { 0 }
+            };
+            let export = |out: &mut dyn Write| {
+                let mut result = Ok(());
+                for _ in 0..10 {
+                    result = out.write_all(&[1; CHUNK]).map_err(io_error);
+                }
+                if swallowed { Ok(()) } else { result }
+            };
+            let error = write_through(send, export).unwrap_err();
+            assert_eq!((error.kind(), calls), (ErrorKind::Io, 2));
+            assert_eq!(error.message(), "write answered -7, which stops the export");
+        }
+    }
+
+    #[test]
+    fn the_last_chunk_may_stop_too() {
+        let error = write_through(|_| 1, |out| out.write_all(b"x").map_err(io_error));
+        assert_eq!(error.unwrap_err().kind(), ErrorKind::Io);
+    }
+
+    #[test]
+    fn after_a_failed_export_nothing_more_is_sent() {
+        let mut calls = 0;
+        let send = |_: &[u8]| {
+            calls += 1;
+            0
+        };
+        let error = write_through(send, |out| {
+            out.write_all(b"half").map_err(io_error)?;
+            Err(failure())
+        });
+        assert_eq!((error.unwrap_err(), calls), (failure(), 0));
+    }
+
+    #[test]
+    fn arguments_are_checked() {
+        unsafe extern "C" fn accept(_: *const c_void, _: usize, _: *mut c_void) -> i32 {
+            0
+        }
+        let mesh = square();
+        let vtu = || from_c(1);
+        // SAFETY: a live handle or NULL, C strings or NULL.
+        unsafe {
+            let null_path = nm_export(&mesh, null(), vtu());
+            assert_eq!(null_path, nm_status::NM_NULL_ARGUMENT);
+            assert_eq!(last_message(), "path_utf8 is NULL");
+            let null_mesh = nm_export(null(), c"mesh.vtu".as_ptr(), vtu());
+            assert_eq!(null_mesh, nm_status::NM_NULL_ARGUMENT);
+            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(10));
+            assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
+            assert!(last_message().starts_with("format is 10;"));
+            let null_write = nm_export_write(&mesh, vtu(), None, null_mut());
+            assert_eq!(null_write, nm_status::NM_NULL_ARGUMENT);
+            assert_eq!(last_message(), "write is NULL");
+            let format = nm_export_write(&mesh, from_c(-1), Some(accept), null_mut());
+            assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
+        }
+    }
+}

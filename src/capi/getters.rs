@@ -236,3 +236,74 @@ unsafe fn get_per_vertex<T: Copy>(
     // SAFETY: the caller's promise.
     unsafe { with_mesh(mesh, body) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{last_message, square};
+    use std::ptr::{null, null_mut};
+
+    type Getter<T> = unsafe extern "C" fn(*const nm_mesh, *mut T, u64, *mut u64) -> nm_status;
+
+    /// Size, then values.
+    fn get<T: Copy + Default>(mesh: &nm_mesh, getter: Getter<T>) -> Vec<T> {
+        let mut needed = u64::MAX;
+        // SAFETY: a live handle; NULL asks for the size.
+        let status = unsafe { getter(mesh, null_mut(), 0, &mut needed) };
+        assert_eq!(status, nm_status::NM_OK);
+        let mut values = vec![T::default(); needed as usize];
+        // SAFETY: the buffer has room for `needed`.
+        let status = unsafe { getter(mesh, values.as_mut_ptr(), needed, null_mut()) };
+        assert_eq!(status, nm_status::NM_OK);
+        values
+    }
+
+    #[test]
+    fn before_a_run_there_are_the_distinct_inputs() {
+        let mesh = square();
+        assert_eq!(get(&mesh, nm_mesh_get_points), [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0]);
+        assert_eq!(get(&mesh, nm_mesh_get_input_vertices), [0, 1, 0, 2, 3]);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_kinds), [0; 4]);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_domains), [NONE; 4]);
+        assert_eq!(get(&mesh, nm_mesh_get_precision_limited), [0; 4]);
+        let mut needed = u64::MAX;
+        // SAFETY: a live handle; NULL asks for the size.
+        let status = unsafe { nm_mesh_get_domains(&mesh, null_mut(), 0, &mut needed) };
+        assert_eq!((status, needed), (nm_status::NM_OK, 0));
+        let expected = nm_counts {
+            struct_size: 48,
+            dim: 2,
+            inputs: 5,
+            duplicates: 1,
+            vertices: 4,
+            simplices: 0,
+            domains: 0,
+        };
+        let mut counts = nm_counts { struct_size: 48, dim: 9, ..expected };
+        // SAFETY: a live handle and a whole struct.
+        let status = unsafe { nm_mesh_counts(&mesh, &mut counts) };
+        assert_eq!((status, counts), (nm_status::NM_OK, expected));
+    }
+
+    #[test]
+    fn simplices_need_a_run() {
+        let mesh = square();
+        for getter in [nm_mesh_get_simplices as Getter<u32>, nm_mesh_get_neighbors] {
+            let mut needed = 17;
+            // SAFETY: a live handle; NULL asks for the size.
+            let status = unsafe { getter(&mesh, null_mut(), 0, &mut needed) };
+            assert_eq!((status, needed), (nm_status::NM_STATE, 17));
+            assert!(last_message().contains("nm_run must succeed first"));
+        }
+    }
+
+    #[test]
+    fn null_arguments_are_named() {
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_mesh_get_points(null(), null_mut(), 0, null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
+        // SAFETY: a live handle; NULL is allowed.
+        let status = unsafe { nm_mesh_counts(&square(), null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "counts is NULL"));
+    }
+}

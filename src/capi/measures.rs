@@ -132,3 +132,119 @@ fn encode_report(report: &Report) -> nm_report {
         message,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{last_message, square};
+    use crate::validate::{Violation, ViolationKind};
+    use std::ffi::CStr;
+    use std::ptr::null_mut;
+
+    fn report(message: &str) -> Report {
+        let first = Violation {
+            kind: ViolationKind::None,
+            simplex: 3,
+            vertex: 4,
+            domain: NONE,
+            message: message.to_owned(),
+        };
+        Report { level: 1, violations: 2, checked: 30, first: Some(first) }
+    }
+
+    fn message(report: &nm_report) -> String {
+        // SAFETY: the message ends with a NUL; the test would read past it only if it did not.
+        let message = unsafe { CStr::from_ptr(report.message.as_ptr()) };
+        message.to_str().expect("messages are UTF-8").to_owned()
+    }
+
+    #[test]
+    fn a_report_carries_the_first_violation() {
+        let encoded = encode_report(&report("facet 1 of simplex 3"));
+        let ids = (encoded.kind, encoded.simplex, encoded.vertex, encoded.domain);
+        assert_eq!(ids, (0, 3, 4, NONE));
+        assert_eq!((encoded.level, encoded.violations, encoded.checked), (1, 2, 30));
+        assert_eq!(message(&encoded), "facet 1 of simplex 3");
+        let clean = encode_report(&Report { level: 3, violations: 0, checked: 9, first: None });
+        let ids = (clean.kind, clean.simplex, clean.vertex, clean.domain);
+        assert_eq!((ids, clean.message), ((0, NONE, NONE, NONE), [0; 160]));
+    }
+
+    #[test]
+    fn a_long_message_is_cut_between_characters() {
+        let long = "é".repeat(100);
+        assert_eq!(message(&encode_report(&report(&long))), "é".repeat(79));
+        let whole = "x".repeat(159);
+        assert_eq!(message(&encode_report(&report(&whole))), whole);
+    }
+
+    #[test]
+    fn statistics_stand_in_their_fields() {
+        let stats = Stats {
+            rounds: 1,
+            touches: 2,
+            max_touches: 3,
+            input_vertices: 4,
+            steiner_vertices: 5,
+            cage_vertices: 6,
+            cages_created: 7,
+            cages_grown: 8,
+            cages_released: 9,
+            exact_fallbacks: 10,
+            precision_limited: 11,
+            seconds: 12.0,
+        };
+        // SAFETY: numbers without padding.
+        let words: [u64; 13] = unsafe { std::mem::transmute(encode_stats(&stats)) };
+        assert_eq!(words[1..12], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+        assert_eq!(f64::from_bits(words[12]), 12.0);
+    }
+
+    #[test]
+    fn qualities_stand_in_their_fields() {
+        let quality = Quality {
+            max_degree: 1,
+            worst_aspect: 2.0,
+            worst_aspect_anywhere: 3.0,
+            mean_aspect: 4.0,
+            worst_cage_aspect: 5.0,
+            worst_radius_edge: 6.0,
+            min_angle_degrees: 7.0,
+            precision_limited: 8,
+        };
+        let encoded = encode_quality(&quality);
+        // SAFETY: numbers without padding.
+        let words: [u64; 8] = unsafe { std::mem::transmute(encoded) };
+        let doubles = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(f64::to_bits);
+        assert_eq!((encoded.max_degree, &words[1..7], words[7]), (1, &doubles[..], 8));
+    }
+
+    #[test]
+    fn measures_need_a_run_and_a_struct() {
+        let mesh = square();
+        // SAFETY: a live handle; NULL is allowed.
+        let statuses = unsafe {
+            [
+                nm_mesh_quality(&mesh, null_mut()),
+                nm_mesh_stats(&mesh, null_mut()),
+                nm_mesh_validate(&mesh, 1, null_mut()),
+            ]
+        };
+        assert_eq!(statuses, [nm_status::NM_NULL_ARGUMENT; 3]);
+        assert_eq!(last_message(), "report is NULL");
+        let mut quality = encode_quality(&Quality::default());
+        let mut stats = encode_stats(&Stats::default());
+        let mut found = encode_report(&report(""));
+        let before = (quality, stats, found);
+        // SAFETY: a live handle and whole structs.
+        let statuses = unsafe {
+            [
+                nm_mesh_quality(&mesh, &mut quality),
+                nm_mesh_stats(&mesh, &mut stats),
+                nm_mesh_validate(&mesh, 1, &mut found),
+            ]
+        };
+        assert_eq!(statuses, [nm_status::NM_STATE; 3]);
+        assert_eq!((quality, stats, found), before);
+    }
+}

@@ -228,3 +228,133 @@ fn misaligned<T>(argument: &str) -> Error {
     let message = format!("{argument} is not a multiple of {}", align_of::<T>());
     Error::new(ErrorKind::InvalidArgument, message)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::structs::nm_counts;
+    use std::ptr::{null, null_mut};
+
+    const COUNTS: nm_counts = nm_counts {
+        struct_size: 48,
+        dim: 3,
+        inputs: 5,
+        duplicates: 1,
+        vertices: 9,
+        simplices: 20,
+        domains: 2,
+    };
+
+    /// A struct of another version: `T` and what follows it.
+    #[repr(C)]
+    #[derive(Clone, Copy)]
+    struct Larger<T> {
+        known: T,
+        tail: [u8; 8],
+    }
+
+    fn larger(struct_size: u32, tail: [u8; 8]) -> Larger<nm_counts> {
+        Larger { known: nm_counts { struct_size, ..COUNTS }, tail }
+    }
+
+    fn read(from: &Larger<nm_counts>) -> Result<nm_counts> {
+        let defaults = nm_counts { struct_size: 0, dim: 2, inputs: 7, duplicates: 7, ..COUNTS };
+        // SAFETY: the tests' sizes are at most the struct's, or refused.
+        unsafe { read_struct("counts", (&raw const *from).cast(), defaults) }
+    }
+
+    #[test]
+    fn a_smaller_struct_keeps_the_defaults() {
+        assert_eq!(read(&larger(48, [9; 8])).unwrap(), COUNTS, "what follows is not looked at");
+        let short = read(&larger(16, [9; 8])).unwrap();
+        assert_eq!((short.struct_size, short.dim, short.inputs), (16, 3, 5));
+        assert_eq!(short.duplicates, 7);
+        let least = read(&larger(4, [9; 8])).unwrap();
+        assert_eq!((least.struct_size, least.dim), (4, 2));
+    }
+
+    #[test]
+    fn a_larger_struct_must_end_in_zeros() {
+        assert_eq!(read(&larger(56, [0; 8])).unwrap().domains, 2);
+        assert_eq!(read(&larger(52, [0, 0, 0, 0, 1, 0, 0, 0])).unwrap().domains, 2);
+        for byte in 0..8 {
+            let mut tail = [0; 8];
+            tail[byte] = 1;
+            let error = read(&larger(56, tail)).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+            let place = format!("byte {}", 48 + byte);
+            assert!(error.message().contains(&place), "{}", error.message());
+        }
+    }
+
+    #[test]
+    fn sizes_out_of_range_are_refused() {
+        for size in [0, 1, 3, 4097, u32::MAX] {
+            let from = larger(size, [0; 8]);
+            let error = read(&from).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+            let start = format!("counts.struct_size is {size};");
+            assert!(error.message().starts_with(&start), "{}", error.message());
+            assert!(error.message().ends_with("sizeof(nm_counts), 48 in this version"));
+        }
+        // SAFETY: NULL is allowed.
+        let null = unsafe { read_struct("counts", null(), COUNTS) };
+        assert_eq!(null.unwrap_err(), null_argument("counts"));
+    }
+
+    #[test]
+    fn only_the_callers_bytes_are_written() {
+        for size in 4..=56_u8 {
+            let mut bytes = [0xee; 64];
+            bytes[..4].copy_from_slice(&u32::from(size).to_ne_bytes());
+            // SAFETY: `bytes` is longer than every size.
+            let out = unsafe { OutStruct::new("counts", bytes.as_mut_ptr().cast()) };
+            out.unwrap().write(&COUNTS);
+            // SAFETY: numbers without padding.
+            let source: [u8; 48] = unsafe { std::mem::transmute(COUNTS) };
+            let end = usize::from(size).min(48);
+            assert_eq!(bytes[..4], u32::from(size).to_ne_bytes());
+            assert_eq!(bytes[4..end], source[4..end]);
+            assert!(bytes[end..].iter().all(|&byte| byte == 0xee), "{size}");
+        }
+        // SAFETY: NULL is allowed.
+        let error = unsafe { OutStruct::<nm_counts>::new("counts", null_mut()) }.unwrap_err();
+        assert_eq!(error, null_argument("counts"));
+    }
+
+    #[test]
+    fn a_buffer_is_filled_whole_or_not_at_all() {
+        let copy = |buf: *mut u32, capacity, needed| {
+            // SAFETY: every buffer below has room for its capacity.
+            unsafe { copy_out(buf, capacity, needed, 3, [5, 6, 7]) }
+        };
+        let mut needed = 0;
+        let mut buf = [0; 4];
+        copy(null_mut(), 0, &mut needed).unwrap();
+        assert_eq!(needed, 3);
+        copy(null_mut(), 99, null_mut()).unwrap();
+        needed = 0;
+        let error = copy(buf.as_mut_ptr(), 2, &mut needed).unwrap_err();
+        assert_eq!((error.kind(), needed, buf), (ErrorKind::Capacity, 3, [0; 4]));
+        assert_eq!(error.message(), "capacity is 2; the result has 3 elements");
+        let error = copy(buf.as_mut_ptr(), 0, null_mut()).unwrap_err();
+        assert_eq!((error.kind(), buf), (ErrorKind::Capacity, [0; 4]));
+        copy(buf.as_mut_ptr(), 3, null_mut()).unwrap();
+        assert_eq!(buf, [5, 6, 7, 0]);
+        buf = [0; 4];
+        copy(buf.as_mut_ptr(), 4, &mut needed).unwrap();
+        assert_eq!(buf, [5, 6, 7, 0]);
+        let odd = buf.as_mut_ptr().cast::<u8>().wrapping_add(1).cast();
+        let error = copy(odd, 3, null_mut()).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+        assert_eq!(error.message(), "buf is not a multiple of 4");
+    }
+
+    #[test]
+    fn more_values_than_counted_are_not_written() {
+        let mut buf = [0_u8; 4];
+        // SAFETY: the buffer has room for four.
+        unsafe { copy_out(buf.as_mut_ptr(), 4, null_mut(), 2, [1, 2, 3]) }.unwrap();
+        assert_eq!(buf, [1, 2, 0, 0]);
+    }
+}

@@ -61,3 +61,45 @@ fn encode_progress(progress: &Progress) -> nm_progress {
         simplices: progress.simplices,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{from_c, last_message, square};
+    use crate::options::Phase;
+    use std::ptr::{null, null_mut};
+
+    #[test]
+    fn a_progress_report_carries_its_fields() {
+        let report = encode_progress(&Progress {
+            phase: Phase::Finish,
+            fraction: 0.5,
+            inputs_inserted: 1,
+            vertices: 2,
+            simplices: 3,
+        });
+        assert_eq!((report.struct_size, report.phase as i32, report.fraction), (40, 2, 0.5));
+        assert_eq!((report.inputs_inserted, report.vertices, report.simplices), (1, 2, 3));
+    }
+
+    #[test]
+    fn options_are_checked_before_the_run() {
+        let mut mesh = square();
+        let mut refuse = |options: nm_options| {
+            // SAFETY: a live handle and a whole struct.
+            let status = unsafe { nm_run(&mut mesh, &options) };
+            assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
+            last_message()
+        };
+        let good = encode(&Options::default());
+        let message = refuse(nm_options { output: from_c(5), ..good });
+        assert!(message.starts_with("options.output is 5;"), "{message}");
+        let message = refuse(nm_options { struct_size: 0, ..good });
+        assert!(message.starts_with("options.struct_size is 0;"), "{message}");
+        let message = refuse(nm_options { epsilon: f64::NAN, ..good });
+        assert!(message.starts_with("options.epsilon is NaN;"), "{message}");
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_run(null_mut(), null()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
+    }
+}

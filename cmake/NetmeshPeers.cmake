@@ -2,7 +2,8 @@
 # then reported as skipped, never dropped in silence.
 
 find_package(CGAL 5.5 QUIET)
-find_package(Eigen3 3.3 QUIET)   # CGAL's kernels of dimension 4 and up stand on it
+# For CGAL's kernels of dimension 4 and up; by its own config file, CGAL's module has no target.
+find_package(Eigen3 3.3 QUIET NO_MODULE)
 if(CGAL_FOUND AND Eigen3_FOUND)
   add_library(netmesh_peer_cgal INTERFACE)
   target_link_libraries(netmesh_peer_cgal INTERFACE CGAL::CGAL Eigen3::Eigen)

@@ -63,10 +63,10 @@ void a_whole_job(const std::string& directory) {
 }
 
 void options_and_moves() {
-    const PointSet points = generate("gaussian", 2, 400);
-    netmesh::mesh first(2, points.coordinates.data(), points.size());
+    const PointSet points = generate("gaussian", 3, 5000);  // some tenths of a second: progress is seen
+    netmesh::mesh first(3, points.coordinates.data(), points.size());
     int reports = 0;
-    first.run(netmesh::options().output(NM_OUTPUT_WELL_SPACED).quality_bound(4).seed(7).progress(
+    first.run(netmesh::options().output(NM_OUTPUT_WELL_SPACED).quality_bound(5).seed(7).progress(
         [&](const nm_progress&) { return ++reports, true; }));
     CHECK_EQUAL(first.counts().domains, 1u);
     CHECK(reports > 0);
@@ -84,8 +84,8 @@ void errors() {
     const std::vector<double> odd(5, 1.0);
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "5", [&] { netmesh::mesh(2, odd); });
     expect_error(__LINE__, NM_IO, "missing", [] { netmesh::mesh::from_file("missing.xyz"); });
-    const PointSet points = generate("uniform", 2, 100);
-    netmesh::mesh mesh(2, points.coordinates);
+    const PointSet points = generate("uniform", 3, 5000);
+    netmesh::mesh mesh(3, points.coordinates);
     expect_error(__LINE__, NM_STATE, "nm_run", [&] { mesh.simplices(); });
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "quality_bound",
                  [&] { mesh.run(netmesh::options().quality_bound(0.5)); });

@@ -2,6 +2,7 @@
 // and CGAL's word on the same mesh.
 //
 //   cgal_cross_check <generator or data file> <dim> <hierarchical | well_spaced | delaunay>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -15,13 +16,29 @@
 
 namespace {
 
+// Where the time of a test goes.
+class Stopwatch {
+public:
+    void lap(const char* what) {
+        const auto now = std::chrono::steady_clock::now();
+        std::cout << what << ": " << std::chrono::duration<double>(now - start_).count() << " s" << std::endl;
+        start_ = now;
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 void check_against_cgal(const ExportedMesh& mesh, bool generic_input_only) {
+    Stopwatch stopwatch;
     REQUIRE(within_exact_range(mesh.points));
     const auto reference = make_reference(mesh.dim, mesh.points.data(), mesh.vertex_count());
     const Certificate certificate = certify(mesh, *reference);
     for (const std::string& violation : certificate.violations) CHECK_SAYING(false, violation);
     CHECK(certificate.violations.empty());
+    stopwatch.lap("certification by CGAL's predicates");
     const Comparison comparison = compare(mesh, certificate, *reference);
+    stopwatch.lap("comparison with CGAL's triangulation");
     std::cout << "facets " << certificate.facets << " (" << certificate.hull_facets << " on the hull, "
               << certificate.ties << " cospherical ties), simplices " << comparison.ours << ", CGAL's "
               << comparison.theirs << ", differing " << comparison.differing << std::endl;
@@ -92,11 +109,14 @@ int main(int count, char** arguments) {
               << counts.domains << " domains, " << stats_of(mesh.get()).seconds << " s" << std::endl;
 
     check_inputs_kept(points, mesh.get(), exported);
+    Stopwatch stopwatch;
     check_certificate(mesh.get(), plain ? 2 : 3);
+    stopwatch.lap("netmesh's own certificate");
     if (plain) {
         CHECK_EQUAL(counts.vertices, counts.inputs - counts.duplicates);
     } else {
         check_quality(mesh.get(), dim, points.generic);
+        stopwatch.lap("quality");
     }
     if (output == "well_spaced") CHECK_EQUAL(counts.domains, 1u);
     if (input == "duplicates") CHECK_EQUAL(counts.duplicates, points.size() / 2);

@@ -12,9 +12,12 @@ add_library(netmesh_cgal_reference STATIC
 target_include_directories(netmesh_cgal_reference PUBLIC cgal)
 target_link_libraries(netmesh_cgal_reference PRIVATE netmesh_peer_cgal)
 
-add_executable(cgal_cross_check cgal_cross_check.cpp cgal/certify.cpp)
-target_link_libraries(cgal_cross_check PRIVATE
-  netmesh_test_support netmesh_cgal_reference netmesh::netmesh)
+foreach(program cgal_cross_check certifier_self_test)
+  add_executable(${program} ${program}.cpp cgal/certify.cpp)
+  target_link_libraries(${program} PRIVATE
+    netmesh_test_support netmesh_cgal_reference netmesh::netmesh)
+endforeach()
+netmesh_test(certifier_self_test certifier_self_test)
 
 function(netmesh_cross_check input dim)
   foreach(output ${ARGN})

@@ -103,6 +103,7 @@ void netmesh_row(Table& table, const std::string& name, const PointSet& points) 
 }
 
 void compare(Table& table, const std::string& name, const PointSet& points) {
+    check::context = name;
     tetgen_row(table, name, points);
     netmesh_row(table, name, points);
 }

@@ -2,9 +2,11 @@
 // nested clusters, spreads from 2^64 to 2^1800, eight seeds.
 //
 //   spread <dim>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <vector>
 
 #include "check.hpp"
@@ -23,6 +25,7 @@ struct Outcome {
 };
 
 Outcome run(unsigned dim, int log_spread, int seed) {
+    check::context = "spread 2^" + std::to_string(log_spread) + ", seed " + std::to_string(seed);
     const PointSet points = nested_clusters(dim, log_spread, static_cast<std::uint64_t>(seed));
     const MeshHandle mesh = create(points);
     const nm_options options = default_options();
@@ -49,28 +52,32 @@ int main(int count, char** arguments) {
     const double most = dim == 2 ? 13.0 : 20.0;
     constexpr double most_growth = 1.15;
 
-    std::printf("vertices per input, %uD, 256 points in 32 nested clusters (at most %g)\n", dim, most);
-    std::printf("%8s", "spread");
-    for (int seed = 1; seed <= seeds; ++seed) std::printf("  seed %d", seed);
-    std::printf("  aspect  limited\n");
+    std::string table = "vertices per input, " + std::to_string(dim)
+                        + "D, 256 points in 32 nested clusters\n  spread";
+    for (int seed = 1; seed <= seeds; ++seed) table += "  seed " + std::to_string(seed);
+    table += "  aspect  limited\n";
 
     std::vector<double> at_512(seeds);
     for (const int log_spread : log_spreads) {
-        std::printf("  2^%-4d", log_spread);
+        char cell[64];
+        std::snprintf(cell, sizeof cell, "  2^%-4d", log_spread);
+        table += cell;
         double aspect = 0.0;
         unsigned long long limited = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
             const Outcome outcome = run(dim, log_spread, seed);
-            std::printf("  %6.2f", outcome.ratio);
-            std::fflush(stdout);
+            std::snprintf(cell, sizeof cell, "  %6.2f", outcome.ratio);
+            table += cell;
             CHECK_AT_MOST(outcome.ratio, most);
             double& reference = at_512[static_cast<std::size_t>(seed - 1)];
             if (log_spread == 512) reference = outcome.ratio;
             if (log_spread == 1800) CHECK_AT_MOST(outcome.ratio, most_growth * reference);
-            if (outcome.aspect > aspect) aspect = outcome.aspect;
+            aspect = std::max(aspect, outcome.aspect);
             limited += outcome.precision_limited;
         }
-        std::printf("  %6.3f  %7llu\n", aspect, limited);
+        std::snprintf(cell, sizeof cell, "  %6.3f  %7llu\n", aspect, limited);
+        table += cell;
     }
+    std::cout << table << std::flush;
     return check::result("spread");
 }

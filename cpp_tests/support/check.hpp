@@ -18,6 +18,9 @@ namespace check {
 inline std::atomic<unsigned long> performed{0};
 inline std::atomic<unsigned long> failed{0};
 
+// What the test is at; set by main between checks, part of every report.
+inline std::string context;
+
 // A broken loop must not bury the first failure under a million copies.
 constexpr unsigned long most_printed = 40;
 
@@ -25,7 +28,9 @@ inline void report(const char* file, int line, const std::string& what) {
     static std::mutex printing;
     if (++failed <= most_printed) {
         const std::lock_guard<std::mutex> lock(printing);
-        std::cerr << file << ":" << line << ": FAILED: " << what << std::endl;
+        std::cerr << file << ":" << line << ": FAILED: " << what;
+        if (!context.empty()) std::cerr << "  (" << context << ")";
+        std::cerr << std::endl;
     }
 }
 

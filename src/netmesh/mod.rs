@@ -106,11 +106,17 @@ struct Scratch {
 }
 
 /// A set of vertex ids that is emptied in constant time.
-#[derive(Default)]
 struct VertexSet {
     ids: Vec<u32>,
     marks: Vec<u32>,
     epoch: u32,
+}
+
+impl Default for VertexSet {
+    fn default() -> Self {
+        // A new id's mark is 0, which must not be the first epoch.
+        Self { ids: Vec::new(), marks: Vec::new(), epoch: 1 }
+    }
 }
 
 impl VertexSet {
@@ -210,7 +216,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 }
 
 fn limit(max_vertices: u64, needed: usize) -> Error {
-    let message = format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    let message =
+        format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
 }
 

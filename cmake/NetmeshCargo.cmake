@@ -64,6 +64,6 @@ endforeach()
 
 # The top-level project builds the library even where nothing links it.
 if(netmesh_is_top_level)
-  add_custom_target(netmesh_library ALL DEPENDS netmesh_cargo)
+  add_custom_target(netmesh_library ALL)
   add_dependencies(netmesh_library netmesh_cargo)
 endif()

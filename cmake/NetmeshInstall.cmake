@@ -35,6 +35,9 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/netmesh-config.cmake"
 if(NOT WIN32)
   list(TRANSFORM netmesh_system_libraries PREPEND "-l" OUTPUT_VARIABLE netmesh_private_flags)
   string(JOIN " " netmesh_private_flags ${netmesh_private_flags})
+  # Relative, so that the installed tree can be moved.
+  file(RELATIVE_PATH netmesh_prefix_from_pc
+       "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/netmesh.pc.in"
                  "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc" @ONLY)
   install(FILES "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc"

@@ -1,1 +1,260 @@
-//! complex
+//! The combinatorial complex: a triangulated sphere, that is a ball whose hull facets are joined to
+//! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
+//!
+//! Simplices are flat structures of arrays with `u32` ids and a LIFO free list. All simplices are
+//! oriented alike: replacing a vertex of one by a point on the same side keeps the orientation, so
+//! a cavity is retriangulated without one orientation test.
+
+mod star;
+
+use crate::mesh::NONE;
+
+/// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
+pub(crate) const INFINITE: u32 = NONE;
+
+/// The facet of `simplex` opposite its vertex number `index`, and the simplex beyond it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Facet {
+    pub simplex: u32,
+    pub index: u32,
+    pub beyond: u32,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) struct Complex<const D: usize> {
+    vertices: Vec<u32>,
+    neighbors: Vec<u32>,
+    /// Dead simplices, reused last in first out.
+    free: Vec<u32>,
+    /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
+    incident: Vec<u32>,
+    marks: Vec<u32>,
+    epoch: u32,
+}
+
+impl<const D: usize> Complex<D> {
+    const CORNERS: usize = D + 1;
+
+    /// An empty complex that knows `vertices` ids, none of them inserted.
+    pub fn new(vertices: usize) -> Self {
+        Self {
+            vertices: Vec::new(),
+            neighbors: Vec::new(),
+            free: Vec::new(),
+            incident: vec![NONE; vertices],
+            marks: Vec::new(),
+            epoch: 0,
+        }
+    }
+
+    /// One past the largest simplex id ever used; arrays over simplices have this length.
+    pub fn simplex_bound(&self) -> usize {
+        self.marks.len()
+    }
+
+    /// Number of live simplices, infinite ones included.
+    pub fn simplex_count(&self) -> usize {
+        self.marks.len() - self.free.len()
+    }
+
+    #[inline]
+    pub fn vertices(&self, simplex: u32) -> &[u32] {
+        &self.vertices[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    #[inline]
+    pub fn neighbors(&self, simplex: u32) -> &[u32] {
+        &self.neighbors[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    pub fn is_live(&self, simplex: u32) -> bool {
+        self.neighbors[simplex as usize * Self::CORNERS] != NONE
+    }
+
+    pub fn is_infinite(&self, simplex: u32) -> bool {
+        self.vertices(simplex).contains(&INFINITE)
+    }
+
+    /// A simplex at `vertex`, [`NONE`] if the vertex is not in the complex.
+    #[inline]
+    pub fn incident(&self, vertex: u32) -> u32 {
+        self.incident[vertex as usize]
+    }
+
+    pub fn contains_vertex(&self, vertex: u32) -> bool {
+        self.incident(vertex) != NONE
+    }
+
+    /// Makes room for a new vertex id.
+    pub fn add_vertex(&mut self) -> u32 {
+        self.incident.push(NONE);
+        self.incident.len() as u32 - 1
+    }
+
+    /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
+    pub fn begin(&mut self, corners: &[u32]) {
+        assert!(self.marks.is_empty() && corners.len() == Self::CORNERS);
+        let finite = self.allocate();
+        self.vertices_mut(finite).copy_from_slice(corners);
+        for opposite in 0..Self::CORNERS {
+            let infinite = self.allocate();
+            let vertices = self.vertices_mut(infinite);
+            vertices.copy_from_slice(corners);
+            vertices[opposite] = INFINITE;
+            // Seen from beyond the facet the corners turn the other way.
+            vertices.swap((opposite + 1) % Self::CORNERS, (opposite + 2) % Self::CORNERS);
+        }
+        self.link_all();
+        for &corner in corners {
+            self.incident[corner as usize] = finite;
+        }
+    }
+
+    /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex each.
+    fn link_all(&mut self) {
+        let count = self.marks.len() as u32;
+        for simplex in 0..count {
+            for index in 0..Self::CORNERS {
+                let missing = self.vertices(simplex)[index];
+                let neighbor = (0..count)
+                    .find(|&other| other != simplex && !self.vertices(other).contains(&missing));
+                self.neighbors_mut(simplex)[index] = neighbor.expect("two simplices share a facet");
+            }
+        }
+    }
+
+    /// Starts a search: afterwards no simplex is marked. The two marks are independent.
+    pub fn begin_marks(&mut self) {
+        if self.epoch >= u32::MAX - 2 {
+            self.marks.fill(0);
+            self.epoch = 0;
+        }
+        self.epoch += 2;
+    }
+
+    #[inline]
+    pub fn mark_inside(&mut self, simplex: u32) {
+        self.marks[simplex as usize] = self.epoch;
+    }
+
+    #[inline]
+    pub fn mark_outside(&mut self, simplex: u32) {
+        self.marks[simplex as usize] = self.epoch + 1;
+    }
+
+    #[inline]
+    pub fn is_inside(&self, simplex: u32) -> bool {
+        self.marks[simplex as usize] == self.epoch
+    }
+
+    #[inline]
+    pub fn is_marked(&self, simplex: u32) -> bool {
+        self.marks[simplex as usize] >= self.epoch
+    }
+
+    /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
+    /// `vertex` over its `boundary`. `created[i]` is the new simplex on `boundary[i]`.
+    pub fn retriangulate(
+        &mut self,
+        vertex: u32,
+        cavity: &[u32],
+        boundary: &[Facet],
+        created: &mut Vec<u32>,
+    ) {
+        created.clear();
+        for facet in boundary {
+            created.push(self.cone(vertex, facet));
+        }
+        for (facet, &simplex) in boundary.iter().zip(created.iter()) {
+            self.link_ridges(facet, simplex);
+        }
+        self.incident[vertex as usize] = created[0];
+        for &simplex in cavity {
+            self.release(simplex);
+        }
+    }
+
+    /// The simplex of `vertex` over `facet`, linked to the simplex beyond. The facet's own
+    /// simplex, though dead, points to it from then on: that is how a pivot finds it.
+    fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
+        let simplex = self.allocate();
+        let (from, index) = (facet.simplex as usize * Self::CORNERS, facet.index as usize);
+        let to = simplex as usize * Self::CORNERS;
+        self.vertices.copy_within(from..from + Self::CORNERS, to);
+        self.vertices[to + index] = vertex;
+        for i in (0..Self::CORNERS).filter(|&i| i != index) {
+            let corner = self.vertices[to + i];
+            if corner != INFINITE {
+                self.incident[corner as usize] = simplex;
+            }
+        }
+        self.neighbors[to + index] = facet.beyond;
+        self.neighbors[from + index] = simplex;
+        let mirror = position(self.neighbors(facet.beyond), facet.simplex);
+        self.neighbors_mut(facet.beyond)[mirror] = simplex;
+        simplex
+    }
+
+    /// Links `simplex` (the cone over `facet`) across each ridge of the facet by pivoting round
+    /// the ridge through the cavity.
+    fn link_ridges(&mut self, facet: &Facet, simplex: u32) {
+        for ridge in 0..Self::CORNERS {
+            let at = simplex as usize * Self::CORNERS + ridge;
+            if self.neighbors[at] != NONE {
+                continue;
+            }
+            let (neighbor, index) = self.pivot(facet, ridge);
+            self.neighbors[at] = neighbor;
+            self.neighbors[neighbor as usize * Self::CORNERS + index] = simplex;
+        }
+    }
+
+    /// Turns round the ridge of `facet` without corner `leave` until the cavity ends; returns the
+    /// cone there and the number of its corner that is not on the ridge.
+    #[inline]
+    fn pivot(&self, facet: &Facet, leave: usize) -> (u32, usize) {
+        let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);
+        loop {
+            let next = self.neighbors(current)[leave];
+            if !self.is_inside(next) {
+                return (next, enter);
+            }
+            let kept = self.vertices(current)[enter];
+            enter = position(self.neighbors(next), current);
+            leave = position(self.vertices(next), kept);
+            current = next;
+        }
+    }
+
+    fn allocate(&mut self) -> u32 {
+        if let Some(simplex) = self.free.pop() {
+            self.marks[simplex as usize] = 0;
+            self.neighbors_mut(simplex).fill(NONE);
+            return simplex;
+        }
+        let simplex = self.marks.len() as u32;
+        self.vertices.resize(self.vertices.len() + Self::CORNERS, NONE);
+        self.neighbors.resize(self.neighbors.len() + Self::CORNERS, NONE);
+        self.marks.push(0);
+        simplex
+    }
+
+    fn release(&mut self, simplex: u32) {
+        self.neighbors[simplex as usize * Self::CORNERS] = NONE;
+        self.free.push(simplex);
+    }
+
+    fn vertices_mut(&mut self, simplex: u32) -> &mut [u32] {
+        &mut self.vertices[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    fn neighbors_mut(&mut self, simplex: u32) -> &mut [u32] {
+        &mut self.neighbors[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+    }
+}
+
+/// Where `id` stands in `ids`; the caller knows that it does.
+#[inline]
+pub(crate) fn position(ids: &[u32], id: u32) -> usize {
+    ids.iter().position(|&other| other == id).expect("adjacent simplices name each other")
+}

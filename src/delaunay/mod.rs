@@ -1,1 +1,203 @@
-//! delaunay
+//! The Delaunay complex: D-balls (§3), conflict regions and insertion. Strict tests need no
+//! perturbation: a point conflicts only with a ball that it is strictly inside, and a cavity built
+//! so is star-shaped from the point and yields no flat simplex (DESIGN section 3).
+
+mod locate;
+#[cfg(test)]
+mod tests;
+
+use crate::complex::{Complex, Facet, INFINITE};
+use crate::numerics::{Circumball, Sign, in_ball, orientation};
+use std::cell::Cell;
+
+/// Corners of a simplex of the highest dimension.
+const MAX_CORNERS: usize = crate::mesh::MAX_DIM + 1;
+
+/// The simplices whose D-balls hold a point: what the point's insertion destroys.
+#[derive(Debug, Default)]
+pub(crate) struct Cavity {
+    pub simplices: Vec<u32>,
+    /// The facets round the cavity, grouped by `simplices`.
+    pub boundary: Vec<Facet>,
+    /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
+    pub starts: Vec<u32>,
+}
+
+pub(crate) struct Delaunay<const D: usize> {
+    complex: Complex<D>,
+    /// All points that have an id, inserted or not.
+    points: Vec<[f64; D]>,
+    /// The D-ball of each finite simplex; `None` for an infinite or dead one.
+    balls: Vec<Option<Circumball<D>>>,
+    exact_fallbacks: Cell<u64>,
+}
+
+impl<const D: usize> Delaunay<D> {
+    /// A complex without simplices over `points`, which get the ids 0, 1, ...
+    pub fn new(points: Vec<[f64; D]>) -> Self {
+        Self {
+            complex: Complex::new(points.len()),
+            points,
+            balls: Vec::new(),
+            exact_fallbacks: Cell::new(0),
+        }
+    }
+
+    pub fn complex(&self) -> &Complex<D> {
+        &self.complex
+    }
+
+    #[inline]
+    pub fn point(&self, vertex: u32) -> &[f64; D] {
+        &self.points[vertex as usize]
+    }
+
+    /// Number of points with an id, inserted or not.
+    pub fn point_count(&self) -> usize {
+        self.points.len()
+    }
+
+    pub fn exact_fallbacks(&self) -> u64 {
+        self.exact_fallbacks.get()
+    }
+
+    /// Gives `point` an id; it is not inserted yet.
+    pub fn add_point(&mut self, point: [f64; D]) -> u32 {
+        self.points.push(point);
+        self.complex.add_vertex()
+    }
+
+    /// See [`Complex::star`].
+    pub fn star(&mut self, vertex: u32, star: &mut Vec<u32>) {
+        self.complex.star(vertex, star);
+    }
+
+    /// Starts the complex with D + 1 affinely independent points.
+    pub fn begin(&mut self, corners: &[u32]) {
+        let mut corners = corners.to_vec();
+        let sign = orientation(&self.corner_points(&corners)[..=D]);
+        debug_assert!(sign != Sign::Zero, "the first simplex has a volume");
+        if sign == Sign::Negative {
+            corners.swap(0, 1);
+        }
+        self.complex.begin(&corners);
+        for simplex in 0..self.complex.simplex_bound() as u32 {
+            self.compute_ball(simplex);
+        }
+    }
+
+    /// The D-ball of a live finite simplex.
+    #[inline]
+    pub fn ball(&self, simplex: u32) -> Option<&Circumball<D>> {
+        self.balls[simplex as usize].as_ref()
+    }
+
+    /// The corner of the Voronoi diagram dual to `simplex`, rounded; not finite if out of range.
+    pub fn corner(&self, simplex: u32) -> Option<[f64; D]> {
+        let ball = self.ball(simplex)?;
+        let anchor = self.complex.vertices(simplex)[ball.anchor as usize];
+        Some(ball.center_point(self.point(anchor)))
+    }
+
+    /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly
+    /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
+    #[inline]
+    pub fn in_conflict(&self, simplex: u32, q: &[f64; D]) -> bool {
+        let Some(ball) = self.ball(simplex) else {
+            return self.beyond_hull(simplex, q);
+        };
+        let anchor = self.complex.vertices(simplex)[ball.anchor as usize];
+        match ball.side(self.point(anchor), q) {
+            Some(inside) => inside,
+            None => self.in_ball_exactly(simplex, q),
+        }
+    }
+
+    #[cold]
+    fn in_ball_exactly(&self, simplex: u32, q: &[f64; D]) -> bool {
+        self.exact_fallbacks.set(self.exact_fallbacks.get() + 1);
+        let corners = self.corner_points(self.complex.vertices(simplex));
+        in_ball(&corners[..=D], q) == Sign::Positive
+    }
+
+    /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
+    fn beyond_hull(&self, simplex: u32, q: &[f64; D]) -> bool {
+        let vertices = self.complex.vertices(simplex);
+        let infinite = crate::complex::position(vertices, INFINITE);
+        let mut corners = [q; MAX_CORNERS];
+        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+            if vertex != INFINITE {
+                *corner = self.point(vertex);
+            }
+        }
+        match orientation(&corners[..=D]) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            Sign::Zero => self.in_conflict(self.complex.neighbors(simplex)[infinite], q),
+        }
+    }
+
+    /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
+    pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) {
+        cavity.simplices.clear();
+        cavity.boundary.clear();
+        cavity.starts.clear();
+        self.complex.begin_marks();
+        self.complex.mark_inside(start);
+        cavity.simplices.push(start);
+        let mut next = 0;
+        while next < cavity.simplices.len() {
+            let simplex = cavity.simplices[next];
+            next += 1;
+            cavity.starts.push(cavity.boundary.len() as u32);
+            for index in 0..=D {
+                let beyond = self.complex.neighbors(simplex)[index];
+                if !self.complex.is_marked(beyond) {
+                    if self.in_conflict(beyond, q) {
+                        self.complex.mark_inside(beyond);
+                        cavity.simplices.push(beyond);
+                    } else {
+                        self.complex.mark_outside(beyond);
+                    }
+                }
+                if !self.complex.is_inside(beyond) {
+                    cavity.boundary.push(Facet { simplex, index: index as u32, beyond });
+                }
+            }
+        }
+        cavity.starts.push(cavity.boundary.len() as u32);
+    }
+
+    /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex
+    /// on `cavity.boundary[i]`. O(cavity).
+    pub fn insert(&mut self, vertex: u32, cavity: &Cavity, created: &mut Vec<u32>) {
+        self.complex.begin_marks();
+        for &simplex in &cavity.simplices {
+            self.complex.mark_inside(simplex);
+        }
+        self.complex.retriangulate(vertex, &cavity.simplices, &cavity.boundary, created);
+        for &simplex in created.iter() {
+            self.compute_ball(simplex);
+        }
+    }
+
+    fn compute_ball(&mut self, simplex: u32) {
+        if self.balls.len() < self.complex.simplex_bound() {
+            self.balls.resize(self.complex.simplex_bound(), None);
+        }
+        let vertices = self.complex.vertices(simplex);
+        self.balls[simplex as usize] = if vertices.contains(&INFINITE) {
+            None
+        } else {
+            Some(Circumball::new(&self.corner_points(vertices)[..=D]))
+        };
+    }
+
+    fn corner_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_CORNERS] {
+        let mut corners = [&self.points[0]; MAX_CORNERS];
+        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+            *corner = self.point(vertex);
+        }
+        corners
+    }
+}

@@ -1,17 +1,220 @@
-//! The paper's algorithm (§6), one file per operation.
+//! The paper's algorithm (§6), one file per operation: `start` (the root cage and first homes),
+//! `net` (SELECTROUND), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
+//! GROWCAGE, RELEASECAGE), `encroach` (INENCROACH, OUTENCROACH, MEDIALITY), `clean` (CLEAN,
+//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH).
 
+mod cage;
+mod clean;
+mod domains;
+mod encroach;
+mod finish;
+mod insert;
+mod location;
+mod net;
+mod output;
 pub mod parameters;
+mod quality;
+mod round;
+mod start;
+mod template;
+mod watch;
 
+use crate::delaunay::{Cavity, Delaunay};
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Inputs, Triangulation};
-use crate::options::{Options, ProgressFn};
+use crate::mesh::{Inputs, NONE, Stats, Triangulation};
+use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
+use clean::RefineList;
+use domains::Hierarchy;
+use location::Location;
+use parameters::Parameters;
+use rand_pcg::Pcg64Mcg;
+use std::time::Instant;
+use watch::Watch;
 
-/// Meshes `inputs`; picks the monomorphisation for the dimension.
+/// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
+///
+/// # Errors
+/// `InvalidArgument`, `DegenerateInput`, `Limit`, `Cancelled`, `OutOfMemory`.
 pub fn run(
     inputs: &Inputs,
     options: &Options,
-    _progress: Option<&mut ProgressFn<'_>>,
+    progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
-    parameters::Parameters::resolve(inputs.dim(), options)?;
-    Err(Error::new(ErrorKind::State, "the core is being built"))
+    let parameters = Parameters::resolve(inputs.dim(), options)?;
+    match inputs.dim() {
+        2 => mesh::<2>(inputs, parameters, progress),
+        3 => mesh::<3>(inputs, parameters, progress),
+        4 => mesh::<4>(inputs, parameters, progress),
+        5 => mesh::<5>(inputs, parameters, progress),
+        6 => mesh::<6>(inputs, parameters, progress),
+        7 => mesh::<7>(inputs, parameters, progress),
+        8 => mesh::<8>(inputs, parameters, progress),
+        dim => unreachable!("inputs of dimension {dim} are refused when they are made"),
+    }
+}
+
+fn mesh<const D: usize>(
+    inputs: &Inputs,
+    parameters: Parameters,
+    progress: Option<&mut ProgressFn<'_>>,
+) -> Result<Triangulation> {
+    let begun = Instant::now();
+    let mut mesher = Mesher::<D>::new(inputs, parameters, Watch::new(progress))?;
+    if mesher.parameters.algorithm == Algorithm::Delaunay {
+        mesher.start_delaunay()?;
+        mesher.insert_rounds()?;
+    } else {
+        mesher.start_netmesh()?;
+        mesher.insert_rounds()?;
+        if mesher.parameters.output == Output::WellSpaced {
+            mesher.finish_mesh()?;
+        }
+    }
+    Ok(mesher.into_triangulation(begun))
+}
+
+/// The state of a run. Vertices `0..inputs` are the distinct inputs, inserted or not; Steiner and
+/// cage vertices follow in the order of their insertion.
+struct Mesher<'a, 'b, const D: usize> {
+    parameters: Parameters,
+    delaunay: Delaunay<D>,
+    hierarchy: Hierarchy<D>,
+    location: Location,
+    refine: RefineList,
+    /// Vertex -> distance to its nearest neighbour in the mesh.
+    nearest: Vec<f64>,
+    /// Vertices next to which doubles ran out when a cage was wanted.
+    precision_limited: Vec<bool>,
+    /// Number of distinct inputs.
+    inputs: usize,
+    /// Directions of the cage's vertices from its centre.
+    template: Vec<[f64; D]>,
+    random: Pcg64Mcg,
+    watch: Watch<'a, 'b>,
+    stats: Stats,
+    scratch: Scratch,
+}
+
+/// Buffers that every insertion uses again.
+#[derive(Default)]
+struct Scratch {
+    cavity: Cavity,
+    created: Vec<u32>,
+    star: Vec<u32>,
+    /// The neighbours of the last inserted vertex, or the corners of the last cavity.
+    corners: VertexSet,
+}
+
+/// A set of vertex ids that is emptied in constant time.
+#[derive(Default)]
+struct VertexSet {
+    ids: Vec<u32>,
+    marks: Vec<u32>,
+    epoch: u32,
+}
+
+impl VertexSet {
+    fn clear(&mut self) {
+        self.ids.clear();
+        if self.epoch == u32::MAX {
+            self.marks.fill(0);
+            self.epoch = 0;
+        }
+        self.epoch += 1;
+    }
+
+    #[inline]
+    fn insert(&mut self, id: u32) {
+        if self.marks.len() <= id as usize {
+            self.marks.resize(id as usize + 1, 0);
+        }
+        let mark = &mut self.marks[id as usize];
+        if *mark != self.epoch {
+            *mark = self.epoch;
+            self.ids.push(id);
+        }
+    }
+}
+
+impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
+    fn new(inputs: &Inputs, parameters: Parameters, watch: Watch<'a, 'b>) -> Result<Self> {
+        let count = inputs.distinct();
+        if count as u64 > parameters.max_vertices {
+            return Err(limit(parameters.max_vertices, count));
+        }
+        let mut points = Vec::new();
+        crate::mesh::reserve(&mut points, 2 * count)?;
+        points.extend((0..count).map(|v| {
+            let point: [f64; D] = inputs.distinct_point(v).try_into().expect("dim is D");
+            point
+        }));
+        Ok(Self {
+            random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ u128::from(parameters.seed)),
+            delaunay: Delaunay::new(points),
+            hierarchy: Hierarchy::new(count),
+            location: Location::new(count),
+            refine: RefineList::default(),
+            nearest: vec![f64::INFINITY; count],
+            precision_limited: vec![false; count],
+            inputs: count,
+            template: Vec::new(),
+            watch,
+            stats: Stats::default(),
+            scratch: Scratch::default(),
+            parameters,
+        })
+    }
+
+    fn is_input(&self, vertex: u32) -> bool {
+        (vertex as usize) < self.inputs
+    }
+
+    fn is_inserted(&self, vertex: u32) -> bool {
+        self.delaunay.complex().contains_vertex(vertex)
+    }
+
+    /// Gives a Steiner or cage point an id.
+    ///
+    /// # Errors
+    /// `Limit` if the mesh may not grow.
+    fn add_vertex(&mut self, x: [f64; D]) -> Result<u32> {
+        let count = self.delaunay.point_count();
+        if count as u64 >= self.parameters.max_vertices {
+            return Err(limit(self.parameters.max_vertices, count + 1));
+        }
+        self.hierarchy.add_vertex();
+        self.nearest.push(f64::INFINITY);
+        self.precision_limited.push(false);
+        Ok(self.delaunay.add_point(x))
+    }
+
+    fn report_progress(&mut self, phase: Phase) -> Result<()> {
+        let inserted = self.inputs - self.location.remaining();
+        let done = inserted as f64 / self.inputs as f64;
+        let fraction = match self.parameters.output {
+            Output::Hierarchical => done,
+            Output::WellSpaced => 0.5 * done + 0.5 * self.finished_fraction(phase),
+        };
+        let vertices = self.delaunay.point_count() - self.location.remaining();
+        let simplices = self.delaunay.complex().simplex_count();
+        self.watch.report(phase, fraction, [inserted as u64, vertices as u64, simplices as u64])
+    }
+
+    fn finished_fraction(&self, phase: Phase) -> f64 {
+        if phase != Phase::Finish {
+            return 0.0;
+        }
+        let released = self.stats.cages_released as f64;
+        released / f64::from(self.hierarchy.len())
+    }
+}
+
+fn limit(max_vertices: u64, needed: usize) -> Error {
+    let message = format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    Error::new(ErrorKind::Limit, message)
+}
+
+/// Whether an id names something.
+fn some(id: u32) -> Option<u32> {
+    (id != NONE).then_some(id)
 }

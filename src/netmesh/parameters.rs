@@ -72,6 +72,17 @@ impl Parameters {
     }
 }
 
+impl Parameters {
+    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
+    /// the aspect of its vertices' cells.
+    pub fn aspect_bound(&self) -> f64 {
+        match self.criterion {
+            Criterion::VoronoiAspect => self.quality_bound,
+            Criterion::RadiusEdge => 2.0 * self.quality_bound,
+        }
+    }
+}
+
 /// The default for 2D, 3D, 4D and everything above.
 fn pick(dim: usize, defaults: [f64; 4]) -> f64 {
     defaults[(dim - 2).min(3)]

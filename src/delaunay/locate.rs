@@ -1,0 +1,48 @@
+//! Location of a point that no list knows (a cage vertex): a visibility walk with exact signs
+//! from a simplex nearby. Never used from far away.
+
+use super::{Delaunay, MAX_CORNERS};
+use crate::complex::INFINITE;
+use crate::numerics::{Sign, orientation};
+
+impl<const D: usize> Delaunay<D> {
+    /// A simplex in conflict with `q`, found from the live simplex `start`. `None` iff `q` is a
+    /// vertex already. A visibility walk in a Delaunay triangulation cannot cycle except among
+    /// cospherical simplices; a counted bound and a scan of all simplices cover those.
+    pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
+        let mut current = self.finite_near(start);
+        for _ in 0..self.complex.simplex_count() {
+            if self.in_conflict(current, q) {
+                return Some(current);
+            }
+            match self.step_towards(current, q) {
+                Some(next) if self.ball(next).is_none() => return Some(next),
+                Some(next) => current = next,
+                None => break,
+            }
+        }
+        (0..self.complex.simplex_bound() as u32)
+            .find(|&simplex| self.complex.is_live(simplex) && self.in_conflict(simplex, q))
+    }
+
+    fn finite_near(&self, start: u32) -> u32 {
+        match self.complex.vertices(start).iter().position(|&v| v == INFINITE) {
+            Some(infinite) => self.complex.neighbors(start)[infinite],
+            None => start,
+        }
+    }
+
+    /// The neighbour across a facet that has `q` strictly on its other side.
+    fn step_towards(&self, simplex: u32, q: &[f64; D]) -> Option<u32> {
+        let vertices = self.complex.vertices(simplex);
+        let mut corners: [&[f64; D]; MAX_CORNERS] = self.corner_points(vertices);
+        for index in 0..=D {
+            let kept = std::mem::replace(&mut corners[index], q);
+            if orientation(&corners[..=D]) == Sign::Negative {
+                return Some(self.complex.neighbors(simplex)[index]);
+            }
+            corners[index] = kept;
+        }
+        None
+    }
+}

@@ -1,0 +1,215 @@
+//! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
+
+use super::start::{REPRESENTABLE, spacing_near};
+use super::{Mesher, some};
+use crate::error::Result;
+use crate::mesh::NONE;
+use crate::numerics::distance;
+
+/// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
+/// has been displaced by rounding: the packing property leaves more room in exact arithmetic.
+const PACKING: f64 = 0.1;
+
+/// Where a cage is wanted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CageSite {
+    pub center: u32,
+    pub radius: f64,
+    pub parent: u32,
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
+    /// concentric with it there, and the cage's vertices. `start` is a simplex near the sphere.
+    /// Where doubles cannot express the cage there is none, and the centre is precision-limited.
+    pub(super) fn new_cage(&mut self, site: CageSite, start: u32) -> Result<()> {
+        let point = *self.delaunay.point(site.center);
+        let sphere = self.parameters.cage_scale * site.radius;
+        if sphere * self.parameters.delta < REPRESENTABLE * spacing_near(&point) {
+            self.precision_limited[site.center as usize] = true;
+            return Ok(());
+        }
+        let cage = self.hierarchy.create(site.center, point, site.radius, site.parent);
+        self.stats.cages_created += 1;
+        self.adopt_center(cage, site);
+        let mut start = start;
+        let mut yielded = Vec::new();
+        for x in self.cage_points(&point, sphere) {
+            if let Some(vertex) = self.insert_cage_vertex(cage, x, start)? {
+                start = self.delaunay.complex().incident(vertex);
+                if self.is_input(vertex) {
+                    yielded.push(vertex);
+                }
+            }
+        }
+        self.measure_clearance(cage);
+        self.examine_cage(cage);
+        self.make_room_outside(cage, &yielded)
+    }
+
+    /// Puts the centre, or the outermost domain concentric with it, into the new domain.
+    fn adopt_center(&mut self, cage: u32, site: CageSite) {
+        let mut domain = self.hierarchy.domain_of(site.center);
+        if domain == site.parent {
+            self.hierarchy.set_domain(site.center, cage);
+            return;
+        }
+        loop {
+            let parent = self.hierarchy.parent(domain);
+            if parent == site.parent || parent == NONE {
+                break;
+            }
+            domain = parent;
+        }
+        self.hierarchy.set_parent(domain, cage);
+    }
+
+    /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.
+    fn insert_cage_vertex(&mut self, cage: u32, x: [f64; D], start: u32) -> Result<Option<u32>> {
+        let start = if self.delaunay.complex().is_live(start) {
+            start
+        } else {
+            self.delaunay.complex().incident(self.hierarchy.node(cage).center)
+        };
+        let Some(home) = self.delaunay.locate(start, &x) else {
+            self.limit_cage(cage);
+            return Ok(None);
+        };
+        self.delaunay.find_cavity(home, &x, &mut self.scratch.cavity);
+        self.collect_cavity_corners();
+        let nearest = self.nearest_corner(&x);
+        let sphere = self.parameters.cage_scale * self.hierarchy.node(cage).radius;
+        if nearest < PACKING * self.parameters.delta * sphere {
+            self.limit_cage(cage);
+            return Ok(None);
+        }
+        let vertex = match self.input_near(&x, self.parameters.gamma * nearest) {
+            Some(input) => {
+                self.find_cavity_of_input(input);
+                self.collect_cavity_corners();
+                input
+            }
+            None => self.add_vertex(x)?,
+        };
+        self.enter(&self.delaunay.point(vertex).to_owned());
+        self.hierarchy.set_domain(vertex, cage);
+        self.hierarchy.join_cage(vertex, cage);
+        self.insert_into_cavity(vertex)?;
+        Ok(Some(vertex))
+    }
+
+    fn limit_cage(&mut self, cage: u32) {
+        let center = self.hierarchy.node(cage).center;
+        self.precision_limited[center as usize] = true;
+    }
+
+    fn nearest_corner(&self, x: &[f64; D]) -> f64 {
+        let gaps = self.scratch.corners.ids.iter().map(|&v| distance(x, self.delaunay.point(v)));
+        gaps.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Inputs that the new cage yielded to may encroach the domains around it from inside.
+    fn make_room_outside(&mut self, cage: u32, yielded: &[u32]) -> Result<()> {
+        for &input in yielded {
+            let x = *self.delaunay.point(input);
+            loop {
+                let living = self.hierarchy.find(cage);
+                let outer = match living == cage {
+                    true => self.hierarchy.parent(living),
+                    false => living,
+                };
+                let Some(domain) = self.inner_encroached_from(outer, &x) else { break };
+                let start = self.delaunay.complex().incident(input);
+                self.grow_cage(domain, start)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// GROWCAGE(C): where the nearest vertex outside leaves room for it, a cage of radius
+    /// r / epsilon; then the old one is released. (The paper compares Vor(C)'s in-radius (d + r)/2,
+    /// but only d >= outf r / epsilon^2 leaves the new cage un-encroached.)
+    pub(super) fn grow_cage(&mut self, cage: u32, start: u32) -> Result<()> {
+        let node = self.hierarchy.node(cage);
+        let (center, radius, outside) = (node.center, node.radius, node.outside);
+        let epsilon = self.parameters.epsilon;
+        if outside >= self.parameters.encroachment * radius / (epsilon * epsilon) {
+            let parent = self.hierarchy.parent(cage);
+            self.stats.cages_grown += 1;
+            self.new_cage(CageSite { center, radius: radius / epsilon, parent }, start)?;
+        }
+        if self.hierarchy.node(cage).alive {
+            self.release_cage(cage);
+        }
+        Ok(())
+    }
+
+    /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
+    /// their neighbours, whose corners were exempt inside the cage, are examined anew.
+    pub(super) fn release_cage(&mut self, cage: u32) {
+        self.hierarchy.release(cage);
+        self.stats.cages_released += 1;
+        let mut affected = super::VertexSet::default();
+        for at in 0..self.hierarchy.node(cage).cage.len() {
+            let vertex = self.hierarchy.node(cage).cage[at];
+            self.delaunay.star(vertex, &mut self.scratch.star);
+            for &simplex in &self.scratch.star {
+                for &corner in self.delaunay.complex().vertices(simplex) {
+                    if some(corner).is_some() {
+                        affected.insert(corner);
+                    }
+                }
+            }
+        }
+        for vertex in affected.ids {
+            self.examine_star(vertex);
+        }
+    }
+
+    /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
+    /// a cage vertex.
+    fn measure_clearance(&mut self, cage: u32) {
+        for at in 0..self.hierarchy.node(cage).cage.len() {
+            let vertex = self.hierarchy.node(cage).cage[at];
+            self.delaunay.star(vertex, &mut self.scratch.star);
+            for at in 0..self.scratch.star.len() {
+                for index in 0..=D {
+                    let other = self.delaunay.complex().vertices(self.scratch.star[at])[index];
+                    if some(other).is_some() {
+                        self.separate(cage, other);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Lowers the clearance of `cage` to `vertex` if that is outside.
+    fn separate(&mut self, cage: u32, vertex: u32) {
+        let gap = self.hierarchy.distance_to_center(cage, self.delaunay.point(vertex));
+        let node = self.hierarchy.node_mut(cage);
+        if gap >= node.radius && gap < node.outside {
+            node.outside = gap;
+        }
+    }
+
+    /// After `vertex` went in: it and its neighbours may be the nearest outside of each other's
+    /// cages.
+    pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) {
+        for &neighbor in neighbors {
+            let mut inner = self.hierarchy.domain_of(vertex);
+            let mut other = self.hierarchy.domain_of(neighbor);
+            while inner != other {
+                let climb = self.hierarchy.node(inner).radius < self.hierarchy.node(other).radius;
+                let (cage, outside) = if climb { (inner, neighbor) } else { (other, vertex) };
+                let before = self.hierarchy.node(cage).outside;
+                self.separate(cage, outside);
+                // An infinite clearance is that of a cage in the making.
+                if self.hierarchy.node(cage).outside < before && before.is_finite() {
+                    self.examine_cage(cage);
+                }
+                let parent = self.hierarchy.parent(cage);
+                if climb { inner = parent } else { other = parent }
+            }
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! CLEAN (§6.4) and YIELDINGINSERT (§6.3): the far corner of a bad cell goes in, or the input
+//! nearest to it in its D-ball instead.
+
+use super::Mesher;
+use crate::error::Result;
+use crate::numerics::distance;
+use std::collections::VecDeque;
+
+const QUEUED: u8 = 1;
+const LIMITED: u8 = 2;
+
+/// REFINELIST: simplices that were bad when they were queued; whether they still are is tested
+/// when they come up, so an id that was reused meanwhile does no harm.
+#[derive(Default)]
+pub(super) struct RefineList {
+    queue: VecDeque<u32>,
+    flags: Vec<u8>,
+}
+
+impl RefineList {
+    /// Forgets what was known of ids that new simplices have taken.
+    pub fn forget(&mut self, created: &[u32], bound: usize) {
+        self.flags.resize(bound, 0);
+        for &simplex in created {
+            self.flags[simplex as usize] &= QUEUED;
+        }
+    }
+
+    pub fn push(&mut self, simplex: u32) {
+        let flags = &mut self.flags[simplex as usize];
+        if *flags & QUEUED == 0 {
+            *flags |= QUEUED;
+            self.queue.push_back(simplex);
+        }
+    }
+
+    fn pop(&mut self) -> Option<u32> {
+        let simplex = self.queue.pop_front()?;
+        self.flags[simplex as usize] &= !QUEUED;
+        Some(simplex)
+    }
+
+    /// Whether the corner of `simplex` cannot be inserted for want of precision.
+    pub fn is_limited(&self, simplex: u32) -> bool {
+        self.flags.get(simplex as usize).is_some_and(|flags| flags & LIMITED != 0)
+    }
+
+    fn limit(&mut self, simplex: u32) {
+        self.flags[simplex as usize] |= LIMITED;
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// CLEAN: refines until no cell is bad that doubles can mend.
+    pub(super) fn clean(&mut self) -> Result<()> {
+        while let Some(simplex) = self.refine.pop() {
+            if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
+                self.refine_corner(simplex)?;
+                self.queue_again(simplex);
+            }
+        }
+        Ok(())
+    }
+
+    /// An input that was yielded to may lie on the D-ball within rounding and leave the simplex.
+    fn queue_again(&mut self, simplex: u32) {
+        if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
+            self.refine.push(simplex);
+        }
+    }
+
+    /// YIELDINGINSERT of the corner of `simplex`.
+    fn refine_corner(&mut self, simplex: u32) -> Result<()> {
+        let Some((x, radius)) = self.sound_corner(simplex) else {
+            self.refine.limit(simplex);
+            return Ok(());
+        };
+        self.delaunay.find_cavity(simplex, &x, &mut self.scratch.cavity);
+        if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius) {
+            return self.insert_yielded(input);
+        }
+        self.collect_cavity_corners();
+        let domain = self.enter(&x);
+        let vertex = self.add_vertex(x)?;
+        self.hierarchy.set_domain(vertex, domain);
+        self.insert_into_cavity(vertex)
+    }
+
+    /// The corner of `simplex` and its D-ball's radius, unless rounding moved the corner out of
+    /// the D-ball or closer to a vertex than half the radius (DESIGN section 3, precision).
+    fn sound_corner(&self, simplex: u32) -> Option<([f64; D], f64)> {
+        let radius = self.delaunay.ball(simplex)?.radius;
+        let corner = self.delaunay.corner(simplex)?;
+        let has_room = |&vertex: &u32| {
+            let gap = distance(&corner, self.delaunay.point(vertex));
+            gap >= 0.5 * radius && gap <= 1.5 * radius
+        };
+        let sound = corner.iter().all(|x| x.is_finite())
+            && self.delaunay.complex().vertices(simplex).iter().all(has_room)
+            && self.delaunay.in_conflict(simplex, &corner);
+        sound.then_some((corner, radius))
+    }
+
+    /// The uninserted input nearest to `x` within `reach`, among the homes in the scratch cavity
+    /// (the cavity of `x`).
+    pub(super) fn input_near(&mut self, x: &[f64; D], reach: f64) -> Option<u32> {
+        let mut best = None;
+        let mut best_gap = reach;
+        for at in 0..self.scratch.cavity.simplices.len() {
+            let simplex = self.scratch.cavity.simplices[at];
+            for input in self.location.inhabitants(simplex) {
+                let gap = distance(x, self.delaunay.point(input));
+                if gap < best_gap {
+                    best_gap = gap;
+                    best = Some(input);
+                }
+            }
+        }
+        best
+    }
+}

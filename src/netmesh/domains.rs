@@ -1,0 +1,183 @@
+//! The domain hierarchy (§4): a tree of balls, and for every vertex the innermost ball that holds
+//! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
+//! a release. Concentric chains of domains are legal.
+
+use crate::mesh::NONE;
+use crate::numerics::distance;
+
+/// Id of the root domain.
+pub(super) const ROOT: u32 = 0;
+
+pub(super) struct Node<const D: usize> {
+    /// The vertex at the centre, and its coordinates.
+    pub center: u32,
+    pub point: [f64; D],
+    pub radius: f64,
+    /// The enclosing domain when this one lives, the one that took its vertices otherwise.
+    parent: u32,
+    pub alive: bool,
+    /// Distance from the centre to the nearest vertex outside the ball.
+    pub outside: f64,
+    /// The cage C_Omega: the vertices near the cage sphere.
+    pub cage: Vec<u32>,
+}
+
+pub(super) struct Hierarchy<const D: usize> {
+    nodes: Vec<Node<D>>,
+    /// Vertex -> a domain that [`Self::find`] resolves to the innermost one; [`NONE`] if not inserted.
+    labels: Vec<u32>,
+    /// Vertex -> the domain whose cage it was made for.
+    cages: Vec<u32>,
+    alive: usize,
+}
+
+impl<const D: usize> Hierarchy<D> {
+    pub fn new(vertices: usize) -> Self {
+        Self {
+            nodes: Vec::new(),
+            labels: vec![NONE; vertices],
+            cages: vec![NONE; vertices],
+            alive: 0,
+        }
+    }
+
+    pub fn add_vertex(&mut self) {
+        self.labels.push(NONE);
+        self.cages.push(NONE);
+    }
+
+    /// Number of domains ever created; ids are below it.
+    pub fn len(&self) -> u32 {
+        self.nodes.len() as u32
+    }
+
+    /// Whether the root is the only domain, so that no cage separates anything.
+    pub fn is_single(&self) -> bool {
+        self.alive <= 1
+    }
+
+    #[inline]
+    pub fn node(&self, domain: u32) -> &Node<D> {
+        &self.nodes[domain as usize]
+    }
+
+    pub fn node_mut(&mut self, domain: u32) -> &mut Node<D> {
+        &mut self.nodes[domain as usize]
+    }
+
+    /// Adds a domain in `parent` ([`NONE`] for the root).
+    pub fn create(&mut self, center: u32, point: [f64; D], radius: f64, parent: u32) -> u32 {
+        self.nodes.push(Node {
+            center,
+            point,
+            radius,
+            parent,
+            alive: true,
+            outside: f64::INFINITY,
+            cage: Vec::new(),
+        });
+        self.alive += 1;
+        self.len() - 1
+    }
+
+    /// Dissolves `domain` into its parent.
+    pub fn release(&mut self, domain: u32) {
+        debug_assert!(domain != ROOT && self.node(domain).alive);
+        self.node_mut(domain).alive = false;
+        self.alive -= 1;
+    }
+
+    /// The living domain that `domain` is, or was dissolved into.
+    #[inline]
+    pub fn find(&mut self, domain: u32) -> u32 {
+        let mut current = domain;
+        while !self.nodes[current as usize].alive {
+            let parent = self.nodes[current as usize].parent;
+            let next = &self.nodes[parent as usize];
+            if !next.alive {
+                self.nodes[current as usize].parent = next.parent;
+            }
+            current = parent;
+        }
+        current
+    }
+
+    /// The living parent of a living domain; [`NONE`] for the root.
+    pub fn parent(&mut self, domain: u32) -> u32 {
+        let parent = self.node(domain).parent;
+        if parent == NONE {
+            return NONE;
+        }
+        let living = self.find(parent);
+        self.node_mut(domain).parent = living;
+        living
+    }
+
+    pub fn set_parent(&mut self, domain: u32, parent: u32) {
+        self.node_mut(domain).parent = parent;
+    }
+
+    /// The innermost domain of an inserted vertex.
+    #[inline]
+    pub fn domain_of(&mut self, vertex: u32) -> u32 {
+        let domain = self.find(self.labels[vertex as usize]);
+        self.labels[vertex as usize] = domain;
+        domain
+    }
+
+    pub fn set_domain(&mut self, vertex: u32, domain: u32) {
+        self.labels[vertex as usize] = domain;
+    }
+
+    /// Makes `vertex` part of the cage of `domain`.
+    pub fn join_cage(&mut self, vertex: u32, domain: u32) {
+        self.cages[vertex as usize] = domain;
+        self.node_mut(domain).cage.push(vertex);
+    }
+
+    /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.
+    #[inline]
+    pub fn cage_of(&self, vertex: u32) -> u32 {
+        match self.cages[vertex as usize] {
+            NONE => NONE,
+            cage if self.node(cage).alive => cage,
+            _ => NONE,
+        }
+    }
+
+    pub fn distance_to_center(&self, domain: u32, x: &[f64; D]) -> f64 {
+        distance(x, &self.node(domain).point)
+    }
+
+    pub fn contains(&self, domain: u32, x: &[f64; D]) -> bool {
+        domain == ROOT || self.distance_to_center(domain, x) < self.node(domain).radius
+    }
+
+    /// The innermost domain on the way from `domain` to the root whose ball holds `x`.
+    pub fn climb_to(&mut self, mut domain: u32, x: &[f64; D]) -> u32 {
+        while !self.contains(domain, x) {
+            domain = self.parent(domain);
+        }
+        domain
+    }
+
+    /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
+    /// in Omega, or the centre of the child of Omega that holds it, or nothing.
+    pub fn representative(&mut self, vertex: u32, omega: u32) -> Option<u32> {
+        let mut domain = self.domain_of(vertex);
+        if domain == omega {
+            return Some(vertex);
+        }
+        while self.node(domain).radius < self.node(omega).radius {
+            let parent = self.parent(domain);
+            if parent == omega {
+                return Some(self.node(domain).center);
+            }
+            if parent == NONE {
+                return None;
+            }
+            domain = parent;
+        }
+        None
+    }
+}

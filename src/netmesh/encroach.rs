@@ -1,0 +1,129 @@
+//! Encroachment (Definition 2) and mediality (§6.2), both read off the vertices U(x) of the D-balls
+//! that hold x, which are the corners of the scratch cavity.
+
+use super::Mesher;
+use super::cage::CageSite;
+use super::domains::ROOT;
+use super::parameters::Parameters;
+use crate::mesh::NONE;
+use crate::numerics::distance;
+
+/// Domains from the innermost outward that an input may encroach from inside: radii fall by
+/// epsilon per level, so a point near one sphere is far inside all but the next.
+const LEVELS: usize = 3;
+/// A new cage is this much larger than |u - v| / epsilon, so that v is strictly inside epsilon r.
+const SLACK: f64 = 1.001;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The cage that INSERTINPUT makes before `input` goes in: u is its nearest neighbour in
+    /// M_Omega and s the second nearest. The paper asks for mediality |u-v| / |v-s| <= epsilon;
+    /// that leaves the new cage encroached unless |v-s| - |u-v| >= kappa |u-v| with kappa =
+    /// outf / epsilon^2, which is what we ask for.
+    pub(super) fn wanted_cage(&mut self, input: u32) -> Option<CageSite> {
+        let x = *self.delaunay.point(input);
+        let omega = self.containing_domain(&x);
+        let (center, nearest, second) = self.two_nearest(&x, omega);
+        let second = match second {
+            gap if gap.is_finite() => gap,
+            _ => self.distance_to_cage_sphere(omega, &x),
+        };
+        let Parameters { epsilon, encroachment, .. } = self.parameters;
+        let kappa = encroachment / (epsilon * epsilon);
+        (second - nearest >= kappa * nearest).then(|| CageSite {
+            center,
+            radius: SLACK * nearest / epsilon,
+            parent: omega,
+        })
+    }
+
+    /// The nearest vertex of M_Omega to `x`, its distance, and the distance of the second nearest.
+    fn two_nearest(&mut self, x: &[f64; D], omega: u32) -> (u32, f64, f64) {
+        let mut nearest = (NONE, f64::INFINITY);
+        let mut second = (NONE, f64::INFINITY);
+        for at in 0..self.scratch.corners.ids.len() {
+            let corner = self.scratch.corners.ids[at];
+            let Some(vertex) = self.hierarchy.representative(corner, omega) else { continue };
+            if vertex == nearest.0 || vertex == second.0 {
+                continue;
+            }
+            let gap = distance(x, self.delaunay.point(vertex));
+            if gap < nearest.1 {
+                second = nearest;
+                nearest = (vertex, gap);
+            } else if gap < second.1 {
+                second = (vertex, gap);
+            }
+        }
+        (nearest.0, nearest.1, second.1)
+    }
+
+    fn distance_to_cage_sphere(&self, omega: u32, x: &[f64; D]) -> f64 {
+        let sphere = self.parameters.cage_scale * self.hierarchy.node(omega).radius;
+        (sphere - self.hierarchy.distance_to_center(omega, x)).max(0.0)
+    }
+
+    /// The innermost domain that holds `x`, over the climbs from U(x).
+    pub(super) fn containing_domain(&mut self, x: &[f64; D]) -> u32 {
+        if self.hierarchy.is_single() {
+            return ROOT;
+        }
+        let mut innermost = ROOT;
+        for at in 0..self.scratch.corners.ids.len() {
+            let from = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
+            let domain = self.hierarchy.climb_to(from, x);
+            if self.hierarchy.node(domain).radius < self.hierarchy.node(innermost).radius {
+                innermost = domain;
+            }
+        }
+        innermost
+    }
+
+    /// INENCROACH: the innermost domain that `input` encroaches from inside.
+    pub(super) fn inner_encroached(&mut self, input: u32) -> Option<u32> {
+        if self.hierarchy.is_single() {
+            return None;
+        }
+        let x = *self.delaunay.point(input);
+        let domain = self.containing_domain(&x);
+        self.inner_encroached_from(domain, &x)
+    }
+
+    /// The first domain from `domain` outward whose annulus (epsilon r, r) holds `x`. The root is
+    /// exempt: its ball is chosen to hold all inputs.
+    pub(super) fn inner_encroached_from(&mut self, domain: u32, x: &[f64; D]) -> Option<u32> {
+        let mut domain = domain;
+        for _ in 0..LEVELS {
+            if domain == ROOT {
+                return None;
+            }
+            let reach = self.parameters.epsilon * self.hierarchy.node(domain).radius;
+            if self.hierarchy.distance_to_center(domain, x) > reach {
+                return Some(domain);
+            }
+            domain = self.hierarchy.parent(domain);
+        }
+        None
+    }
+
+    /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
+    /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
+    pub(super) fn enter(&mut self, x: &[f64; D]) -> u32 {
+        if self.hierarchy.is_single() {
+            return ROOT;
+        }
+        let reach = self.parameters.encroachment / self.parameters.epsilon;
+        for at in 0..self.scratch.corners.ids.len() {
+            let mut domain = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
+            while !self.hierarchy.contains(domain, x) {
+                let gap = self.hierarchy.distance_to_center(domain, x);
+                let parent = self.hierarchy.parent(domain);
+                if gap < reach * self.hierarchy.node(domain).radius {
+                    self.release_cage(domain);
+                }
+                domain = parent;
+            }
+        }
+        self.containing_domain(x)
+    }
+}
+

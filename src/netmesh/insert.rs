@@ -1,0 +1,147 @@
+//! INSERT and INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy
+//! is changed first.
+
+use super::{Mesher, Scratch, some};
+use crate::error::Result;
+use crate::numerics::distance;
+use crate::options::{Algorithm, Phase};
+
+/// Domains above the innermost one that an input may encroach from inside: non-encroached domains
+/// shrink by epsilon per level, so a point near a sphere is far inside all but the next spheres.
+const ANCESTORS: usize = 3;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// INSERTINPUT(v): a new cage where `input` is not medial, larger cages where it encroaches
+    /// from inside, then INSERT.
+    pub(super) fn insert_input(&mut self, input: u32) -> Result<()> {
+        if self.is_inserted(input) {
+            return Ok(());
+        }
+        self.find_cavity_of_input(input);
+        if self.parameters.algorithm == Algorithm::Delaunay {
+            return self.insert_into_cavity(input);
+        }
+        self.collect_cavity_corners();
+        if let Some(wanted) = self.wanted_cage(input) {
+            let start = self.location.home(input);
+            self.new_cage(wanted, start)?;
+            if self.is_inserted(input) {
+                return Ok(());
+            }
+            self.find_cavity_of_input(input);
+            self.collect_cavity_corners();
+        }
+        self.insert_with_room(input)
+    }
+
+    /// Inserts an input that a Steiner point yields to: encroachment is resolved, mediality is not
+    /// asked for.
+    pub(super) fn insert_yielded(&mut self, input: u32) -> Result<()> {
+        self.find_cavity_of_input(input);
+        self.collect_cavity_corners();
+        self.insert_with_room(input)
+    }
+
+    /// GROWCAGE for every cage that `input`, whose cavity is the scratch cavity, encroaches from
+    /// inside; then INSERT, unless a cage took the input in.
+    fn insert_with_room(&mut self, input: u32) -> Result<()> {
+        for _ in 0..ANCESTORS {
+            let Some(domain) = self.inner_encroached(input) else { break };
+            let start = self.location.home(input);
+            self.grow_cage(domain, start)?;
+            if self.is_inserted(input) {
+                return Ok(());
+            }
+            self.find_cavity_of_input(input);
+            self.collect_cavity_corners();
+        }
+        let domain = self.enter(&self.delaunay.point(input).to_owned());
+        self.hierarchy.set_domain(input, domain);
+        self.insert_into_cavity(input)
+    }
+
+    pub(super) fn find_cavity_of_input(&mut self, input: u32) {
+        let q = *self.delaunay.point(input);
+        let home = self.location.home(input);
+        self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity);
+    }
+
+    /// The vertices U(x) of the scratch cavity.
+    pub(super) fn collect_cavity_corners(&mut self) {
+        let Scratch { cavity, corners, .. } = &mut self.scratch;
+        corners.clear();
+        for &simplex in &cavity.simplices {
+            for vertex in self.delaunay.complex().vertices(simplex).iter().copied() {
+                if some(vertex).is_some() {
+                    corners.insert(vertex);
+                }
+            }
+        }
+    }
+
+    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity and whose domain
+    /// is set, to the Voronoi diagram; updates homes, distances and the refine list.
+    pub(super) fn insert_into_cavity(&mut self, vertex: u32) -> Result<()> {
+        let Scratch { cavity, created, .. } = &mut self.scratch;
+        self.delaunay.insert(vertex, cavity, created);
+        self.location.rehome(&self.delaunay, cavity, created, vertex);
+        self.refine.forget(created, self.delaunay.complex().simplex_bound());
+        if self.parameters.algorithm != Algorithm::Delaunay {
+            self.update_star(vertex);
+        }
+        if self.watch.is_due() {
+            self.report_progress(Phase::Insert)?;
+        }
+        Ok(())
+    }
+
+    /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in.
+    fn update_star(&mut self, vertex: u32) {
+        let Scratch { created, corners, .. } = &mut self.scratch;
+        corners.clear();
+        for &simplex in created.iter() {
+            for &corner in self.delaunay.complex().vertices(simplex) {
+                if some(corner).is_some() && corner != vertex {
+                    corners.insert(corner);
+                }
+            }
+        }
+        let mut nearest = f64::INFINITY;
+        let neighbors = std::mem::take(&mut self.scratch.corners.ids);
+        let x = *self.delaunay.point(vertex);
+        let mut nearer = Vec::new();
+        for &neighbor in &neighbors {
+            let gap = distance(&x, self.delaunay.point(neighbor));
+            nearest = nearest.min(gap);
+            if gap < self.nearest[neighbor as usize] {
+                self.nearest[neighbor as usize] = gap;
+                nearer.push(neighbor);
+            }
+        }
+        self.nearest[vertex as usize] = nearest;
+        if !self.hierarchy.is_single() {
+            self.update_clearances(vertex, &neighbors);
+        }
+        self.scratch.corners.ids = neighbors;
+        self.examine_created();
+        for neighbor in nearer {
+            self.examine_star(neighbor);
+        }
+    }
+
+    /// The nearest distance of a corner of the first simplex.
+    pub(super) fn measure_nearest(&mut self, vertex: u32) {
+        let simplex = self.delaunay.complex().incident(vertex);
+        let x = self.delaunay.point(vertex);
+        let nearest = self
+            .delaunay
+            .complex()
+            .vertices(simplex)
+            .iter()
+            .filter(|&&other| some(other).is_some() && other != vertex)
+            .map(|&other| distance(x, self.delaunay.point(other)))
+            .fold(f64::INFINITY, f64::min);
+        self.nearest[vertex as usize] = nearest;
+    }
+}
+

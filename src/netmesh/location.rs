@@ -1,0 +1,161 @@
+//! Where the uninserted inputs are (§6.2): each has one home, a simplex whose D-ball holds it.
+//!
+//! The paper keeps a point in every D-ball that holds it. One home suffices: those balls form the
+//! point's cavity, which its insertion searches anyway, and when a home is destroyed one of the new
+//! balls holds the point (a ball through the new vertex and the point, empty of all others, lies in
+//! the destroyed ball, so the two would be Delaunay neighbours).
+
+use crate::delaunay::{Cavity, Delaunay};
+use crate::mesh::NONE;
+
+pub(super) struct Location {
+    /// Simplex -> its first input.
+    heads: Vec<u32>,
+    /// Simplex -> number of its inputs.
+    counts: Vec<u32>,
+    /// Input -> the next one of the same home.
+    next: Vec<u32>,
+    /// Input -> home, [`NONE`] once inserted.
+    homes: Vec<u32>,
+    /// Definition 9, counted for every input.
+    touches: Vec<u32>,
+    remaining: usize,
+}
+
+/// The inputs of one simplex.
+pub(super) struct Inhabitants<'a> {
+    next: &'a [u32],
+    current: u32,
+}
+
+impl Iterator for Inhabitants<'_> {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        if self.current == NONE {
+            return None;
+        }
+        let input = self.current;
+        self.current = self.next[input as usize];
+        Some(input)
+    }
+}
+
+impl Location {
+    pub fn new(inputs: usize) -> Self {
+        Self {
+            heads: Vec::new(),
+            counts: Vec::new(),
+            next: vec![NONE; inputs],
+            homes: vec![NONE; inputs],
+            touches: vec![0; inputs],
+            remaining: 0,
+        }
+    }
+
+    /// Number of uninserted inputs.
+    pub fn remaining(&self) -> usize {
+        self.remaining
+    }
+
+    pub fn home(&self, input: u32) -> u32 {
+        self.homes[input as usize]
+    }
+
+    pub fn count(&self, simplex: u32) -> u32 {
+        self.counts.get(simplex as usize).copied().unwrap_or(0)
+    }
+
+    pub fn inhabitants(&self, simplex: u32) -> Inhabitants<'_> {
+        let current = self.heads.get(simplex as usize).copied().unwrap_or(NONE);
+        Inhabitants { next: &self.next, current }
+    }
+
+    pub fn touch(&mut self, input: u32) {
+        self.touches[input as usize] += 1;
+    }
+
+    pub fn total_touches(&self) -> u64 {
+        self.touches.iter().map(|&t| u64::from(t)).sum()
+    }
+
+    pub fn max_touches(&self) -> u32 {
+        self.touches.iter().copied().max().unwrap_or(0)
+    }
+
+    /// Largest number of inputs in one home.
+    pub fn max_count(&self) -> u32 {
+        self.counts.iter().copied().max().unwrap_or(0)
+    }
+
+    /// Takes up an input that has no home yet.
+    pub fn admit(&mut self, input: u32, simplex: u32) {
+        self.settle(input, simplex);
+        self.remaining += 1;
+    }
+
+    fn settle(&mut self, input: u32, simplex: u32) {
+        let at = simplex as usize;
+        if self.heads.len() <= at {
+            self.heads.resize(at + 1, NONE);
+            self.counts.resize(at + 1, 0);
+        }
+        self.next[input as usize] = self.heads[at];
+        self.heads[at] = input;
+        self.counts[at] += 1;
+        self.homes[input as usize] = simplex;
+    }
+
+    /// Finds new homes for the inputs of the destroyed `cavity` among the `created` simplices;
+    /// `inserted`, if it was an input, leaves.
+    pub fn rehome<const D: usize>(
+        &mut self,
+        delaunay: &Delaunay<D>,
+        cavity: &Cavity,
+        created: &[u32],
+        inserted: u32,
+    ) {
+        for (at, &simplex) in cavity.simplices.iter().enumerate() {
+            let mut input = match self.heads.get_mut(simplex as usize) {
+                Some(head) => std::mem::replace(head, NONE),
+                None => NONE,
+            };
+            if input == NONE {
+                continue;
+            }
+            self.counts[simplex as usize] = 0;
+            let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
+            let mut guess = own.start.min(created.len() - 1);
+            while input != NONE {
+                let next = self.next[input as usize];
+                if input == inserted {
+                    self.homes[input as usize] = NONE;
+                    self.remaining -= 1;
+                } else {
+                    guess = self.find_home(delaunay, created, guess, input);
+                    self.settle(input, created[guess]);
+                }
+                input = next;
+            }
+        }
+    }
+
+    /// Position in `created` of a D-ball that holds `input`, tried outward from `guess`.
+    fn find_home<const D: usize>(
+        &mut self,
+        delaunay: &Delaunay<D>,
+        created: &[u32],
+        guess: usize,
+        input: u32,
+    ) -> usize {
+        let q = delaunay.point(input);
+        let (before, after) = created.split_at(guess);
+        for (tried, &simplex) in after.iter().chain(before).enumerate() {
+            if delaunay.in_conflict(simplex, q) {
+                self.touches[input as usize] += tried as u32 + 1;
+                return (guess + tried) % created.len();
+            }
+        }
+        unreachable!("a D-ball of the new vertex's star holds every input of the cavity")
+    }
+}

@@ -1,0 +1,39 @@
+//! SELECTROUND (§6.5): a few inputs of every D-ball, sampled. One point per ball halves the lists
+//! several times over in practice, far below the generic bound on the size of a net (Theorem 3);
+//! the round verifies that it did and asks for more where it did not.
+
+use super::Mesher;
+use rand_core::Rng;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Up to `per_ball` inputs of every home with more than `crowd` of them, by simplex.
+    pub(super) fn select_round(&mut self, per_ball: u32, crowd: u32) -> Vec<u32> {
+        let mut selected = Vec::new();
+        for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+            let count = self.location.count(simplex);
+            if count > crowd {
+                self.sample(simplex, count, per_ball.min(count), &mut selected);
+            }
+        }
+        selected
+    }
+
+    /// Chooses `wanted` of the `count` inputs of `simplex`: one at random of each of `wanted`
+    /// consecutive stretches of the list.
+    fn sample(&mut self, simplex: u32, count: u32, wanted: u32, selected: &mut Vec<u32>) {
+        let stretch = |i: u32| (u64::from(i) * u64::from(count) / u64::from(wanted)) as u32;
+        let mut inhabitants = self.location.inhabitants(simplex);
+        let mut at = 0;
+        for i in 0..wanted {
+            let (begin, end) = (stretch(i), stretch(i + 1));
+            let pick = begin + scaled(self.random.next_u32(), end - begin);
+            selected.extend(inhabitants.nth((pick - at) as usize));
+            at = pick + 1;
+        }
+    }
+}
+
+/// Maps 32 random bits to 0..bound.
+fn scaled(random: u32, bound: u32) -> u32 {
+    ((u64::from(random) * u64::from(bound)) >> 32) as u32
+}

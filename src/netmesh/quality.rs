@@ -1,0 +1,133 @@
+//! tau-quality (Definition 4) as the refinement tests it, simplex by simplex. All corners of a
+//! simplex are at its circumradius R from its Voronoi corner, so the cell of v is bad iff an
+//! incident simplex has R > tau/2 NN(v); NN only falls.
+//!
+//! Corner restriction: for a vertex of Omega only corners within [`CORNER_RESTRICTION`] of the cage
+//! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
+//! Without it CLEAN inserts points beside the cages and destroys them.
+
+use super::parameters::CORNER_RESTRICTION;
+use super::{Mesher, some};
+use crate::mesh::{MAX_DIM, NONE};
+use crate::numerics::distance;
+use crate::options::Criterion;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Queues the bad ones among the simplices just created.
+    pub(super) fn examine_created(&mut self) {
+        for at in 0..self.scratch.created.len() {
+            self.examine(self.scratch.created[at]);
+        }
+    }
+
+    /// Queues the bad ones among the simplices at `vertex`.
+    pub(super) fn examine_star(&mut self, vertex: u32) {
+        self.delaunay.star(vertex, &mut self.scratch.star);
+        for at in 0..self.scratch.star.len() {
+            self.examine(self.scratch.star[at]);
+        }
+    }
+
+    /// Queues the bad ones among the simplices round `cage`.
+    pub(super) fn examine_cage(&mut self, cage: u32) {
+        for at in 0..self.hierarchy.node(cage).cage.len() {
+            self.examine_star(self.hierarchy.node(cage).cage[at]);
+        }
+    }
+
+    fn examine(&mut self, simplex: u32) {
+        if self.is_bad(simplex) {
+            self.refine.push(simplex);
+        }
+    }
+
+    /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.
+    pub(super) fn is_bad(&mut self, simplex: u32) -> bool {
+        let Some(ball) = self.delaunay.ball(simplex) else { return false };
+        let radius = ball.radius;
+        if self.refine.is_limited(simplex) {
+            return false;
+        }
+        let bad_cell = match self.parameters.criterion {
+            Criterion::VoronoiAspect => self.has_bad_cell(simplex, radius),
+            Criterion::RadiusEdge => self.has_short_edge(simplex, radius),
+        };
+        bad_cell || (!self.hierarchy.is_single() && self.has_bad_cage(simplex))
+    }
+
+    /// R / r_v for one of the vertices v, with r_v = NN(v) / 2.
+    fn has_bad_cell(&mut self, simplex: u32, radius: f64) -> bool {
+        let reach = 2.0 * radius / self.parameters.quality_bound;
+        for index in 0..=D {
+            let vertex = self.delaunay.complex().vertices(simplex)[index];
+            if self.nearest[vertex as usize] < reach && self.counts_for(simplex, vertex) {
+                return true;
+            }
+        }
+        false
+    }
+
+    fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
+        let shortest_allowed = radius / self.parameters.quality_bound;
+        let vertices = self.delaunay.complex().vertices(simplex);
+        if vertices.iter().all(|&v| self.nearest[v as usize] >= shortest_allowed) {
+            return false;
+        }
+        let point = |i: usize| self.delaunay.point(vertices[i]);
+        let is_short = |i: usize, j: usize| distance(point(i), point(j)) < shortest_allowed;
+        let short = (0..=D).any(|i| (0..i).any(|j| is_short(i, j)));
+        short
+            && (0..=D).all(|index| {
+                let vertex = self.delaunay.complex().vertices(simplex)[index];
+                self.counts_for(simplex, vertex)
+            })
+    }
+
+    /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.
+    fn counts_for(&mut self, simplex: u32, vertex: u32) -> bool {
+        if self.hierarchy.cage_of(vertex) != NONE {
+            return false;
+        }
+        let domain = self.hierarchy.domain_of(vertex);
+        self.is_well_inside(simplex, domain)
+    }
+
+    /// Whether the corner of `simplex` is within the corner restriction of `domain`.
+    fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
+        let Some(corner) = self.delaunay.corner(simplex) else { return false };
+        let reach = CORNER_RESTRICTION * self.parameters.cage_scale;
+        let distance = self.hierarchy.distance_to_center(domain, &corner);
+        distance < reach * self.hierarchy.node(domain).radius
+    }
+
+    /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`.
+    fn has_bad_cage(&mut self, simplex: u32) -> bool {
+        let mut domains = [NONE; MAX_DIM + 1];
+        for index in 0..=D {
+            let vertex = self.delaunay.complex().vertices(simplex)[index];
+            domains[index] = self.hierarchy.domain_of(vertex);
+        }
+        let domains = &mut domains[..=D];
+        while domains.iter().any(|&domain| domain != domains[0]) {
+            let radius = |domain: u32| self.hierarchy.node(domain).radius;
+            let cage = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
+            let cage = cage.expect("a simplex has vertices");
+            let parent = self.hierarchy.parent(cage);
+            if self.is_bad_cage_corner(simplex, cage, parent) {
+                return true;
+            }
+            domains.iter_mut().filter(|d| **d == cage).for_each(|d| *d = parent);
+        }
+        false
+    }
+
+    fn is_bad_cage_corner(&self, simplex: u32, cage: u32, parent: u32) -> bool {
+        let Some(corner) = self.delaunay.corner(simplex) else { return false };
+        let node = self.hierarchy.node(cage);
+        let in_radius = 0.5 * (node.outside + node.radius);
+        let bound = self.parameters.aspect_bound();
+        self.hierarchy.distance_to_center(cage, &corner) > bound * in_radius
+            && some(parent).is_some()
+            && self.is_well_inside(simplex, parent)
+    }
+}

@@ -1,0 +1,130 @@
+//! The first simplices and the first homes: the outer cage (§6.5, first lines of NETMESH), or for
+//! the plain Delaunay triangulation the first affinely independent inputs.
+
+use super::Mesher;
+use super::domains::ROOT;
+use super::template::cage_template;
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::NONE;
+use crate::numerics::{affine_basis, distance};
+
+/// A cage is representable where its radius is at least this many times the spacing of doubles.
+pub(super) const REPRESENTABLE: f64 = 128.0;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
+    /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
+    pub(super) fn start_netmesh(&mut self) -> Result<()> {
+        self.template = cage_template::<D>(self.parameters.delta);
+        let center = self.central_input();
+        let point = *self.delaunay.point(center);
+        let radius = self.root_radius(&point);
+        let sphere = self.cage_points(&point, radius * self.parameters.cage_scale);
+        if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
+            let message = "the coordinates are too large: the outer cage leaves the range of double";
+            return Err(Error::new(ErrorKind::Limit, message));
+        }
+        self.hierarchy.create(center, point, radius, NONE);
+        self.stats.cages_created += 1;
+        let mut vertices = vec![center];
+        for x in sphere {
+            vertices.push(self.add_vertex(x)?);
+        }
+        let basis = affine_basis::<D>(vertices.len(), |i| *self.delaunay.point(vertices[i]));
+        assert!(basis.len() == D + 1, "the template spans the space");
+        let corners: Vec<u32> = basis.iter().map(|&i| vertices[i]).collect();
+        self.delaunay.begin(&corners);
+        for &vertex in &vertices[1..] {
+            self.hierarchy.join_cage(vertex, ROOT);
+        }
+        for &corner in &corners {
+            self.hierarchy.set_domain(corner, ROOT);
+            self.measure_nearest(corner);
+        }
+        let mut near = corners[0];
+        for &vertex in &vertices {
+            if !self.is_inserted(vertex) {
+                self.insert_outer_cage_vertex(vertex, near)?;
+                near = vertex;
+            }
+        }
+        self.admit_inputs(center)?;
+        self.clean()
+    }
+
+    fn insert_outer_cage_vertex(&mut self, vertex: u32, near: u32) -> Result<()> {
+        let x = *self.delaunay.point(vertex);
+        let start = self.delaunay.complex().incident(near);
+        let start = self.delaunay.locate(start, &x).expect("cage vertices are distinct");
+        self.delaunay.find_cavity(start, &x, &mut self.scratch.cavity);
+        self.hierarchy.set_domain(vertex, ROOT);
+        self.insert_into_cavity(vertex)
+    }
+
+    /// The first D + 1 affinely independent inputs.
+    pub(super) fn start_delaunay(&mut self) -> Result<()> {
+        let basis = affine_basis::<D>(self.inputs, |i| *self.delaunay.point(i as u32));
+        if basis.len() < D + 1 {
+            let message = format!(
+                "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
+                basis.len() - 1
+            );
+            return Err(Error::new(ErrorKind::DegenerateInput, message));
+        }
+        let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
+        self.delaunay.begin(&corners);
+        self.admit_inputs(corners[0])
+    }
+
+    /// Gives every uninserted input a home, walking from that of the input before.
+    fn admit_inputs(&mut self, near: u32) -> Result<()> {
+        let mut home = self.delaunay.complex().incident(near);
+        for input in 0..self.inputs as u32 {
+            if !self.is_inserted(input) {
+                let q = *self.delaunay.point(input);
+                home = self.delaunay.locate(home, &q).expect("inputs are distinct");
+                self.location.admit(input, home);
+            }
+        }
+        Ok(())
+    }
+
+    /// The input nearest to the middle of the bounding box.
+    fn central_input(&self) -> u32 {
+        let mut low = *self.delaunay.point(0);
+        let mut high = low;
+        for input in 1..self.inputs as u32 {
+            for (axis, &x) in self.delaunay.point(input).iter().enumerate() {
+                low[axis] = low[axis].min(x);
+                high[axis] = high[axis].max(x);
+            }
+        }
+        let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
+        let gap = |input: u32| distance(self.delaunay.point(input), &middle);
+        (1..self.inputs as u32).fold(0, |best, i| if gap(i) < gap(best) { i } else { best })
+    }
+
+    /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
+    /// express the outer cage.
+    fn root_radius(&self, center: &[f64; D]) -> f64 {
+        let radius = (0..self.inputs as u32)
+            .map(|input| distance(self.delaunay.point(input), center))
+            .fold(0.0, f64::max);
+        let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
+        (self.parameters.root_scale * radius).max(spacing)
+    }
+
+    /// The points c + r T.
+    pub(super) fn cage_points(&self, center: &[f64; D], radius: f64) -> Vec<[f64; D]> {
+        let point = |direction: &[f64; D]| {
+            std::array::from_fn(|axis| center[axis] + radius * direction[axis])
+        };
+        self.template.iter().map(point).collect()
+    }
+}
+
+/// The largest distance between neighbouring doubles among the coordinates of `point`.
+pub(super) fn spacing_near<const D: usize>(point: &[f64; D]) -> f64 {
+    let largest = point.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    largest.next_up() - largest
+}

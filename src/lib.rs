@@ -6,7 +6,7 @@
 pub mod error;
 pub mod io;
 pub mod mesh;
-pub mod netmesh;
+pub(crate) mod netmesh;
 pub mod numerics;
 pub mod options;
 pub mod quality;
@@ -18,6 +18,7 @@ pub(crate) mod complex;
 pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
+pub use netmesh::parameters::{self, Parameters};
 pub use mesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
 pub use options::{
     Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,

@@ -264,6 +264,12 @@ impl Mesh {
         Ok(())
     }
 
+    /// A mesh with a result that no run made.
+    #[cfg(test)]
+    pub(crate) fn from_parts(inputs: Inputs, triangulation: Triangulation) -> Self {
+        Self { inputs, triangulation: Some(triangulation) }
+    }
+
     pub fn inputs(&self) -> &Inputs {
         &self.inputs
     }

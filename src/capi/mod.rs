@@ -1,1 +1,57 @@
-//! capi
+//! The C ABI: what `include/netmesh.h` declares, generated from this module by cbindgen. The
+//! documentation of the items here is the C programmer's manual, so it speaks C.
+//!
+//! This is the only module with `unsafe`. What every function relies on is what the header asks of
+//! its callers: a pointer is NULL or points to as much as the manual says, a handle came from a
+//! create function and was not freed. Everything else is checked: `memory` holds the raw reads and
+//! writes, `handle` the lock and the panic barrier, `error` the thread's last message.
+
+// The header's general rules stand for a `# Safety` section at every function.
+#![allow(clippy::missing_safety_doc)]
+#![warn(clippy::undocumented_unsafe_blocks, unsafe_op_in_unsafe_fn)]
+
+mod handle;
+mod memory;
+mod structs;
+#[cfg(test)]
+mod test_support;
+
+// In the header's order, which a blank line each keeps.
+mod version;
+
+mod enums;
+
+mod error;
+
+mod create;
+
+mod options;
+
+mod run;
+
+mod getters;
+
+mod measures;
+
+mod export;
+
+pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
+pub use enums::{
+    nm_algorithm, nm_criterion, nm_format, nm_ordering, nm_output, nm_phase, nm_status,
+    nm_vertex_kind,
+};
+pub use error::nm_last_error;
+pub use export::{nm_export, nm_export_write, nm_write_fn};
+pub use getters::{
+    nm_mesh_counts, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,
+    nm_mesh_get_points, nm_mesh_get_precision_limited, nm_mesh_get_simplices,
+    nm_mesh_get_vertex_domains, nm_mesh_get_vertex_kinds,
+};
+pub use handle::nm_mesh;
+pub use measures::{nm_mesh_quality, nm_mesh_stats, nm_mesh_validate};
+pub use options::nm_options_init;
+pub use run::nm_run;
+pub use structs::{
+    nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report, nm_stats,
+};
+pub use version::{nm_abi_version, nm_status_name, nm_version};

@@ -34,14 +34,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_with_room(input)
     }
 
-    /// Inserts an input that a Steiner point yields to: encroachment is resolved, mediality is not
-    /// asked for.
-    pub(super) fn insert_yielded(&mut self, input: u32) -> Result<()> {
-        self.find_cavity_of_input(input);
-        self.collect_cavity_corners();
-        self.insert_with_room(input)
-    }
-
     /// GROWCAGE for every cage that `input`, whose cavity is the scratch cavity, encroaches from
     /// inside; then INSERT, unless a cage took the input in.
     fn insert_with_room(&mut self, input: u32) -> Result<()> {

@@ -71,10 +71,6 @@ impl Location {
         Inhabitants { next: &self.next, current }
     }
 
-    pub fn touch(&mut self, input: u32) {
-        self.touches[input as usize] += 1;
-    }
-
     pub fn total_touches(&self) -> u64 {
         self.touches.iter().map(|&t| u64::from(t)).sum()
     }

@@ -12,7 +12,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (simplices, neighbors) = self.finite_simplices();
         let vertices = self.delaunay.point_count() as u32;
         let (domains, ids) = self.living_domains();
-        let mut renumbered = |domain: u32| match domain {
+        let renumbered = |domain: u32| match domain {
             NONE => NONE,
             domain => ids[domain as usize],
         };

@@ -42,11 +42,10 @@ impl<'a, 'b> Watch<'a, 'b> {
         let [inputs_inserted, vertices, simplices] = counts;
         let progress =
             Progress { phase, fraction: self.fraction, inputs_inserted, vertices, simplices };
-        match &mut self.callback {
-            Some(callback) if !callback(&progress) => {
-                Err(Error::new(ErrorKind::Cancelled, "the progress function cancelled the run"))
-            }
-            _ => Ok(()),
+        let go_on = self.callback.as_mut().is_none_or(|callback| callback(&progress));
+        if !go_on {
+            return Err(Error::new(ErrorKind::Cancelled, "the progress function cancelled the run"));
         }
+        Ok(())
     }
 }

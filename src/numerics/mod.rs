@@ -1,2 +1,29 @@
 //! Exact signs of determinants of points with f64 coordinates, circumcentres with rigorous error
 //! bounds, and lengths that neither overflow nor underflow. Knows no mesh.
+//!
+//! Everything is generic in the dimension `D`, 2 to 8 (checked at compile time), and expects finite
+//! coordinates; the whole finite range counts, subnormals and 1e308 included. A simplex is a slice
+//! of `D + 1` points. Signs are exact: a filter in f64 decides nearly all of them, adaptive
+//! expansions (`robust`) or big integers decide the rest.
+
+mod affine;
+mod circumball;
+mod exact;
+mod in_ball;
+mod length;
+mod orientation;
+mod power;
+mod sign;
+mod solve;
+mod window;
+
+#[cfg(test)]
+mod testing;
+
+pub use affine::affine_basis;
+pub use circumball::Circumball;
+pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
+pub use in_ball::in_ball;
+pub use length::{distance, norm};
+pub use orientation::{orientation, orientation_filtered};
+pub use sign::Sign;

@@ -1,0 +1,218 @@
+//! Making and freeing handles.
+
+use super::enums::{decode_format, nm_format, nm_status};
+use super::error::null_argument;
+use super::handle::{barrier, nm_mesh};
+use super::memory::{doubles, utf8_path};
+use crate::error::{Error, ErrorKind, Result};
+use crate::io;
+use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
+use std::ffi::c_char;
+use std::mem::MaybeUninit;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Makes a mesh of n points; they are copied, and may be freed when the call returns. nm_run meshes
+/// them.
+///
+/// dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
+/// points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
+/// 0 means dim. Every finite double is welcome, subnormals and 1e308 included. Points that are equal
+/// as numbers (-0.0 equals 0.0) are duplicates and share one vertex; two must be distinct.
+///
+/// out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
+///
+/// Errors: NM_NULL_ARGUMENT (out, or points while n > 0), NM_DIMENSION, NM_INVALID_ARGUMENT (stride,
+/// or a size beyond the address space, or points not aligned to a double), NM_CAPACITY (n),
+/// NM_NON_FINITE, NM_DEGENERATE_INPUT (fewer than two distinct points), NM_OUT_OF_MEMORY.
+///
+/// O(n dim) expected time and memory. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_create(
+    dim: u32,
+    n: usize,
+    points: *const f64,
+    stride: usize,
+    out: *mut *mut nm_mesh,
+) -> nm_status {
+    // SAFETY: the caller's promises are those of `hand_out` and `read_points`.
+    unsafe {
+        hand_out(out, || {
+            let dim = dim as usize;
+            Mesh::new(dim, n, read_points(dim, n, points, stride)?, stride)
+        })
+    }
+}
+
+/// Makes a mesh of the points of a file, as nm_mesh_create does.
+///
+/// path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
+/// the file's.
+///
+/// out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
+///
+/// Errors: NM_NULL_ARGUMENT (path_utf8, out), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
+/// unknown format or extension, a format that cannot be read), NM_IO, NM_FORMAT_ERROR (the message
+/// names the place), and those of nm_mesh_create for what the file holds.
+///
+/// O(size of the file) expected time and memory. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_create_from_file(
+    path_utf8: *const c_char,
+    format: MaybeUninit<nm_format>,
+    out: *mut *mut nm_mesh,
+) -> nm_status {
+    // SAFETY: the caller's promises are those of `hand_out` and `utf8_path`.
+    unsafe {
+        hand_out(out, || {
+            let path = utf8_path(path_utf8)?;
+            let cloud = io::read_points(path, decode_format(format)?)?;
+            let n = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
+            Mesh::new(cloud.dim, n, &cloud.coordinates, 0)
+        })
+    }
+}
+
+/// Frees a mesh; NULL is fine. The handle is gone afterwards, and no other call may be using it: to
+/// free a mesh during nm_run, a getter or from one of its callbacks is undefined behaviour.
+///
+/// O(size of the mesh). Any thread, not only the one that made the mesh.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
+    if !mesh.is_null() {
+        // SAFETY: a handle comes from `Box::into_raw`, and this is its last use by the rules.
+        let handle = unsafe { Box::from_raw(mesh) };
+        // Dropping plain data does not panic; if it ever did, C could do nothing about it.
+        let _ = catch_unwind(AssertUnwindSafe(|| drop(handle)));
+    }
+}
+
+/// Stores the handle of the mesh that `make` makes, or NULL.
+///
+/// # Safety
+/// `out` is NULL or writable.
+unsafe fn hand_out(out: *mut *mut nm_mesh, make: impl FnOnce() -> Result<Mesh>) -> nm_status {
+    barrier(|| {
+        if out.is_null() {
+            return Err(null_argument("out"));
+        }
+        // SAFETY: not NULL, so writable.
+        unsafe { out.write(std::ptr::null_mut()) };
+        let handle = Box::new(nm_mesh::new(make()?));
+        // SAFETY: as above.
+        unsafe { out.write(Box::into_raw(handle)) };
+        Ok(())
+    })
+}
+
+/// The caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by themselves.
+///
+/// # Safety
+/// `points` is NULL or has `(n - 1) * stride + dim` readable doubles that stay while the slice lives.
+unsafe fn read_points<'a>(
+    dim: usize,
+    n: usize,
+    points: *const f64,
+    stride: usize,
+) -> Result<&'a [f64]> {
+    if n > 0 && points.is_null() {
+        return Err(null_argument("points"));
+    }
+    let stride = if stride == 0 { dim } else { stride };
+    let refused = !(MIN_DIM..=MAX_DIM).contains(&dim) || stride < dim || n as u64 >= NONE as u64;
+    if refused || n == 0 {
+        return Ok(&[]);
+    }
+    let count = (n - 1).checked_mul(stride).and_then(|start| start.checked_add(dim));
+    let count = count.ok_or_else(|| {
+        let message = format!("stride is {stride}; n = {n} points so far apart fit no memory");
+        Error::new(ErrorKind::InvalidArgument, message)
+    })?;
+    // SAFETY: the caller's promise.
+    unsafe { doubles("points", points, count) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{from_c, last_message};
+    use std::ptr::{null, null_mut};
+
+    /// Creates and frees; answers the status and whether there was a handle.
+    fn create(dim: u32, n: usize, points: *const f64, stride: usize) -> (nm_status, bool) {
+        let mut out = std::ptr::dangling_mut();
+        // SAFETY: the tests pass pointers that fit their sizes, or sizes that are refused unread.
+        let status = unsafe { nm_mesh_create(dim, n, points, stride, &mut out) };
+        let made = !out.is_null();
+        // SAFETY: NULL or fresh.
+        unsafe { nm_mesh_free(out) };
+        (status, made)
+    }
+
+    #[test]
+    fn points_may_stand_apart() {
+        let points = [0.0, 0.0, f64::NAN, 1.0, 0.0];
+        assert_eq!(create(2, 2, points.as_ptr(), 3), (nm_status::NM_OK, true));
+        assert_eq!(create(2, 2, points.as_ptr(), 2), (nm_status::NM_NON_FINITE, false));
+        assert_eq!(create(2, 1, points.as_ptr(), 0), (nm_status::NM_DEGENERATE_INPUT, false));
+        assert_eq!(create(2, 0, null(), 0), (nm_status::NM_DEGENERATE_INPUT, false));
+    }
+
+    #[test]
+    fn null_arguments_are_named() {
+        assert_eq!(create(2, 3, null(), 0), (nm_status::NM_NULL_ARGUMENT, false));
+        assert_eq!(last_message(), "points is NULL");
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_mesh_create(2, 0, null(), 0, null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "out is NULL"));
+        // SAFETY: NULL is allowed.
+        unsafe { nm_mesh_free(null_mut()) };
+    }
+
+    #[test]
+    fn sizes_are_refused_before_a_point_is_read() {
+        let one = [0.0];
+        let refused = |dim, n, stride| {
+            let (status, made) = create(dim, n, one.as_ptr(), stride);
+            assert!(!made);
+            status
+        };
+        assert_eq!(refused(1, usize::MAX, 0), nm_status::NM_DIMENSION);
+        assert_eq!(refused(9, 2, 0), nm_status::NM_DIMENSION);
+        assert_eq!(refused(u32::MAX, 2, 0), nm_status::NM_DIMENSION);
+        assert_eq!(refused(3, 2, 2), nm_status::NM_INVALID_ARGUMENT);
+        assert!(last_message().contains("stride is 2"));
+        assert_eq!(refused(2, usize::MAX, 0), nm_status::NM_CAPACITY);
+        assert_eq!(refused(2, 3, usize::MAX), nm_status::NM_INVALID_ARGUMENT);
+        assert!(last_message().contains("stride"), "{}", last_message());
+        assert_eq!(refused(2, 2, usize::MAX - 1), nm_status::NM_INVALID_ARGUMENT);
+        assert_eq!(refused(2, 2, isize::MAX as usize / 8), nm_status::NM_INVALID_ARGUMENT);
+    }
+
+    #[test]
+    fn misaligned_points_are_refused() {
+        let points = [0.0; 9];
+        let shifted = points.as_ptr().cast::<u8>().wrapping_add(1).cast();
+        assert_eq!(create(2, 4, shifted, 0), (nm_status::NM_INVALID_ARGUMENT, false));
+        assert!(last_message().contains("points is not a multiple of 8"));
+    }
+
+    #[test]
+    fn a_path_must_be_utf8_and_a_format_known() {
+        let create = |path: *const c_char, format: i32| {
+            let mut out = std::ptr::dangling_mut();
+            // SAFETY: the paths are NULL or C strings.
+            let status = unsafe { nm_mesh_create_from_file(path, from_c(format), &mut out) };
+            assert!(out.is_null());
+            (status, last_message())
+        };
+        let (status, message) = create(null(), 0);
+        assert_eq!((status, &*message), (nm_status::NM_NULL_ARGUMENT, "path_utf8 is NULL"));
+        let (status, message) = create(c"ab\xff".as_ptr(), 0);
+        assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
+        assert!(message.contains("byte 2"), "{message}");
+        assert_eq!(create(c"".as_ptr(), 0).0, nm_status::NM_INVALID_ARGUMENT);
+        let (status, message) = create(c"points.xyz".as_ptr(), 77);
+        assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
+        assert!(message.contains("format is 77"), "{message}");
+    }
+}

@@ -1,0 +1,315 @@
+//! The enums of the boundary. C passes any 32 bits: a parameter or field that C fills is a
+//! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`decode`].
+
+use crate::error::{Error, ErrorKind, Result};
+use crate::io::Format;
+use crate::mesh::VertexKind;
+use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
+use std::mem::MaybeUninit;
+
+/// What every fallible function answers. Values are fixed; later versions only append. Whatever is
+/// not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
+/// buffers as they were unless the function's description says otherwise.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_status {
+    /// Success.
+    NM_OK = 0,
+    /// A pointer that must not be NULL is NULL; the message names the argument.
+    NM_NULL_ARGUMENT = 1,
+    /// A value is out of its range; the message names the argument or field, the value and the range.
+    NM_INVALID_ARGUMENT = 2,
+    /// A coordinate is infinite or NaN; the message names the point and the coordinate.
+    NM_NON_FINITE = 3,
+    /// The dimension is not in NM_MIN_DIM..NM_MAX_DIM.
+    NM_DIMENSION = 4,
+    /// A buffer is too small (*needed has the size), or there are more points than 32-bit ids.
+    NM_CAPACITY = 5,
+    /// Fewer than two distinct points, or (NM_ALGORITHM_DELAUNAY) all points in a lower-dimensional
+    /// affine subspace; the message names the rank.
+    NM_DEGENERATE_INPUT = 6,
+    /// The run needs more vertices than nm_options.max_vertices allows.
+    NM_LIMIT = 7,
+    /// The progress callback cancelled the run.
+    NM_CANCELLED = 8,
+    /// Reading or writing failed, or the write callback stopped the export.
+    NM_IO = 9,
+    /// A file is not in its format; the message names the place.
+    NM_FORMAT_ERROR = 10,
+    /// The mesh is in no state for the call: it has no result yet, another call is changing it, or an
+    /// earlier NM_PANIC poisoned it.
+    NM_STATE = 11,
+    /// An allocation failed.
+    NM_OUT_OF_MEMORY = 12,
+    /// A defect of the library: an internal check failed and was caught. The handle answers NM_STATE
+    /// from then on and can only be freed.
+    NM_PANIC = 13,
+}
+
+impl From<ErrorKind> for nm_status {
+    fn from(kind: ErrorKind) -> Self {
+        match kind {
+            ErrorKind::NullArgument => Self::NM_NULL_ARGUMENT,
+            ErrorKind::InvalidArgument => Self::NM_INVALID_ARGUMENT,
+            ErrorKind::NonFinite => Self::NM_NON_FINITE,
+            ErrorKind::Dimension => Self::NM_DIMENSION,
+            ErrorKind::Capacity => Self::NM_CAPACITY,
+            ErrorKind::DegenerateInput => Self::NM_DEGENERATE_INPUT,
+            ErrorKind::Limit => Self::NM_LIMIT,
+            ErrorKind::Cancelled => Self::NM_CANCELLED,
+            ErrorKind::Io => Self::NM_IO,
+            ErrorKind::Format => Self::NM_FORMAT_ERROR,
+            ErrorKind::State => Self::NM_STATE,
+            ErrorKind::OutOfMemory => Self::NM_OUT_OF_MEMORY,
+            ErrorKind::Panic => Self::NM_PANIC,
+        }
+    }
+}
+
+/// nm_options.output: what nm_run leaves behind.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_output {
+    /// A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
+    /// a tree of balls (domains), each surrounded by a cage, with quality inside each.
+    NM_OUTPUT_HIERARCHICAL = 0,
+    /// A well-spaced mesh of a single domain of optimal size O(m) (the paper's FINISHMESH). m is at
+    /// most n times the logarithm of the spread.
+    NM_OUTPUT_WELL_SPACED = 1,
+}
+
+/// nm_options.algorithm: how nm_run works.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_algorithm {
+    /// NETMESH: O(n log n) (plus the output for NM_OUTPUT_WELL_SPACED), whatever the spread.
+    NM_ALGORITHM_NETMESH = 0,
+    /// Sparse Voronoi Refinement: no cages; O(n log spread + m). The baseline for comparisons.
+    NM_ALGORITHM_SVR = 1,
+    /// The plain Delaunay triangulation of the input, without Steiner points and without a bound on
+    /// quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine subspace
+    /// answer NM_DEGENERATE_INPUT.
+    NM_ALGORITHM_DELAUNAY = 2,
+}
+
+/// nm_options.ordering: how the inputs of a round are selected.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_ordering {
+    /// A sample driven by nm_options.seed, whose success is verified: the time bound is expected time.
+    NM_ORDERING_SAMPLED_NET = 0,
+    /// A deterministic net: the time bound is worst-case time.
+    NM_ORDERING_DETERMINISTIC_NET = 1,
+}
+
+/// nm_options.criterion: the measure that nm_options.quality_bound bounds.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_criterion {
+    /// The paper's tau: a Voronoi cell's out-radius (distance to its farthest corner) over its
+    /// in-radius (half the distance to the nearest neighbour). The stronger measure: it bounds
+    /// circumradius over shortest edge by tau/2.
+    NM_CRITERION_VORONOI_ASPECT = 0,
+    /// A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in 2D
+    /// is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
+    NM_CRITERION_RADIUS_EDGE = 1,
+}
+
+/// nm_progress.phase: where a run stands. Later versions may append phases.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_phase {
+    /// Checks, scaling, the first simplices.
+    NM_PHASE_PREPARE = 0,
+    /// Inserting the inputs, with refinement.
+    NM_PHASE_INSERT = 1,
+    /// Turning the hierarchy into a well-spaced mesh.
+    NM_PHASE_FINISH = 2,
+    /// Building the arrays that the getters read.
+    NM_PHASE_EXPORT = 3,
+}
+
+impl From<Phase> for nm_phase {
+    fn from(phase: Phase) -> Self {
+        match phase {
+            Phase::Prepare => Self::NM_PHASE_PREPARE,
+            Phase::Insert => Self::NM_PHASE_INSERT,
+            Phase::Finish => Self::NM_PHASE_FINISH,
+            Phase::Export => Self::NM_PHASE_EXPORT,
+        }
+    }
+}
+
+/// Where a vertex comes from: the values of the bytes that nm_mesh_get_vertex_kinds writes.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_vertex_kind {
+    /// An input, with the caller's coordinates bit for bit.
+    NM_VERTEX_INPUT = 0,
+    /// A vertex added for quality.
+    NM_VERTEX_STEINER = 1,
+    /// A vertex of the cage around a domain.
+    NM_VERTEX_CAGE = 2,
+}
+
+/// The byte of `kind` at the boundary.
+pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
+    let value = match kind {
+        VertexKind::Input => nm_vertex_kind::NM_VERTEX_INPUT,
+        VertexKind::Steiner => nm_vertex_kind::NM_VERTEX_STEINER,
+        VertexKind::Cage => nm_vertex_kind::NM_VERTEX_CAGE,
+    };
+    value as u8
+}
+
+/// File formats. Mesh formats need a run (NM_STATE otherwise); point formats do not. A format that
+/// cannot hold the mesh's dimension answers NM_INVALID_ARGUMENT.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_format {
+    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz, .csv, .npy.
+    NM_FORMAT_AUTO = 0,
+    /// VTK XML unstructured grid (.vtu), for ParaView and VTK.
+    NM_FORMAT_VTU = 1,
+    /// TetGen and Triangle: points (.node) and simplices (.ele).
+    NM_FORMAT_TETGEN_NODE = 2,
+    /// Gmsh 4.1 (.msh).
+    NM_FORMAT_GMSH = 3,
+    /// Medit (.mesh).
+    NM_FORMAT_MEDIT = 4,
+    /// Object file format (.off), nOFF from dimension 4 on.
+    NM_FORMAT_OFF = 5,
+    /// Polygon file format (.ply).
+    NM_FORMAT_PLY = 6,
+    /// Points as text, one per line, separated by spaces (.xyz).
+    NM_FORMAT_XYZ = 7,
+    /// Points as text, one per line, separated by commas (.csv).
+    NM_FORMAT_CSV = 8,
+    /// Points as a NumPy array of shape points x dim (.npy).
+    NM_FORMAT_NPY = 9,
+}
+
+/// The format that C asks for in argument `format`.
+pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
+    let formats = [
+        Format::Auto,
+        Format::Vtu,
+        Format::TetgenNode,
+        Format::Gmsh,
+        Format::Medit,
+        Format::Off,
+        Format::Ply,
+        Format::Xyz,
+        Format::Csv,
+        Format::Npy,
+    ];
+    decode("format", raw, formats)
+}
+
+pub(super) fn decode_output(raw: MaybeUninit<nm_output>) -> Result<Output> {
+    decode("options.output", raw, [Output::Hierarchical, Output::WellSpaced])
+}
+
+pub(super) fn decode_algorithm(raw: MaybeUninit<nm_algorithm>) -> Result<Algorithm> {
+    let algorithms = [Algorithm::Netmesh, Algorithm::Svr, Algorithm::Delaunay];
+    decode("options.algorithm", raw, algorithms)
+}
+
+pub(super) fn decode_ordering(raw: MaybeUninit<nm_ordering>) -> Result<NetOrdering> {
+    let orderings = [NetOrdering::SampledNet, NetOrdering::DeterministicNet];
+    decode("options.ordering", raw, orderings)
+}
+
+pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criterion> {
+    decode("options.criterion", raw, [Criterion::VoronoiAspect, Criterion::RadiusEdge])
+}
+
+/// `by_value[raw]`, or `InvalidArgument` naming the field, the value and the range.
+fn decode<E, T: Copy, const N: usize>(
+    field: &str,
+    raw: MaybeUninit<E>,
+    by_value: [T; N],
+) -> Result<T> {
+    let value = bits(raw);
+    usize::try_from(value).ok().and_then(|index| by_value.get(index)).copied().ok_or_else(|| {
+        let last = N - 1;
+        let message = format!("{field} is {value}; it must be in 0..={last}");
+        Error::new(ErrorKind::InvalidArgument, message)
+    })
+}
+
+/// The 32 bits that C passed for an enum.
+pub(super) fn bits<E>(raw: MaybeUninit<E>) -> i32 {
+    const { assert!(size_of::<E>() == size_of::<i32>()) };
+    // SAFETY: the sizes agree, and C always passes four initialised bytes; any are a valid i32.
+    unsafe { std::mem::transmute_copy(&raw) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::from_c;
+
+    #[test]
+    fn values_are_those_of_the_rust_enums() {
+        for value in 0..=9 {
+            assert_eq!(decode_format(from_c(value)).unwrap() as i32, value);
+        }
+        for value in 0..=1 {
+            assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_ordering(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_criterion(from_c(value)).unwrap() as i32, value);
+        }
+        for value in 0..=2 {
+            assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
+        }
+        for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
+            assert_eq!(vertex_kind_byte(kind), kind as u8);
+        }
+        for phase in [Phase::Prepare, Phase::Insert, Phase::Finish, Phase::Export] {
+            assert_eq!(nm_phase::from(phase) as u32, phase as u32);
+        }
+    }
+
+    #[test]
+    fn statuses_have_the_kinds_values() {
+        let kinds = [
+            ErrorKind::NullArgument,
+            ErrorKind::InvalidArgument,
+            ErrorKind::NonFinite,
+            ErrorKind::Dimension,
+            ErrorKind::Capacity,
+            ErrorKind::DegenerateInput,
+            ErrorKind::Limit,
+            ErrorKind::Cancelled,
+            ErrorKind::Io,
+            ErrorKind::Format,
+            ErrorKind::State,
+            ErrorKind::OutOfMemory,
+            ErrorKind::Panic,
+        ];
+        for (kind, value) in kinds.into_iter().zip(1..) {
+            assert_eq!(kind as i32, value);
+            assert_eq!(nm_status::from(kind) as i32, value);
+        }
+    }
+
+    #[test]
+    fn unknown_values_name_the_field_and_the_value() {
+        for value in [-1, 10, i32::MIN, i32::MAX] {
+            let error = decode_format(from_c(value)).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=9"));
+        }
+        let error = decode_algorithm(from_c(3)).unwrap_err();
+        assert_eq!(error.message(), "options.algorithm is 3; it must be in 0..=2");
+    }
+}

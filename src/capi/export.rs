@@ -1,0 +1,224 @@
+//! Writing meshes to files and to callbacks.
+
+use super::enums::{decode_format, nm_format, nm_status};
+use super::error::null_argument;
+use super::handle::{nm_mesh, with_mesh};
+use super::memory::utf8_path;
+use crate::error::{Error, ErrorKind, Result};
+use crate::io;
+use crate::mesh::Mesh;
+use std::ffi::{c_char, c_void};
+use std::io::{BufWriter, Write};
+use std::mem::MaybeUninit;
+
+/// The most bytes that a write callback gets at once is about this.
+const CHUNK: usize = 1 << 16;
+
+/// Receives an export from nm_export_write, piece by piece and in order, on the thread that called.
+/// data: size bytes, at least 1, valid during the call. user_data: as given. Nonzero stops the
+/// export, which then answers NM_IO and does not call again.
+///
+/// It must return: no exception, longjmp or thread exit may leave it. It may read the mesh; nm_run on
+/// it answers NM_STATE, and it must not be freed.
+#[allow(non_camel_case_types)]
+pub type nm_write_fn =
+    Option<unsafe extern "C" fn(data: *const c_void, size: usize, user_data: *mut c_void) -> i32>;
+
+/// Writes the mesh to a file, replacing what was there. The file is written under another name and
+/// then renamed: after a failure there is no half of one.
+///
+/// path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
+/// unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format before
+/// nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason).
+///
+/// O(vertices + simplices).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_export(
+    mesh: *const nm_mesh,
+    path_utf8: *const c_char,
+    format: MaybeUninit<nm_format>,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        // SAFETY: the caller gave NULL or a C string.
+        let path = unsafe { utf8_path(path_utf8)? };
+        io::write_file(mesh, path, decode_format(format)?)
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes the mesh to a callback instead of a file; for NM_FORMAT_TETGEN_NODE the .node part, then
+/// the .ele part. After a failure the callback may have received a part.
+///
+/// format: not NM_FORMAT_AUTO. write: must not be NULL. user_data: handed to write, may be NULL.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, write), NM_INVALID_ARGUMENT (format), NM_STATE (a mesh format
+/// before nm_run; nm_run at work, poisoned), NM_IO (write answered nonzero; the message has the
+/// value).
+///
+/// O(vertices + simplices).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_export_write(
+    mesh: *const nm_mesh,
+    format: MaybeUninit<nm_format>,
+    write: nm_write_fn,
+    user_data: *mut c_void,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let format = decode_format(format)?;
+        let callback = write.ok_or_else(|| null_argument("write"))?;
+        let send = |bytes: &[u8]| {
+            // SAFETY: the caller's function, with the caller's `user_data`.
+            unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
+        };
+        write_through(send, |out| io::write(mesh, format, out))
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Runs `export` on a buffered writer whose bytes go to `send`; nonzero stops it for good.
+fn write_through(
+    send: impl FnMut(&[u8]) -> i32,
+    export: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let mut out = BufWriter::with_capacity(CHUNK, CallbackWriter { send, stopped: 0 });
+    let mut exported = export(&mut out);
+    if exported.is_ok() {
+        let flushed = out.flush();
+        exported = flushed.map_err(|error| Error::new(ErrorKind::Io, error.to_string()));
+    }
+    // Taken apart, the buffer is not flushed once more when it is dropped.
+    let (writer, _) = out.into_parts();
+    match writer.stopped {
+        0 => exported,
+        answer => Err(Error::new(ErrorKind::Io, stop_message(answer))),
+    }
+}
+
+fn stop_message(answer: i32) -> String {
+    format!("write answered {answer}, which stops the export")
+}
+
+/// Hands bytes to a callback until it answers nonzero.
+struct CallbackWriter<F> {
+    send: F,
+    stopped: i32,
+}
+
+impl<F: FnMut(&[u8]) -> i32> Write for CallbackWriter<F> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.stopped == 0 && !bytes.is_empty() {
+            self.stopped = (self.send)(bytes);
+        }
+        match self.stopped {
+            0 => Ok(bytes.len()),
+            answer => Err(std::io::Error::other(stop_message(answer))),
+        }
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{from_c, last_message, square};
+    use std::ptr::{null, null_mut};
+
+    fn failure() -> Error {
+        Error::new(ErrorKind::State, "the export's own")
+    }
+
+    fn io_error(error: std::io::Error) -> Error {
+        Error::new(ErrorKind::Io, error.to_string())
+    }
+
+    #[test]
+    fn every_byte_arrives_in_order_and_in_chunks() {
+        let bytes: Vec<u8> = (0..300_000_u32).map(|i| i as u8).collect();
+        let (mut received, mut calls) = (Vec::new(), 0);
+        let send = |chunk: &[u8]| {
+            assert!(!chunk.is_empty());
+            received.extend_from_slice(chunk);
+            calls += 1;
+            0
+        };
+        write_through(send, |out| {
+            bytes.chunks(7).try_for_each(|chunk| out.write_all(chunk)).map_err(io_error)
+        })
+        .unwrap();
+        assert!(received == bytes);
+        assert!((5..=6).contains(&calls), "{calls}");
+    }
+
+    #[test]
+    fn a_nonzero_answer_stops_for_good() {
+        for swallowed in [false, true] {
+            let mut calls = 0;
+            let send = |_: &[u8]| {
+                calls += 1;
+                if calls == 2 { -7 } else { 0 }
+            };
+            let export = |out: &mut dyn Write| {
+                let mut result = Ok(());
+                for _ in 0..10 {
+                    result = out.write_all(&[1; CHUNK]).map_err(io_error);
+                }
+                if swallowed { Ok(()) } else { result }
+            };
+            let error = write_through(send, export).unwrap_err();
+            assert_eq!((error.kind(), calls), (ErrorKind::Io, 2));
+            assert_eq!(error.message(), "write answered -7, which stops the export");
+        }
+    }
+
+    #[test]
+    fn the_last_chunk_may_stop_too() {
+        let error = write_through(|_| 1, |out| out.write_all(b"x").map_err(io_error));
+        assert_eq!(error.unwrap_err().kind(), ErrorKind::Io);
+    }
+
+    #[test]
+    fn after_a_failed_export_nothing_more_is_sent() {
+        let mut calls = 0;
+        let send = |_: &[u8]| {
+            calls += 1;
+            0
+        };
+        let error = write_through(send, |out| {
+            out.write_all(b"half").map_err(io_error)?;
+            Err(failure())
+        });
+        assert_eq!((error.unwrap_err(), calls), (failure(), 0));
+    }
+
+    #[test]
+    fn arguments_are_checked() {
+        unsafe extern "C" fn accept(_: *const c_void, _: usize, _: *mut c_void) -> i32 {
+            0
+        }
+        let mesh = square();
+        let vtu = || from_c(1);
+        // SAFETY: a live handle or NULL, C strings or NULL.
+        unsafe {
+            let null_path = nm_export(&mesh, null(), vtu());
+            assert_eq!(null_path, nm_status::NM_NULL_ARGUMENT);
+            assert_eq!(last_message(), "path_utf8 is NULL");
+            let null_mesh = nm_export(null(), c"mesh.vtu".as_ptr(), vtu());
+            assert_eq!(null_mesh, nm_status::NM_NULL_ARGUMENT);
+            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(10));
+            assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
+            assert!(last_message().starts_with("format is 10;"));
+            let null_write = nm_export_write(&mesh, vtu(), None, null_mut());
+            assert_eq!(null_write, nm_status::NM_NULL_ARGUMENT);
+            assert_eq!(last_message(), "write is NULL");
+            let format = nm_export_write(&mesh, from_c(-1), Some(accept), null_mut());
+            assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
+        }
+    }
+}

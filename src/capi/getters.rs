@@ -1,0 +1,309 @@
+//! Counts and arrays of a mesh. Every array getter has the same rules; `copy_out` keeps them.
+
+use super::enums::{nm_status, vertex_kind_byte};
+use super::handle::{nm_mesh, with_mesh};
+use super::memory::{OutStruct, copy_out};
+use super::structs::{nm_counts, nm_domain};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::{Mesh, NONE, Triangulation, VertexKind};
+
+/// The result of the last run, or `State`.
+pub(super) fn result(mesh: &Mesh) -> Result<&Triangulation> {
+    mesh.triangulation().ok_or_else(|| {
+        Error::new(ErrorKind::State, "mesh: it has no result yet; nm_run must succeed first")
+    })
+}
+
+/// Writes how large the mesh is. O(1).
+///
+/// counts: the caller sets struct_size.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, counts), NM_INVALID_ARGUMENT (counts->struct_size), NM_STATE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_counts(mesh: *const nm_mesh, counts: *mut nm_counts) -> nm_status {
+    let body = |mesh: &Mesh| {
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let out = unsafe { OutStruct::new("counts", counts)? };
+        out.write(&count(mesh));
+        Ok(())
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+fn count(mesh: &Mesh) -> nm_counts {
+    let inputs = mesh.inputs();
+    let triangulation = mesh.triangulation();
+    nm_counts {
+        struct_size: size_of::<nm_counts>() as u32,
+        dim: inputs.dim() as u32,
+        inputs: inputs.count() as u64,
+        duplicates: inputs.duplicates() as u64,
+        vertices: triangulation.map_or(inputs.distinct(), Triangulation::vertex_count) as u64,
+        simplices: triangulation.map_or(0, Triangulation::simplex_count) as u64,
+        domains: triangulation.map_or(0, |t| t.domains.len()) as u64,
+    }
+}
+
+/// Writes the vertices' coordinates: vertices x dim doubles, coordinate k of vertex v at
+/// buf[v * dim + k], in the caller's unit. The distinct inputs come first, in input order, with the
+/// caller's bits; before nm_run there are only they.
+///
+/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+/// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_points(
+    mesh: *const nm_mesh,
+    buf: *mut f64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| match mesh.triangulation() {
+        Some(t) => {
+            let points = t.points.iter().copied();
+            // SAFETY: the caller's buffer rules are those of `copy_out`.
+            unsafe { copy_out(buf, capacity, needed, t.points.len(), points) }
+        }
+        None => {
+            let inputs = mesh.inputs();
+            let count = inputs.distinct() * inputs.dim();
+            let points = (0..inputs.distinct()).flat_map(|v| inputs.distinct_point(v)).copied();
+            // SAFETY: as above.
+            unsafe { copy_out(buf, capacity, needed, count, points) }
+        }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes the simplices: simplices x (dim + 1) vertex ids, corner i of simplex s at
+/// buf[s * (dim + 1) + i]. Every simplex is positively oriented: det[v1-v0, ..., vdim-v0] > 0.
+///
+/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+/// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (no result yet, nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_simplices(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let simplices = &result(mesh)?.simplices;
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, simplices.len(), simplices.iter().copied()) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
+/// buf[s * (dim + 1) + i], is the simplex across the facet opposite corner i, NM_NONE on the hull.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_simplices.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_neighbors(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let neighbors = &result(mesh)?.neighbors;
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, neighbors.len(), neighbors.iter().copied()) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all are
+/// NM_VERTEX_INPUT.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_vertex_kinds(
+    mesh: *const nm_mesh,
+    buf: *mut u8,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let of = |t: &Triangulation, v: usize| vertex_kind_byte(t.kinds[v]);
+    let before = vertex_kind_byte(VertexKind::Input);
+    // SAFETY: the caller's rules are those of `get_per_vertex`.
+    unsafe { get_per_vertex(mesh, buf, capacity, needed, before, of) }
+}
+
+/// Writes the index of the innermost domain that holds each vertex (nm_mesh_get_domains): one id per
+/// vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_vertex_domains(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let of = |t: &Triangulation, v: usize| t.vertex_domains[v];
+    // SAFETY: the caller's rules are those of `get_per_vertex`.
+    unsafe { get_per_vertex(mesh, buf, capacity, needed, NONE, of) }
+}
+
+/// Writes 1 for each vertex whose cell is outside the promised quality because doubles are too coarse
+/// there, 0 for the others: one byte per vertex. Before nm_run all are 0.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_precision_limited(
+    mesh: *const nm_mesh,
+    buf: *mut u8,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let of = |t: &Triangulation, v: usize| u8::from(t.precision_limited[v]);
+    // SAFETY: the caller's rules are those of `get_per_vertex`.
+    unsafe { get_per_vertex(mesh, buf, capacity, needed, 0, of) }
+}
+
+/// Writes the vertex of each input: one id per point given, duplicates included. Exact duplicates
+/// share the vertex of the first; vertices are numbered by first appearance. The same before and
+/// after nm_run.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_input_vertices(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let vertices = mesh.inputs().vertices();
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, vertices.len(), vertices.iter().copied()) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes the domain hierarchy, a tree of balls: the root first, every parent before its children.
+/// None before nm_run and for NM_ALGORITHM_DELAUNAY; one for NM_OUTPUT_WELL_SPACED. capacity and
+/// *needed count nm_domain elements.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_domains(
+    mesh: *const nm_mesh,
+    buf: *mut nm_domain,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let domains = mesh.triangulation().map_or(&[][..], |t| &t.domains);
+        let encoded = domains.iter().map(|domain| nm_domain {
+            center: domain.center,
+            parent: domain.parent,
+            radius: domain.radius,
+        });
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, domains.len(), encoded) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Copies one value per vertex: `before` for each distinct input until there is a result.
+///
+/// # Safety
+/// As `with_mesh` and `copy_out`.
+unsafe fn get_per_vertex<T: Copy>(
+    mesh: *const nm_mesh,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+    before: T,
+    of: impl Fn(&Triangulation, usize) -> T,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let triangulation = mesh.triangulation();
+        let distinct = mesh.inputs().distinct();
+        let count = triangulation.map_or(distinct, Triangulation::vertex_count);
+        let values = (0..count).map(|v| triangulation.map_or(before, |t| of(t, v)));
+        // SAFETY: the caller's promise.
+        unsafe { copy_out(buf, capacity, needed, count, values) }
+    };
+    // SAFETY: the caller's promise.
+    unsafe { with_mesh(mesh, body) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{last_message, square};
+    use std::ptr::{null, null_mut};
+
+    type Getter<T> = unsafe extern "C" fn(*const nm_mesh, *mut T, u64, *mut u64) -> nm_status;
+
+    /// Size, then values.
+    fn get<T: Copy + Default>(mesh: &nm_mesh, getter: Getter<T>) -> Vec<T> {
+        let mut needed = u64::MAX;
+        // SAFETY: a live handle; NULL asks for the size.
+        let status = unsafe { getter(mesh, null_mut(), 0, &mut needed) };
+        assert_eq!(status, nm_status::NM_OK);
+        let mut values = vec![T::default(); needed as usize];
+        // SAFETY: the buffer has room for `needed`.
+        let status = unsafe { getter(mesh, values.as_mut_ptr(), needed, null_mut()) };
+        assert_eq!(status, nm_status::NM_OK);
+        values
+    }
+
+    #[test]
+    fn before_a_run_there_are_the_distinct_inputs() {
+        let mesh = square();
+        assert_eq!(get(&mesh, nm_mesh_get_points), [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0]);
+        assert_eq!(get(&mesh, nm_mesh_get_input_vertices), [0, 1, 0, 2, 3]);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_kinds), [0; 4]);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_domains), [NONE; 4]);
+        assert_eq!(get(&mesh, nm_mesh_get_precision_limited), [0; 4]);
+        let mut needed = u64::MAX;
+        // SAFETY: a live handle; NULL asks for the size.
+        let status = unsafe { nm_mesh_get_domains(&mesh, null_mut(), 0, &mut needed) };
+        assert_eq!((status, needed), (nm_status::NM_OK, 0));
+        let expected = nm_counts {
+            struct_size: 48,
+            dim: 2,
+            inputs: 5,
+            duplicates: 1,
+            vertices: 4,
+            simplices: 0,
+            domains: 0,
+        };
+        let mut counts = nm_counts { struct_size: 48, dim: 9, ..expected };
+        // SAFETY: a live handle and a whole struct.
+        let status = unsafe { nm_mesh_counts(&mesh, &mut counts) };
+        assert_eq!((status, counts), (nm_status::NM_OK, expected));
+    }
+
+    #[test]
+    fn simplices_need_a_run() {
+        let mesh = square();
+        for getter in [nm_mesh_get_simplices as Getter<u32>, nm_mesh_get_neighbors] {
+            let mut needed = 17;
+            // SAFETY: a live handle; NULL asks for the size.
+            let status = unsafe { getter(&mesh, null_mut(), 0, &mut needed) };
+            assert_eq!((status, needed), (nm_status::NM_STATE, 17));
+            assert!(last_message().contains("nm_run must succeed first"));
+        }
+    }
+
+    #[test]
+    fn null_arguments_are_named() {
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_mesh_get_points(null(), null_mut(), 0, null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
+        // SAFETY: a live handle; NULL is allowed.
+        let status = unsafe { nm_mesh_counts(&square(), null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "counts is NULL"));
+    }
+}

@@ -1,0 +1,201 @@
+//! The handle: a mesh, a lock that never waits, and the panic barrier.
+
+use super::enums::nm_status;
+use super::error::{fail, null_argument, panicked};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::Mesh;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
+
+/// Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
+/// nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time from
+/// any threads; nm_run needs the handle for itself, which is checked: the call that comes too early
+/// (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
+#[allow(non_camel_case_types)]
+#[derive(Debug)]
+pub struct nm_mesh {
+    mesh: RwLock<Mesh>,
+    poisoned: AtomicBool,
+}
+
+impl nm_mesh {
+    pub(super) fn new(mesh: Mesh) -> Self {
+        Self { mesh: RwLock::new(mesh), poisoned: AtomicBool::new(false) }
+    }
+
+    /// The mesh for reading, beside other readers.
+    fn read(&self) -> Result<RwLockReadGuard<'_, Mesh>> {
+        self.check_poison()?;
+        self.mesh.try_read().map_err(|error| match error {
+            TryLockError::Poisoned(_) => poisoned(),
+            TryLockError::WouldBlock => {
+                let message =
+                    "mesh: nm_run is at work on it; nothing else may use it until it returns";
+                Error::new(ErrorKind::State, message)
+            }
+        })
+    }
+
+    /// The mesh for this call alone.
+    fn write(&self) -> Result<RwLockWriteGuard<'_, Mesh>> {
+        self.check_poison()?;
+        self.mesh.try_write().map_err(|error| match error {
+            TryLockError::Poisoned(_) => poisoned(),
+            TryLockError::WouldBlock => {
+                let message = "mesh: another call is using it; nm_run needs it alone";
+                Error::new(ErrorKind::State, message)
+            }
+        })
+    }
+
+    fn check_poison(&self) -> Result<()> {
+        if self.poisoned.load(Ordering::Acquire) { Err(poisoned()) } else { Ok(()) }
+    }
+}
+
+fn poisoned() -> Error {
+    let message = "mesh: an earlier call answered NM_PANIC; only nm_mesh_free may follow";
+    Error::new(ErrorKind::State, message)
+}
+
+/// Runs `body` so that no panic leaves it, and answers its status.
+pub(super) fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
+    match catch_unwind(AssertUnwindSafe(body)) {
+        Ok(Ok(())) => nm_status::NM_OK,
+        Ok(Err(error)) => fail(&error),
+        Err(payload) => fail(&panicked(&*payload)),
+    }
+}
+
+/// As [`barrier`], with the mesh for reading; a panic poisons the handle.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle that no thread frees during the call.
+pub(super) unsafe fn with_mesh(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&Mesh) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe { with_handle(mesh, |handle| body(&*handle.read()?)) }
+}
+
+/// As [`barrier`], with the mesh for writing; a panic poisons the handle.
+///
+/// # Safety
+/// As [`with_mesh`].
+pub(super) unsafe fn with_mesh_mut(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&mut Mesh) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe { with_handle(mesh, |handle| body(&mut *handle.write()?)) }
+}
+
+/// # Safety
+/// As [`with_mesh`].
+unsafe fn with_handle(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&nm_mesh) -> Result<()>,
+) -> nm_status {
+    // SAFETY: NULL or live; only shared references are ever made to a handle.
+    let Some(handle) = (unsafe { mesh.as_ref() }) else {
+        return fail(&null_argument("mesh"));
+    };
+    let status = barrier(|| body(handle));
+    if status == nm_status::NM_PANIC {
+        handle.poisoned.store(true, Ordering::Release);
+    }
+    status
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::test_support::{last_message, square};
+
+    fn assert_thread_safe<T: Send + Sync>() {}
+
+    #[test]
+    fn the_handle_may_be_shared() {
+        assert_thread_safe::<nm_mesh>();
+    }
+
+    #[test]
+    fn null_names_the_mesh() {
+        // SAFETY: NULL is allowed.
+        let status = unsafe { with_mesh(std::ptr::null(), |_| Ok(())) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
+    }
+
+    #[test]
+    fn readers_share_and_a_writer_is_alone() {
+        let handle = square();
+        // SAFETY: the handle lives through the test.
+        let read = || unsafe { with_mesh(&raw const handle, |_| Ok(())) };
+        // SAFETY: as above.
+        let write = || unsafe { with_mesh_mut(&raw const handle, |_| Ok(())) };
+        let mut seen = Vec::new();
+        // SAFETY: as above.
+        let status = unsafe {
+            with_mesh(&raw const handle, |_| {
+                seen.extend([read(), write()]);
+                Ok(())
+            })
+        };
+        assert_eq!((status, last_message().contains("another call")), (nm_status::NM_OK, true));
+        // SAFETY: as above.
+        let status = unsafe {
+            with_mesh_mut(&raw const handle, |_| {
+                seen.extend([read(), write()]);
+                Ok(())
+            })
+        };
+        assert_eq!(status, nm_status::NM_OK);
+        let (ok, busy) = (nm_status::NM_OK, nm_status::NM_STATE);
+        assert_eq!(seen, [ok, busy, busy, busy]);
+        assert_eq!([read(), write()], [ok, ok], "every lock was given back");
+    }
+
+    #[test]
+    fn an_error_gives_the_lock_back() {
+        let handle = square();
+        let refuse = || Err(Error::new(ErrorKind::Cancelled, "no"));
+        // SAFETY: the handle lives through the test.
+        let statuses = unsafe {
+            [
+                with_mesh_mut(&raw const handle, |_| refuse()),
+                with_mesh(&raw const handle, |_| refuse()),
+                with_mesh_mut(&raw const handle, |_| Ok(())),
+            ]
+        };
+        let cancelled = nm_status::NM_CANCELLED;
+        assert_eq!(statuses, [cancelled, cancelled, nm_status::NM_OK]);
+    }
+
+    #[test]
+    fn a_panic_is_caught_and_poisons_the_handle() {
+        for mutator in [false, true] {
+            let handle = square();
+            // SAFETY: the handle lives through the test.
+            let status = unsafe {
+                if mutator {
+                    with_mesh_mut(&raw const handle, |_| panic!("on purpose"))
+                } else {
+                    with_mesh(&raw const handle, |_| panic!("on purpose"))
+                }
+            };
+            assert_eq!(status, nm_status::NM_PANIC);
+            assert!(last_message().contains("on purpose"), "{}", last_message());
+            // SAFETY: as above.
+            let after = unsafe {
+                [
+                    with_mesh(&raw const handle, |_| Ok(())),
+                    with_mesh_mut(&raw const handle, |_| Ok(())),
+                ]
+            };
+            assert_eq!(after, [nm_status::NM_STATE; 2]);
+            assert!(last_message().contains("NM_PANIC"));
+        }
+    }
+}

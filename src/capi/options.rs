@@ -1,0 +1,195 @@
+//! Options, from C and to C.
+
+use super::enums::{
+    decode_algorithm, decode_criterion, decode_ordering, decode_output, nm_algorithm, nm_criterion,
+    nm_ordering, nm_output, nm_status,
+};
+use super::handle::barrier;
+use super::memory::OutStruct;
+use super::structs::nm_options;
+use crate::error::Result;
+use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
+use std::mem::MaybeUninit;
+use std::ptr::null_mut;
+
+/// Fills options with the defaults and sets its struct_size; bytes beyond this version's struct
+/// become zero. Call it as nm_options_init(&options, sizeof options).
+///
+/// struct_size: the size of the caller's struct, 4..4096 bytes, not ending inside a field.
+///
+/// Errors: NM_NULL_ARGUMENT (options), NM_INVALID_ARGUMENT (struct_size). O(1); any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_options_init(options: *mut nm_options, struct_size: u32) -> nm_status {
+    barrier(|| {
+        // SAFETY: the caller gave NULL or `struct_size` writable bytes.
+        let out = unsafe { OutStruct::with_size("options", options, struct_size)? };
+        out.write(&encode(&Options::default()));
+        out.write_size_and_clear_tail();
+        Ok(())
+    })
+}
+
+/// `options` as C sees them.
+pub(super) fn encode(options: &Options) -> nm_options {
+    nm_options {
+        struct_size: size_of::<nm_options>() as u32,
+        output: MaybeUninit::new(match options.output {
+            Output::Hierarchical => nm_output::NM_OUTPUT_HIERARCHICAL,
+            Output::WellSpaced => nm_output::NM_OUTPUT_WELL_SPACED,
+        }),
+        algorithm: MaybeUninit::new(match options.algorithm {
+            Algorithm::Netmesh => nm_algorithm::NM_ALGORITHM_NETMESH,
+            Algorithm::Svr => nm_algorithm::NM_ALGORITHM_SVR,
+            Algorithm::Delaunay => nm_algorithm::NM_ALGORITHM_DELAUNAY,
+        }),
+        ordering: MaybeUninit::new(match options.ordering {
+            NetOrdering::SampledNet => nm_ordering::NM_ORDERING_SAMPLED_NET,
+            NetOrdering::DeterministicNet => nm_ordering::NM_ORDERING_DETERMINISTIC_NET,
+        }),
+        criterion: MaybeUninit::new(match options.criterion {
+            Criterion::VoronoiAspect => nm_criterion::NM_CRITERION_VORONOI_ASPECT,
+            Criterion::RadiusEdge => nm_criterion::NM_CRITERION_RADIUS_EDGE,
+        }),
+        threads: options.threads,
+        quality_bound: options.quality_bound,
+        epsilon: options.epsilon,
+        delta: options.delta,
+        gamma: options.gamma,
+        yield_radius: options.yield_radius,
+        encroachment: options.encroachment,
+        cage_scale: options.cage_scale,
+        root_scale: options.root_scale,
+        seed: options.seed,
+        max_vertices: options.max_vertices,
+        progress: None,
+        user_data: null_mut(),
+    }
+}
+
+/// What C asks for, enums checked; the ranges of the numbers are the core's business.
+pub(super) fn decode(options: &nm_options) -> Result<Options> {
+    Ok(Options {
+        output: decode_output(options.output)?,
+        algorithm: decode_algorithm(options.algorithm)?,
+        ordering: decode_ordering(options.ordering)?,
+        criterion: decode_criterion(options.criterion)?,
+        threads: options.threads,
+        quality_bound: options.quality_bound,
+        epsilon: options.epsilon,
+        delta: options.delta,
+        gamma: options.gamma,
+        yield_radius: options.yield_radius,
+        encroachment: options.encroachment,
+        cage_scale: options.cage_scale,
+        root_scale: options.root_scale,
+        seed: options.seed,
+        max_vertices: options.max_vertices,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::capi::memory::read_struct;
+    use crate::capi::test_support::{from_c, last_message};
+    use std::mem::offset_of;
+
+    const SIZE: usize = size_of::<nm_options>();
+
+    fn init(bytes: &mut [u8; 256], struct_size: u32) -> nm_status {
+        // SAFETY: the tests' sizes are at most the buffer's, or refused.
+        unsafe { nm_options_init(bytes.as_mut_ptr().cast(), struct_size) }
+    }
+
+    /// What nm_run reads from a struct of these bytes.
+    fn read(bytes: &[u8; 256]) -> nm_options {
+        let defaults = encode(&Options { seed: 77, ..Options::default() });
+        // SAFETY: the tests' sizes are at most the buffer's.
+        unsafe { read_struct("options", bytes.as_ptr().cast(), defaults) }.unwrap()
+    }
+
+    #[test]
+    fn options_survive_the_way_to_c_and_back() {
+        let options = Options {
+            output: Output::WellSpaced,
+            algorithm: Algorithm::Delaunay,
+            ordering: NetOrdering::DeterministicNet,
+            criterion: Criterion::RadiusEdge,
+            threads: 2,
+            quality_bound: 3.0,
+            epsilon: 4.0,
+            delta: 5.0,
+            gamma: 6.0,
+            yield_radius: 7.0,
+            encroachment: 8.0,
+            cage_scale: 9.0,
+            root_scale: 10.0,
+            seed: 11,
+            max_vertices: 12,
+        };
+        assert_eq!(decode(&encode(&options)).unwrap(), options);
+        assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
+        let svr = Options { algorithm: Algorithm::Svr, ..options };
+        assert_eq!(decode(&encode(&svr)).unwrap(), svr);
+    }
+
+    #[test]
+    fn init_writes_the_defaults_and_clears_the_tail() {
+        let mut bytes = [0xee; 256];
+        assert_eq!(init(&mut bytes, 200), nm_status::NM_OK);
+        assert_eq!(bytes[..4], 200_u32.to_ne_bytes());
+        assert!(bytes[SIZE..200].iter().all(|&byte| byte == 0));
+        assert!(bytes[200..].iter().all(|&byte| byte == 0xee));
+        let options = read(&bytes);
+        assert_eq!(decode(&options).unwrap(), Options::default());
+        assert!(options.progress.is_none() && options.user_data.is_null());
+    }
+
+    #[test]
+    fn an_older_struct_is_filled_to_its_end() {
+        let mut bytes = [0xee; 256];
+        let size = offset_of!(nm_options, seed);
+        assert_eq!(init(&mut bytes, size as u32), nm_status::NM_OK);
+        assert!(bytes[size..].iter().all(|&byte| byte == 0xee));
+        let options = read(&bytes);
+        assert_eq!((options.threads, options.seed), (1, 77), "seed is missing, so the default");
+    }
+
+    #[test]
+    fn sizes_that_end_inside_a_field_are_refused() {
+        let mut bytes = [0xee; 256];
+        let word = size_of::<usize>();
+        let legal = [4, 8, 12, 16, 20]
+            .into_iter()
+            .chain((24..=104).step_by(8))
+            .chain([104 + word, 104 + 2 * word]);
+        let legal: Vec<_> = legal.collect();
+        for size in 0..=SIZE {
+            let accepted = init(&mut bytes, size as u32) == nm_status::NM_OK;
+            assert_eq!(accepted, legal.contains(&size), "{size}");
+        }
+        assert_eq!(init(&mut bytes, 4097), nm_status::NM_INVALID_ARGUMENT);
+        bytes = [0xee; 256];
+        assert_eq!(init(&mut bytes, 26), nm_status::NM_INVALID_ARGUMENT);
+        assert_eq!(bytes, [0xee; 256]);
+        assert!(last_message().starts_with("options.struct_size is 26; it ends inside a field"));
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_options_init(null_mut(), 120) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "options is NULL"));
+    }
+
+    #[test]
+    fn every_enum_field_is_checked() {
+        let good = encode(&Options::default());
+        let bad = [
+            ("output", 2, nm_options { output: from_c(2), ..good }),
+            ("algorithm", 3, nm_options { algorithm: from_c(3), ..good }),
+            ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
+            ("criterion", 2, nm_options { criterion: from_c(2), ..good }),
+        ];
+        for (field, value, options) in bad {
+            let message = decode(&options).unwrap_err().message().to_owned();
+            assert!(message.starts_with(&format!("options.{field} is {value};")), "{message}");
+        }
+    }
+}

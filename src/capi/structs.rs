@@ -1,0 +1,270 @@
+//! The structs of the boundary.
+
+use super::enums::{nm_algorithm, nm_criterion, nm_ordering, nm_output, nm_phase};
+use super::memory::Versioned;
+use std::ffi::{c_char, c_void};
+use std::mem::{MaybeUninit, offset_of};
+
+/// What nm_run reports while it works. The library fills it; it is valid during the callback only.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nm_progress {
+    /// sizeof(nm_progress) of the running library: read no field beyond it.
+    pub struct_size: u32,
+    /// The stage of the run; never falls.
+    pub phase: nm_phase,
+    /// The part of the whole run that is done, in [0, 1] and never falling; -1 if unknown.
+    pub fraction: f64,
+    /// Distinct inputs that are vertices by now.
+    pub inputs_inserted: u64,
+    /// Vertices by now, inputs included.
+    pub vertices: u64,
+    /// Simplices by now.
+    pub simplices: u64,
+}
+
+/// Called by nm_run on the thread that called nm_run, about 20 times a second. progress: valid
+/// during the call. user_data: nm_options.user_data. Nonzero cancels the run, which then answers
+/// NM_CANCELLED and leaves the mesh as it was.
+///
+/// It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
+/// being run answers NM_STATE; other meshes may be used, and this one must not be freed.
+#[allow(non_camel_case_types)]
+pub type nm_progress_fn =
+    Option<unsafe extern "C" fn(progress: *const nm_progress, user_data: *mut c_void) -> i32>;
+
+/// What nm_run shall do. Fill it with nm_options_init, then change what you need.
+///
+/// For each double and for max_vertices, 0 is the default for the dimension; anything else outside
+/// the field's range, NaN included, answers NM_INVALID_ARGUMENT. "2D, 3D, 4D, more" are the values
+/// by dimension.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nm_options {
+    /// sizeof(nm_options) of the caller, set by nm_options_init. Fields that a smaller struct lacks
+    /// have their defaults; a larger struct is accepted if what this version does not know is zero.
+    pub struct_size: u32,
+    /// What the run leaves behind. Default NM_OUTPUT_HIERARCHICAL.
+    pub output: MaybeUninit<nm_output>,
+    /// How it works. Default NM_ALGORITHM_NETMESH. NM_ALGORITHM_SVR is not available in this version
+    /// (NM_INVALID_ARGUMENT).
+    pub algorithm: MaybeUninit<nm_algorithm>,
+    /// How inputs are selected. Default NM_ORDERING_SAMPLED_NET. NM_ORDERING_DETERMINISTIC_NET is not
+    /// available in this version (NM_INVALID_ARGUMENT).
+    pub ordering: MaybeUninit<nm_ordering>,
+    /// The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
+    pub criterion: MaybeUninit<nm_criterion>,
+    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it.
+    pub threads: u32,
+    /// The promised quality, smaller is better and costs more vertices; a ratio without unit.
+    /// NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
+    /// [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
+    /// [1.1, 50], [1.25, 50], [1.75, 50], [2.25, 50].
+    pub quality_bound: f64,
+    /// How far apart a cluster must stand to become a domain of its own: a pair at distance x gets one
+    /// of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2. Smaller
+    /// makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
+    pub epsilon: f64,
+    /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
+    /// at the cage and more vertices. In [0.1, 1], default 0.5, 0.5, 0.8, 1 in 2D, 3D, 4D, more.
+    pub delta: f64,
+    /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
+    /// nearest vertex. In [0.01, 0.25], default 0.1.
+    pub gamma: f64,
+    /// Refinement yield: a Steiner point yields to an input within this fraction of the radius of its
+    /// empty ball. In [0.05, 1], default 1.
+    pub yield_radius: f64,
+    /// How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1, 4],
+    /// default 1.
+    pub encroachment: f64,
+    /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
+    pub cage_scale: f64,
+    /// Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5.
+    pub root_scale: f64,
+    /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Any value, default 0.
+    pub seed: u64,
+    /// The run answers NM_LIMIT rather than make more vertices, inputs included. Default (0): what
+    /// 32-bit ids allow.
+    pub max_vertices: u64,
+    /// Called during the run; NULL for none. Default NULL.
+    pub progress: nm_progress_fn,
+    /// Handed to progress as it is; the library never looks at it. Default NULL.
+    pub user_data: *mut c_void,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
+// (an Option) and all numbers take any bits.
+unsafe impl Versioned for nm_options {
+    const TYPE: &'static str = "nm_options";
+
+    fn ends_inside_field(size: usize) -> bool {
+        let width = if size < offset_of!(nm_options, quality_bound) {
+            size_of::<u32>()
+        } else if size < offset_of!(nm_options, progress) {
+            size_of::<u64>()
+        } else {
+            size_of::<usize>()
+        };
+        size % width != 0
+    }
+}
+
+const _: () = assert!(size_of::<nm_options>() == 6 * 4 + 10 * 8 + 2 * size_of::<usize>());
+
+/// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_counts {
+    /// Set by the caller to sizeof(nm_counts).
+    pub struct_size: u32,
+    /// The dimension, NM_MIN_DIM..NM_MAX_DIM.
+    pub dim: u32,
+    /// Points given, duplicates included.
+    pub inputs: u64,
+    /// Points that equal an earlier one.
+    pub duplicates: u64,
+    /// Vertices: 0..inputs-duplicates-1 are the distinct inputs in input order, then Steiner and cage
+    /// vertices.
+    pub vertices: u64,
+    /// Simplices (triangles, tetrahedra, ...).
+    pub simplices: u64,
+    /// Domains of the hierarchy, the root included; 0 for NM_ALGORITHM_DELAUNAY.
+    pub domains: u64,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_counts {
+    const TYPE: &'static str = "nm_counts";
+}
+
+const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 5 * 8);
+
+/// A ball of the domain hierarchy; an element of the array that nm_mesh_get_domains fills (fixed in
+/// size for this ABI version).
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_domain {
+    /// The vertex at the ball's centre.
+    pub center: u32,
+    /// Index of the enclosing domain, less than this one's; NM_NONE for the root (index 0).
+    pub parent: u32,
+    /// Radius, in the unit of the coordinates.
+    pub radius: f64,
+}
+
+/// How good a mesh is. A Voronoi cell's aspect is the distance from its vertex to its farthest corner
+/// over half the distance to the nearest other vertex (1 at best).
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_quality {
+    /// Set by the caller to sizeof(nm_quality).
+    pub struct_size: u32,
+    /// Largest number of vertices that share an edge with one vertex.
+    pub max_degree: u32,
+    /// Worst aspect of the vertices that are in no cage, counting the corners inside 0.85 of the
+    /// radius of their domain's cage sphere (the rest is the cage's business). What
+    /// NM_CRITERION_VORONOI_ASPECT bounds.
+    pub worst_aspect: f64,
+    /// Worst aspect of all cells that are off the hull, with all their corners.
+    pub worst_aspect_anywhere: f64,
+    /// Mean aspect of the cells that worst_aspect ranges over.
+    pub mean_aspect: f64,
+    /// Worst aspect of a cage: the union of its vertices' cells, seen from the domain's centre.
+    pub worst_cage_aspect: f64,
+    /// Worst circumradius over shortest edge of a simplex. What NM_CRITERION_RADIUS_EDGE bounds,
+    /// with the same restriction as worst_aspect.
+    pub worst_radius_edge: f64,
+    /// Smallest angle of a triangle (2D), smallest dihedral angle of a simplex (3D and more), in
+    /// degrees.
+    pub min_angle_degrees: f64,
+    /// Cells that no double can improve: too near to other vertices for the grid of doubles. They
+    /// are outside the promise; nm_mesh_get_precision_limited tells which.
+    pub precision_limited: u64,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_quality {
+    const TYPE: &'static str = "nm_quality";
+}
+
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 7 * 8);
+
+/// What the last nm_run did.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_stats {
+    /// Set by the caller to sizeof(nm_stats).
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Rounds of insertion; O(log n).
+    pub rounds: u64,
+    /// Work of point location: how often an input that was not yet a vertex was considered for a
+    /// ball. O(n log n).
+    pub touches: u64,
+    /// The largest number of touches of one input.
+    pub max_touches: u64,
+    /// Vertices that are inputs.
+    pub input_vertices: u64,
+    /// Vertices added for quality.
+    pub steiner_vertices: u64,
+    /// Vertices of cages that are alive at the end.
+    pub cage_vertices: u64,
+    /// Cages made, ...
+    pub cages_created: u64,
+    /// ... grown, ...
+    pub cages_grown: u64,
+    /// ... and released during the run.
+    pub cages_released: u64,
+    /// Geometric tests that floating point could not decide and exact arithmetic did.
+    pub exact_fallbacks: u64,
+    /// As nm_quality.precision_limited.
+    pub precision_limited: u64,
+    /// Wall-clock time of the run, in seconds. The only field that differs between equal runs.
+    pub seconds: f64,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_stats {
+    const TYPE: &'static str = "nm_stats";
+}
+
+const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 12 * 8);
+
+/// What nm_mesh_validate found.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_report {
+    /// Set by the caller to sizeof(nm_report).
+    pub struct_size: u32,
+    /// The highest level that holds in full, 0 if level 1 does not.
+    pub level: u32,
+    /// Rules found broken.
+    pub violations: u64,
+    /// Single checks made.
+    pub checked: u64,
+    /// The first violation's kind, 0 if there is none.
+    pub kind: u32,
+    /// The first violation's simplex, NM_NONE where none.
+    pub simplex: u32,
+    /// The first violation's vertex, NM_NONE where none.
+    pub vertex: u32,
+    /// The first violation's domain, NM_NONE where none.
+    pub domain: u32,
+    /// The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is none.
+    pub message: [c_char; 160],
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_report {
+    const TYPE: &'static str = "nm_report";
+}
+
+const _: () = assert!(size_of::<nm_report>() == 2 * 4 + 2 * 8 + 4 * 4 + 160);

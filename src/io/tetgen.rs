@@ -1,0 +1,177 @@
+//! TetGen's `.node` and `.ele` (Triangle's in the plane), continued to any dimension.
+
+use super::PointCloud;
+use super::text::{Line, Lines, Points, write_point};
+use crate::error::Result;
+use crate::mesh::Triangulation;
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The files of the pair that `path` names: `.node` part, `.ele` part.
+pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
+    let has_extension = |expected: &str| {
+        path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(expected))
+    };
+    if has_extension("ele") {
+        return (path.with_extension("node"), path.to_path_buf());
+    }
+    if has_extension("node") {
+        return (path.to_path_buf(), path.with_extension("ele"));
+    }
+    // What follows a dot need not be an extension: these programs name their meshes `a.1`.
+    let mut ele = OsString::from(path);
+    ele.push(".ele");
+    (path.to_path_buf(), PathBuf::from(ele))
+}
+
+pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+    let header = Header::read(&lines.require(|| "a .node file begins with its counts".into())?)?;
+    let mut points = Points::of_dimension(header.dim);
+    let mut first_id = 0;
+    for index in 0..header.points {
+        let line = lines.require(|| format!("{index} of {} points", header.points))?;
+        let id = header.read_point(&line, &mut points)?;
+        if index == 0 && id <= 1 {
+            first_id = id;
+        }
+        if id != first_id + index {
+            let expected = match index {
+                0 => "the first is 0 or 1".to_string(),
+                _ => format!("{} comes next", first_id + index),
+            };
+            return Err(line.error(format!("point id {id}; ids count up, {expected}")));
+        }
+    }
+    lines.require_end(&format!("the {} points of the header", header.points))?;
+    points.finish()
+}
+
+/// The first line of a `.node` file: `points dim attributes markers`, the last two optional.
+struct Header {
+    points: u64,
+    dim: usize,
+    /// Columns of a point's line: id, coordinates, attributes, marker.
+    columns: u64,
+}
+
+impl Header {
+    fn read(line: &Line<'_>) -> Result<Self> {
+        let columns = line.word_count();
+        if !(2..=4).contains(&columns) {
+            let message = format!(
+                "{columns} columns; a .node file begins with: points dim attributes markers"
+            );
+            return Err(line.error(message));
+        }
+        let mut counts = [0; 4];
+        let names = ["number of points", "dimension", "number of attributes", "number of markers"];
+        for (column, field) in line.words() {
+            counts[column] = line.integer(column, field, names[column])?;
+        }
+        let [points, dim, attributes, markers] = counts;
+        let dim = line.check_dimension(dim)?;
+        if markers > 1 {
+            return Err(line.error(format!("{markers} markers per point; there is one or none")));
+        }
+        let columns = attributes.saturating_add(1 + dim as u64 + markers);
+        Ok(Self { points, dim, columns })
+    }
+
+    /// Adds the line's point; returns its id.
+    fn read_point(&self, line: &Line<'_>, points: &mut Points) -> Result<u64> {
+        let columns = line.word_count() as u64;
+        if columns != self.columns {
+            let message = format!("{columns} columns where the header promises {}", self.columns);
+            return Err(line.error(message));
+        }
+        let mut id = 0;
+        for (column, field) in line.words().take(1) {
+            id = line.integer(column, field, "point id")?;
+        }
+        points.add(line, line.words().skip(1).take(self.dim))?;
+        for (column, field) in line.words().skip(1 + self.dim) {
+            line.skip_number(column, field)?;
+        }
+        Ok(id)
+    }
+}
+
+pub(super) fn write_node(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let dim = triangulation.dim;
+    writeln!(out, "{} {dim} 0 1", triangulation.vertex_count())?;
+    let points = triangulation.points.chunks_exact(dim);
+    for (id, (point, kind)) in points.zip(&triangulation.kinds).enumerate() {
+        write!(out, "{id} ")?;
+        write_point(out, point, " ")?;
+        writeln!(out, " {}", *kind as u8)?;
+    }
+    Ok(())
+}
+
+pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let corners = triangulation.dim + 1;
+    writeln!(out, "{} {corners} 0", triangulation.simplex_count())?;
+    for (id, simplex) in triangulation.simplices.chunks_exact(corners).enumerate() {
+        write!(out, "{id}")?;
+        for vertex in simplex {
+            write!(out, " {vertex}")?;
+        }
+        out.write_all(b"\n")?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Format, read, samples, write};
+    use super::*;
+
+    #[test]
+    fn ids_count_from_0_or_1_and_the_rest_is_dropped() {
+        let expected = PointCloud { dim: 2, coordinates: vec![1.0, 2.0, -3.0, 4e9] };
+        for text in [
+            "2 2 0 0\n0 1 2\n1 -3 4e9\n",
+            "# nodes\r\n2 2\r\n\r\n1 1 2 # here\r\n2 -3 4e9",
+            "2 2 2 1\n1 1 2 0.5 nan -1\n2 -3 4e9 7 8 9\n# end\n",
+        ] {
+            let read = read(&mut text.as_bytes(), Format::TetgenNode).unwrap();
+            assert_eq!(read, expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn vertices_read_back_bit_by_bit() {
+        for dim in 2..=8 {
+            let mesh = samples::mesh(dim);
+            let triangulation = mesh.triangulation().unwrap();
+            let mut text = Vec::new();
+            write_node(triangulation, &mut text).unwrap();
+            let read = read(&mut text.as_slice(), Format::TetgenNode).unwrap();
+            assert_eq!(read.dim, dim);
+            samples::assert_same_bits(&read.coordinates, &triangulation.points);
+        }
+    }
+
+    #[test]
+    fn a_stream_holds_the_node_part_and_then_the_ele_part() {
+        let mut text = Vec::new();
+        write(&samples::square(), Format::TetgenNode, &mut text).unwrap();
+        let expected = "4 2 0 1\n0 0 0 0\n1 1 0 0\n2 1 1 1\n3 0 1 2\n2 3 0\n0 0 1 2\n1 0 2 3\n";
+        assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn the_pair_has_one_name() {
+        let pair = |path: &str| {
+            let (node, ele) = paths(Path::new(path));
+            (node.to_str().unwrap().to_string(), ele.to_str().unwrap().to_string())
+        };
+        let expected = |node: &str, ele: &str| (node.to_string(), ele.to_string());
+        assert_eq!(pair("d/a.node"), expected("d/a.node", "d/a.ele"));
+        assert_eq!(pair("d/a.1.ele"), expected("d/a.1.node", "d/a.1.ele"));
+        assert_eq!(pair("d.x/a.NODE"), expected("d.x/a.NODE", "d.x/a.ele"));
+        assert_eq!(pair("a.1"), expected("a.1", "a.1.ele"));
+        assert_eq!(pair("a"), expected("a", "a.ele"));
+    }
+}

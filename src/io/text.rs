@@ -1,0 +1,347 @@
+//! What the text formats share: lines with a bound on their length, numbers, and the numbers' way
+//! back to text.
+
+use super::{PointCloud, io_error};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::{MAX_DIM, MIN_DIM};
+use std::io::{self, BufRead, Read, Write};
+
+/// The longest line that is read, with its end: a file without line ends must not fill the memory.
+const MAX_LINE: usize = 1 << 20;
+
+/// The lines of a text that say something: comments are cut off, blank lines skipped.
+pub(super) struct Lines<'a> {
+    input: &'a mut dyn BufRead,
+    buffer: Vec<u8>,
+    number: u64,
+}
+
+/// A line, without comment and surrounding blanks; never empty.
+#[derive(Clone, Copy)]
+pub(super) struct Line<'a> {
+    /// Counted from 1, blank lines and comments included.
+    pub number: u64,
+    pub text: &'a str,
+}
+
+impl<'a> Lines<'a> {
+    pub fn new(input: &'a mut dyn BufRead) -> Self {
+        Self { input, buffer: Vec::new(), number: 0 }
+    }
+
+    /// The next line that is neither blank nor a comment.
+    pub fn next(&mut self) -> Result<Option<Line<'_>>> {
+        loop {
+            if !self.fill()? {
+                return Ok(None);
+            }
+            if !content(self.checked()?).is_empty() {
+                break;
+            }
+        }
+        Ok(Some(Line { number: self.number, text: content(self.checked()?) }))
+    }
+
+    /// The next line; the error of a file that ends instead tells what it `lacks`.
+    pub fn require(&mut self, lacks: impl FnOnce() -> String) -> Result<Line<'_>> {
+        // Asked for the number first: the line borrows `self`.
+        if self.next()?.is_none() {
+            let message = format!("the file ends after line {}: {}", self.number, lacks());
+            return Err(Error::new(ErrorKind::Format, message));
+        }
+        Ok(Line { number: self.number, text: content(self.checked()?) })
+    }
+
+    /// Refuses further data.
+    pub fn require_end(&mut self, after: &str) -> Result<()> {
+        match self.next()? {
+            None => Ok(()),
+            Some(line) => Err(line.error(format!("more data after {after}"))),
+        }
+    }
+
+    /// Reads one line, whatever is in it; false at the end of the file.
+    fn fill(&mut self) -> Result<bool> {
+        self.buffer.clear();
+        let mut bounded = (&mut *self.input).take(MAX_LINE as u64 + 1);
+        let length = bounded.read_until(b'\n', &mut self.buffer).map_err(|error| {
+            io_error(&format!("cannot read on after line {}", self.number), &error)
+        })?;
+        if length == 0 {
+            return Ok(false);
+        }
+        self.number += 1;
+        if length > MAX_LINE {
+            return Err(self.refused("the line is longer than 1 MiB"));
+        }
+        Ok(true)
+    }
+
+    /// The line as text, without its end.
+    fn checked(&self) -> Result<&str> {
+        let mut line = self.buffer.as_slice();
+        if self.number == 1 {
+            line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);
+        }
+        line = line.strip_suffix(b"\n").unwrap_or(line);
+        line = line.strip_suffix(b"\r").unwrap_or(line);
+        if line.contains(&0) {
+            return Err(self.refused("the line holds a NUL byte; this is not a text file"));
+        }
+        // As a blank it would join two lines of an old text file into one point.
+        if line.contains(&b'\r') {
+            return Err(
+                self.refused("a carriage return inside the line; lines end with LF or CR LF")
+            );
+        }
+        std::str::from_utf8(line).map_err(|_| self.refused("the line is not valid UTF-8"))
+    }
+
+    fn refused(&self, why: &str) -> Error {
+        Error::new(ErrorKind::Format, format!("line {}: {why}", self.number))
+    }
+}
+
+/// The part before the comment, without blanks around it.
+fn content(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default().trim_ascii()
+}
+
+impl<'a> Line<'a> {
+    pub fn error(&self, message: impl AsRef<str>) -> Error {
+        self.error_of_kind(ErrorKind::Format, message)
+    }
+
+    pub fn error_of_kind(&self, kind: ErrorKind, message: impl AsRef<str>) -> Error {
+        Error::new(kind, format!("line {}: {}", self.number, message.as_ref()))
+    }
+
+    /// The error of the field in `column`, counted from 0 here and from 1 in the message.
+    fn field_error(&self, kind: ErrorKind, column: usize, message: impl AsRef<str>) -> Error {
+        let message = format!("line {}, column {}: {}", self.number, column + 1, message.as_ref());
+        Error::new(kind, message)
+    }
+
+    /// The fields between blanks, each with its column.
+    pub fn words(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
+        self.text.split_ascii_whitespace().enumerate()
+    }
+
+    pub fn word_count(&self) -> usize {
+        self.text.split_ascii_whitespace().count()
+    }
+
+    /// A count or an id: decimal digits.
+    pub fn integer(&self, column: usize, field: &str, what: &str) -> Result<u64> {
+        field.parse().map_err(|_| {
+            let message = format!("{} is no {what}", quoted(field));
+            self.field_error(ErrorKind::Format, column, message)
+        })
+    }
+
+    /// A number that is only looked at to see that the columns are what they should be.
+    pub fn skip_number(&self, column: usize, field: &str) -> Result<()> {
+        match field.parse::<f64>() {
+            Ok(_) => Ok(()),
+            Err(_) => Err(self.not_a_number(column, field)),
+        }
+    }
+
+    /// A coordinate: a decimal number that a double can hold.
+    ///
+    /// # Errors
+    /// `Format`: empty, not a number, or too large; `NonFinite`: `nan` or `inf`.
+    pub fn coordinate(&self, column: usize, field: &str) -> Result<f64> {
+        match field.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) if field.bytes().any(|byte| byte.is_ascii_digit()) => {
+                let message = format!("{} is too large for a double", quoted(field));
+                Err(self.field_error(ErrorKind::Format, column, message))
+            }
+            Ok(_) => {
+                let message = format!("{}; every coordinate must be finite", quoted(field));
+                Err(self.field_error(ErrorKind::NonFinite, column, message))
+            }
+            Err(_) => Err(self.not_a_number(column, field)),
+        }
+    }
+
+    pub fn not_a_number(&self, column: usize, field: &str) -> Error {
+        let message = match field {
+            "" => "the field is empty".to_string(),
+            _ => format!("{} is not a number", quoted(field)),
+        };
+        self.field_error(ErrorKind::Format, column, message)
+    }
+
+    /// A dimension that this crate meshes.
+    pub fn check_dimension(&self, dim: u64) -> Result<usize> {
+        if !(MIN_DIM as u64..=MAX_DIM as u64).contains(&dim) {
+            let message = format!("points of dimension {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+            return Err(self.error_of_kind(ErrorKind::Dimension, message));
+        }
+        Ok(dim as usize)
+    }
+}
+
+/// A field as a message shows it: a line may be one field of a million bytes.
+fn quoted(field: &str) -> String {
+    const SHOWN: usize = 40;
+    let mut characters = field.chars();
+    let shown: String = characters.by_ref().take(SHOWN).collect();
+    let rest = if characters.next().is_some() { "..." } else { "" };
+    format!("{:?}", shown + rest)
+}
+
+/// The points read so far. Grows with the data, never with what a header claims.
+#[derive(Default)]
+pub(super) struct Points {
+    /// 0 before the first point.
+    dim: usize,
+    coordinates: Vec<f64>,
+}
+
+impl Points {
+    /// Points of a dimension that a header gave.
+    pub fn of_dimension(dim: usize) -> Self {
+        Self { dim, coordinates: Vec::new() }
+    }
+
+    /// Adds the point whose coordinates are `fields` (each with its column); the first point sets
+    /// the dimension where no header did.
+    pub fn add<'f>(
+        &mut self,
+        line: &Line<'_>,
+        fields: impl Iterator<Item = (usize, &'f str)>,
+    ) -> Result<()> {
+        let mut count = 0;
+        for (column, field) in fields {
+            let value = line.coordinate(column, field)?;
+            self.coordinates.try_reserve(1).map_err(|_| {
+                let message = format!("no memory for more than {} numbers", self.coordinates.len());
+                line.error_of_kind(ErrorKind::OutOfMemory, message)
+            })?;
+            self.coordinates.push(value);
+            count += 1;
+        }
+        if self.dim == 0 {
+            self.dim = line.check_dimension(count as u64)?;
+        }
+        if count != self.dim {
+            let message = format!("{count} coordinates where {} are expected", self.dim);
+            return Err(line.error(message));
+        }
+        Ok(())
+    }
+
+    pub fn finish(self) -> Result<PointCloud> {
+        if self.coordinates.is_empty() {
+            return Err(Error::new(ErrorKind::Format, "the file holds no points"));
+        }
+        Ok(PointCloud { dim: self.dim, coordinates: self.coordinates })
+    }
+}
+
+/// Writes `value` as the shortest decimal that reads back as the same bits; far from 1 with an
+/// exponent, as 1e300 would otherwise take 301 digits.
+pub(super) fn write_number(out: &mut dyn Write, value: f64) -> io::Result<()> {
+    if value == 0.0 || (1e-5..1e16).contains(&value.abs()) {
+        write!(out, "{value}")
+    } else {
+        write!(out, "{value:e}")
+    }
+}
+
+/// Writes a point's coordinates with `separator` between them.
+pub(super) fn write_point(out: &mut dyn Write, point: &[f64], separator: &str) -> io::Result<()> {
+    for (axis, value) in point.iter().enumerate() {
+        if axis > 0 {
+            out.write_all(separator.as_bytes())?;
+        }
+        write_number(out, *value)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines_of(text: &[u8]) -> Result<Vec<(u64, String)>> {
+        let mut input = text;
+        let mut lines = Lines::new(&mut input);
+        let mut all = Vec::new();
+        while let Some(line) = lines.next()? {
+            all.push((line.number, line.text.to_string()));
+        }
+        Ok(all)
+    }
+
+    #[test]
+    fn numbers_lines_past_comments_blank_lines_and_a_byte_order_mark() {
+        let text = b"\xef\xbb\xbfa\r\n\n # c\n b # c\r\n\t\nc";
+        let expected = [(1, "a"), (4, "b"), (6, "c")].map(|(n, text)| (n, text.to_string()));
+        assert_eq!(lines_of(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn bounds_the_length_of_a_line() {
+        let mut text = vec![b' '; MAX_LINE - 1];
+        text.extend_from_slice(b"\n1");
+        assert_eq!(lines_of(&text).unwrap(), [(2, "1".to_string())]);
+        text.insert(0, b' ');
+        let error = lines_of(&text).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Format);
+        assert_eq!(error.message(), "line 1: the line is longer than 1 MiB");
+    }
+
+    #[test]
+    fn does_not_read_on_in_a_line_that_is_too_long() {
+        // An endless line: only the bound ends this test.
+        let mut input = io::BufReader::new(io::repeat(b'1'));
+        let mut lines = Lines::new(&mut input);
+        assert_eq!(lines.next().err().unwrap().kind(), ErrorKind::Format);
+    }
+
+    #[test]
+    fn messages_do_not_carry_long_fields() {
+        let line = Line { number: 7, text: "" };
+        let message = line.coordinate(1, &"x".repeat(1000)).unwrap_err().message().to_string();
+        assert!(message.starts_with("line 7, column 2: \"xxx"), "{message}");
+        assert!(message.len() < 100, "{message}");
+    }
+
+    #[test]
+    fn a_reader_that_fails_is_an_io_error() {
+        struct Failing;
+        impl Read for Failing {
+            fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+                Err(io::Error::other("the disk is gone"))
+            }
+        }
+        let mut input = io::BufReader::new(b"1 2\n".chain(Failing));
+        let error = super::super::read(&mut input, super::super::Format::Xyz).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Io);
+        assert_eq!(error.message(), "cannot read on after line 1: the disk is gone");
+    }
+
+    #[test]
+    fn numbers_read_back_as_the_same_bits() {
+        let mut state = 1u64;
+        let mut values: Vec<f64> = (0..2000)
+            .map(|_| {
+                state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                f64::from_bits(state ^ (state >> 29))
+            })
+            .filter(|value| value.is_finite())
+            .collect();
+        values.extend_from_slice(&super::super::samples::AWKWARD);
+        for value in values {
+            let mut text = Vec::new();
+            write_number(&mut text, value).unwrap();
+            let text = String::from_utf8(text).unwrap();
+            assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
+            assert!(text.len() <= 24, "{text}");
+        }
+    }
+}

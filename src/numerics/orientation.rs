@@ -1,0 +1,127 @@
+//! The orientation of a simplex, exactly.
+
+use super::exact::orientation_exact;
+use super::power::{TINY, UNIT, biased_exponent, power_of_two};
+use super::sign::Sign;
+use super::window::{in_window, planar, spatial};
+
+/// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` points: positive if they turn
+/// counterclockwise (D = 2), zero if they lie in one hyperplane.
+///
+/// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
+/// nearly in one hyperplane cost up to O(D^3) operations on big integers.
+#[inline]
+pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
+    match orientation_filtered(simplex) {
+        Some(sign) => sign,
+        None => orientation_undecided(simplex),
+    }
+}
+
+/// The sign of [`orientation`] if floating-point arithmetic with an error bound can tell it; never
+/// `Some(Sign::Zero)`.
+#[inline]
+pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sign> {
+    const { assert!(D >= 2 && D <= 8) };
+    debug_assert_eq!(simplex.len(), D + 1);
+    let rows: [[f64; D]; D] = std::array::from_fn(|i| {
+        let (p, origin) = (simplex[i + 1], simplex[0]);
+        std::array::from_fn(|j| p[j] - origin[j])
+    });
+    let (determinant, bound) = match D {
+        2 => planar_determinant(&rows),
+        3 => spatial_determinant(&rows),
+        _ => laplace_determinant(&normalise(rows)?),
+    };
+    // An overflow makes the bound infinite or the determinant NaN: neither comparison holds.
+    if determinant > bound {
+        Some(Sign::Positive)
+    } else if determinant < -bound {
+        Some(Sign::Negative)
+    } else {
+        None
+    }
+}
+
+/// What the filter left open.
+#[cold]
+#[inline(never)]
+fn orientation_undecided<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
+    if D > 3 || !in_window(simplex.iter().copied()) {
+        return orientation_exact(simplex);
+    }
+    if D == 2 {
+        let [a, b, c] = [0, 1, 2].map(|i| planar(simplex[i]));
+        Sign::of(robust::orient2d(a, b, c))
+    } else {
+        // Positive there is det[a - d, b - d, c - d] > 0, the negative of ours.
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| spatial(simplex[i]));
+        Sign::of(robust::orient3d(a, b, c, d)).flip()
+    }
+}
+
+/// The determinant of two rows of rounded differences and a bound of its error. Each product
+/// carries three roundings and their difference one: 4u of the permanent, doubled here; products
+/// that underflow lose at most 2^-1075 each.
+#[inline]
+fn planar_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
+    let (left, right) = (r[0][0] * r[1][1], r[0][1] * r[1][0]);
+    (left - right, 8.0 * UNIT * (left.abs() + right.abs()) + TINY)
+}
+
+/// The determinant of three rows of rounded differences and a bound of its error: at most eight
+/// roundings lie on the way of each product of the permanent, 16u are allowed. A product of two
+/// that underflows loses 2^-1075, times the third factor.
+#[inline]
+fn spatial_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
+    const UNDERFLOW: f64 = 1e-300;
+    let minor = |a: usize, b: usize| {
+        let (left, right) = (r[a][0] * r[b][1], r[a][1] * r[b][0]);
+        (left - right, left.abs() + right.abs())
+    };
+    let [(m0, p0), (m1, p1), (m2, p2)] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let [z0, z1, z2] = [r[0][2], r[1][2], r[2][2]];
+    let permanent = p0 * z0.abs() + p1 * z1.abs() + p2 * z2.abs();
+    let third = z0.abs() + z1.abs() + z2.abs();
+    (z0 * m0 + z1 * m1 + z2 * m2, 16.0 * UNIT * permanent + UNDERFLOW * third + TINY)
+}
+
+/// Rows scaled by powers of two until their largest magnitudes are in [1, 2), which changes no
+/// sign; `None` if a row is zero, subnormal or too large for that.
+#[inline]
+fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
+    for row in &mut rows {
+        let largest = row.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let exponent = biased_exponent(largest);
+        if !(1..=2045).contains(&exponent) {
+            return None;
+        }
+        let scale = power_of_two(1023 - exponent);
+        row.iter_mut().for_each(|x| *x *= scale);
+    }
+    Some(rows)
+}
+
+/// The determinant of normalised rows and a bound of its error, by Laplace expansion over all sets
+/// of columns: entry s is the minor of the first |s| rows and the columns in s, beside its
+/// permanent of absolute values. Each of the D levels adds at most D + 2 roundings to a product.
+fn laplace_determinant<const D: usize>(rows: &[[f64; D]; D]) -> (f64, f64) {
+    let mut minors = [(1.0f64, 1.0f64); 256];
+    for set in 1..1usize << D {
+        let row = &rows[set.count_ones() as usize - 1];
+        let (mut minor, mut permanent) = (0.0, 0.0);
+        // Columns from the highest: expansion along the last row, signs alternate from plus.
+        let (mut rest, mut sign) = (set, 1.0);
+        while rest != 0 {
+            let column = rest.ilog2() as usize;
+            rest ^= 1 << column;
+            let (m, p) = minors[set ^ (1 << column)];
+            minor += sign * row[column] * m;
+            permanent += row[column].abs() * p;
+            sign = -sign;
+        }
+        minors[set] = (minor, permanent);
+    }
+    let (determinant, permanent) = minors[(1 << D) - 1];
+    (determinant, 2.0 * (D * (D + 3)) as f64 * UNIT * permanent + TINY)
+}

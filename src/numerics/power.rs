@@ -1,0 +1,72 @@
+//! Powers of two: scaling without rounding.
+
+/// The unit roundoff of f64, 2^-53: a rounded result is the exact one times (1 + d), |d| <= u.
+pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// Absorbs what gradual underflow loses (at most 2^-1075 an operation) in expressions whose other
+/// factors are at most a few thousand.
+pub(super) const TINY: f64 = 1e-290;
+
+/// The exponent field of `value`, 0 (zero and subnormals) to 2047 (infinities and NaN).
+#[inline]
+pub(super) fn biased_exponent(value: f64) -> i32 {
+    ((value.to_bits() >> 52) & 0x7ff) as i32
+}
+
+/// 2^`exponent`, for -1022 to 1023.
+#[inline]
+pub(super) fn power_of_two(exponent: i32) -> f64 {
+    debug_assert!((-1022..=1023).contains(&exponent));
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+/// `value * 2^exponent` for any exponent, rounded; within 2^-1074 where the result is subnormal.
+pub(super) fn scale_by_power(value: f64, exponent: i64) -> f64 {
+    // Finite doubles span 2^-1074 to 2^1024: beyond 2200 every nonzero value is over or under.
+    let mut left = exponent.clamp(-2200, 2200) as i32;
+    let mut scaled = value;
+    while left != 0 {
+        let step = left.clamp(-1000, 1000);
+        scaled *= power_of_two(step);
+        left -= step;
+    }
+    scaled
+}
+
+/// `value` as `(m, e)` with `value = m * 2^e` and m odd; `(0, i32::MAX)` for zero.
+pub(super) fn decompose(value: f64) -> (i64, i32) {
+    if value == 0.0 {
+        return (0, i32::MAX);
+    }
+    let field = biased_exponent(value);
+    debug_assert!(field < 2047, "coordinates are finite");
+    let fraction = (value.to_bits() & ((1 << 52) - 1)) as i64;
+    let mantissa = if field == 0 { fraction } else { fraction | 1 << 52 };
+    let zeros = mantissa.trailing_zeros();
+    let odd = mantissa >> zeros;
+    let exponent = field.max(1) - 1075 + zeros as i32;
+    (if value < 0.0 { -odd } else { odd }, exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decomposition_gives_the_value_back() {
+        for value in [1.0, -0.75, 5e-324, -f64::MIN_POSITIVE / 3.0, f64::MAX, 1e-310, 3e200] {
+            let (mantissa, exponent) = decompose(value);
+            assert_eq!(mantissa & 1, 1);
+            assert_eq!(scale_by_power(mantissa as f64, exponent as i64), value);
+        }
+        assert_eq!(decompose(-0.0).0, 0);
+    }
+
+    #[test]
+    fn scaling_saturates() {
+        assert_eq!(scale_by_power(5e-324, 2097), 2f64.powi(1023));
+        assert_eq!(scale_by_power(1.0, i64::MAX), f64::INFINITY);
+        assert_eq!(scale_by_power(-1.0, i64::MIN), 0.0);
+        assert_eq!(scale_by_power(3.0, -1074), 1.5e-323);
+    }
+}

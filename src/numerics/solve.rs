@@ -1,0 +1,155 @@
+//! Small linear systems with a rigorous bound of the solution's error.
+
+use super::power::{TINY, UNIT};
+
+/// Solves `rows * x = right`. The rows' largest magnitudes are in [1, 2) and their entries, like
+/// those of `right`, positive and at most 2 D, stand for exact numbers with a relative error: at
+/// most one roundoff for the entries, D + 3 for `right`, beside underflow. Returns x and a bound of
+/// the largest component error against the exact system's solution; infinite or NaN if the system
+/// is too close to singular.
+#[inline]
+pub(super) fn solve<const D: usize>(rows: &[[f64; D]; D], right: &[f64; D]) -> ([f64; D], f64) {
+    match D {
+        2 => by_two_minors(rows, right),
+        3 => by_three_minors(rows, right),
+        _ => by_inverse(rows, right),
+    }
+}
+
+/// The largest component error of `numerators / determinant`, where a numerator is wrong by at
+/// most `numerator_error` and the determinant by at most `determinant_error`.
+#[inline]
+fn quotient_error(
+    size: f64,
+    determinant: f64,
+    numerator_error: f64,
+    determinant_error: f64,
+) -> f64 {
+    let slack = determinant.abs() - determinant_error;
+    if slack > 0.0 {
+        (numerator_error + size * determinant_error) / slack + 2.0 * UNIT * size
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// Cramer's rule in the plane. A product of the determinant carries 4 roundings (2 entries, the
+/// product, the difference), one of a numerator 8 (an entry, 5 of the right side, ...): 8 and 16
+/// are allowed.
+#[inline]
+fn by_two_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
+    let (left, right) = (a[0][0] * a[1][1], a[0][1] * a[1][0]);
+    let determinant = left - right;
+    let (x0, x1) = (b[0] * a[1][1], b[1] * a[0][1]);
+    let (y0, y1) = (b[1] * a[0][0], b[0] * a[1][0]);
+    let inverse = 1.0 / determinant;
+    let mut solution = [0.0; D];
+    solution[0] = (x0 - x1) * inverse;
+    solution[1] = (y0 - y1) * inverse;
+    let size = solution[0].abs().max(solution[1].abs());
+    let largest = (x0.abs() + x1.abs()).max(y0.abs() + y1.abs());
+    let numerator_error = 16.0 * UNIT * largest + TINY;
+    let determinant_error = 8.0 * UNIT * (left.abs() + right.abs()) + TINY;
+    (solution, quotient_error(size, determinant, numerator_error, determinant_error))
+}
+
+/// The signed 2x2 minors of rows `r` and `s` (their cross product), and the permanents of their
+/// absolute values.
+#[inline]
+fn cross<const D: usize>(r: &[f64; D], s: &[f64; D]) -> ([f64; 3], [f64; 3]) {
+    let minor = |i: usize, j: usize| {
+        let (left, right) = (r[i] * s[j], r[j] * s[i]);
+        (left - right, left.abs() + right.abs())
+    };
+    let [(x, px), (y, py), (z, pz)] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    ([x, y, z], [px, py, pz])
+}
+
+/// Cramer's rule in space. A product of the determinant carries 8 roundings, one of a numerator 13:
+/// 16 and 24 are allowed.
+#[inline]
+fn by_three_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
+    let (m0, p0) = cross(&a[1], &a[2]);
+    let (m1, p1) = cross(&a[2], &a[0]);
+    let (m2, p2) = cross(&a[0], &a[1]);
+    let determinant = a[0][0] * m0[0] + a[0][1] * m0[1] + a[0][2] * m0[2];
+    let permanent = a[0][0].abs() * p0[0] + a[0][1].abs() * p0[1] + a[0][2].abs() * p0[2];
+    let inverse = 1.0 / determinant;
+    let mut solution = [0.0; D];
+    let (mut size, mut largest) = (0.0f64, 0.0f64);
+    for i in 0..3 {
+        solution[i] = (b[0] * m0[i] + b[1] * m1[i] + b[2] * m2[i]) * inverse;
+        size = size.max(solution[i].abs());
+        largest = largest.max(b[0] * p0[i] + b[1] * p1[i] + b[2] * p2[i]);
+    }
+    let numerator_error = 24.0 * UNIT * largest + TINY;
+    let determinant_error = 16.0 * UNIT * permanent + TINY;
+    (solution, quotient_error(size, determinant, numerator_error, determinant_error))
+}
+
+/// Solves with an approximate inverse B and bounds the error afterwards: with A the exact matrix
+/// and |I - BA| <= 1/4 in the row-sum norm, |x - A^-1 b| <= 2 |B| |b - Ax|.
+fn by_inverse<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
+    // Dot products of D terms and the roundings in the data, twice over.
+    let gamma = 2.0 * (D + 4) as f64 * UNIT;
+    let Some(inverse) = invert(a) else { return (*b, f64::INFINITY) };
+    let solution: [f64; D] = std::array::from_fn(|i| dot(&inverse[i], b));
+    let residual: [f64; D] = std::array::from_fn(|i| {
+        let reach = absolute_dot(&a[i], &solution) + b[i];
+        (dot(&a[i], &solution) - b[i]).abs() + gamma * reach + TINY
+    });
+    let row_sums: [f64; D] = std::array::from_fn(|i| a[i].iter().map(|x| x.abs()).sum());
+    let (mut defect, mut error) = (0.0f64, 0.0f64);
+    for (i, row) in inverse.iter().enumerate() {
+        let mut product = [0.0; D];
+        for (factor, other) in row.iter().zip(a) {
+            product = std::array::from_fn(|j| product[j] + factor * other[j]);
+        }
+        product[i] -= 1.0;
+        let rounding = gamma * (1.0 + absolute_dot(row, &row_sums)) + TINY;
+        defect = defect.max(product.iter().fold(rounding, |sum, x| sum + x.abs()));
+        error = error.max(2.0 * absolute_dot(row, &residual));
+    }
+    (solution, if defect <= 0.25 { error } else { f64::INFINITY })
+}
+
+#[inline]
+fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    (0..D).fold(0.0, |sum, k| sum + a[k] * b[k])
+}
+
+#[inline]
+fn absolute_dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    (0..D).fold(0.0, |sum, k| sum + (a[k] * b[k]).abs())
+}
+
+/// An approximate inverse by Gauss-Jordan elimination with row pivoting; `None` if a pivot is zero.
+fn invert<const D: usize>(matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
+    let mut a = *matrix;
+    let mut inverse: [[f64; D]; D] =
+        std::array::from_fn(|i| std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+    for k in 0..D {
+        let mut at = k;
+        for i in k + 1..D {
+            if a[i][k].abs() > a[at][k].abs() {
+                at = i;
+            }
+        }
+        a.swap(k, at);
+        inverse.swap(k, at);
+        if a[k][k] == 0.0 {
+            return None;
+        }
+        let pivot = 1.0 / a[k][k];
+        let (row, inverse_row) = (a[k].map(|x| x * pivot), inverse[k].map(|x| x * pivot));
+        for i in 0..D {
+            let factor = a[i][k];
+            for j in 0..D {
+                a[i][j] -= factor * row[j];
+                inverse[i][j] -= factor * inverse_row[j];
+            }
+        }
+        (a[k], inverse[k]) = (row, inverse_row);
+    }
+    Some(inverse)
+}

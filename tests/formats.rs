@@ -1,0 +1,454 @@
+//! The file formats as a caller meets them: damaged files, files that cannot be written, and a
+//! real mesh in the hands of an independent reader.
+
+use netmesh::ErrorKind::{Dimension, Format as Broken, NonFinite};
+use netmesh::io::{Format, PointCloud, read, read_points, write, write_file};
+use netmesh::{Algorithm, Error, ErrorKind, Mesh, Options};
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// An empty directory that is removed at the end of the test.
+struct Directory(PathBuf);
+
+impl Directory {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("netmesh-{name}-{}", std::process::id()));
+        fs::create_dir(&path).unwrap();
+        Self(path)
+    }
+
+    fn join(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).unwrap();
+        let mut names: Vec<_> =
+            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Directory {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn two_points() -> Mesh {
+    Mesh::new(2, 2, &[0.1, -0.0, 5e-324, 1e300], 0).unwrap()
+}
+
+fn from_bytes(bytes: &[u8], format: Format) -> Result<PointCloud, Error> {
+    let mut input = bytes;
+    read(&mut input, format)
+}
+
+/// Damaged files: the kind of the error, and the beginning of its message.
+type Damaged = (&'static [u8], ErrorKind, &'static str);
+
+fn assert_refused(format: Format, table: &[Damaged]) {
+    for (bytes, kind, message) in table {
+        let text = bytes.escape_ascii();
+        let error = from_bytes(bytes, format).expect_err(&text.to_string());
+        assert_eq!(error.kind(), *kind, "{format:?} {text}: {error}");
+        assert!(error.message().starts_with(message), "{format:?} {text}: {error}");
+    }
+}
+
+#[test]
+fn every_text_format_refuses_what_is_no_text_or_number() {
+    let cases: [(&[u8], ErrorKind, &str); 10] = [
+        (b"abc", Broken, "\"abc\" is not a number"),
+        (b"1.2.3", Broken, "\"1.2.3\" is not a number"),
+        (b"1d5", Broken, "\"1d5\" is not a number"),
+        (b"0x10", Broken, "\"0x10\" is not a number"),
+        ("1\u{a0}".as_bytes(), Broken, "\"1\\u{a0}\" is not a number"),
+        (b"1e999", Broken, "\"1e999\" is too large for a double"),
+        (b"-1e309", Broken, "\"-1e309\" is too large for a double"),
+        (b"nan", NonFinite, "\"nan\"; every coordinate must be finite"),
+        (b"-NaN", NonFinite, "\"-NaN\"; every coordinate must be finite"),
+        (b"-Infinity", NonFinite, "\"-Infinity\"; every coordinate must be finite"),
+    ];
+    for (format, before, separator, column) in [
+        (Format::Xyz, &b"1 2\n"[..], b' ', 2),
+        (Format::Csv, b"1,2\n", b',', 2),
+        (Format::TetgenNode, b"1 2\n1 ", b' ', 3),
+        (Format::Off, b"nOFF 2 1 0\n", b' ', 2),
+    ] {
+        for (field, kind, message) in cases {
+            let bytes = [before, b"5", &[separator], field, b"\n"].concat();
+            let message = format!("line 2, column {column}: {message}");
+            assert_refused_as(format, &bytes, kind, &message);
+        }
+        for (field, message) in [
+            (&b"\xff"[..], "line 2: the line is not valid UTF-8"),
+            (b"5\0", "line 2: the line holds a NUL byte"),
+            (b"5\r6", "line 2: a carriage return inside the line"),
+        ] {
+            let bytes = [before, b"5", &[separator], field, b"\n"].concat();
+            assert_refused_as(format, &bytes, Broken, message);
+        }
+        let bytes = [before, b"5".repeat(1 << 20).as_slice(), b"\n"].concat();
+        assert_refused_as(format, &bytes, Broken, "line 2: the line is longer than 1 MiB");
+    }
+}
+
+fn assert_refused_as(format: Format, bytes: &[u8], kind: ErrorKind, message: &str) {
+    let error = from_bytes(bytes, format).expect_err(message);
+    assert_eq!(error.kind(), kind, "{format:?} {message}: {error}");
+    assert!(error.message().starts_with(message), "{format:?} {message}: {error}");
+}
+
+#[test]
+fn xyz_refuses_damaged_files() {
+    assert_refused(
+        Format::Xyz,
+        &[
+            (b"", Broken, "the file holds no points"),
+            (b"# nothing\n\n \r\n", Broken, "the file holds no points"),
+            (b"1 2\n3 4 5\n", Broken, "line 2: 3 coordinates where 2 are expected"),
+            (b"1 2 3\n\n# c\n3 4\n", Broken, "line 4: 2 coordinates where 3 are expected"),
+            (b"1 2\n3\n", Broken, "line 2: 1 coordinates where 2 are expected"),
+            (b"1,,2\n", Broken, "line 1, column 2: the field is empty"),
+            (b"1 2,\n", Broken, "line 1, column 3: the field is empty"),
+            (b"1;2\n", Broken, "line 1, column 1: \"1;2\" is not a number"),
+            (b"x y\n1 2\n", Broken, "line 1, column 1: \"x\" is not a number"),
+            (b"1\n2\n", Dimension, "line 1: points of dimension 1; it must be in 2..=8"),
+            (b"\n1 2 3 4 5 6 7 8 9\n", Dimension, "line 2: points of dimension 9"),
+        ],
+    );
+}
+
+#[test]
+fn csv_refuses_damaged_files() {
+    assert_refused(
+        Format::Csv,
+        &[
+            (b"", Broken, "the file holds no points"),
+            (b"x,y\n", Broken, "the file holds no points"),
+            (b"x,y\n1,2\n3\n", Broken, "line 3: 1 columns; the first line has 2"),
+            (b"x,y,z\n1,2\n", Broken, "line 2: 2 columns; the first line has 3"),
+            (b"x,y,kind\n1,2\n", Broken, "line 2: 2 columns; the first line has 3"),
+            (b"1,2\n3,4,\n", Broken, "line 2: 3 columns; the first line has 2"),
+            (b"x,y\n1,\n", Broken, "line 2, column 2: the field is empty"),
+            (b"x,y\nx,y\n1,2\n", Broken, "line 2, column 1: \"x\" is not a number"),
+            (b"1 2\n3 4\n", Broken, "line 2, column 1: \"3 4\" is not a number"),
+            (b"1,2 3\n", Broken, "line 1, column 2: \"2 3\" is not a number"),
+            // A damaged first point is no header.
+            (b"1.0,2.o\n3,4\n", Broken, "line 1, column 2: \"2.o\" is not a number"),
+            (b",0,1\n0,5,6\n", Broken, "line 1, column 1: the field is empty"),
+            (b"x\n1\n", Dimension, "line 2: points of dimension 1"),
+            (b"x,kind\n1,0\n", Dimension, "line 2: points of dimension 1"),
+            (b"1,2,3,4,5,6,7,8,9\n", Dimension, "line 1: points of dimension 9"),
+        ],
+    );
+}
+
+#[test]
+fn tetgen_refuses_damaged_files() {
+    assert_refused(
+        Format::TetgenNode,
+        &[
+            (b"", Broken, "the file ends after line 0: a .node file begins with its counts"),
+            (b"0 2 0 0\n", Broken, "the file holds no points"),
+            (b"2\n", Broken, "line 1: 1 columns; a .node file begins with"),
+            (b"1 2 0 0 0\n0 1 2\n", Broken, "line 1: 5 columns; a .node file begins with"),
+            (b"-1 2\n", Broken, "line 1, column 1: \"-1\" is no number of points"),
+            (b"1e3 2\n", Broken, "line 1, column 1: \"1e3\" is no number of points"),
+            (b"1 2 0 2\n0 1 2 0 0\n", Broken, "line 1: 2 markers per point"),
+            (b"2 2 0 0\n0 1 2\n", Broken, "the file ends after line 2: 1 of 2 points"),
+            (b"18446744073709551615 2\n0 1 2\n", Broken, "the file ends after line 2: 1 of"),
+            (
+                b"18446744073709551616 2\n0 1 2\n",
+                Broken,
+                "line 1, column 1: \"18446744073709551616\"",
+            ),
+            (b"1 2 18446744073709551615 1\n0 1 2\n", Broken, "line 2: 3 columns where"),
+            (b"1 2\n0 1 2\n1 3 4\n", Broken, "line 3: more data after the 1 points"),
+            (b"2 2\n0 1 2\n2 3 4\n", Broken, "line 3: point id 2; ids count up, 1 comes next"),
+            (b"2 2\n1 1 2\n1 3 4\n", Broken, "line 3: point id 1; ids count up, 2 comes next"),
+            (b"1 2\n2 1 2\n", Broken, "line 2: point id 2; ids count up, the first is 0 or 1"),
+            (b"1 2\n18446744073709551615 1 2\n", Broken, "line 2: point id 18446744073709551615"),
+            (b"1 2\n-1 1 2\n", Broken, "line 2, column 1: \"-1\" is no point id"),
+            (b"1 2 1 1\n0 1 2 0\n", Broken, "line 2: 4 columns where the header promises 5"),
+            (b"1 2\n0 1 2 0\n", Broken, "line 2: 4 columns where the header promises 3"),
+            (b"1 2 1 1\n0 1 2 x 0\n", Broken, "line 2, column 4: \"x\" is not a number"),
+            (b"1 1\n0 1\n", Dimension, "line 1: points of dimension 1"),
+            (b"# c\n1 9\n0 1\n", Dimension, "line 2: points of dimension 9"),
+            (
+                b"1 18446744073709551615\n",
+                Dimension,
+                "line 1: points of dimension 18446744073709551615",
+            ),
+        ],
+    );
+}
+
+#[test]
+fn off_refuses_damaged_files() {
+    assert_refused(
+        Format::Off,
+        &[
+            (b"", Broken, "the file ends after line 0: the header of an OFF file"),
+            (b"OFF\n", Broken, "the file ends after line 1: the header of an OFF file"),
+            (b"1 0 0\n0 0 0\n", Broken, "line 1: the file begins with neither OFF nor nOFF"),
+            (b"COFF\n1 0 0\n", Broken, "line 1: the file begins with neither OFF nor nOFF"),
+            (b"OFF BINARY\n", Broken, "line 1, column 2: \"BINARY\" is no number of vertices"),
+            (b"OFF\n1 0 0 0\n", Broken, "line 2: the header goes on after"),
+            (b"OFF\n-1 0 0\n", Broken, "line 2, column 1: \"-1\" is no number of vertices"),
+            (b"OFF\n0 0 0\n", Broken, "the file holds no points"),
+            (b"OFF\n2 0 0\n1 2 3\n", Broken, "the file ends after line 3: 1 of 2 vertices"),
+            (b"OFF\n18446744073709551615 0 0\n1 2 3\n", Broken, "the file ends after line 3: 1 of"),
+            (b"OFF\n1 2 0\n1 2 3\n1 0\n", Broken, "the file ends after line 4: 1 of 2 faces"),
+            (
+                b"OFF\n1 0 0\n1 2 3\n1 0\n",
+                Broken,
+                "line 4: more data after the 1 vertices and 0 faces",
+            ),
+            (b"OFF\n1 0 0\n1 2\n", Broken, "line 3: 2 coordinates where 3 are expected"),
+            (b"nOFF 4\n1 0 0\n1 2 3\n", Broken, "line 3: 3 coordinates where 4 are expected"),
+            (b"OFF\n1 1 0\n1 2 3\n2 0 1\n", Broken, "line 4: vertex id 1 of 1 vertices"),
+            (
+                b"OFF\n1 1 0\n1 2 3\n3 0 0\n",
+                Broken,
+                "line 4: the face ends before its last 1 corners",
+            ),
+            (
+                b"OFF\n1 1 0\n1 2 3\n18446744073709551615 0\n",
+                Broken,
+                "line 4: the face ends before",
+            ),
+            (b"OFF\n1 1 0\n1 2 3\n1 -1\n", Broken, "line 4, column 2: \"-1\" is no vertex id"),
+            (b"OFF\n1 1 0\n1 2 3\n1 0 red\n", Broken, "line 4, column 3: \"red\" is not a number"),
+            (b"nOFF\n9\n1 0 0\n", Dimension, "line 2: points of dimension 9"),
+            (b"nOFF 1 1 0\n1\n", Dimension, "line 1: points of dimension 1"),
+        ],
+    );
+}
+
+#[test]
+fn messages_name_the_file() {
+    let directory = Directory::new("names");
+    let path = directory.join("a.csv");
+    fs::write(&path, "1,2\n3,x\n").unwrap();
+    let error = read_points(&path, Format::Auto).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Format);
+    let expected = format!("{}: line 2, column 2: \"x\" is not a number", path.display());
+    assert_eq!(error.message(), expected);
+}
+
+#[test]
+fn missing_files_and_directories_are_io_errors() {
+    let directory = Directory::new("missing");
+    for path in [directory.join("a.xyz"), directory.join("d/a.xyz"), directory.0.clone()] {
+        let error = read_points(&path, Format::Xyz).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Io, "{error}");
+        assert!(error.message().starts_with(&path.display().to_string()), "{error}");
+    }
+}
+
+#[test]
+fn a_mesh_is_found_by_the_name_of_its_ele_file() {
+    let directory = Directory::new("ele");
+    fs::write(directory.join("a.node"), "1 2\n0 3 4\n").unwrap();
+    let read = read_points(&directory.join("a.ele"), Format::Auto).unwrap();
+    assert_eq!(read, PointCloud { dim: 2, coordinates: vec![3.0, 4.0] });
+}
+
+#[test]
+fn extensions_stand_for_formats() {
+    for (extensions, format) in [
+        (&["vtu", "VTU"][..], Format::Vtu),
+        (&["node", "ele"], Format::TetgenNode),
+        (&["msh"], Format::Gmsh),
+        (&["mesh"], Format::Medit),
+        (&["off"], Format::Off),
+        (&["ply"], Format::Ply),
+        (&["xyz", "txt", "xy", "pts", "Txt"], Format::Xyz),
+        (&["csv"], Format::Csv),
+        (&["npy"], Format::Npy),
+    ] {
+        for extension in extensions {
+            let path = PathBuf::from(format!("a.b.{extension}"));
+            assert_eq!(Format::from_path(&path).unwrap(), format, "{extension}");
+        }
+    }
+    for path in ["a", "a.stl", ".csv", "csv", "a.csv.gz"] {
+        let error = Format::from_path(Path::new(path)).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
+        assert!(error.message().contains(".vtu, .node, .ele, .off, .xyz, .txt, .xy, .pts or .csv"));
+    }
+}
+
+#[test]
+fn formats_that_cannot_be_read_or_written_say_so() {
+    let mesh = two_points();
+    for format in [Format::Gmsh, Format::Medit, Format::Ply, Format::Npy] {
+        let written = write(&mesh, format, &mut Vec::new()).unwrap_err();
+        let read = from_bytes(b"1 2\n", format).unwrap_err();
+        for error in [written, read] {
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+            let expected = format!("format {format:?} is not available in this version");
+            assert_eq!(error.message(), expected);
+        }
+    }
+    let error = from_bytes(b"<VTKFile>", Format::Vtu).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+    assert!(error.message().starts_with("format Vtu cannot be read"), "{error}");
+    // Without a path there is no extension.
+    for error in [
+        from_bytes(b"1 2\n", Format::Auto).unwrap_err(),
+        write(&mesh, Format::Auto, &mut Vec::new()).unwrap_err(),
+    ] {
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+    }
+}
+
+#[test]
+fn before_a_run_mesh_formats_are_refused_and_nothing_is_created() {
+    let directory = Directory::new("state");
+    for name in ["a.vtu", "a.node", "a.ele", "a.off"] {
+        let error = write_file(&two_points(), &directory.join(name), Format::Auto).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::State, "{error}");
+    }
+    // The dimension is wrong before and after a run.
+    let mesh = Mesh::new(4, 2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 0).unwrap();
+    let error = write_file(&mesh, &directory.join("a.vtu"), Format::Auto).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+    assert!(directory.names().is_empty());
+}
+
+#[test]
+fn points_survive_a_file_bit_by_bit() {
+    let directory = Directory::new("points");
+    for name in ["a.xyz", "a.csv"] {
+        let mesh = two_points();
+        let path = directory.join(name);
+        write_file(&mesh, &path, Format::Auto).unwrap();
+        let read = read_points(&path, Format::Auto).unwrap();
+        let bits = |values: &[f64]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        assert_eq!(read.dim, 2);
+        assert_eq!(bits(&read.coordinates), bits(&mesh.inputs().distinct_points()));
+    }
+    assert_eq!(directory.names(), ["a.csv", "a.xyz"]);
+}
+
+#[test]
+fn a_failing_writer_is_an_io_error_and_is_not_called_again() {
+    struct Failing {
+        calls: usize,
+    }
+    impl Write for Failing {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            self.calls += 1;
+            Err(io::Error::other("the pipe is closed"))
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    // Enough points to fill the buffer, and few enough to fail at its end only.
+    let many: Vec<f64> = (0..40_000).map(f64::from).collect();
+    for mesh in [two_points(), Mesh::new(2, 20_000, &many, 0).unwrap()] {
+        for format in [Format::Xyz, Format::Csv] {
+            let mut out = Failing { calls: 0 };
+            let error = write(&mesh, format, &mut out).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Io);
+            assert_eq!(error.message(), "cannot write: the pipe is closed");
+            assert_eq!(out.calls, 1);
+        }
+    }
+}
+
+#[test]
+fn files_that_cannot_be_written_are_io_errors() {
+    let directory = Directory::new("unwritable");
+    let read_only = directory.join("r.xyz");
+    fs::write(&read_only, "1 2\n").unwrap();
+    let mut permissions = fs::metadata(&read_only).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&read_only, permissions).unwrap();
+    for path in [directory.join("missing/a.xyz"), directory.0.clone(), read_only.clone()] {
+        let error = write_file(&two_points(), &path, Format::Xyz).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Io, "{error}");
+        assert!(error.message().starts_with(&path.display().to_string()), "{error}");
+    }
+    assert_eq!(fs::read_to_string(&read_only).unwrap(), "1 2\n");
+    assert_eq!(directory.names(), ["r.xyz"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_are_written_to_and_not_replaced() {
+    use std::os::unix::fs::FileTypeExt;
+    write_file(&two_points(), Path::new("/dev/null"), Format::Xyz).unwrap();
+    assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+    let error = write_file(&two_points(), Path::new("/dev/full"), Format::Xyz).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Io, "{error}");
+}
+
+/// A mesh that a run made; `None` while the core does not run.
+fn real_mesh(dim: usize) -> Option<Mesh> {
+    let points: Vec<f64> = (0..60 * dim)
+        .map(|i| {
+            (i as f64 * 0.754_877_666_246_692_7 + (i * i) as f64 * 0.569_840_290_998_053_3).fract()
+        })
+        .collect();
+    let mut mesh = Mesh::new(dim, 60, &points, 0).unwrap();
+    let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+    match mesh.run(&options, None) {
+        Ok(()) => Some(mesh),
+        Err(error) if error.message() == "the core is being built" => {
+            eprintln!("skipped: {error}");
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+#[test]
+fn a_real_mesh_survives_its_files() {
+    let directory = Directory::new("real");
+    for dim in 2..=5 {
+        let Some(mesh) = real_mesh(dim) else { return };
+        for name in ["a.node", "a.xyz", "a.csv", "a.off"] {
+            let path = directory.join(name);
+            write_file(&mesh, &path, Format::Auto).unwrap();
+            let read = read_points(&path, Format::Auto).unwrap();
+            let planar_off = dim == 2 && name == "a.off";
+            if !planar_off {
+                assert_eq!(read.coordinates, mesh.triangulation().unwrap().points, "{dim} {name}");
+            }
+        }
+        assert_eq!(directory.names(), ["a.csv", "a.ele", "a.node", "a.off", "a.xyz"]);
+    }
+}
+
+#[test]
+fn meshio_reads_a_real_mesh() {
+    const SCRIPT: &str = "
+import sys, meshio
+mesh = meshio.read(sys.argv[1])
+print(mesh.points.astype('<f8').tobytes().hex(), sum(len(block.data) for block in mesh.cells))
+";
+    let import = Command::new("python3").args(["-c", "import meshio"]).output();
+    if !import.is_ok_and(|output| output.status.success()) {
+        eprintln!("skipped: python3 cannot import meshio");
+        return;
+    }
+    let Some(mesh) = real_mesh(3) else { return };
+    let directory = Directory::new("meshio");
+    let path = directory.join("a.vtu");
+    write_file(&mesh, &path, Format::Auto).unwrap();
+    let output = Command::new("python3").args(["-c", SCRIPT]).arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let triangulation = mesh.triangulation().unwrap();
+    let bytes = triangulation.points.iter().flat_map(|x| x.to_le_bytes());
+    let hex: String = bytes.map(|byte| format!("{byte:02x}")).collect();
+    let expected = format!("{hex} {}\n", triangulation.simplex_count());
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), expected);
+}

@@ -3,8 +3,10 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod certificate;
 mod exit_code;
 mod numbers;
+mod output;
 mod progress;
 mod session;
 mod summary;

@@ -1,30 +1,32 @@
 //! One call of the program: read, mesh, write, certify, report.
 
 use crate::arguments::Arguments;
+use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
+use crate::output;
 use crate::progress::Bar;
 use crate::summary::{Summary, Times};
-use netmesh::validate::{Report, validate};
 use netmesh::{Mesh, Triangulation, io, quality};
 use std::io::Write;
-use std::path::Path;
 use std::time::Instant;
-
-/// The whole certificate: topology, geometry, the paper.
-const CERTIFICATE_LEVEL: u32 = 3;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(output) = &arguments.output {
-        require_directory_of(output)?;
+        output::require_place(output)?;
     }
     let mut times = Times::default();
     let mut mesh = timed(&mut times.read, || read(arguments))?;
+    if let Some(output) = &arguments.output {
+        output::require_format(&mesh, output, arguments.output_format())?;
+    }
     timed(&mut times.mesh, || make(&mut mesh, arguments))?;
     if let Some(output) = &arguments.output {
-        timed(&mut times.write, || write(&mesh, output, arguments))?;
+        timed(&mut times.write, || output::write(&mesh, output, arguments.output_format()))?;
     }
     let report = match arguments.validate {
-        true => Some(timed(&mut times.validate, || certify(&mesh))?),
+        true => Some(timed(&mut times.validate, || {
+            certificate::check(mesh.inputs(), triangulation_of(&mesh)?)
+        })?),
         false => None,
     };
     if !arguments.quiet {
@@ -40,24 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         print(&summary.text())?;
     }
-    report.map_or(Ok(()), |report| require_clean(&report))
-}
-
-/// Fails before the work is done rather than after it.
-fn require_directory_of(output: &Path) -> Result<(), Failure> {
-    let refuse = |reason: &str| {
-        let message = format!("{}: {reason}", output.display());
-        Err(Failure::new(ExitCode::OutputNotWritable, message))
-    };
-    if output.is_dir() {
-        return refuse("is a directory; the output must be a file");
-    }
-    match output.parent() {
-        Some(parent) if parent != Path::new("") && !parent.is_dir() => {
-            refuse("the directory for the output does not exist")
-        }
-        _ => Ok(()),
-    }
+    report.map_or(Ok(()), |report| certificate::require(&report))
 }
 
 fn read(arguments: &Arguments) -> Result<Mesh, Failure> {
@@ -81,30 +66,9 @@ fn make(mesh: &mut Mesh, arguments: &Arguments) -> Result<(), Failure> {
     Ok(outcome?)
 }
 
-fn write(mesh: &Mesh, output: &Path, arguments: &Arguments) -> Result<(), Failure> {
-    io::write_file(mesh, output, arguments.output_format())
-        .map_err(|error| Failure::writing(&output.display().to_string(), &error))
-}
-
-fn certify(mesh: &Mesh) -> Result<Report, Failure> {
-    Ok(validate(mesh.inputs(), triangulation_of(mesh)?, CERTIFICATE_LEVEL)?)
-}
-
 fn triangulation_of(mesh: &Mesh) -> Result<&Triangulation, Failure> {
     mesh.triangulation()
         .ok_or_else(|| Failure::new(ExitCode::Other, "the run left no triangulation behind"))
-}
-
-fn require_clean(report: &Report) -> Result<(), Failure> {
-    if report.violations == 0 && report.level == CERTIFICATE_LEVEL {
-        return Ok(());
-    }
-    let first = report.first.as_ref().map_or("it names no violation", |first| &first.message);
-    let message = format!(
-        "the certificate is violated: level {} of {CERTIFICATE_LEVEL} holds, {} violations; first: {first}",
-        report.level, report.violations
-    );
-    Err(Failure::new(ExitCode::CertificateViolated, message))
 }
 
 /// Prints to standard output; a reader that has gone away (`netmesh ... | head`) is no failure.

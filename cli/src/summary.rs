@@ -1,6 +1,7 @@
 //! What the run made, for a person to read.
 
 use crate::arguments::Arguments;
+use crate::certificate;
 use crate::numbers::{counted, duration, grouped, measure};
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
@@ -155,7 +156,7 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "cages: {} created, {} grown, {} released; {} exact",
+                "cages: {} created, {} grown, {} released; {} exactly",
                 grouped(stats.cages_created),
                 grouped(stats.cages_grown),
                 grouped(stats.cages_released),
@@ -204,16 +205,12 @@ impl Summary<'_> {
 
     fn add_certificate(&self, lines: &mut Lines) {
         let Some(report) = self.report else { return };
-        let text = match report.violations {
-            0 => format!(
-                "holds at level {}: {}, no violation",
-                report.level,
-                counted(report.checked, "check", "checks"),
-            ),
-            violations => format!(
-                "violated: {} in {}",
-                counted(violations, "violation", "violations"),
-                counted(report.checked, "check", "checks"),
+        let checks = counted(report.checked, "check", "checks");
+        let text = match certificate::holds(report) {
+            true => format!("holds at level {}: {checks}, no violation", report.level),
+            false => format!(
+                "violated: {} in {checks}",
+                counted(report.violations, "violation", "violations")
             ),
         };
         lines.add("certificate", text);

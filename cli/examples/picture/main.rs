@@ -1,17 +1,17 @@
-//! Draws the README's picture, a hierarchical mesh in the plane seen at three magnifications:
+//! Draws the README's picture, a hierarchical mesh in the plane, domain within domain:
 //! `cargo run --release --package netmesh-cli --example picture > docs/pictures/scales.svg`
 
 mod points;
 mod svg;
 mod window;
 
-use netmesh::{Mesh, Options, Result, Triangulation, VertexKind};
+use netmesh::{Domain, Mesh, Options, Result, Triangulation, VertexKind};
 use std::collections::BTreeSet;
 use svg::{Drawing, PANEL};
 use window::Window;
 
-/// How much of the plane a panel shows, relative to the figure at its scale.
-const MARGIN: f64 = 2.9;
+/// Half of a panel's width relative to the radius of its domain; the cage stands at 0.8.
+const MARGIN: f64 = 0.92;
 
 fn main() -> Result<()> {
     let points = points::coordinates();
@@ -24,27 +24,46 @@ fn main() -> Result<()> {
 }
 
 fn picture(triangulation: &Triangulation) -> String {
-    let mut drawing = Drawing::new(points::SCALES.len());
-    for (panel, &scale) in points::SCALES.iter().enumerate() {
-        let window = Window::new(MARGIN * scale, PANEL);
-        drawing.open_panel(panel, &caption(scale));
+    let domains = domains_round_the_origin(triangulation);
+    let mut drawing = Drawing::new(domains.len());
+    for (panel, domain) in domains.iter().enumerate() {
+        let center = position(triangulation, domain.center);
+        let window = Window::new(center, MARGIN * domain.radius, PANEL);
+        drawing.open_panel(panel, &caption(domains[0].radius / domain.radius));
         draw_domains(&mut drawing, triangulation, &window);
         draw_edges(&mut drawing, triangulation, &window);
         for kind in [VertexKind::Cage, VertexKind::Steiner, VertexKind::Input] {
             draw_vertices(&mut drawing, triangulation, &window, kind);
+        }
+        if let Some(next) = domains.get(panel + 1) {
+            drawing.mark(window.place(position(triangulation, next.center)));
         }
         drawing.close_panel();
     }
     drawing.finish()
 }
 
-fn caption(scale: f64) -> String {
-    match (1.0 / scale).log10().round() as i32 {
-        0 => "the whole mesh".to_owned(),
-        exponent => format!(
-            "its centre, 10<tspan dy=\"-5\" font-size=\"9\">{exponent}</tspan><tspan dy=\"5\"> times enlarged</tspan>"
-        ),
+/// From the root inwards; a parent stands before its children.
+fn domains_round_the_origin(triangulation: &Triangulation) -> Vec<Domain> {
+    let holds_origin = |domain: &&Domain| {
+        distance(position(triangulation, domain.center), [0.0, 0.0]) < domain.radius
+    };
+    triangulation.domains.iter().filter(holds_origin).copied().collect()
+}
+
+fn caption(enlarged: f64) -> String {
+    match enlarged {
+        1.0 => "the root domain".to_owned(),
+        _ => format!("the marked spot, {} times enlarged", thousands(enlarged)),
     }
+}
+
+/// Two digits count here: 5712 -> "5 700".
+fn thousands(number: f64) -> String {
+    let unit = 10.0_f64.powf((number.log10() - 1.0).floor().max(0.0));
+    let digits = ((number / unit).round() * unit).to_string();
+    let groups: Vec<&[u8]> = digits.as_bytes().rchunks(3).rev().collect();
+    String::from_utf8_lossy(&groups.join(&b' ')).into_owned()
 }
 
 fn draw_domains(drawing: &mut Drawing, triangulation: &Triangulation, window: &Window) {

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 /// The radii of the three figures.
-pub const SCALES: [f64; 3] = [1.0, 1e-4, 1e-8];
+const SCALES: [f64; 3] = [1.0, 1e-4, 1e-8];
 const ARMS: usize = 3;
 const POINTS_PER_ARM: usize = 40;
 const RING_POINTS: usize = 48;

@@ -53,6 +53,14 @@ impl Drawing {
         );
     }
 
+    /// The spot that the next panel enlarges.
+    pub fn mark(&mut self, [x, y]: [f64; 2]) {
+        let _ = writeln!(
+            self.text,
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\" fill=\"none\" stroke=\"#c2185b\" stroke-width=\"1.6\"/>"
+        );
+    }
+
     pub fn segments(&mut self, segments: impl Iterator<Item = [[f64; 2]; 2]>) {
         self.text += "<path stroke=\"#a8a8a8\" stroke-width=\"0.6\" d=\"";
         for [a, b] in segments {

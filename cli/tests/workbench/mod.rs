@@ -28,9 +28,11 @@ impl Workbench {
         fs::write(self.directory.join(name), text).expect("the test file can be written");
     }
 
+    /// Text, or what of a binary file is text.
     #[allow(dead_code)] // not every test file reads outputs
     pub fn read(&self, name: &str) -> String {
-        fs::read_to_string(self.directory.join(name)).expect("the output can be read")
+        let bytes = fs::read(self.directory.join(name)).expect("the output can be read");
+        String::from_utf8_lossy(&bytes).into_owned()
     }
 
     /// Names of all files, sorted.

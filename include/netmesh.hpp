@@ -102,23 +102,24 @@ struct options {
 
     options() { detail::check(nm_options_init(&values, sizeof values)); }
 
-    options &output(nm_output value) { return values.output = value, *this; }
-    options &algorithm(nm_algorithm value) { return values.algorithm = value, *this; }
-    options &ordering(nm_ordering value) { return values.ordering = value, *this; }
-    options &criterion(nm_criterion value) { return values.criterion = value, *this; }
-    options &threads(std::uint32_t value) { return values.threads = value, *this; }
-    options &quality_bound(double value) { return values.quality_bound = value, *this; }
-    options &epsilon(double value) { return values.epsilon = value, *this; }
-    options &delta(double value) { return values.delta = value, *this; }
-    options &gamma(double value) { return values.gamma = value, *this; }
-    options &yield_radius(double value) { return values.yield_radius = value, *this; }
-    options &encroachment(double value) { return values.encroachment = value, *this; }
-    options &cage_scale(double value) { return values.cage_scale = value, *this; }
-    options &root_scale(double value) { return values.root_scale = value, *this; }
-    options &seed(std::uint64_t value) { return values.seed = value, *this; }
-    options &max_vertices(std::uint64_t value) { return values.max_vertices = value, *this; }
+    options &output(nm_output value) { values.output = value; return *this; }
+    options &algorithm(nm_algorithm value) { values.algorithm = value; return *this; }
+    options &ordering(nm_ordering value) { values.ordering = value; return *this; }
+    options &criterion(nm_criterion value) { values.criterion = value; return *this; }
+    options &threads(std::uint32_t value) { values.threads = value; return *this; }
+    options &quality_bound(double value) { values.quality_bound = value; return *this; }
+    options &epsilon(double value) { values.epsilon = value; return *this; }
+    options &delta(double value) { values.delta = value; return *this; }
+    options &gamma(double value) { values.gamma = value; return *this; }
+    options &yield_radius(double value) { values.yield_radius = value; return *this; }
+    options &encroachment(double value) { values.encroachment = value; return *this; }
+    options &cage_scale(double value) { values.cage_scale = value; return *this; }
+    options &root_scale(double value) { values.root_scale = value; return *this; }
+    options &seed(std::uint64_t value) { values.seed = value; return *this; }
+    options &max_vertices(std::uint64_t value) { values.max_vertices = value; return *this; }
     options &progress(progress_function value) {
-        return on_progress = std::move(value), *this;
+        on_progress = std::move(value);
+        return *this;
     }
 };
 
@@ -290,13 +291,13 @@ private:
     }
 
     template <typename Element>
-    std::vector<Element> array(nm_status (*get)(const nm_mesh *, Element *, std::uint64_t,
-                                                std::uint64_t *)) const {
+    std::vector<Element> array(nm_status (*fetch)(const nm_mesh *, Element *, std::uint64_t,
+                                                  std::uint64_t *)) const {
         std::uint64_t needed = 0;
-        detail::check(get(handle_, nullptr, 0, &needed));
+        detail::check(fetch(handle_, nullptr, 0, &needed));
         std::vector<Element> values(static_cast<std::size_t>(needed));
         if (needed != 0) {
-            detail::check(get(handle_, values.data(), needed, nullptr));
+            detail::check(fetch(handle_, values.data(), needed, nullptr));
         }
         return values;
     }

@@ -18,8 +18,8 @@ pub(crate) mod complex;
 pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
-pub use netmesh::parameters::{self, Parameters};
 pub use mesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
+pub use netmesh::parameters::{self, Parameters};
 pub use options::{
     Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
 };

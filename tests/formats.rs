@@ -4,6 +4,7 @@
 use netmesh::ErrorKind::{Dimension, Format as Broken, NonFinite};
 use netmesh::io::{Format, PointCloud, read, read_points, write, write_file};
 use netmesh::{Algorithm, Error, ErrorKind, Mesh, Options};
+use proptest::prelude::*;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -228,6 +229,50 @@ fn off_refuses_damaged_files() {
             (b"nOFF 1 1 0\n1\n", Dimension, "line 1: points of dimension 1"),
         ],
     );
+}
+
+/// A file that was cut off after a line is told from a complete one where its header counts.
+#[test]
+fn truncated_files_are_refused() {
+    let node = "# c\n3 2 1 1\n\n0 1 2 9 0\n1 3 4 9 0\n2 5 6 9 0\n";
+    let off = "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n";
+    let nd_off = "nOFF\n2\n3 1 0\n0 0\n1 0\n0 1\n3 0 1 2\n";
+    for (format, text) in [(Format::TetgenNode, node), (Format::Off, off), (Format::Off, nd_off)] {
+        assert!(from_bytes(text.as_bytes(), format).is_ok(), "{text}");
+        for (end, _) in text.trim_end().match_indices('\n') {
+            let error = from_bytes(&text.as_bytes()[..=end], format).unwrap_err();
+            assert_eq!(error.kind(), Broken);
+            let line = text[..=end].matches('\n').count();
+            let expected = format!("the file ends after line {line}: ");
+            assert!(error.message().starts_with(&expected), "{error}");
+        }
+    }
+}
+
+proptest! {
+    /// Whatever the bytes: an answer, and one that keeps its promises.
+    #[test]
+    fn readers_answer_to_any_bytes(
+        pieces in prop::collection::vec(
+            prop::sample::select(vec![
+                "OFF", "nOFF", "x", "kind", "0", "1", "2", "3", "-1", "0.5", "1e308", "1e309", "nan",
+                "18446744073709551615", ",", " ", "\n", "\n", "\r\n", "\r", "#", "\0", "\u{feff}",
+            ]),
+            0..40,
+        ),
+        stray in prop::option::of(any::<u8>()),
+    ) {
+        let mut bytes = pieces.concat().into_bytes();
+        bytes.extend(stray);
+        for format in [Format::Xyz, Format::Csv, Format::TetgenNode, Format::Off] {
+            if let Ok(points) = from_bytes(&bytes, format) {
+                prop_assert!((2..=8).contains(&points.dim));
+                prop_assert!(!points.coordinates.is_empty());
+                prop_assert_eq!(points.coordinates.len() % points.dim, 0);
+                prop_assert!(points.coordinates.iter().all(|x| x.is_finite()));
+            }
+        }
+    }
 }
 
 #[test]

@@ -52,7 +52,8 @@ impl Columns {
         if fields(line).any(is_number) {
             return Err(line.not_a_number(column, word));
         }
-        let with_kind = fields(line).last() == Some(KIND);
+        // Programs that pass a table on like to put its names in quotes.
+        let with_kind = fields(line).last().map(|name| name.trim_matches('"')) == Some(KIND);
         Ok((Self { all, coordinates: all - usize::from(with_kind) }, true))
     }
 
@@ -93,6 +94,7 @@ mod tests {
             "# exported\nx,y\r\n 1 , 2\r\n\r\n-3,4e9",
             "\"x\",\"y\"\n1,2\n-3,4e9",
             "x,y,kind\n1,2,0\n-3,4e9,anything\n",
+            "\"x\",\"y\",\"kind\"\n1,2,0\n-3,4e9,1\n",
         ] {
             assert_eq!(read(&mut text.as_bytes(), Format::Csv).unwrap(), expected, "{text:?}");
         }

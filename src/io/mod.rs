@@ -71,7 +71,7 @@ pub enum Format {
     /// columns is the dimension.
     Xyz = 7,
     /// Comma-separated points. A first line without any number is a header; its columns are counted,
-    /// quotes have no meaning. A last column with the header `kind`, as [`write`] adds it, is
+    /// quotes have no meaning. A last column with the header `kind`, as [`write()`] adds it, is
     /// skipped: it is no coordinate.
     Csv = 8,
     /// NumPy's `.npy`. Not available in this version.
@@ -181,10 +181,10 @@ fn check_readable(format: Format) -> Result<()> {
 /// is that of the `.node` part and the other is `b.ele`. Both are complete before either is renamed.
 ///
 /// A symbolic link is followed, a read-only file is refused; a device or a pipe, which cannot be
-/// replaced, is written as by [`write`].
+/// replaced, is written as by [`write()`].
 ///
 /// # Errors
-/// `Io`, and as [`write`]; `InvalidArgument` for an extension that names no format.
+/// `Io`, and as [`write()`]; `InvalidArgument` for an extension that names no format.
 pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
     let format = format.resolve(path)?;
     let content = Content::of(mesh, format)?;

@@ -20,7 +20,7 @@ pub(super) struct Lines<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
     /// Counted from 1, blank lines and comments included.
-    pub number: u64,
+    number: u64,
     pub text: &'a str,
 }
 
@@ -29,27 +29,18 @@ impl<'a> Lines<'a> {
         Self { input, buffer: Vec::new(), number: 0 }
     }
 
-    /// The next line that is neither blank nor a comment.
+    /// The next line that says something.
     pub fn next(&mut self) -> Result<Option<Line<'_>>> {
-        loop {
-            if !self.fill()? {
-                return Ok(None);
-            }
-            if !content(self.checked()?).is_empty() {
-                break;
-            }
-        }
-        Ok(Some(Line { number: self.number, text: content(self.checked()?) }))
+        if self.advance()? { self.current().map(Some) } else { Ok(None) }
     }
 
     /// The next line; the error of a file that ends instead tells what it `lacks`.
     pub fn require(&mut self, lacks: impl FnOnce() -> String) -> Result<Line<'_>> {
-        // Asked for the number first: the line borrows `self`.
-        if self.next()?.is_none() {
+        if !self.advance()? {
             let message = format!("the file ends after line {}: {}", self.number, lacks());
             return Err(Error::new(ErrorKind::Format, message));
         }
-        Ok(Line { number: self.number, text: content(self.checked()?) })
+        self.current()
     }
 
     /// Refuses further data.
@@ -58,6 +49,20 @@ impl<'a> Lines<'a> {
             None => Ok(()),
             Some(line) => Err(line.error(format!("more data after {after}"))),
         }
+    }
+
+    /// Reads up to the next line that is neither blank nor a comment; false at the end of the file.
+    fn advance(&mut self) -> Result<bool> {
+        while self.fill()? {
+            if !self.current()?.text.is_empty() {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn current(&self) -> Result<Line<'_>> {
+        Ok(Line { number: self.number, text: content(self.decoded()?) })
     }
 
     /// Reads one line, whatever is in it; false at the end of the file.
@@ -78,7 +83,7 @@ impl<'a> Lines<'a> {
     }
 
     /// The line as text, without its end.
-    fn checked(&self) -> Result<&str> {
+    fn decoded(&self) -> Result<&str> {
         let mut line = self.buffer.as_slice();
         if self.number == 1 {
             line = line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line);

@@ -10,7 +10,7 @@ use crate::numerics::distance;
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
-const LEVELS: usize = 3;
+pub(super) const LEVELS: usize = 3;
 /// A new cage is this much larger than |u - v| / epsilon, so that v is strictly inside epsilon r.
 const SLACK: f64 = 1.001;
 
@@ -126,4 +126,3 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.containing_domain(x)
     }
 }
-

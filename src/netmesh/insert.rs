@@ -1,18 +1,17 @@
 //! INSERT and INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy
 //! is changed first.
 
+use super::encroach::LEVELS;
 use super::{Mesher, Scratch, some};
 use crate::error::Result;
 use crate::numerics::distance;
 use crate::options::{Algorithm, Phase};
 
-/// Domains above the innermost one that an input may encroach from inside: non-encroached domains
-/// shrink by epsilon per level, so a point near a sphere is far inside all but the next spheres.
-const ANCESTORS: usize = 3;
-
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// INSERTINPUT(v): a new cage where `input` is not medial, larger cages where it encroaches
-    /// from inside, then INSERT.
+    /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
+    /// not medial, then INSERT. The paper makes the new cage first; when the nearest neighbour is
+    /// itself a vertex of the encroached cage, the new one would stick out of that, release it
+    /// from outside and leave nothing to grow.
     pub(super) fn insert_input(&mut self, input: u32) -> Result<()> {
         if self.is_inserted(input) {
             return Ok(());
@@ -22,34 +21,34 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return self.insert_into_cavity(input);
         }
         self.collect_cavity_corners();
-        if let Some(wanted) = self.wanted_cage(input) {
-            let start = self.location.home(input);
-            self.new_cage(wanted, start)?;
-            if self.is_inserted(input) {
-                return Ok(());
-            }
-            self.find_cavity_of_input(input);
-            self.collect_cavity_corners();
-        }
-        self.insert_with_room(input)
-    }
-
-    /// GROWCAGE for every cage that `input`, whose cavity is the scratch cavity, encroaches from
-    /// inside; then INSERT, unless a cage took the input in.
-    fn insert_with_room(&mut self, input: u32) -> Result<()> {
-        for _ in 0..ANCESTORS {
+        for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
             let start = self.location.home(input);
             self.grow_cage(domain, start)?;
-            if self.is_inserted(input) {
+            if !self.look_again(input) {
                 return Ok(());
             }
-            self.find_cavity_of_input(input);
-            self.collect_cavity_corners();
+        }
+        if let Some(wanted) = self.wanted_cage(input) {
+            let start = self.location.home(input);
+            self.new_cage(wanted, start)?;
+            if !self.look_again(input) {
+                return Ok(());
+            }
         }
         let domain = self.enter(&self.delaunay.point(input).to_owned());
         self.hierarchy.set_domain(input, domain);
         self.insert_into_cavity(input)
+    }
+
+    /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
+    fn look_again(&mut self, input: u32) -> bool {
+        if self.is_inserted(input) {
+            return false;
+        }
+        self.find_cavity_of_input(input);
+        self.collect_cavity_corners();
+        true
     }
 
     pub(super) fn find_cavity_of_input(&mut self, input: u32) {
@@ -136,4 +135,3 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.nearest[vertex as usize] = nearest;
     }
 }
-

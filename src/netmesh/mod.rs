@@ -210,7 +210,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 }
 
 fn limit(max_vertices: u64, needed: usize) -> Error {
-    let message = format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    let message =
+        format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
 }
 

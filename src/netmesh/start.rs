@@ -21,7 +21,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let radius = self.root_radius(&point);
         let sphere = self.cage_points(&point, radius * self.parameters.cage_scale);
         if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
-            let message = "the coordinates are too large: the outer cage leaves the range of double";
+            let message =
+                "the coordinates are too large: the outer cage leaves the range of double";
             return Err(Error::new(ErrorKind::Limit, message));
         }
         self.hierarchy.create(center, point, radius, NONE);

@@ -44,7 +44,10 @@ impl<'a, 'b> Watch<'a, 'b> {
             Progress { phase, fraction: self.fraction, inputs_inserted, vertices, simplices };
         let go_on = self.callback.as_mut().is_none_or(|callback| callback(&progress));
         if !go_on {
-            return Err(Error::new(ErrorKind::Cancelled, "the progress function cancelled the run"));
+            return Err(Error::new(
+                ErrorKind::Cancelled,
+                "the progress function cancelled the run",
+            ));
         }
         Ok(())
     }

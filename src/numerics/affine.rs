@@ -72,3 +72,94 @@ impl<const D: usize> Basis<D> {
         !orientation(&simplex).is_zero()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::*;
+    use dashu_int::IBig;
+
+    /// The affine rank by integer elimination of all difference rows.
+    fn rank_oracle<const D: usize>(points: &[[f64; D]]) -> usize {
+        let edge = |p: &[f64; D]| -> Vec<IBig> {
+            p.iter().zip(&points[0]).map(|(x, o)| integer(*x) - integer(*o)).collect()
+        };
+        let mut rows: Vec<Vec<IBig>> = points[1..].iter().map(edge).collect();
+        let mut rank = 0;
+        for column in 0..D {
+            let Some(at) = (rank..rows.len()).find(|i| rows[*i][column] != IBig::ZERO) else {
+                continue;
+            };
+            rows.swap(rank, at);
+            let pivot = rows[rank].clone();
+            for row in &mut rows[rank + 1..] {
+                let factor = row[column].clone();
+                for j in 0..D {
+                    row[j] = &row[j] * &pivot[column] - &factor * &pivot[j];
+                }
+            }
+            rank += 1;
+        }
+        rank
+    }
+
+    fn ranks_agree<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 10 + D as u64);
+            for trial in 0..trials {
+                let mut points = points::<D>(family, 1 + trial % (D + 4), &mut random);
+                flatten(&mut points, &mut random);
+                let basis = affine_basis(points.len(), |i| points[i]);
+                assert_eq!(basis[0], 0);
+                assert!(basis.is_sorted());
+                let taken: Vec<[f64; D]> = basis.iter().map(|i| points[*i]).collect();
+                assert_eq!(rank_oracle(&taken) + 1, taken.len(), "{family:?} {points:?}");
+                assert_eq!(rank_oracle(&points) + 1, taken.len(), "{family:?} {points:?}");
+                // Greedy: what was passed over depends on what was taken before it.
+                for i in (0..points.len()).filter(|i| !basis.contains(i)) {
+                    let mut before: Vec<[f64; D]> =
+                        basis.iter().filter(|j| **j < i).map(|j| points[*j]).collect();
+                    before.push(points[i]);
+                    assert!(rank_oracle(&before) + 1 < before.len(), "{family:?} {points:?}");
+                }
+            }
+        }
+    }
+
+    /// Lowers the rank now and then: some coordinates copy others, some points others.
+    fn flatten<const D: usize>(points: &mut [[f64; D]], random: &mut Random) {
+        let (from, to) = (random.integer(0, D as i64 - 1), random.integer(0, D as i64 - 1));
+        for i in 0..points.len() {
+            points[i][to as usize] = points[i][from as usize];
+            if random.bits() % 4 == 0 {
+                points[i] = points[0];
+            }
+        }
+    }
+
+    #[test]
+    fn bases_span_and_are_independent() {
+        ranks_agree::<2>(60);
+        ranks_agree::<3>(60);
+        ranks_agree::<4>(40);
+        ranks_agree::<6>(20);
+        ranks_agree::<8>(12);
+    }
+
+    #[test]
+    fn no_points_have_no_basis() {
+        assert!(affine_basis::<3>(0, |_| unreachable!()).is_empty());
+    }
+
+    #[test]
+    fn generic_input_is_left_after_the_first_simplex() {
+        let calls = std::cell::Cell::new(0);
+        let mut random = Random(7);
+        let points = points::<5>(Family::Uniform, 100, &mut random);
+        let basis = affine_basis(points.len(), |i| {
+            calls.set(calls.get() + 1);
+            points[i]
+        });
+        assert_eq!((basis, calls.get()), ((0..6).collect(), 6));
+    }
+}

@@ -147,8 +147,18 @@ impl<const D: usize> Circumball<D> {
         } else if power < -bound {
             Some(true)
         } else {
-            None
+            self.is_far(anchor_point, q).then_some(false)
         }
+    }
+
+    /// Whether `q` is so far from the anchor that its square may have overflowed, which makes it
+    /// an outside point: no usable scaled centre exceeds 2^31.
+    #[cold]
+    fn is_far(&self, anchor_point: &[f64; D], q: &[f64; D]) -> bool {
+        const FAR: f64 = power_of_two(500);
+        let is_far = |i: usize| ((q[i] - anchor_point[i]) * self.scale).abs() >= FAR;
+        // Infinite differences of finite points are at least 2^1023: far unless the scale is tiny.
+        self.error < 1.0 && self.scale > 1.0 / FAR && (0..D).any(is_far)
     }
 
     /// The circumcentre in real coordinates, rounded; not finite where it overflows or `error` is
@@ -174,4 +184,166 @@ fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> usize {
         }
     }
     endpoint
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::*;
+    use crate::numerics::{Sign, in_ball, orientation};
+
+    /// A positively oriented simplex of the family, if this draw is not flat.
+    fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f64; D]>> {
+        let mut corners = points::<D>(family, D + 1, random);
+        match orientation(&references(&corners)) {
+            Sign::Positive => Some(corners),
+            Sign::Negative => {
+                corners.swap(0, 1);
+                Some(corners)
+            }
+            Sign::Zero => None,
+        }
+    }
+
+    /// Query points: of the family, a vertex moved by a few ulps, and a point almost on the sphere.
+    fn queries<const D: usize>(
+        family: Family,
+        corners: &[[f64; D]],
+        center: &[f64; D],
+        random: &mut Random,
+    ) -> Vec<[f64; D]> {
+        let mut queries = points::<D>(family, 3, random);
+        let corner = corners[random.integer(0, D as i64) as usize];
+        queries.push(corner.map(|x| f64::from_bits(x.to_bits() ^ random.bits() & 3)));
+        queries.push(corner.map(|x| x * (1.0 + random.unit() * 1e-9)));
+        let turn = random.integer(0, D as i64 - 1) as usize;
+        queries.push(std::array::from_fn(|i| {
+            if i == turn { center[i] - (corner[i] - center[i]) } else { corner[i] }
+        }));
+        queries.retain(|q| q.iter().all(|x| x.is_finite()));
+        queries
+    }
+
+    /// Compares decisions with exact signs; returns how many tests there were of a family, and how
+    /// many of them the filter decided.
+    fn decisions<const D: usize>(family: Family, trials: usize) -> (usize, usize) {
+        let mut random = Random(family as u64 * 1000 + D as u64);
+        let (mut tested, mut decided) = (0, 0);
+        for _ in 0..trials {
+            let Some(corners) = simplex::<D>(family, &mut random) else { continue };
+            let simplex = references(&corners);
+            let ball = Circumball::new(&simplex);
+            let anchor = &corners[ball.anchor as usize];
+            for q in queries(family, &corners, &ball.center_point(anchor), &mut random) {
+                tested += 1;
+                let Some(inside) = ball.side(anchor, &q) else { continue };
+                decided += 1;
+                let expected = if inside { Sign::Positive } else { Sign::Negative };
+                assert_eq!(
+                    in_ball(&simplex, &q),
+                    expected,
+                    "{family:?} {corners:?} {q:?} {ball:?}"
+                );
+            }
+        }
+        (tested, decided)
+    }
+
+    fn side_agrees_with_exact_signs<const D: usize>() {
+        let mut total = 0;
+        for family in FAMILIES {
+            let (tested, decided) = decisions::<D>(family, 3600);
+            total += tested;
+            // The three queries of the family itself; those near the sphere may stay open.
+            if matches!(family, Family::Uniform | Family::FarCluster | Family::MixedScales) {
+                assert!(decided * 2 > tested, "{family:?} {decided} of {tested}");
+            }
+        }
+        assert!(total >= 200_000, "{total}");
+    }
+
+    #[test]
+    fn side_agrees_with_exact_signs_in_2d() {
+        side_agrees_with_exact_signs::<2>();
+    }
+
+    #[test]
+    fn side_agrees_with_exact_signs_in_3d() {
+        side_agrees_with_exact_signs::<3>();
+    }
+
+    #[test]
+    fn side_agrees_with_exact_signs_in_4d() {
+        side_agrees_with_exact_signs::<4>();
+    }
+
+    #[test]
+    fn side_agrees_with_exact_signs_in_5d() {
+        side_agrees_with_exact_signs::<5>();
+    }
+
+    #[test]
+    fn side_agrees_with_exact_signs_in_6d() {
+        side_agrees_with_exact_signs::<6>();
+    }
+
+    fn error_bounds_hold<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 1000 + 500 + D as u64);
+            for _ in 0..trials {
+                let Some(corners) = simplex::<D>(family, &mut random) else { continue };
+                let simplex = references(&corners);
+                let ball = Circumball::new(&simplex);
+                if ball.error == f64::INFINITY {
+                    assert_eq!(ball.radius, f64::INFINITY);
+                    continue;
+                }
+                let (numerators, denominator) = circumcenter_oracle(&simplex, ball.anchor as usize);
+                let exponent = 1023 - i64::from(biased_exponent(ball.scale));
+                for (value, numerator) in ball.center.iter().zip(&numerators) {
+                    let quotient = (numerator, &denominator);
+                    let close = is_close(*value, ball.error, exponent, quotient);
+                    assert!(close, "{family:?} {corners:?} {ball:?}");
+                }
+                let length = scale_by_power(norm(&ball.center), exponent);
+                let difference = (ball.radius - length).abs();
+                assert!(ball.radius == length || difference <= 1e-15 * length, "{ball:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn centres_are_within_their_error_bounds() {
+        error_bounds_hold::<2>(400);
+        error_bounds_hold::<3>(300);
+        error_bounds_hold::<4>(100);
+        error_bounds_hold::<6>(10);
+    }
+
+    #[test]
+    fn far_points_are_outside_and_limits_are_undecided() {
+        let ball = Circumball::new(&[&[0.0, 0.0], &[1.0, 0.0], &[0.0, 1.0]]);
+        let anchor = [0.0, 0.0];
+        assert_eq!((ball.anchor, ball.radius), (0, 0.5f64.sqrt()));
+        assert_eq!(ball.center_point(&anchor), [0.5, 0.5]);
+        assert_eq!(ball.side(&anchor, &[1e200, 0.0]), Some(false));
+        assert_eq!(ball.side(&anchor, &[-f64::MAX, f64::MAX]), Some(false));
+        assert_eq!(ball.side(&anchor, &[1.0, 1.0]), None);
+        assert_eq!(ball.side(&anchor, &[1e-200, 1e-200]), Some(true));
+        assert_eq!(ball.side(&anchor, &[1e-300, 1e-300]), None);
+        let flat = Circumball::new(&[&[0.0, 0.0], &[1.0, 1.0], &[2.0, 2.0]]);
+        assert!(flat.error == f64::INFINITY && flat.radius == f64::INFINITY);
+        assert!(flat.center_point(&anchor)[0].is_nan());
+        assert_eq!(flat.side(&anchor, &[5.0, 1.0]), None);
+    }
+
+    #[test]
+    fn huge_balls_at_the_end_of_the_range_are_sound() {
+        let (a, b, c) = ([-f64::MAX, 0.0], [f64::MAX, 0.0], [0.0, f64::MAX]);
+        let ball = Circumball::new(&[&a, &b, &c]);
+        assert!((ball.radius / f64::MAX - 1.0).abs() < 1e-15);
+        let anchor = [a, b, c][ball.anchor as usize];
+        assert_eq!(ball.side(&anchor, &[0.0, -0.9 * f64::MAX]), Some(true));
+        assert_ne!(ball.side(&anchor, &[f64::MAX, -f64::MAX]), Some(true));
+    }
 }

@@ -225,4 +225,35 @@ mod tests {
         agrees_with_the_oracle::<5>(30);
         agrees_with_the_oracle::<6>(15);
     }
+
+    fn centres_solve_the_system<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 100 + 50 + D as u64);
+            for _ in 0..trials {
+                let points = points::<D>(family, D + 1, &mut random);
+                let simplex = references(&points);
+                let anchor = random.integer(0, D as i64) as usize;
+                let (numerators, denominator) = circumcenter_oracle(&simplex, anchor);
+                let Some(centre) = circumcenter_exact(&simplex, anchor) else {
+                    assert!(denominator.is_zero(), "{family:?} {points:?}");
+                    continue;
+                };
+                let largest = centre.center.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+                assert!((1.0..2.0).contains(&largest), "{family:?} {points:?}");
+                for (value, numerator) in centre.center.iter().zip(&numerators) {
+                    let bound = value.abs() * f64::EPSILON + f64::from_bits(1);
+                    let quotient = (numerator, &denominator);
+                    assert!(is_close(*value, bound, centre.exponent, quotient), "{points:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn centres_agree_with_cramers_rule() {
+        centres_solve_the_system::<2>(200);
+        centres_solve_the_system::<3>(100);
+        centres_solve_the_system::<4>(40);
+        centres_solve_the_system::<6>(8);
+    }
 }

@@ -62,3 +62,39 @@ fn largest_magnitude(vector: &[f64]) -> f64 {
 fn root_of_squares(vector: &[f64]) -> f64 {
     vector.iter().fold(0.0, |sum, x| sum + x * x).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SMALLEST: f64 = f64::from_bits(1);
+
+    fn assert_close(value: f64, expected: f64) {
+        let bound = 8.0 * f64::EPSILON * expected + 2.0 * SMALLEST;
+        assert!((value - expected).abs() <= bound, "{value:e} is not {expected:e}");
+    }
+
+    #[test]
+    fn every_scale_gives_the_same_triangle() {
+        for exponent in -1074..=1020 {
+            let unit = scale_by_power(1.0, exponent);
+            assert_close(distance(&[unit, -unit], &[4.0 * unit, 3.0 * unit]), 5.0 * unit);
+            assert_close(norm(&[2.0 * unit, -3.0 * unit, 6.0 * unit]), 7.0 * unit);
+        }
+    }
+
+    #[test]
+    fn limits_do_not_overflow_or_vanish() {
+        assert_eq!(distance(&[0.5 * f64::MAX, 0.0], &[-0.5 * f64::MAX, 0.0]), f64::MAX);
+        // Each difference overflows on its own, or only the sum of their squares does.
+        assert_eq!(distance(&[f64::MAX, 0.0], &[-f64::MAX, 0.0]), f64::INFINITY);
+        assert_eq!(distance(&[f64::MAX, 0.0], &[0.0, f64::MAX]), f64::INFINITY);
+        let third = f64::MAX / 3.0;
+        assert_close(distance(&[third, third, 0.0], &[-third, 0.0, 0.0]), third * 5f64.sqrt());
+        assert_eq!(distance(&[SMALLEST, 0.0], &[0.0, 0.0]), SMALLEST);
+        assert_eq!(distance(&[1e-300, 1.0], &[-1e-300, 1.0]), 2e-300);
+        assert_eq!(distance(&[0.0, 1.0], &[-0.0, 1.0]), 0.0);
+        assert_eq!((norm(&[]), norm(&[0.0, -0.0])), (0.0, 0.0));
+        assert_eq!(norm(&[1.0, f64::NEG_INFINITY]), f64::INFINITY);
+    }
+}

@@ -19,6 +19,8 @@ mod window;
 
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod timing;
 
 pub use affine::affine_basis;
 pub use circumball::Circumball;

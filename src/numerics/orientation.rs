@@ -125,3 +125,124 @@ fn laplace_determinant<const D: usize>(rows: &[[f64; D]; D]) -> (f64, f64) {
     let (determinant, permanent) = minors[(1 << D) - 1];
     (determinant, 2.0 * (D * (D + 3)) as f64 * UNIT * permanent + TINY)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::in_ball;
+    use crate::numerics::testing::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_standard_simplex_is_positive_and_holds_its_centroid() {
+        fn check<const D: usize>() {
+            let mut corners = vec![[0.0; D]];
+            for i in 0..D {
+                corners.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+            }
+            let simplex = references(&corners);
+            assert_eq!(orientation_filtered(&simplex), Some(Sign::Positive));
+            assert_eq!(in_ball(&simplex, &[1.0 / (D as f64 + 1.0); D]), Sign::Positive);
+            assert_eq!(in_ball(&simplex, &[1.0; D]), Sign::Zero);
+            assert_eq!(in_ball(&simplex, &[-1.0; D]), Sign::Negative);
+        }
+        check::<2>();
+        check::<3>();
+        check::<4>();
+        check::<5>();
+        check::<6>();
+        check::<7>();
+        check::<8>();
+    }
+
+    /// The filter against integers: never wrong, and never open on generic points.
+    fn filter_is_sound<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 7 + D as u64);
+            for _ in 0..trials {
+                let points = points::<D>(family, D + 1, &mut random);
+                let filtered = orientation_filtered(&references(&points));
+                assert!(filtered.is_some() || family != Family::Uniform);
+                if let Some(sign) = filtered {
+                    assert_eq!(sign, orientation_exact(&references(&points)), "{points:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn filters_agree_with_integers() {
+        filter_is_sound::<2>(5000);
+        filter_is_sound::<3>(5000);
+        filter_is_sound::<4>(2000);
+        filter_is_sound::<5>(1000);
+        filter_is_sound::<8>(300);
+    }
+
+    #[test]
+    fn underflowing_minors_are_not_trusted() {
+        // The 2x2 minors underflow to zero or lose most of their bits; the third factor is large.
+        let tiny = 2f64.powi(-537);
+        let corners = [
+            [0.0, 0.0, 0.0],
+            [0.0, tiny, 1e300],
+            [tiny, 1.5 * tiny, 0.0],
+            [1.25 * tiny, 1.75 * tiny, -1e300],
+        ];
+        let simplex = references(&corners);
+        assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
+    }
+
+    /// Any finite double, or one of a few that collide often.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()),
+            (-3i32..=3).prop_map(f64::from),
+            (-3i32..=3).prop_map(|k| 1.0 + f64::from(k) * f64::EPSILON),
+        ]
+    }
+
+    fn signs<const D: usize>(points: &[[f64; D]]) -> (Sign, Sign) {
+        let simplex = references(&points[..=D]);
+        (orientation(&simplex), in_ball(&simplex, &points[D + 1]))
+    }
+
+    /// Swapping two corners flips both signs; negation multiplies them by (-1)^D; so does the
+    /// mirror of one axis by -1; the determinant of the lifted points flips when the query point
+    /// changes places with a corner.
+    fn symmetries_hold<const D: usize>(values: &[f64], i: usize, j: usize) {
+        let points: Vec<[f64; D]> =
+            values.chunks_exact(D).take(D + 2).map(|c| c.try_into().expect("D long")).collect();
+        let (orientation, side) = signs(&points);
+        let (i, j) = (i % (D + 1), j % (D + 1));
+        if i != j {
+            let mut swapped = points.clone();
+            swapped.swap(i, j);
+            assert_eq!(signs(&swapped), (-orientation, -side));
+        }
+        let mut exchanged = points.clone();
+        exchanged.swap(i, D + 1);
+        assert_eq!(signs(&exchanged).1, -side);
+        let negated: Vec<[f64; D]> = points.iter().map(|p| p.map(|x| -x)).collect();
+        let parity = if D % 2 == 0 { Sign::Positive } else { Sign::Negative };
+        assert_eq!(signs(&negated), (orientation * parity, side * parity));
+        let mut mirrored = points;
+        mirrored.iter_mut().for_each(|p| p[i.min(D - 1)] *= -1.0);
+        assert_eq!(signs(&mirrored), (-orientation, -side));
+    }
+
+    proptest! {
+        #[test]
+        fn signs_follow_permutation_and_negation(
+            values in proptest::collection::vec(coordinate(), 48),
+            i in 0usize..7,
+            j in 0usize..7,
+        ) {
+            symmetries_hold::<2>(&values, i, j);
+            symmetries_hold::<3>(&values, i, j);
+            symmetries_hold::<4>(&values, i, j);
+            symmetries_hold::<5>(&values, i, j);
+            symmetries_hold::<6>(&values, i, j);
+        }
+    }
+}

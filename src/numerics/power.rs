@@ -15,8 +15,8 @@ pub(super) fn biased_exponent(value: f64) -> i32 {
 
 /// 2^`exponent`, for -1022 to 1023.
 #[inline]
-pub(super) fn power_of_two(exponent: i32) -> f64 {
-    debug_assert!((-1022..=1023).contains(&exponent));
+pub(super) const fn power_of_two(exponent: i32) -> f64 {
+    debug_assert!(-1022 <= exponent && exponent <= 1023);
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 

@@ -72,8 +72,9 @@ pub const FAMILIES: [Family; 12] = [
 
 /// `count` points of one family.
 pub fn points<const D: usize>(family: Family, count: usize, random: &mut Random) -> Vec<[f64; D]> {
-    // Lattice families come at some scale of the whole exponent range, one for all the points.
-    let lattice_scale = 2f64.powi(random.integer(-1000, 1000) as i32);
+    // Lattice families come at some scale, one for all the points: often 1, else anywhere.
+    let exponent = if random.bits() & 1 == 0 { 0 } else { random.integer(-1000, 1000) };
+    let lattice_scale = 2f64.powi(exponent as i32);
     let (start, direction): ([f64; D], [f64; D]) =
         (each(|| random.integer(-9, 9) as f64), each(|| random.integer(-9, 9) as f64));
     let normal: [f64; D] = each(|| random.unit());
@@ -142,8 +143,8 @@ pub fn integer(value: f64) -> IBig {
     if value.is_sign_negative() { -magnitude } else { magnitude }
 }
 
-/// The sign of the determinant by Laplace expansion along the rows, minors remembered by columns.
-pub fn laplace_sign(matrix: &[Vec<IBig>]) -> Sign {
+/// The determinant by Laplace expansion along the rows, minors remembered by columns.
+pub fn laplace(matrix: &[Vec<IBig>]) -> IBig {
     fn minor(m: &[Vec<IBig>], columns: u32, known: &mut HashMap<u32, IBig>) -> IBig {
         if columns == 0 {
             return IBig::ONE;
@@ -162,8 +163,11 @@ pub fn laplace_sign(matrix: &[Vec<IBig>]) -> Sign {
         known.insert(columns, sum.clone());
         sum
     }
-    let determinant = minor(matrix, (1 << matrix.len()) - 1, &mut HashMap::new());
-    match determinant.cmp(&IBig::ZERO) {
+    minor(matrix, (1 << matrix.len()) - 1, &mut HashMap::new())
+}
+
+fn sign(value: IBig) -> Sign {
+    match value.cmp(&IBig::ZERO) {
         std::cmp::Ordering::Less => Sign::Negative,
         std::cmp::Ordering::Equal => Sign::Zero,
         std::cmp::Ordering::Greater => Sign::Positive,
@@ -175,7 +179,7 @@ pub fn orientation_oracle<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     let row = |p: &&[f64; D]| {
         std::iter::once(IBig::ONE).chain(p.iter().map(|x| integer(*x))).collect::<Vec<_>>()
     };
-    laplace_sign(&simplex.iter().map(row).collect::<Vec<_>>())
+    sign(laplace(&simplex.iter().map(row).collect::<Vec<_>>()))
 }
 
 /// The side of the sphere by the lifted homogeneous matrix with rows (1, p, |p|^2).
@@ -186,5 +190,41 @@ pub fn in_ball_oracle<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Si
         std::iter::once(IBig::ONE).chain(p).chain([square]).collect::<Vec<_>>()
     };
     // A point of the ball is below the lifted hyperplane.
-    laplace_sign(&simplex.iter().chain([&q]).map(row).collect::<Vec<_>>()).flip()
+    sign(laplace(&simplex.iter().chain([&q]).map(row).collect::<Vec<_>>())).flip()
+}
+
+/// The circumcentre relative to `points[anchor]` by Cramer's rule: numerators and the common
+/// denominator, in units of 2^-1074.
+pub fn circumcenter_oracle<const D: usize>(
+    points: &[&[f64; D]],
+    anchor: usize,
+) -> ([IBig; D], IBig) {
+    let others = points.iter().enumerate().filter(|(i, _)| *i != anchor).map(|(_, p)| p);
+    let edge = |p: &&[f64; D]| -> Vec<IBig> {
+        p.iter().zip(points[anchor]).map(|(x, o)| integer(*x) - integer(*o)).collect()
+    };
+    let rows: Vec<Vec<IBig>> = others.map(edge).collect();
+    let squares: Vec<IBig> =
+        rows.iter().map(|row| row.iter().fold(IBig::ZERO, |sum, x| sum + x * x)).collect();
+    let numerators = std::array::from_fn(|i| {
+        let mut replaced = rows.clone();
+        replaced.iter_mut().zip(&squares).for_each(|(row, square)| row[i] = square.clone());
+        laplace(&replaced)
+    });
+    (numerators, laplace(&rows) * 2)
+}
+
+/// Whether |value * 2^exponent - numerator / denominator| is at most `bound * 2^exponent`, with the
+/// quotient in units of 2^-1074.
+pub fn is_close(value: f64, bound: f64, exponent: i64, quotient: (&IBig, &IBig)) -> bool {
+    // value and bound are integers times 2^-1074: bring all to units of 2^(-4296).
+    const UNITS: i64 = 4296;
+    let scaled = |x: f64| integer(x) << (UNITS - 1074 + exponent) as usize;
+    let (numerator, denominator) = quotient;
+    let difference = scaled(value) * denominator - (numerator << (UNITS - 1074) as usize);
+    magnitude(difference) <= scaled(bound) * magnitude(denominator.clone())
+}
+
+fn magnitude(value: IBig) -> IBig {
+    if value < IBig::ZERO { -value } else { value }
 }

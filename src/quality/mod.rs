@@ -1,26 +1,189 @@
-//! quality
+//! Measures of a mesh (DESIGN section 4 has the conventions): Voronoi aspect, radius-edge ratio,
+//! angles, degrees. Computed from coordinates and simplices alone.
 
-use crate::mesh::Triangulation;
+pub(crate) mod angles;
+pub(crate) mod cells;
+pub(crate) mod corner;
+pub(crate) mod length;
+pub(crate) mod rational;
+pub(crate) mod tree;
+pub(crate) mod view;
 
-/// The quality of a mesh; DESIGN section 4 has the conventions.
+use crate::mesh::{NONE, Triangulation};
+use cells::{Cells, SimplexCell};
+use tree::DomainTree;
+use view::View;
+
+/// The quality of a mesh.
+///
+/// The aspect of a Voronoi cell is its out-radius (distance to the farthest corner) over its
+/// in-radius (half the distance to the nearest vertex); it is at least 1. A corner counts in a
+/// domain of radius r if it is within `CORNER_RESTRICTION * cage_scale * r` of the domain's centre
+/// (0.85 of the cage sphere's radius): corners beyond are the cage's business. Without domains
+/// (plain Delaunay) every corner counts. A figure over no cells at all is 0. Infinity stands for
+/// ratios beyond the doubles and for flat simplices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quality {
     /// Largest number of Delaunay neighbours of a vertex.
     pub max_degree: u32,
-    /// Worst Voronoi aspect of a non-cage vertex's cell, corners restricted to its domain.
+    /// Worst Voronoi aspect of the cells that a run bounds by tau: those of vertices that are
+    /// neither in a living cage, on the hull, nor precision-limited, over the corners that count
+    /// in the vertex's domain.
     pub worst_aspect: f64,
-    /// Worst Voronoi aspect of all cells off the hull, unrestricted.
+    /// Worst Voronoi aspect of all cells off the hull (cages and precision-limited ones too), over
+    /// all corners.
     pub worst_aspect_anywhere: f64,
+    /// Mean of the aspects of which `worst_aspect` is the largest.
     pub mean_aspect: f64,
-    /// Worst aspect of the union cell of a cage.
+    /// Worst aspect of the union cell of a cage (§4) other than the root's, over the corners that
+    /// count in the parent: largest distance of a corner to the centre, over half the sum of the
+    /// domain's radius and the distance from its centre to the nearest vertex outside the ball.
+    /// Cages with a precision-limited vertex or centre are left out.
     pub worst_cage_aspect: f64,
+    /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
+    /// on the hull, which is the root's cage. Their corners are not restricted.
     pub worst_radius_edge: f64,
-    /// Smallest angle (2D) or dihedral angle (3D and up).
+    /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees.
     pub min_angle_degrees: f64,
+    /// Number of vertices marked as precision-limited.
     pub precision_limited: u64,
 }
 
-/// Measures `triangulation`.
-pub fn measure(_triangulation: &Triangulation) -> Quality {
-    Quality::default()
+/// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
+/// out of range, answers all zeros: [`crate::validate::validate`] says what is wrong with it.
+///
+/// O(simplices) for a fixed dimension, plus sorting the edges.
+pub fn measure(triangulation: &Triangulation) -> Quality {
+    if !is_consistent(triangulation) {
+        return Quality::default();
+    }
+    match triangulation.dim {
+        2 => measure_in::<2>(triangulation),
+        3 => measure_in::<3>(triangulation),
+        4 => measure_in::<4>(triangulation),
+        5 => measure_in::<5>(triangulation),
+        6 => measure_in::<6>(triangulation),
+        7 => measure_in::<7>(triangulation),
+        8 => measure_in::<8>(triangulation),
+        _ => Quality::default(),
+    }
+}
+
+fn measure_in<const D: usize>(mesh: &Triangulation) -> Quality {
+    let view = View::<D> { mesh };
+    let on_hull = view.hull_vertices();
+    let tree = DomainTree::new(&mesh.domains);
+    let mut simplices = SimplexMeasures { radius_edge: 0.0, angle: f64::INFINITY };
+    let cells = Cells::survey(view, tree.as_ref(), 1.0, |cell| {
+        simplices.add(view, cell, &on_hull);
+    });
+    let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
+    let mut quality = Quality {
+        max_degree: max_degree(view),
+        worst_cage_aspect: worst_cage_aspect(mesh, &cells),
+        worst_radius_edge: simplices.radius_edge,
+        min_angle_degrees: simplices.angle_degrees(),
+        precision_limited: limited as u64,
+        ..Quality::default()
+    };
+    add_aspects(&mut quality, mesh, &cells, &on_hull);
+    quality
+}
+
+/// Figures over the simplices off the hull.
+struct SimplexMeasures {
+    radius_edge: f64,
+    angle: f64,
+}
+
+impl SimplexMeasures {
+    fn add<const D: usize>(&mut self, view: View<'_, D>, cell: &SimplexCell, on_hull: &[bool]) {
+        let vertices = view.simplex(cell.simplex);
+        if vertices.iter().any(|&v| on_hull[v as usize]) {
+            return;
+        }
+        let points = view.points_of(vertices);
+        self.radius_edge = self.radius_edge.max(cell.radius_edge);
+        self.angle = self.angle.min(angles::smallest_angle(&points[..View::<D>::CORNERS]));
+    }
+
+    fn angle_degrees(&self) -> f64 {
+        if self.angle.is_finite() { self.angle.to_degrees() } else { 0.0 }
+    }
+}
+
+fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hull: &[bool]) {
+    let (mut sum, mut count) = (0.0, 0u64);
+    for v in (0..on_hull.len()).filter(|&v| !on_hull[v]) {
+        let anywhere = cells.aspect_anywhere(v);
+        quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
+        if mesh.cage_of[v] == NONE && !mesh.precision_limited[v] {
+            let aspect = cells.aspect(v);
+            quality.worst_aspect = quality.worst_aspect.max(aspect);
+            sum += aspect;
+            count += 1;
+        }
+    }
+    if count > 0 {
+        quality.mean_aspect = sum / count as f64;
+    }
+}
+
+fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> f64 {
+    let limited = precision_limited_cages(mesh);
+    let cages = mesh.domains.iter().enumerate().skip(1).filter(|&(i, _)| !limited[i]);
+    cages.fold(0.0, |worst: f64, (i, domain)| worst.max(cells.cage_aspect(i, domain.radius)))
+}
+
+/// Domain -> whether its centre or a vertex of its cage is precision-limited, which exempts the
+/// cage from its bounds. Ids must be in range.
+pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Vec<bool> {
+    let centers = mesh.domains.iter().map(|domain| mesh.precision_limited[domain.center as usize]);
+    let mut limited: Vec<bool> = centers.collect();
+    for (&cage, _) in mesh.cage_of.iter().zip(&mesh.precision_limited).filter(|(_, l)| **l) {
+        if cage != NONE {
+            limited[cage as usize] = true;
+        }
+    }
+    limited
+}
+
+/// Largest number of distinct vertices that share a simplex with one vertex.
+fn max_degree<const D: usize>(view: View<'_, D>) -> u32 {
+    let mut edges = Vec::with_capacity(view.simplex_count() * View::<D>::CORNERS * D / 2);
+    for s in 0..view.simplex_count() {
+        for (i, &v) in view.simplex(s).iter().enumerate() {
+            for &w in &view.simplex(s)[i + 1..] {
+                edges.push(u64::from(v.min(w)) << 32 | u64::from(v.max(w)));
+            }
+        }
+    }
+    edges.sort_unstable();
+    edges.dedup();
+    let mut degrees = vec![0u32; view.vertex_count()];
+    for edge in edges {
+        degrees[(edge >> 32) as usize] += 1;
+        degrees[edge as u32 as usize] += 1;
+    }
+    degrees.into_iter().max().unwrap_or(0)
+}
+
+/// Whether array lengths fit and ids are in range, so that reading cannot go astray.
+fn is_consistent(mesh: &Triangulation) -> bool {
+    let vertices = mesh.kinds.len();
+    let corners = mesh.dim + 1;
+    let below = |ids: &[u32], end: usize| ids.iter().all(|&id| (id as usize) < end);
+    let below_or_none =
+        |ids: &[u32], end: usize| ids.iter().all(|&id| id == NONE || (id as usize) < end);
+    let per_vertex = [mesh.vertex_domains.len(), mesh.cage_of.len(), mesh.precision_limited.len()];
+    let labelled = mesh.domains.is_empty() || below(&mesh.vertex_domains, mesh.domains.len());
+    mesh.points.len() == vertices * mesh.dim
+        && per_vertex == [vertices; 3]
+        && mesh.simplices.len() % corners == 0
+        && mesh.neighbors.len() == mesh.simplices.len()
+        && below(&mesh.simplices, vertices)
+        && below_or_none(&mesh.neighbors, mesh.simplices.len() / corners)
+        && labelled
+        && below_or_none(&mesh.cage_of, mesh.domains.len())
+        && mesh.domains.iter().all(|domain| (domain.center as usize) < vertices)
 }

@@ -1,0 +1,178 @@
+//! Insertion against brute force: after every set of insertions each D-ball is empty of all points
+//! (exact signs), adjacency is closed, and every distinct point is a vertex.
+
+use super::{Cavity, Delaunay};
+use crate::complex::INFINITE;
+use crate::numerics::{Sign, affine_basis, in_ball, orientation};
+use proptest::prelude::*;
+
+/// Inserts all points in their order; those that coincide with a vertex are left out.
+fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
+    let basis = affine_basis::<D>(points.len(), |i| points[i]);
+    if basis.len() < D + 1 {
+        return None;
+    }
+    let mut delaunay = Delaunay::new(points.to_vec());
+    let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
+    delaunay.begin(&corners);
+    let (mut cavity, mut created) = (Cavity::default(), Vec::new());
+    let mut near = delaunay.complex().incident(corners[0]);
+    for vertex in 0..points.len() as u32 {
+        if delaunay.complex().contains_vertex(vertex) {
+            continue;
+        }
+        if let Some(start) = delaunay.locate(near, &points[vertex as usize]) {
+            delaunay.find_cavity(start, &points[vertex as usize], &mut cavity);
+            delaunay.insert(vertex, &cavity, &mut created);
+            near = created[0];
+        }
+    }
+    Some(delaunay)
+}
+
+fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<u32> {
+    let complex = delaunay.complex();
+    (0..complex.simplex_bound() as u32).filter(|&s| complex.is_live(s)).collect()
+}
+
+fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
+    for simplex in live_simplices(delaunay) {
+        let vertices = delaunay.complex().vertices(simplex);
+        let inserted = |v: &u32| delaunay.complex().contains_vertex(*v);
+        for other in (0..delaunay.point_count() as u32).filter(inserted) {
+            if vertices.contains(&other) {
+                continue;
+            }
+            let q = delaunay.point(other);
+            assert!(!delaunay.in_conflict(simplex, q), "{vertices:?} conflicts with {other}");
+            if !vertices.contains(&INFINITE) {
+                let corners = delaunay.corner_points(vertices);
+                assert_eq!(orientation(&corners[..=D]), Sign::Positive, "{vertices:?}");
+                assert_ne!(in_ball(&corners[..=D], q), Sign::Positive, "{vertices:?} {other}");
+            }
+        }
+    }
+}
+
+/// Adjacent simplices share the facet and name each other; each of D + 1 facets has one neighbour.
+fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
+    let complex = delaunay.complex();
+    let live = live_simplices(delaunay);
+    assert_eq!(live.len(), complex.simplex_count());
+    for simplex in live {
+        for (index, &neighbor) in complex.neighbors(simplex).iter().enumerate() {
+            assert!(complex.is_live(neighbor));
+            assert_eq!(complex.neighbors(neighbor).iter().filter(|&&n| n == simplex).count(), 1);
+            let shared = complex.vertices(simplex).iter().enumerate();
+            let missing = shared.filter(|&(_, v)| !complex.vertices(neighbor).contains(v));
+            assert_eq!(missing.map(|(i, _)| i).collect::<Vec<_>>(), [index]);
+        }
+    }
+}
+
+fn check<const D: usize>(points: &[[f64; D]]) -> Option<usize> {
+    let delaunay = triangulate(points)?;
+    assert_closed(&delaunay);
+    assert_delaunay(&delaunay);
+    let mut distinct: Vec<_> = points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
+    distinct.sort();
+    distinct.dedup();
+    let inserted = |v: &u32| delaunay.complex().contains_vertex(*v);
+    assert_eq!((0..points.len() as u32).filter(inserted).count(), distinct.len());
+    Some(delaunay.complex().simplex_count())
+}
+
+fn lattice<const D: usize>(side: usize) -> Vec<[f64; D]> {
+    (0..side.pow(D as u32))
+        .map(|i| std::array::from_fn(|axis| (i / side.pow(axis as u32) % side) as f64))
+        .collect()
+}
+
+#[test]
+fn lattices_are_triangulated_exactly() {
+    // A triangulated n x n square has 2 (n-1)^2 triangles and 4 (n-1) hull edges.
+    assert_eq!(check(&lattice::<2>(7)), Some(2 * 36 + 24));
+    assert!(check(&lattice::<3>(4)).is_some());
+    assert!(check(&lattice::<4>(2)).is_some());
+    assert!(check(&lattice::<5>(2)).is_some());
+}
+
+#[test]
+fn cospherical_points_leave_no_gap() {
+    let circle: Vec<[f64; 2]> = [(3, 4), (5, 0), (4, 3), (0, 5)]
+        .iter()
+        .flat_map(|&(x, y)| [(x, y), (-x, y), (x, -y), (-x, -y)])
+        .map(|(x, y)| [f64::from(x), f64::from(y)])
+        .collect();
+    // 12 distinct points on a circle: 10 triangles and 12 hull edges.
+    assert_eq!(check(&circle), Some(22));
+}
+
+#[test]
+fn points_one_ulp_apart_stay_distinct() {
+    let near = 1f64.next_up();
+    let points = [[1.0, 1.0], [near, 1.0], [1.0, near], [near, near], [2.0, 1.5], [0.0, 0.5]];
+    assert!(check(&points).is_some());
+}
+
+#[test]
+fn every_exponent_is_ordinary() {
+    let tiny = f64::from_bits(1);
+    let points = [[tiny, 0.0, 1.0], [-tiny, 3.0 * tiny, 0.0], [1e-200, 1e200, 0.0]];
+    let more = [[1e300, -1e300, 1e100], [0.0, 0.0, 0.0], [1.0, 1.0, -1e-300], [8e307, 8e307, 1.0]];
+    let all: Vec<[f64; 3]> = points.into_iter().chain(more).collect();
+    assert!(check(&all).is_some());
+}
+
+#[test]
+fn flat_sets_have_no_complex() {
+    let line: Vec<[f64; 3]> = (0..9).map(|i| [f64::from(i), 2.0 * f64::from(i), 1.0]).collect();
+    assert!(triangulate(&line).is_none());
+}
+
+fn points<const D: usize>(
+    coordinate: impl Strategy<Value = f64> + Clone,
+) -> impl Strategy<Value = Vec<[f64; D]>> {
+    let point = prop::collection::vec(coordinate, D)
+        .prop_map(|coordinates| <[f64; D]>::try_from(coordinates).expect("D coordinates"));
+    prop::collection::vec(point, D + 1..24)
+}
+
+fn raw_finite() -> impl Strategy<Value = f64> + Clone {
+    any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
+}
+
+fn small_integers() -> impl Strategy<Value = f64> + Clone {
+    (-2i32..=2).prop_map(f64::from)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn random_points_2d(points in points::<2>(-1.0..1.0)) { check(&points); }
+
+    #[test]
+    fn random_points_3d(points in points::<3>(-1.0..1.0)) { check(&points); }
+
+    #[test]
+    fn random_points_4d(points in points::<4>(-1.0..1.0)) { check(&points); }
+
+    #[test]
+    fn small_lattice_points_2d(points in points::<2>(small_integers())) { check(&points); }
+
+    #[test]
+    fn small_lattice_points_3d(points in points::<3>(small_integers())) { check(&points); }
+
+    #[test]
+    fn small_lattice_points_4d(points in points::<4>(small_integers())) { check(&points); }
+
+    #[test]
+    fn raw_bit_patterns_2d(points in points::<2>(raw_finite())) { check(&points); }
+
+    #[test]
+    fn raw_bit_patterns_3d(points in points::<3>(raw_finite())) { check(&points); }
+
+    #[test]
+    fn raw_bit_patterns_4d(points in points::<4>(raw_finite())) { check(&points); }
+}

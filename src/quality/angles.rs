@@ -1,0 +1,67 @@
+//! Angles of simplices: the dihedral angles at the ridges, which in 2D are the angles.
+
+use super::corner::normals;
+use super::view::View;
+
+/// The smallest (dihedral) angle of the simplex `points`, in radians; 0 if it is flat.
+pub(crate) fn smallest_angle<const D: usize>(points: &[&[f64; D]]) -> f64 {
+    let Some(normals) = normals(points) else {
+        return 0.0;
+    };
+    let units = normals.map(unit);
+    let corners = View::<D>::CORNERS;
+    let mut smallest = f64::INFINITY;
+    for i in 0..corners {
+        for j in i + 1..corners {
+            smallest = smallest.min(angle_inside(&units[i], &units[j]));
+        }
+    }
+    smallest
+}
+
+fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
+    let norm = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    vector.map(|x| x / norm)
+}
+
+/// The angle between two facets with these inward unit normals: pi minus that of the normals,
+/// from the half-angle's tangent, which is accurate at both ends.
+fn angle_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    let norm = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>().sqrt();
+    2.0 * norm(1.0).atan2(norm(-1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn degrees<const D: usize>(points: &[[f64; D]]) -> f64 {
+        smallest_angle(&points.iter().collect::<Vec<_>>()).to_degrees()
+    }
+
+    #[test]
+    fn known_angles() {
+        assert!((degrees(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]) - 45.0).abs() < 1e-12);
+        assert!(
+            (degrees(&[[0.0, 0.0], [2e300, 0.0], [1e300, 3f64.sqrt() * 1e300]]) - 60.0).abs()
+                < 1e-9
+        );
+        let regular = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+        assert!((degrees(&regular) - (1.0f64 / 3.0).acos().to_degrees()).abs() < 1e-12);
+        let corner = [
+            [0.0; 4],
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ];
+        assert!((degrees(&corner) - 60.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn thin_and_flat_simplices() {
+        let thin = degrees(&[[0.0, 0.0], [1.0, 0.0], [0.5, 1e-12]]).to_radians();
+        assert!((thin / 2e-12 - 1.0).abs() < 1e-3, "{thin}");
+        assert_eq!(degrees(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]), 0.0);
+    }
+}

@@ -1,0 +1,214 @@
+//! Lengths and offsets with their own exponent: nothing here over- or underflows, whatever finite
+//! doubles come in. Shared by the measures and the certificate, and by nothing that builds.
+
+use std::cmp::Ordering;
+
+/// `2^exponent` for an exponent of a normal double.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+/// `value * 2^exponent`, exact unless the result leaves the normal range.
+pub(crate) fn scale(value: f64, exponent: i32) -> f64 {
+    let mut value = value;
+    let mut exponent = exponent.clamp(-4200, 4200);
+    while exponent > 1000 {
+        value *= power_of_two(1000);
+        exponent -= 1000;
+    }
+    while exponent < -1000 {
+        value *= power_of_two(-1000);
+        exponent += 1000;
+    }
+    value * power_of_two(exponent)
+}
+
+/// The exponent `e` with `2^e <= |value| < 2^(e+1)`; `None` for zero and what is not finite.
+pub(crate) fn exponent_of(value: f64) -> Option<i32> {
+    if value == 0.0 || !value.is_finite() {
+        return None;
+    }
+    let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
+    Some(match biased(value) {
+        0 => biased(value * power_of_two(64)) - 64 - 1023,
+        normal => normal - 1023,
+    })
+}
+
+/// A length `mantissa * 2^exponent` with the mantissa in \[1, 2); zero and infinity are their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Length {
+    mantissa: f64,
+    exponent: i32,
+}
+
+impl Length {
+    pub const ZERO: Self = Self { mantissa: 0.0, exponent: i32::MIN };
+    pub const INFINITE: Self = Self { mantissa: f64::INFINITY, exponent: i32::MAX };
+
+    /// `value * 2^exponent`; `value >= 0`. What is not a number counts as infinite.
+    pub fn scaled(value: f64, exponent: i32) -> Self {
+        if value == 0.0 {
+            return Self::ZERO;
+        }
+        match exponent_of(value) {
+            Some(own) => Self { mantissa: scale(value, -own), exponent: own + exponent },
+            None => Self::INFINITE,
+        }
+    }
+
+    pub fn new(value: f64) -> Self {
+        Self::scaled(value, 0)
+    }
+
+    /// The distance of two points.
+    pub fn between<const D: usize>(p: &[f64; D], q: &[f64; D]) -> Self {
+        let squared: f64 = p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum();
+        if (1e-250..1e250).contains(&squared) {
+            return Self::new(squared.sqrt());
+        }
+        Offset::between(p, q).length()
+    }
+
+    pub fn times(self, factor: f64) -> Self {
+        if self == Self::ZERO || self == Self::INFINITE {
+            return self;
+        }
+        Self::scaled(self.mantissa * factor, self.exponent)
+    }
+
+    pub fn plus(self, other: Self) -> Self {
+        let (small, large) = if self < other { (self, other) } else { (other, self) };
+        if small == Self::ZERO || large == Self::INFINITE {
+            return large;
+        }
+        let aligned = scale(small.mantissa, small.exponent - large.exponent);
+        Self::scaled(large.mantissa + aligned, large.exponent)
+    }
+
+    /// `self / other` as a double: 0 or infinity where it does not fit.
+    pub fn ratio(self, other: Self) -> f64 {
+        if self == Self::ZERO || other == Self::INFINITE {
+            return 0.0;
+        }
+        if self == Self::INFINITE || other == Self::ZERO {
+            return f64::INFINITY;
+        }
+        scale(self.mantissa / other.mantissa, self.exponent.saturating_sub(other.exponent))
+    }
+
+    /// The nearest double: 0 or infinity where it does not fit. For messages.
+    pub fn to_f64(self) -> f64 {
+        self.ratio(Self::new(1.0))
+    }
+
+    pub fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+
+    pub fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+}
+
+impl PartialOrd for Length {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.exponent.cmp(&other.exponent) {
+            Ordering::Equal => self.mantissa.partial_cmp(&other.mantissa),
+            unequal => Some(unequal),
+        }
+    }
+}
+
+/// A vector `vector * 2^exponent` whose largest component has magnitude in \[1, 2), or zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Offset<const D: usize> {
+    pub vector: [f64; D],
+    pub exponent: i32,
+}
+
+impl<const D: usize> Offset<D> {
+    pub const ZERO: Self = Self { vector: [0.0; D], exponent: i32::MIN / 2 };
+
+    /// `p - q`, each component rounded once.
+    pub fn between(p: &[f64; D], q: &[f64; D]) -> Self {
+        let difference: [f64; D] = std::array::from_fn(|k| p[k] - q[k]);
+        if difference.iter().all(|x| x.is_finite()) {
+            return Self::normalized(difference, 0);
+        }
+        // The vector is longer than any double: what halving loses of tiny components is nothing.
+        Self::normalized(std::array::from_fn(|k| p[k] / 2.0 - q[k] / 2.0), 1)
+    }
+
+    /// `vector * 2^exponent`, normalised.
+    pub fn normalized(vector: [f64; D], exponent: i32) -> Self {
+        let largest = vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        match exponent_of(largest) {
+            Some(own) => Self { vector: vector.map(|x| scale(x, -own)), exponent: exponent + own },
+            None => Self::ZERO,
+        }
+    }
+
+    pub fn plus(&self, other: &Self) -> Self {
+        let exponent = self.exponent.max(other.exponent);
+        let aligned = |offset: &Self, k: usize| scale(offset.vector[k], offset.exponent - exponent);
+        let sum = std::array::from_fn(|k| aligned(self, k) + aligned(other, k));
+        Self::normalized(sum, exponent)
+    }
+
+    /// The squared length in units of `2^(2 exponent)`: in \[1, 4 D), or zero.
+    pub fn squared_mantissa(&self) -> f64 {
+        self.vector.iter().map(|x| x * x).sum()
+    }
+
+    pub fn length(&self) -> Length {
+        Length::scaled(self.squared_mantissa().sqrt(), self.exponent)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TINY: f64 = 5e-324;
+
+    #[test]
+    fn lengths_survive_both_ends_of_the_doubles() {
+        let huge = Length::between(&[f64::MAX, 0.0], &[-f64::MAX, 0.0]);
+        assert_eq!(huge.ratio(Length::new(f64::MAX)), 2.0);
+        let tiny = Length::between(&[TINY, 0.0], &[0.0, TINY]);
+        assert!((tiny.ratio(Length::new(TINY)) - 2f64.sqrt()).abs() < 1e-15);
+        assert_eq!(huge.ratio(tiny), f64::INFINITY);
+        assert_eq!(tiny.ratio(huge), 0.0);
+    }
+
+    #[test]
+    fn lengths_are_ordered_and_added() {
+        let (one, three) = (Length::new(1.0), Length::new(3.0));
+        assert!(one < three && Length::ZERO < one && three < Length::INFINITE);
+        assert_eq!(one.plus(three).to_f64(), 4.0);
+        assert_eq!(Length::ZERO.plus(three), three);
+        assert_eq!(three.times(0.25).to_f64(), 0.75);
+        assert_eq!(one.max(three), three);
+        assert_eq!(one.min(Length::INFINITE), one);
+    }
+
+    #[test]
+    fn scaling_and_exponents_agree() {
+        for value in [1.0, 1.5, -3.0, TINY, 2.5e-310, f64::MAX, f64::MIN_POSITIVE] {
+            let exponent = exponent_of(value).unwrap();
+            let mantissa = scale(value, -exponent);
+            assert!((1.0..2.0).contains(&mantissa.abs()), "{value}: {mantissa}");
+            assert_eq!(scale(mantissa, exponent), value);
+        }
+        assert_eq!(exponent_of(0.0), None);
+    }
+
+    #[test]
+    fn offsets_of_unlike_scales_add() {
+        let far = Offset::between(&[1e300, 0.0], &[0.0, 0.0]);
+        let near = Offset::between(&[0.0, 1e-300], &[0.0, 0.0]);
+        assert_eq!(far.plus(&near).length().to_f64(), 1e300);
+        assert_eq!(Offset::ZERO.plus(&near).length(), near.length());
+    }
+}

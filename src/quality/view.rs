@@ -1,0 +1,58 @@
+//! A [`Triangulation`] read with its dimension as a type.
+
+use crate::mesh::{MAX_DIM, NONE, Triangulation};
+
+#[derive(Clone, Copy)]
+pub(crate) struct View<'a, const D: usize> {
+    pub mesh: &'a Triangulation,
+}
+
+impl<'a, const D: usize> View<'a, D> {
+    pub const CORNERS: usize = D + 1;
+
+    pub fn vertex_count(self) -> usize {
+        self.mesh.kinds.len()
+    }
+
+    pub fn simplex_count(self) -> usize {
+        self.mesh.simplices.len() / Self::CORNERS
+    }
+
+    pub fn point(self, vertex: u32) -> &'a [f64; D] {
+        let start = vertex as usize * D;
+        self.mesh.points[start..start + D].try_into().expect("D coordinates")
+    }
+
+    /// The `D + 1` vertices of a simplex.
+    pub fn simplex(self, simplex: usize) -> &'a [u32] {
+        &self.mesh.simplices[simplex * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    /// The `D + 1` neighbours of a simplex, the i-th opposite vertex i.
+    pub fn neighbors(self, simplex: usize) -> &'a [u32] {
+        &self.mesh.neighbors[simplex * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    /// The points of `vertices` (at most `D + 1`); what follows them repeats the first.
+    pub fn points_of(self, vertices: &[u32]) -> [&'a [f64; D]; MAX_DIM + 1] {
+        let mut points = [self.point(vertices[0]); MAX_DIM + 1];
+        for (point, &vertex) in points.iter_mut().zip(vertices) {
+            *point = self.point(vertex);
+        }
+        points
+    }
+
+    /// Vertex -> whether it is on the hull.
+    pub fn hull_vertices(self) -> Vec<bool> {
+        let mut on_hull = vec![false; self.vertex_count()];
+        for s in 0..self.simplex_count() {
+            let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));
+            for i in (0..Self::CORNERS).filter(|&i| neighbors[i] == NONE) {
+                for (_, &v) in vertices.iter().enumerate().filter(|&(j, _)| j != i) {
+                    on_hull[v as usize] = true;
+                }
+            }
+        }
+        on_hull
+    }
+}

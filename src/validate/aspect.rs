@@ -1,0 +1,87 @@
+//! Level 3: tau-quality (Definition 4), with the corners restricted as DESIGN section 5 says.
+
+use super::report::{Findings, Violation, ViolationKind};
+use crate::mesh::NONE;
+use crate::options::Criterion;
+use crate::quality::cells::{Cells, SimplexCell};
+use crate::quality::precision_limited_cages;
+use crate::quality::tree::DomainTree;
+use crate::quality::view::View;
+
+/// The builder compares rounded radii; so does this, with other roundings.
+const SLACK: f64 = 1e-7;
+
+/// Surveys the cells of the mesh, checking the bound on simplices on the way if that is the
+/// run's criterion. Corners within a rounding of the restriction do not count.
+pub(super) fn survey<const D: usize>(
+    view: View<'_, D>,
+    tree: &DomainTree,
+    findings: &mut Findings,
+) -> Cells {
+    let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
+    Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
+        if per_simplex && cell.counts {
+            check_simplex(view, cell, findings);
+        }
+    })
+}
+
+/// Checks the aspect of the cells of vertices and cages if that is the run's criterion.
+pub(super) fn check<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut Findings) {
+    if view.mesh.parameters.criterion == Criterion::VoronoiAspect {
+        (0..view.vertex_count())
+            .filter(|&v| is_bounded(view, v))
+            .for_each(|v| check_vertex(view, cells, v, findings));
+        check_cages(view, cells, findings);
+    }
+}
+
+/// Whether the bound is promised for the cell of `v`.
+fn is_bounded<const D: usize>(view: View<'_, D>, v: usize) -> bool {
+    view.mesh.cage_of[v] == NONE && !view.mesh.precision_limited[v]
+}
+
+fn bound<const D: usize>(view: View<'_, D>) -> f64 {
+    view.mesh.parameters.quality_bound * (1.0 + SLACK)
+}
+
+fn check_vertex<const D: usize>(
+    view: View<'_, D>,
+    cells: &Cells,
+    v: usize,
+    findings: &mut Findings,
+) {
+    let aspect = cells.aspect(v);
+    findings.check(aspect <= bound(view), || {
+        let (label, limit) = (view.mesh.vertex_domains[v], view.mesh.parameters.quality_bound);
+        let message = format!("the cell of vertex {v} has aspect {aspect}, the bound is {limit}");
+        Violation::new(ViolationKind::VertexAspect, message).vertex(v).domain(label as usize)
+    });
+}
+
+fn check_cages<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut Findings) {
+    let limited = precision_limited_cages(view.mesh);
+    let cages = view.mesh.domains.iter().enumerate().skip(1);
+    for (i, domain) in cages.filter(|&(i, _)| !limited[i]) {
+        let aspect = cells.cage_aspect(i, domain.radius);
+        findings.check(aspect <= bound(view), || {
+            let limit = view.mesh.parameters.quality_bound;
+            let message =
+                format!("the union cell of cage {i} has aspect {aspect}, the bound is {limit}");
+            Violation::new(ViolationKind::CageAspect, message).domain(i)
+        });
+    }
+}
+
+fn check_simplex<const D: usize>(view: View<'_, D>, cell: &SimplexCell, findings: &mut Findings) {
+    let s = cell.simplex;
+    if !view.simplex(s).iter().all(|&v| is_bounded(view, v as usize)) {
+        return;
+    }
+    findings.check(cell.radius_edge <= bound(view), || {
+        let (ratio, limit) = (cell.radius_edge, view.mesh.parameters.quality_bound);
+        let message =
+            format!("simplex {s} has circumradius / shortest edge {ratio}, the bound is {limit}");
+        Violation::new(ViolationKind::RadiusEdge, message).simplex(s)
+    });
+}

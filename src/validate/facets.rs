@@ -1,0 +1,137 @@
+//! Level 1: facets, found by sorting all of them, and compared with the neighbour array.
+
+use super::report::{Findings, Violation, ViolationKind};
+use crate::mesh::NONE;
+use crate::quality::view::View;
+
+/// A facet by its sorted vertices, and where it was met: simplex and position of its apex.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Facet<const D: usize> {
+    vertices: [u32; D],
+    simplex: u32,
+    apex: u32,
+}
+
+/// Checks that every facet is in one or two simplices, and that the neighbours say so too.
+/// Returns the number of distinct facets.
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> usize {
+    let facets = sorted_facets(view);
+    let groups = facets.chunk_by(|a, b| a.vertices == b.vertices);
+    let mut count = 0;
+    for group in groups {
+        count += 1;
+        if check_duplicates(view, group, findings) && check_overfull(view, group, findings) {
+            check_neighbors(view, group, findings);
+        }
+    }
+    check_connected(view, findings);
+    count
+}
+
+fn sorted_facets<const D: usize>(view: View<'_, D>) -> Vec<Facet<D>> {
+    let mut facets = Vec::with_capacity(view.mesh.simplices.len());
+    for s in 0..view.simplex_count() {
+        let simplex = view.simplex(s);
+        for apex in 0..View::<D>::CORNERS {
+            let mut vertices: [u32; D] =
+                std::array::from_fn(|k| simplex[k + usize::from(k >= apex)]);
+            vertices.sort_unstable();
+            facets.push(Facet { vertices, simplex: s as u32, apex: apex as u32 });
+        }
+    }
+    facets.sort_unstable();
+    facets
+}
+
+fn apex<const D: usize>(view: View<'_, D>, facet: &Facet<D>) -> u32 {
+    view.simplex(facet.simplex as usize)[facet.apex as usize]
+}
+
+fn check_duplicates<const D: usize>(
+    view: View<'_, D>,
+    group: &[Facet<D>],
+    findings: &mut Findings,
+) -> bool {
+    let mut apexes: Vec<(u32, u32)> = Vec::new();
+    if let [a, b] = group {
+        if apex(view, a) == apex(view, b) {
+            apexes.extend([(apex(view, a), a.simplex), (apex(view, b), b.simplex)]);
+        }
+    } else if group.len() > 2 {
+        apexes.extend(group.iter().map(|facet| (apex(view, facet), facet.simplex)));
+        apexes.sort_unstable();
+    }
+    let twin = apexes.windows(2).find(|pair| pair[0].0 == pair[1].0);
+    findings.check(twin.is_none(), || {
+        let (a, b) = twin.map_or((0, 0), |pair| (pair[0].1, pair[1].1));
+        let message = format!("simplices {a} and {b} have the same vertices");
+        Violation::new(ViolationKind::DuplicateSimplex, message).simplex(b as usize)
+    })
+}
+
+fn check_overfull<const D: usize>(
+    view: View<'_, D>,
+    group: &[Facet<D>],
+    findings: &mut Findings,
+) -> bool {
+    findings.check(group.len() <= 2, || {
+        let (vertices, count) = (group[0].vertices, group.len());
+        let message = format!("facet {vertices:?} is in {count} simplices, at most 2 may share it");
+        let violation = Violation::new(ViolationKind::OverfullFacet, message);
+        violation.simplex(group[2].simplex as usize).vertex(apex(view, &group[2]) as usize)
+    })
+}
+
+/// Compares a facet's one or two simplices with what they name across it.
+fn check_neighbors<const D: usize>(view: View<'_, D>, group: &[Facet<D>], findings: &mut Findings) {
+    for (i, facet) in group.iter().enumerate() {
+        let s = facet.simplex;
+        let named = view.neighbors(s as usize)[facet.apex as usize];
+        let shares = if group.len() == 2 { group[1 - i].simplex } else { NONE };
+        findings.check(named == shares, || {
+            let (kind, message) = describe(view, s, named, shares);
+            Violation::new(kind, message).simplex(s as usize).vertex(apex(view, facet) as usize)
+        });
+    }
+}
+
+fn describe<const D: usize>(
+    view: View<'_, D>,
+    s: u32,
+    named: u32,
+    shares: u32,
+) -> (ViolationKind, String) {
+    if named == NONE {
+        let message = format!("simplex {s} names no neighbour across a facet shared with {shares}");
+        return (ViolationKind::MissingNeighbor, message);
+    }
+    if !view.neighbors(named as usize).contains(&s) {
+        let message = format!("simplex {s} names neighbour {named}, which does not name it back");
+        return (ViolationKind::AsymmetricNeighbor, message);
+    }
+    let message = match shares {
+        NONE => format!("simplex {s} names neighbour {named} across a hull facet"),
+        _ => format!("simplex {s} names neighbour {named} across a facet shared with {shares}"),
+    };
+    (ViolationKind::NeighborFacet, message)
+}
+
+fn check_connected<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
+    let mut reached = vec![false; view.simplex_count()];
+    let mut stack = vec![0];
+    reached[0] = true;
+    while let Some(s) = stack.pop() {
+        for &n in view.neighbors(s).iter().filter(|&&n| n != NONE) {
+            if !reached[n as usize] {
+                reached[n as usize] = true;
+                stack.push(n as usize);
+            }
+        }
+    }
+    let missed = reached.iter().position(|&reached| !reached);
+    findings.check(missed.is_none(), || {
+        let missed = missed.unwrap_or(0);
+        let message = format!("simplex {missed} cannot be reached from simplex 0 through facets");
+        Violation::new(ViolationKind::Disconnected, message).simplex(missed)
+    });
+}

@@ -1,0 +1,88 @@
+//! Level 2: exact signs on every simplex and every interior facet.
+
+use super::report::{Findings, Violation, ViolationKind};
+use crate::mesh::NONE;
+use crate::numerics::{Sign, in_ball, orientation};
+use crate::quality::view::View;
+
+/// Checks orientations, folds and local Delaunay-ness; level 1 must hold. Returns whether all
+/// simplices are positively oriented and none is folded onto a neighbour.
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> bool {
+    let positive: Vec<bool> =
+        (0..view.simplex_count()).map(|s| check_orientation(view, s, findings)).collect();
+    let mut unfolded = true;
+    for s in 0..view.simplex_count() {
+        for slot in 0..View::<D>::CORNERS {
+            let neighbor = view.neighbors(s)[slot];
+            if neighbor == NONE || (neighbor as usize) < s {
+                continue;
+            }
+            unfolded &= check_fold(view, s, slot, findings);
+            if positive[s] && positive[neighbor as usize] {
+                check_delaunay(view, s, slot, findings);
+            }
+        }
+    }
+    unfolded && positive.iter().all(|&positive| positive)
+}
+
+fn check_orientation<const D: usize>(view: View<'_, D>, s: usize, findings: &mut Findings) -> bool {
+    let points = view.points_of(view.simplex(s));
+    let sign = orientation(&points[..View::<D>::CORNERS]);
+    findings.check(sign == Sign::Positive, || {
+        let word = if sign == Sign::Zero { "flat" } else { "negatively oriented" };
+        Violation::new(ViolationKind::Orientation, format!("simplex {s} is {word}")).simplex(s)
+    })
+}
+
+/// The vertex of the neighbour at `slot` that is not in `s`.
+fn opposite<const D: usize>(view: View<'_, D>, s: usize, slot: usize) -> u32 {
+    let neighbor = view.neighbors(s)[slot] as usize;
+    let back = view.neighbors(neighbor).iter().position(|&n| n as usize == s);
+    view.simplex(neighbor)[back.expect("level 1 holds")]
+}
+
+/// Two positively oriented simplices lie on different sides of their facet iff replacing the apex
+/// of one by that of the other gives an odd permutation of the other: no coordinates needed.
+fn check_fold<const D: usize>(
+    view: View<'_, D>,
+    s: usize,
+    slot: usize,
+    findings: &mut Findings,
+) -> bool {
+    let neighbor = view.neighbors(s)[slot] as usize;
+    let mut replaced = [NONE; 9];
+    replaced[..View::<D>::CORNERS].copy_from_slice(view.simplex(s));
+    replaced[slot] = opposite(view, s, slot);
+    let even = parity(&replaced[..View::<D>::CORNERS]) == parity(view.simplex(neighbor));
+    findings.check(!even, || {
+        let message = format!("neighbours {s} and {neighbor} lie on the same side of their facet");
+        Violation::new(ViolationKind::FoldedFacet, message).simplex(s)
+    })
+}
+
+/// Whether the number of inversions is odd.
+fn parity(ids: &[u32]) -> bool {
+    let later = |(i, a): (usize, &u32)| ids[i + 1..].iter().filter(|&b| b < a).count();
+    ids.iter().enumerate().map(later).sum::<usize>() % 2 == 1
+}
+
+/// The exact sign seen from the other side is the same determinant, so one side is enough.
+fn check_delaunay<const D: usize>(
+    view: View<'_, D>,
+    s: usize,
+    slot: usize,
+    findings: &mut Findings,
+) {
+    let points = view.points_of(view.simplex(s));
+    let vertex = opposite(view, s, slot);
+    let sign = in_ball(&points[..View::<D>::CORNERS], view.point(vertex));
+    findings.check(sign != Sign::Positive, || {
+        let neighbor = view.neighbors(s)[slot];
+        let message = format!(
+            "vertex {vertex} of simplex {neighbor} is inside the circumball of simplex {s}"
+        );
+        let violation = Violation::new(ViolationKind::Delaunay, message);
+        violation.simplex(s).vertex(vertex as usize)
+    });
+}

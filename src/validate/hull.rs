@@ -1,0 +1,154 @@
+//! Level 1: the hull is a closed connected manifold.
+
+use super::report::{Findings, Violation, ViolationKind};
+use crate::mesh::NONE;
+use crate::quality::view::View;
+
+/// A hull facet: its vertices, and the simplex it bounds.
+struct HullFacet<const D: usize> {
+    vertices: [u32; D],
+    simplex: u32,
+}
+
+/// A ridge by its sorted vertices (padded with [`NONE`]) and the hull facet it was met in.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Ridge<const D: usize> {
+    vertices: [u32; D],
+    facet: u32,
+}
+
+/// Checks the hull of a complex whose facets and neighbours hold.
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
+    let facets = hull_facets(view);
+    let exists = findings.check(!facets.is_empty(), || {
+        Violation::new(ViolationKind::HullRidge, "the mesh has no hull facet")
+    });
+    if !exists {
+        return;
+    }
+    let mut connected = Sets::new(facets.len());
+    // Node (facet, position): that facet seen from its vertex at that position.
+    let mut around = Sets::new(facets.len() * D);
+    let mut closed = true;
+    for pair in sorted_ridges(&facets).chunk_by(|a, b| a.vertices == b.vertices) {
+        closed &= check_ridge(&facets, pair, findings);
+        if let [a, b] = pair {
+            connected.join(a.facet as usize, b.facet as usize);
+            for &v in pair[0].vertices.iter().filter(|&&v| v != NONE) {
+                around.join(node(&facets, a.facet, v), node(&facets, b.facet, v));
+            }
+        }
+    }
+    if closed {
+        check_connected(&facets, &mut connected, findings);
+        check_links(view, &facets, &mut around, findings);
+    }
+}
+
+fn hull_facets<const D: usize>(view: View<'_, D>) -> Vec<HullFacet<D>> {
+    let mut facets = Vec::new();
+    for s in 0..view.simplex_count() {
+        let simplex = view.simplex(s);
+        for (apex, _) in view.neighbors(s).iter().enumerate().filter(|&(_, &n)| n == NONE) {
+            let vertices = std::array::from_fn(|k| simplex[k + usize::from(k >= apex)]);
+            facets.push(HullFacet { vertices, simplex: s as u32 });
+        }
+    }
+    facets
+}
+
+fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> Vec<Ridge<D>> {
+    let mut ridges = Vec::with_capacity(facets.len() * D);
+    for (f, facet) in facets.iter().enumerate() {
+        for skipped in 0..D {
+            let mut vertices = facet.vertices;
+            vertices[skipped] = NONE;
+            vertices.sort_unstable();
+            ridges.push(Ridge { vertices, facet: f as u32 });
+        }
+    }
+    ridges.sort_unstable();
+    ridges
+}
+
+fn node<const D: usize>(facets: &[HullFacet<D>], facet: u32, vertex: u32) -> usize {
+    let vertices = &facets[facet as usize].vertices;
+    facet as usize * D + vertices.iter().position(|&v| v == vertex).unwrap_or(0)
+}
+
+fn check_ridge<const D: usize>(
+    facets: &[HullFacet<D>],
+    group: &[Ridge<D>],
+    findings: &mut Findings,
+) -> bool {
+    findings.check(group.len() == 2, || {
+        let (ridge, count) = (&group[0].vertices[..D - 1], group.len());
+        let message = format!("hull ridge {ridge:?} is in {count} hull facets instead of 2");
+        let violation = Violation::new(ViolationKind::HullRidge, message);
+        let simplex = facets[group[0].facet as usize].simplex;
+        violation.simplex(simplex as usize).vertex(ridge[0] as usize)
+    })
+}
+
+fn check_connected<const D: usize>(
+    facets: &[HullFacet<D>],
+    connected: &mut Sets,
+    findings: &mut Findings,
+) {
+    let root = connected.find(0);
+    let apart = (0..facets.len()).find(|&f| connected.find(f) != root);
+    findings.check(apart.is_none(), || {
+        let simplex = facets[apart.unwrap_or(0)].simplex as usize;
+        let message = format!("the hull facet of simplex {simplex} is apart from the others");
+        Violation::new(ViolationKind::HullDisconnected, message).simplex(simplex)
+    });
+}
+
+/// Checks that the hull facets at each vertex are one cycle: one component round it.
+fn check_links<const D: usize>(
+    view: View<'_, D>,
+    facets: &[HullFacet<D>],
+    around: &mut Sets,
+    findings: &mut Findings,
+) {
+    let mut components = vec![NONE; view.vertex_count()];
+    for (f, facet) in facets.iter().enumerate() {
+        for (k, &v) in facet.vertices.iter().enumerate() {
+            let root = around.find(f * D + k) as u32;
+            let known = &mut components[v as usize];
+            if *known == NONE {
+                *known = root;
+            }
+            findings.check(*known == root, || {
+                let message = format!("the hull facets at vertex {v} are not connected there");
+                let violation = Violation::new(ViolationKind::HullLink, message);
+                violation.simplex(facet.simplex as usize).vertex(v as usize)
+            });
+        }
+    }
+}
+
+/// Disjoint sets with path halving.
+struct Sets {
+    parents: Vec<u32>,
+}
+
+impl Sets {
+    fn new(count: usize) -> Self {
+        Self { parents: (0..count as u32).collect() }
+    }
+
+    fn find(&mut self, mut item: usize) -> usize {
+        while self.parents[item] as usize != item {
+            let above = self.parents[item] as usize;
+            self.parents[item] = self.parents[above];
+            item = above;
+        }
+        item
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.find(a), self.find(b));
+        self.parents[a.max(b)] = a.min(b) as u32;
+    }
+}

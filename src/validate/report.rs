@@ -1,0 +1,222 @@
+//! What the checker says: kinds of violations, the first one in words, and counts.
+
+use crate::mesh::NONE;
+
+/// Bytes of a message that fit the C ABI's `char[160]` with its NUL.
+const MESSAGE_BYTES: usize = 159;
+
+/// The rule that a [`Violation`] breaks (values are part of the C ABI: append only). 1 to 99 belong
+/// to level 1, 101 to 199 to level 2, 201 to 299 to level 3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum ViolationKind {
+    None = 0,
+
+    /// An array does not have the length that the number of vertices or simplices asks for.
+    ArrayLength = 1,
+    /// A coordinate is infinite or not a number.
+    NonFinite = 2,
+    /// A simplex names a vertex that does not exist.
+    VertexOutOfRange = 3,
+    /// A simplex names a vertex twice.
+    RepeatedVertex = 4,
+    /// A vertex is in no simplex.
+    UnusedVertex = 5,
+    /// A simplex names a neighbour that does not exist.
+    NeighborOutOfRange = 6,
+    /// Two simplices have the same vertices.
+    DuplicateSimplex = 7,
+    /// A facet is in more than two simplices.
+    OverfullFacet = 8,
+    /// A simplex shares a facet with another one but names no neighbour there.
+    MissingNeighbor = 9,
+    /// A simplex names a neighbour that does not name it back.
+    AsymmetricNeighbor = 10,
+    /// Two neighbours name each other, but not across the facet that they share.
+    NeighborFacet = 11,
+    /// The simplices are not connected through facets.
+    Disconnected = 12,
+    /// The numbers of faces of each dimension do not add up to a ball's.
+    EulerCharacteristic = 13,
+    /// The simplices round a vertex are not connected through facets at that vertex.
+    VertexStar = 14,
+    /// The link of a vertex is not a sphere, or on the hull a ball, by its Euler characteristic.
+    VertexLink = 15,
+    /// The mesh has no hull facet, or a hull ridge is not in exactly two hull facets.
+    HullRidge = 16,
+    /// The hull is not connected.
+    HullDisconnected = 17,
+    /// The hull facets round a vertex are not connected through ridges at that vertex.
+    HullLink = 18,
+
+    /// A simplex is flat or negatively oriented.
+    Orientation = 101,
+    /// Two neighbours lie on the same side of the facet that they share.
+    FoldedFacet = 102,
+    /// The opposite vertex of a neighbour is strictly inside a simplex's circumball.
+    Delaunay = 103,
+    /// The hull is not convex at a ridge.
+    NonConvexHull = 104,
+    /// The simplices round a face of codimension two go round it more than once.
+    Winding = 105,
+
+    /// An input's vertex does not exist or has other coordinates.
+    InputVertex = 201,
+    /// The vertex of a distinct input does not have that input's bits.
+    InputBits = 202,
+    /// A vertex's kind contradicts its place: inputs are vertices `0..distinct`, and no others.
+    VertexKind = 203,
+    /// A plain Delaunay triangulation has domains, labels or vertices that are no inputs.
+    PlainDelaunay = 204,
+    /// The domains are not a tree: domain 0 the only root, parents before their children.
+    DomainTree = 205,
+    /// A domain's radius is not positive and finite, or its centre is no vertex.
+    DomainBall = 206,
+    /// The vertex at a domain's centre is not labelled as in that domain's subtree.
+    DomainCenter = 207,
+    /// A child's ball reaches outside its parent's.
+    DomainOutsideParent = 208,
+    /// The balls of two siblings overlap.
+    DomainsOverlap = 209,
+    /// A vertex is labelled with a domain that does not exist, whose ball does not hold it, or
+    /// with one that has a child whose ball holds it.
+    VertexDomain = 210,
+    /// A vertex's `cage_of` contradicts its kind or its domain.
+    CageOf = 211,
+    /// A cage vertex is not near the cage's sphere (§4, nearness).
+    CageRadius = 212,
+    /// A cage has too few vertices to enclose its domain's centre.
+    CageIncomplete = 213,
+    /// A vertex on the hull is not in the root's cage.
+    HullVertex = 214,
+    /// An input inside a domain's ball encroaches its cage (Definition 2).
+    InnerEncroachment = 215,
+    /// A vertex outside a domain's ball encroaches its cage (Definition 2).
+    OuterEncroachment = 216,
+    /// Simplices span more levels of the hierarchy than un-encroached cages allow.
+    DomainSpan = 217,
+    /// The Voronoi cell of a non-cage vertex has a worse aspect than the bound (Definition 4).
+    VertexAspect = 218,
+    /// The union cell of a cage has a worse aspect than the bound (Definition 4).
+    CageAspect = 219,
+    /// A simplex has a larger ratio of circumradius to shortest edge than the bound.
+    RadiusEdge = 220,
+    /// A finished mesh has other domains than the root.
+    NotFinished = 221,
+}
+
+impl ViolationKind {
+    /// The level whose rule it is; 0 for `None`.
+    pub fn level(self) -> u32 {
+        match self as u32 {
+            0 => 0,
+            value => value / 100 + 1,
+        }
+    }
+}
+
+/// One broken rule, with the ids it concerns ([`crate::NONE`] where none).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Violation {
+    pub kind: ViolationKind,
+    pub simplex: u32,
+    pub vertex: u32,
+    pub domain: u32,
+    /// One sentence that names the rule and the values, at most 159 bytes.
+    pub message: String,
+}
+
+impl Violation {
+    pub(super) fn new(kind: ViolationKind, message: impl Into<String>) -> Self {
+        let mut message = message.into();
+        let mut end = message.len().min(MESSAGE_BYTES);
+        while !message.is_char_boundary(end) {
+            end -= 1;
+        }
+        message.truncate(end);
+        Self { kind, simplex: NONE, vertex: NONE, domain: NONE, message }
+    }
+
+    pub(super) fn simplex(self, simplex: usize) -> Self {
+        Self { simplex: simplex as u32, ..self }
+    }
+
+    pub(super) fn vertex(self, vertex: usize) -> Self {
+        Self { vertex: vertex as u32, ..self }
+    }
+
+    pub(super) fn domain(self, domain: usize) -> Self {
+        Self { domain: domain as u32, ..self }
+    }
+}
+
+/// What the certificate checker found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The highest level that holds in full, with all below it; 0 if level 1 does not. Never above
+    /// the level that was asked for.
+    pub level: u32,
+    /// Violations found. Checks that would stand on a broken array or a broken tree are not made.
+    pub violations: u64,
+    /// Number of single checks made.
+    pub checked: u64,
+    /// The first violation of the lowest level that does not hold.
+    pub first: Option<Violation>,
+}
+
+/// Counts checks and keeps the first violation. Messages are made for that one only.
+#[derive(Default)]
+pub(super) struct Findings {
+    pub violations: u64,
+    pub checked: u64,
+    pub first: Option<Violation>,
+}
+
+impl Findings {
+    /// Records one check; returns whether it held.
+    pub fn check(&mut self, holds: bool, violation: impl FnOnce() -> Violation) -> bool {
+        self.checked += 1;
+        if !holds {
+            self.violations += 1;
+            if self.first.is_none() {
+                self.first = Some(violation());
+            }
+        }
+        holds
+    }
+
+    /// Whether everything so far held.
+    pub fn clean(&self) -> bool {
+        self.violations == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_fit_the_c_struct() {
+        let violation = Violation::new(ViolationKind::Delaunay, "é".repeat(200));
+        assert_eq!(violation.message.len(), 158);
+        assert_eq!(Violation::new(ViolationKind::Delaunay, "short").message, "short");
+    }
+
+    #[test]
+    fn kinds_know_their_level() {
+        assert_eq!(ViolationKind::None.level(), 0);
+        assert_eq!(ViolationKind::HullLink.level(), 1);
+        assert_eq!(ViolationKind::Orientation.level(), 2);
+        assert_eq!(ViolationKind::NotFinished.level(), 3);
+    }
+
+    #[test]
+    fn the_first_violation_is_kept() {
+        let mut findings = Findings::default();
+        assert!(findings.check(true, || unreachable!()));
+        assert!(!findings.check(false, || Violation::new(ViolationKind::Winding, "w").simplex(4)));
+        assert!(!findings.check(false, || unreachable!()));
+        assert_eq!((findings.checked, findings.violations), (3, 2));
+        assert_eq!(findings.first.unwrap().simplex, 4);
+    }
+}

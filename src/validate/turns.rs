@@ -1,0 +1,133 @@
+//! Level 2: exact turns round every face of codimension two. They certify that the mesh covers its
+//! convex hull once, which sums of volumes cannot: for a coherently oriented complex, simplices
+//! and a fan over the hull add up to the same volume whatever it covers twice.
+//!
+//! Round an interior face the simplices must turn once. Then the ball maps to space as a local
+//! homeomorphism: it cannot branch at faces of codimension two, and spheres of dimension two and
+//! more have no proper coverings, so neither at smaller faces. At a hull ridge they must turn by
+//! at most pi. A compact ball that is mapped so, locally convex everywhere, is embedded and convex
+//! (Tietze and Nakajima).
+
+use super::report::{Findings, Violation, ViolationKind};
+use crate::mesh::{MAX_DIM, NONE};
+use crate::numerics::{Sign, orientation};
+use crate::quality::view::View;
+
+/// A simplex seen in the walk round a face: the two vertices that are not in the face, by their
+/// slots; the walk turns from `from` to `to`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Step {
+    simplex: usize,
+    from: usize,
+    to: usize,
+}
+
+impl Step {
+    fn reversed(self) -> Self {
+        Self { from: self.to, to: self.from, ..self }
+    }
+
+    /// The bit of the face in the simplex's mask.
+    fn bit(self) -> u64 {
+        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        1 << (high * (high - 1) / 2 + low)
+    }
+}
+
+/// Checks the turns round all faces of codimension two. Level 1 must hold, and all simplices be
+/// positively oriented and unfolded. O(simplices D^2) orientation tests.
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
+    let mut done = vec![0u64; view.simplex_count()];
+    for simplex in 0..view.simplex_count() {
+        for to in 1..View::<D>::CORNERS {
+            for from in 0..to {
+                let step = Step { simplex, from, to };
+                if done[simplex] & step.bit() == 0 {
+                    let (start, closed) = first_step(view, step);
+                    check_face(view, start, closed, &mut done, findings);
+                }
+            }
+        }
+    }
+}
+
+/// The next simplex of the walk, across the facet without `from`; `None` beyond the hull.
+fn next_step<const D: usize>(view: View<'_, D>, step: Step) -> Option<Step> {
+    let neighbor = view.neighbors(step.simplex)[step.from];
+    if neighbor == NONE {
+        return None;
+    }
+    let simplex = neighbor as usize;
+    let turned_to = view.simplex(step.simplex)[step.to];
+    let to = view.neighbors(simplex).iter().position(|&n| n as usize == step.simplex);
+    let from = view.simplex(simplex).iter().position(|&v| v == turned_to);
+    Some(Step { simplex, from: from.expect("level 1 holds"), to: to.expect("level 1 holds") })
+}
+
+/// Where to start round the face of `step`: anywhere if the walk closes, else at the hull.
+fn first_step<const D: usize>(view: View<'_, D>, step: Step) -> (Step, bool) {
+    let mut back = step.reversed();
+    while let Some(next) = next_step(view, back) {
+        if next.simplex == step.simplex {
+            return (step, true);
+        }
+        back = next;
+    }
+    (back.reversed(), false)
+}
+
+/// Walks round one face and checks each vertex met against the plane of the face and the first.
+fn check_face<const D: usize>(
+    view: View<'_, D>,
+    start: Step,
+    closed: bool,
+    done: &mut [u64],
+    findings: &mut Findings,
+) {
+    let mut points = view.points_of(view.simplex(start.simplex));
+    done[start.simplex] |= start.bit();
+    let mut turn = Sign::Positive;
+    let mut holds = true;
+    let mut step = start;
+    while let Some(next) = next_step(view, step) {
+        if next.simplex == start.simplex {
+            break;
+        }
+        step = next;
+        done[step.simplex] |= step.bit();
+        let vertex = view.simplex(step.simplex)[step.to];
+        // The last step of a closed walk returns to the first vertex.
+        if closed && vertex == view.simplex(start.simplex)[start.from] {
+            continue;
+        }
+        points[start.to] = view.point(vertex);
+        let sign = orientation(&points[..View::<D>::CORNERS]);
+        holds &= if closed { keeps_turning(turn, sign) } else { turn == Sign::Positive };
+        turn = sign;
+    }
+    holds &= closed || turn != Sign::Negative;
+    findings.check(holds, || describe(view, start, closed));
+}
+
+/// The angles from the first vertex grow from 0 to 2 pi: first positive signs, then at most one
+/// zero, then negative ones.
+fn keeps_turning(before: Sign, now: Sign) -> bool {
+    before == Sign::Positive || now == Sign::Negative
+}
+
+fn describe<const D: usize>(view: View<'_, D>, start: Step, closed: bool) -> Violation {
+    let vertices = view.simplex(start.simplex).iter().enumerate();
+    let mut face = [NONE; MAX_DIM];
+    let mut length = 0;
+    for (_, &v) in vertices.filter(|&(i, _)| i != start.from && i != start.to) {
+        face[length] = v;
+        length += 1;
+    }
+    let face = &face[..length];
+    let (kind, message) = if closed {
+        (ViolationKind::Winding, format!("the simplices round face {face:?} turn more than once"))
+    } else {
+        (ViolationKind::NonConvexHull, format!("the hull is not convex at ridge {face:?}"))
+    };
+    Violation::new(kind, message).simplex(start.simplex).vertex(face[0] as usize)
+}

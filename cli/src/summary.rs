@@ -111,7 +111,7 @@ impl Summary<'_> {
         lines.add(
             "quality",
             format!(
-                "Voronoi aspect worst {}, mean {}; anywhere, cages and hull side included {}",
+                "Voronoi aspect worst {}, mean {}; anywhere, beside cages and hull too, {}",
                 measure(quality.worst_aspect),
                 measure(quality.mean_aspect),
                 measure(quality.worst_aspect_anywhere),
@@ -121,7 +121,7 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "radius-edge worst {}; smallest {angle} {} degrees; highest degree {}",
+                "all simplices: radius-edge worst {}, smallest {angle} {} degrees; highest degree {}",
                 measure(quality.worst_radius_edge),
                 measure(quality.min_angle_degrees),
                 grouped(u64::from(quality.max_degree)),

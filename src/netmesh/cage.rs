@@ -3,7 +3,6 @@
 use super::start::{REPRESENTABLE, spacing_near};
 use super::{Mesher, some};
 use crate::error::Result;
-use crate::mesh::NONE;
 use crate::numerics::distance;
 
 /// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
@@ -49,19 +48,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Puts the centre, or the outermost domain concentric with it, into the new domain.
     fn adopt_center(&mut self, cage: u32, site: CageSite) {
-        let mut domain = self.hierarchy.domain_of(site.center);
-        if domain == site.parent {
-            self.hierarchy.set_domain(site.center, cage);
-            return;
+        match self.hierarchy.child_towards(site.parent, site.center) {
+            Some(child) => self.hierarchy.set_parent(child, cage),
+            None => self.hierarchy.set_domain(site.center, cage),
         }
-        loop {
-            let parent = self.hierarchy.parent(domain);
-            if parent == site.parent || parent == NONE {
-                break;
-            }
-            domain = parent;
-        }
-        self.hierarchy.set_parent(domain, cage);
     }
 
     /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.

@@ -164,17 +164,20 @@ impl<const D: usize> Hierarchy<D> {
     /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
     /// in Omega, or the centre of the child of Omega that holds it, or nothing.
     pub fn representative(&mut self, vertex: u32, omega: u32) -> Option<u32> {
-        let mut domain = self.domain_of(vertex);
-        if domain == omega {
+        if self.domain_of(vertex) == omega {
             return Some(vertex);
         }
+        self.child_towards(omega, vertex).map(|child| self.node(child).center)
+    }
+
+    /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
+    /// outside is recognised without a climb to the root.
+    pub fn child_towards(&mut self, omega: u32, vertex: u32) -> Option<u32> {
+        let mut domain = self.domain_of(vertex);
         while self.node(domain).radius < self.node(omega).radius {
             let parent = self.parent(domain);
             if parent == omega {
-                return Some(self.node(domain).center);
-            }
-            if parent == NONE {
-                return None;
+                return Some(domain);
             }
             domain = parent;
         }

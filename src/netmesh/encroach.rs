@@ -5,7 +5,6 @@ use super::Mesher;
 use super::cage::CageSite;
 use super::domains::ROOT;
 use super::parameters::Parameters;
-use crate::mesh::NONE;
 use crate::numerics::distance;
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
@@ -15,51 +14,43 @@ pub(super) const LEVELS: usize = 3;
 const SLACK: f64 = 1.001;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The cage that INSERTINPUT makes before `input` goes in: u is its nearest neighbour in
-    /// M_Omega and s the second nearest. The paper asks for mediality |u-v| / |v-s| <= epsilon;
-    /// that leaves the new cage encroached unless |v-s| - |u-v| >= kappa |u-v| with kappa =
-    /// outf / epsilon^2, which is what we ask for.
+    /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
+    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
+    /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
+    /// ask for what the cage needs: no vertex within outf r / epsilon of u.
     pub(super) fn wanted_cage(&mut self, input: u32) -> Option<CageSite> {
         let x = *self.delaunay.point(input);
-        let omega = self.containing_domain(&x);
-        let (center, nearest, second) = self.two_nearest(&x, omega);
-        let second = match second {
-            gap if gap.is_finite() => gap,
-            _ => self.distance_to_cage_sphere(omega, &x),
-        };
+        let parent = self.containing_domain(&x);
+        let (center, gap) = self.nearest_in_domain(&x, parent)?;
         let Parameters { epsilon, encroachment, .. } = self.parameters;
-        let kappa = encroachment / (epsilon * epsilon);
-        (second - nearest >= kappa * nearest).then(|| CageSite {
-            center,
-            radius: SLACK * nearest / epsilon,
-            parent: omega,
-        })
+        let radius = SLACK * gap / epsilon;
+        let has_room = self.clearance(center, parent) >= encroachment * radius / epsilon;
+        has_room.then_some(CageSite { center, radius, parent })
     }
 
-    /// The nearest vertex of M_Omega to `x`, its distance, and the distance of the second nearest.
-    fn two_nearest(&mut self, x: &[f64; D], omega: u32) -> (u32, f64, f64) {
-        let mut nearest = (NONE, f64::INFINITY);
-        let mut second = (NONE, f64::INFINITY);
+    /// The vertex of M_Omega nearest to `x`, and its distance.
+    fn nearest_in_domain(&mut self, x: &[f64; D], omega: u32) -> Option<(u32, f64)> {
+        let mut nearest = None;
+        let mut least = f64::INFINITY;
         for at in 0..self.scratch.corners.ids.len() {
             let corner = self.scratch.corners.ids[at];
             let Some(vertex) = self.hierarchy.representative(corner, omega) else { continue };
-            if vertex == nearest.0 || vertex == second.0 {
-                continue;
-            }
             let gap = distance(x, self.delaunay.point(vertex));
-            if gap < nearest.1 {
-                second = nearest;
-                nearest = (vertex, gap);
-            } else if gap < second.1 {
-                second = (vertex, gap);
+            if gap < least {
+                least = gap;
+                nearest = Some((vertex, gap));
             }
         }
-        (nearest.0, nearest.1, second.1)
+        nearest
     }
 
-    fn distance_to_cage_sphere(&self, omega: u32, x: &[f64; D]) -> f64 {
-        let sphere = self.parameters.cage_scale * self.hierarchy.node(omega).radius;
-        (sphere - self.hierarchy.distance_to_center(omega, x)).max(0.0)
+    /// The distance from `vertex`, which is in M_Omega, to the nearest vertex that is not in the
+    /// child of Omega around it.
+    fn clearance(&mut self, vertex: u32, omega: u32) -> f64 {
+        match self.hierarchy.child_towards(omega, vertex) {
+            Some(child) => self.hierarchy.node(child).outside,
+            None => self.nearest[vertex as usize],
+        }
     }
 
     /// The innermost domain that holds `x`, over the climbs from U(x).

@@ -106,11 +106,17 @@ struct Scratch {
 }
 
 /// A set of vertex ids that is emptied in constant time.
-#[derive(Default)]
 struct VertexSet {
     ids: Vec<u32>,
     marks: Vec<u32>,
     epoch: u32,
+}
+
+impl Default for VertexSet {
+    fn default() -> Self {
+        // A new id's mark is 0, which must not be the first epoch.
+        Self { ids: Vec::new(), marks: Vec::new(), epoch: 1 }
+    }
 }
 
 impl VertexSet {

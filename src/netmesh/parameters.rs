@@ -3,9 +3,8 @@
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 
-/// A voronoi corner counts for a cell of a domain only within this fraction of the radius of the
-/// domain's cage sphere; corners beyond the hull of the cage are the cage's business.
-pub const CORNER_RESTRICTION: f64 = 0.85;
+/// Largest value of [`Parameters::corner_restriction`].
+const CORNER_RESTRICTION: f64 = 0.85;
 
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +64,13 @@ impl Parameters {
             yield_radius: number("yield_radius", options.yield_radius, 1.0, 0.05, 1.0)?,
             encroachment: number("encroachment", options.encroachment, 1.0, 1.0, 4.0)?,
             cage_scale: number("cage_scale", options.cage_scale, 0.8, 0.3, 0.9)?,
-            root_scale: number("root_scale", options.root_scale, 2.5, 2.0, 16.0)?,
+            root_scale: number(
+                "root_scale",
+                options.root_scale,
+                pick(dim, [2.5, 2.5, 3.0, 4.0]),
+                2.0,
+                16.0,
+            )?,
             seed: options.seed,
             max_vertices,
         })
@@ -73,6 +78,13 @@ impl Parameters {
 }
 
 impl Parameters {
+    /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of the
+    /// domain's cage sphere; corners beyond the hull of the cage are the cage's business. The hull of
+    /// a delta-net of the unit sphere holds the ball of radius 1 - delta^2 / 2.
+    pub fn corner_restriction(&self) -> f64 {
+        CORNER_RESTRICTION.min(1.0 - 0.5 * self.delta * self.delta)
+    }
+
     /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
     /// the aspect of its vertices' cells.
     pub fn aspect_bound(&self) -> f64 {

@@ -2,11 +2,10 @@
 //! simplex are at its circumradius R from its Voronoi corner, so the cell of v is bad iff an
 //! incident simplex has R > tau/2 NN(v); NN only falls.
 //!
-//! Corner restriction: for a vertex of Omega only corners within [`CORNER_RESTRICTION`] of the cage
+//! Corner restriction: for a vertex of Omega only corners within `corner_restriction` of the cage
 //! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
 //! Without it CLEAN inserts points beside the cages and destroys them.
 
-use super::parameters::CORNER_RESTRICTION;
 use super::{Mesher, some};
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::distance;
@@ -95,7 +94,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
     fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
         let Some(corner) = self.delaunay.corner(simplex) else { return false };
-        let reach = CORNER_RESTRICTION * self.parameters.cage_scale;
+        let reach = self.parameters.corner_restriction() * self.parameters.cage_scale;
         let distance = self.hierarchy.distance_to_center(domain, &corner);
         distance < reach * self.hierarchy.node(domain).radius
     }

@@ -1,7 +1,7 @@
 //! The circumball of a simplex with a rigorous error bound: the filter of all conflict tests.
 
 use super::exact::circumcenter_exact;
-use super::length::norm;
+use super::length::{largest_magnitude, norm};
 use super::power::{TINY, UNIT, biased_exponent, power_of_two, scale_by_power};
 use super::solve::solve;
 
@@ -58,7 +58,7 @@ impl<const D: usize> Circumball<D> {
         for (r, row) in rows.iter_mut().enumerate() {
             let (p, origin) = (points[r + usize::from(r >= anchor)], points[anchor]);
             *row = std::array::from_fn(|i| p[i] - origin[i]);
-            exponents[r] = biased_exponent(row.iter().fold(0.0, |m: f64, x| m.max(x.abs())));
+            exponents[r] = biased_exponent(largest_magnitude(row));
         }
         let top = exponents.iter().fold(0, |m, e| m.max(*e));
         let bottom = exponents.iter().fold(2047, |m, e| m.min(*e));
@@ -74,7 +74,7 @@ impl<const D: usize> Circumball<D> {
             right[r] = square * power_of_two(exponents[r] - top - 1);
         }
         let (solution, error) = solve(&rows, &right);
-        let size = solution.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = largest_magnitude(&solution);
         let own = biased_exponent(size) - 1023;
         let k = own + top - 1023;
         // A NaN or an infinity anywhere fails one of the comparisons.
@@ -111,7 +111,7 @@ impl<const D: usize> Circumball<D> {
         }
         let k = exact.exponent.clamp(-1000, 1000);
         let center = exact.center.map(|x| scale_by_power(x, exact.exponent - k));
-        let size = center.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = largest_magnitude(&center);
         Self {
             anchor: anchor as u8,
             scale: power_of_two(-k as i32),
@@ -170,20 +170,19 @@ impl<const D: usize> Circumball<D> {
     }
 }
 
-/// The first endpoint of the shortest edge in the sum norm.
+/// The first endpoint of the shortest edge in the sum norm, among lengths within 8 ulps the lowest.
+/// The bits of positive doubles are ordered as they are: the index rides in the lowest three, and
+/// the minimum needs no branch.
 #[inline]
 fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> usize {
-    let mut shortest = f64::INFINITY;
-    let mut endpoint = 0;
+    let mut shortest = u64::MAX;
     for i in 0..D {
         for j in i + 1..=D {
             let length = (0..D).fold(0.0, |sum, k| sum + (points[i][k] - points[j][k]).abs());
-            if length < shortest {
-                (shortest, endpoint) = (length, i);
-            }
+            shortest = shortest.min(length.to_bits() & !7 | i as u64);
         }
     }
-    endpoint
+    (shortest & 7) as usize
 }
 
 #[cfg(test)]

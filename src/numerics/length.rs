@@ -53,9 +53,11 @@ fn scaled_norm(vector: &[f64], largest: f64) -> f64 {
     scale_by_power(sum.sqrt(), exponent)
 }
 
+/// The largest magnitude in `vector`, zero if it is empty. A plain comparison, since `f64::max`
+/// pays for NaN, which does not occur here.
 #[inline]
-fn largest_magnitude(vector: &[f64]) -> f64 {
-    vector.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()))
+pub(super) fn largest_magnitude(vector: &[f64]) -> f64 {
+    vector.iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })
 }
 
 #[inline]

@@ -1,6 +1,7 @@
 //! The orientation of a simplex, exactly.
 
 use super::exact::orientation_exact;
+use super::length::largest_magnitude;
 use super::power::{TINY, UNIT, biased_exponent, power_of_two};
 use super::sign::Sign;
 use super::window::{in_window, planar, spatial};
@@ -91,8 +92,7 @@ fn spatial_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
 #[inline]
 fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
     for row in &mut rows {
-        let largest = row.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let exponent = biased_exponent(largest);
+        let exponent = biased_exponent(largest_magnitude(row));
         if !(1..=2045).contains(&exponent) {
             return None;
         }
@@ -181,14 +181,11 @@ mod tests {
 
     #[test]
     fn underflowing_minors_are_not_trusted() {
-        // The 2x2 minors underflow to zero or lose most of their bits; the third factor is large.
+        // In units of 2^-1074 the minors are 0.51 and -0.75 and round to 1 and -1; times the third
+        // coordinates they would make a clearly positive sum of what is negative.
         let tiny = 2f64.powi(-537);
-        let corners = [
-            [0.0, 0.0, 0.0],
-            [0.0, tiny, 1e300],
-            [tiny, 1.5 * tiny, 0.0],
-            [1.25 * tiny, 1.75 * tiny, -1e300],
-        ];
+        let corners =
+            [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
         let simplex = references(&corners);
         assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
     }

@@ -1,12 +1,14 @@
 //! Small linear systems with a rigorous bound of the solution's error.
 
+use super::length::largest_magnitude;
 use super::power::{TINY, UNIT};
 
-/// Solves `rows * x = right`. The rows' largest magnitudes are in [1, 2) and their entries, like
-/// those of `right`, positive and at most 2 D, stand for exact numbers with a relative error: at
-/// most one roundoff for the entries, D + 3 for `right`, beside underflow. Returns x and a bound of
-/// the largest component error against the exact system's solution; infinite or NaN if the system
-/// is too close to singular.
+/// Solves `rows * x = right`, where the rows' largest magnitudes are in [1, 2) and `right` is
+/// positive and at most 2 D. All stand for exact numbers, from which the entries differ by at most
+/// one roundoff and those of `right` by D + 3, relatively, beside underflow. Returns x and a bound of
+/// the largest component error against the exact system's solution, which holds if it is at most a
+/// thousandth of the largest component; it is larger, infinite or NaN if the system is too close to
+/// singular.
 #[inline]
 pub(super) fn solve<const D: usize>(rows: &[[f64; D]; D], right: &[f64; D]) -> ([f64; D], f64) {
     match D {
@@ -16,21 +18,12 @@ pub(super) fn solve<const D: usize>(rows: &[[f64; D]; D], right: &[f64; D]) -> (
     }
 }
 
-/// The largest component error of `numerators / determinant`, where a numerator is wrong by at
-/// most `numerator_error` and the determinant by at most `determinant_error`.
+/// The largest component error of numerators over a determinant with the given `inverse`, where a
+/// numerator is wrong by at most `numerator_error` and the determinant by `determinant_error`. With
+/// a result of at most `size / 1000` the determinant is right to a thousandth, which 1.01 pays for.
 #[inline]
-fn quotient_error(
-    size: f64,
-    determinant: f64,
-    numerator_error: f64,
-    determinant_error: f64,
-) -> f64 {
-    let slack = determinant.abs() - determinant_error;
-    if slack > 0.0 {
-        (numerator_error + size * determinant_error) / slack + 2.0 * UNIT * size
-    } else {
-        f64::INFINITY
-    }
+fn quotient_error(size: f64, inverse: f64, numerator_error: f64, determinant_error: f64) -> f64 {
+    1.01 * (numerator_error + size * determinant_error) * inverse.abs() + 2.0 * UNIT * size
 }
 
 /// Cramer's rule in the plane. A product of the determinant carries 4 roundings (2 entries, the
@@ -46,11 +39,11 @@ fn by_two_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], 
     let mut solution = [0.0; D];
     solution[0] = (x0 - x1) * inverse;
     solution[1] = (y0 - y1) * inverse;
-    let size = solution[0].abs().max(solution[1].abs());
-    let largest = (x0.abs() + x1.abs()).max(y0.abs() + y1.abs());
+    let size = largest_magnitude(&solution);
+    let largest = largest_magnitude(&[x0.abs() + x1.abs(), y0.abs() + y1.abs()]);
     let numerator_error = 16.0 * UNIT * largest + TINY;
     let determinant_error = 8.0 * UNIT * (left.abs() + right.abs()) + TINY;
-    (solution, quotient_error(size, determinant, numerator_error, determinant_error))
+    (solution, quotient_error(size, inverse, numerator_error, determinant_error))
 }
 
 /// The signed 2x2 minors of rows `r` and `s` (their cross product), and the permanents of their
@@ -76,15 +69,15 @@ fn by_three_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D]
     let permanent = a[0][0].abs() * p0[0] + a[0][1].abs() * p0[1] + a[0][2].abs() * p0[2];
     let inverse = 1.0 / determinant;
     let mut solution = [0.0; D];
-    let (mut size, mut largest) = (0.0f64, 0.0f64);
+    let mut permanents = [0.0; 3];
     for i in 0..3 {
         solution[i] = (b[0] * m0[i] + b[1] * m1[i] + b[2] * m2[i]) * inverse;
-        size = size.max(solution[i].abs());
-        largest = largest.max(b[0] * p0[i] + b[1] * p1[i] + b[2] * p2[i]);
+        permanents[i] = b[0] * p0[i] + b[1] * p1[i] + b[2] * p2[i];
     }
+    let (size, largest) = (largest_magnitude(&solution), largest_magnitude(&permanents));
     let numerator_error = 24.0 * UNIT * largest + TINY;
     let determinant_error = 16.0 * UNIT * permanent + TINY;
-    (solution, quotient_error(size, determinant, numerator_error, determinant_error))
+    (solution, quotient_error(size, inverse, numerator_error, determinant_error))
 }
 
 /// Solves with an approximate inverse B and bounds the error afterwards: with A the exact matrix
@@ -99,7 +92,7 @@ fn by_inverse<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64
         (dot(&a[i], &solution) - b[i]).abs() + gamma * reach + TINY
     });
     let row_sums: [f64; D] = std::array::from_fn(|i| a[i].iter().map(|x| x.abs()).sum());
-    let (mut defect, mut error) = (0.0f64, 0.0f64);
+    let mut error = 0.0f64;
     for (i, row) in inverse.iter().enumerate() {
         let mut product = [0.0; D];
         for (factor, other) in row.iter().zip(a) {
@@ -107,10 +100,13 @@ fn by_inverse<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64
         }
         product[i] -= 1.0;
         let rounding = gamma * (1.0 + absolute_dot(row, &row_sums)) + TINY;
-        defect = defect.max(product.iter().fold(rounding, |sum, x| sum + x.abs()));
+        let defect = product.iter().fold(rounding, |sum, x| sum + x.abs());
+        if !(0.0..=0.25).contains(&defect) {
+            return (solution, f64::INFINITY); // NaN too: what remains is finite
+        }
         error = error.max(2.0 * absolute_dot(row, &residual));
     }
-    (solution, if defect <= 0.25 { error } else { f64::INFINITY })
+    (solution, error)
 }
 
 #[inline]

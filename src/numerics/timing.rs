@@ -5,9 +5,9 @@ use super::{Circumball, in_ball, orientation};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Nanoseconds a call, the best of five passes over `count` items.
+/// Nanoseconds a call, the best of sixty passes over `count` items.
 fn nanoseconds(count: usize, mut pass: impl FnMut()) -> f64 {
-    let seconds = (0..5).map(|_| {
+    let seconds = (0..60).map(|_| {
         let start = Instant::now();
         pass();
         start.elapsed().as_secs_f64()

@@ -6,7 +6,6 @@ use super::length::Length;
 use super::tree::DomainTree;
 use super::view::View;
 use crate::mesh::NONE;
-use crate::netmesh::parameters::CORNER_RESTRICTION;
 
 /// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
 /// not encroached let no D-ball span more than a few.
@@ -186,6 +185,7 @@ impl<const D: usize> Star<'_, D> {
 
 /// Domain -> the distance from its centre within which corners count.
 fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> Vec<Length> {
-    let factor = CORNER_RESTRICTION * view.mesh.parameters.cage_scale * slack;
+    let factor =
+        view.mesh.parameters.corner_restriction() * view.mesh.parameters.cage_scale * slack;
     view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)).collect()
 }

@@ -11,7 +11,7 @@
 //!   (Definition 4), precision-limited ones apart.
 //!
 //! Quality conventions at level 3: a cell in domain Omega counts the corners within
-//! `CORNER_RESTRICTION * cage_scale * r` of Omega's centre, the union cell of a cage those that
+//! `corner_restriction() * cage_scale * r` of Omega's centre, the union cell of a cage those that
 //! count in its parent; [`crate::quality`] has the measures. A vertex marked as precision-limited
 //! is exempt, and so is a cage whose centre or one of whose vertices is. With the criterion
 //! `RadiusEdge` the bound holds for each simplex whose vertices are all neither in a cage nor

@@ -1,1 +1,33 @@
-fn main() {}
+//! `netmesh`: points in, quality Delaunay mesh out.
+
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod certificate;
+mod exit_code;
+mod numbers;
+mod output;
+mod progress;
+mod session;
+mod summary;
+
+use arguments::Arguments;
+use clap::Parser;
+use exit_code::{ExitCode, Failure};
+use std::io::Write;
+use std::panic::catch_unwind;
+
+fn main() -> std::process::ExitCode {
+    let arguments = Arguments::parse();
+    let outcome = catch_unwind(|| session::run(&arguments)).unwrap_or_else(|_| {
+        Err(Failure::new(ExitCode::Other, "the program failed; this is a defect, please report it"))
+    });
+    let code = match outcome {
+        Ok(()) => ExitCode::Success,
+        Err(failure) => {
+            let _ = writeln!(std::io::stderr(), "netmesh: {}", failure.message);
+            failure.code
+        }
+    };
+    std::process::ExitCode::from(code as u8)
+}

@@ -1,0 +1,246 @@
+//! The command line: what a user may type, and how it maps to the library's options.
+
+use crate::exit_code;
+use clap::{Parser, ValueEnum};
+use netmesh::io::Format;
+use netmesh::{Algorithm, Criterion, Options, Output};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  netmesh points.xyz -o mesh.vtu --validate
+  netmesh points.csv -o mesh.off --finish --bound 3.5
+  netmesh points.xyz -o delaunay.vtu --algorithm delaunay";
+
+/// Mesh points: in goes a text file of points, out comes a conforming quality Delaunay mesh.
+///
+/// The number of columns of the input is the dimension, 2 to 8. Every number under Meshing has a
+/// default for the dimension; a value out of range is refused, and the message tells the range.
+#[derive(Debug, Parser)]
+#[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
+pub struct Arguments {
+    /// File of points, one per line
+    pub input: PathBuf,
+
+    /// Where the mesh goes; the extension names the format. Without it only the summary is made
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Format of the input, where the extension does not tell
+    #[arg(long, value_name = "FORMAT")]
+    pub input_format: Option<FormatName>,
+
+    /// Format of the output, where the extension does not tell
+    #[arg(long, value_name = "FORMAT")]
+    pub output_format: Option<FormatName>,
+
+    /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
+    #[arg(long)]
+    pub finish: bool,
+
+    /// Check the mesh with the independent certificate checker
+    #[arg(long)]
+    pub validate: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub quiet: bool,
+
+    /// Print what the run did as well: rounds, touches, cages, exact tests, parameters
+    #[arg(long)]
+    pub stats: bool,
+
+    #[command(flatten)]
+    pub meshing: Meshing,
+}
+
+/// Options of the algorithm.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Meshing")]
+pub struct Meshing {
+    /// netmesh, or the plain Delaunay triangulation of the input
+    #[arg(long, value_enum, default_value_t = AlgorithmName::Netmesh)]
+    pub algorithm: AlgorithmName,
+
+    /// The quality measure that --bound bounds
+    #[arg(long, value_enum, default_value_t = CriterionName::Aspect)]
+    pub criterion: CriterionName,
+
+    /// Quality bound; by default aspect 3 in 2D, 4 in 3D, 5 in 4D and 6 above, or half of it as
+    /// radius-edge ratio
+    #[arg(long, visible_alias = "quality-bound", value_name = "X", allow_negative_numbers = true)]
+    pub bound: Option<f64>,
+
+    /// How far other points must be for a cage to start
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub epsilon: Option<f64>,
+
+    /// Coarseness of a cage
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub delta: Option<f64>,
+
+    /// Yield radius of a cage, relative to the distance to the nearest vertex
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub gamma: Option<f64>,
+
+    /// Yield radius of refinement, relative to the D-ball's radius
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub yield_radius: Option<f64>,
+
+    /// Outer encroachment factor of a cage
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub encroachment: Option<f64>,
+
+    /// Radius of a cage relative to its domain
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub cage_scale: Option<f64>,
+
+    /// Radius of the root ball relative to the input's bounding ball
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub root_scale: Option<f64>,
+
+    /// Seed of every random choice; the same seed makes the same mesh
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+
+    /// Stop with exit code 5 rather than make more vertices than this
+    #[arg(long, value_name = "N")]
+    pub max_vertices: Option<u64>,
+
+    /// Threads, 0 = all cores; the mesh does not depend on it
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub threads: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AlgorithmName {
+    Netmesh,
+    Delaunay,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CriterionName {
+    /// Voronoi aspect ratio: farthest corner over half the distance to the nearest neighbour
+    Aspect,
+    /// Circumradius over shortest edge of a simplex
+    RadiusEdge,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormatName {
+    /// VTK XML unstructured grid (.vtu)
+    Vtu,
+    /// TetGen .node and .ele
+    Tetgen,
+    /// OFF, nOFF above three dimensions (.off)
+    Off,
+    /// Points, separated by spaces (.xyz)
+    Xyz,
+    /// Points, separated by commas (.csv)
+    Csv,
+}
+
+impl Arguments {
+    pub fn input_format(&self) -> Format {
+        self.input_format.map_or(Format::Auto, FormatName::format)
+    }
+
+    pub fn output_format(&self) -> Format {
+        self.output_format.map_or(Format::Auto, FormatName::format)
+    }
+
+    pub fn options(&self) -> Options {
+        let meshing = &self.meshing;
+        Options {
+            output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
+            algorithm: meshing.algorithm.algorithm(),
+            criterion: meshing.criterion.criterion(),
+            threads: meshing.threads,
+            quality_bound: meshing.bound.unwrap_or(0.0),
+            epsilon: meshing.epsilon.unwrap_or(0.0),
+            delta: meshing.delta.unwrap_or(0.0),
+            gamma: meshing.gamma.unwrap_or(0.0),
+            yield_radius: meshing.yield_radius.unwrap_or(0.0),
+            encroachment: meshing.encroachment.unwrap_or(0.0),
+            cage_scale: meshing.cage_scale.unwrap_or(0.0),
+            root_scale: meshing.root_scale.unwrap_or(0.0),
+            seed: meshing.seed,
+            max_vertices: meshing.max_vertices.unwrap_or(0),
+            ..Options::default()
+        }
+    }
+}
+
+impl AlgorithmName {
+    fn algorithm(self) -> Algorithm {
+        match self {
+            Self::Netmesh => Algorithm::Netmesh,
+            Self::Delaunay => Algorithm::Delaunay,
+        }
+    }
+}
+
+impl CriterionName {
+    fn criterion(self) -> Criterion {
+        match self {
+            Self::Aspect => Criterion::VoronoiAspect,
+            Self::RadiusEdge => Criterion::RadiusEdge,
+        }
+    }
+}
+
+impl FormatName {
+    fn format(self) -> Format {
+        match self {
+            Self::Vtu => Format::Vtu,
+            Self::Tetgen => Format::TetgenNode,
+            Self::Off => Format::Off,
+            Self::Xyz => Format::Xyz,
+            Self::Csv => Format::Csv,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_is_well_formed() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn without_options_the_library_defaults_apply() {
+        let arguments = Arguments::parse_from(["netmesh", "points.xyz"]);
+        assert_eq!(arguments.options(), Options::default());
+        assert_eq!(arguments.input_format(), Format::Auto);
+        assert_eq!(arguments.output_format(), Format::Auto);
+    }
+
+    #[test]
+    fn every_option_reaches_the_library() {
+        let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
+            --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
+            --encroachment 2 --cage-scale 0.5 --root-scale 3 --seed 7 --max-vertices 99 --threads 4";
+        let expected = Options {
+            output: Output::WellSpaced,
+            algorithm: Algorithm::Delaunay,
+            criterion: Criterion::RadiusEdge,
+            threads: 4,
+            quality_bound: 1.5,
+            epsilon: 0.1,
+            delta: 0.2,
+            gamma: 0.3,
+            yield_radius: 0.4,
+            encroachment: 2.0,
+            cage_scale: 0.5,
+            root_scale: 3.0,
+            seed: 7,
+            max_vertices: 99,
+            ..Options::default()
+        };
+        assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
+    }
+}

@@ -1,0 +1,29 @@
+//! What `--validate` asks for: the whole certificate, or exit code 7.
+
+use crate::exit_code::{ExitCode, Failure};
+use netmesh::validate::{Report, validate};
+use netmesh::{Inputs, Triangulation};
+
+/// Topology, geometry and the paper's promises.
+const LEVEL: u32 = 3;
+
+pub fn check(inputs: &Inputs, triangulation: &Triangulation) -> Result<Report, Failure> {
+    Ok(validate(inputs, triangulation, LEVEL)?)
+}
+
+pub fn holds(report: &Report) -> bool {
+    report.violations == 0 && report.level == LEVEL
+}
+
+/// Fails unless the certificate holds; names the first violation.
+pub fn require(report: &Report) -> Result<(), Failure> {
+    if holds(report) {
+        return Ok(());
+    }
+    let first = report.first.as_ref().map_or("none is named", |first| &first.message);
+    let message = format!(
+        "the certificate is violated: level {} of {LEVEL} holds, {} violations, the first: {first}",
+        report.level, report.violations
+    );
+    Err(Failure::new(ExitCode::CertificateViolated, message))
+}

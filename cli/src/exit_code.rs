@@ -1,0 +1,101 @@
+//! Exit codes: a script learns from the number alone whose turn it is, the caller's, the data's or
+//! the machine's. `docs/exit_codes.md` and `--help` say the same; values are append only.
+
+use netmesh::{Error, ErrorKind};
+
+/// Why the program ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum ExitCode {
+    Success = 0,
+    /// Anything without a code of its own; a defect of the program.
+    Other = 1,
+    /// A wrong argument: unknown option or format, value out of range. clap exits with 2 too.
+    Usage = 2,
+    /// The input is missing, unreadable, ragged or not numbers.
+    InputUnreadable = 3,
+    /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range.
+    InputRefused = 4,
+    /// A limit was reached: `--max-vertices`, 32-bit ids, memory.
+    Limit = 5,
+    Cancelled = 6,
+    /// `--validate` found a violation. The mesh has been written, for inspection.
+    CertificateViolated = 7,
+    /// The output cannot be written. No part of it is left behind.
+    OutputNotWritable = 8,
+}
+
+/// The part of `--help` that documents the codes.
+pub const HELP: &str = "\
+Exit codes:
+  0  the mesh was made (and written, and certified, if asked for)
+  1  anything that has no code of its own
+  2  wrong usage: unknown option or format, value out of range
+  3  input missing, unreadable or malformed
+  4  input refused: non-finite coordinate, fewer than two distinct points,
+     dimension outside 2..=8, lower affine rank with --algorithm delaunay
+  5  limit reached: --max-vertices, 32-bit ids or memory
+  6  cancelled
+  7  --validate found a violation; the mesh was still written
+  8  output not writable; nothing is left behind";
+
+/// A failure on its way to the user: one sentence and the code to exit with.
+#[derive(Debug)]
+pub struct Failure {
+    pub code: ExitCode,
+    pub message: String,
+}
+
+impl Failure {
+    pub fn new(code: ExitCode, message: impl Into<String>) -> Self {
+        Self { code, message: message.into() }
+    }
+
+    /// A failure to read `path`.
+    pub fn reading(path: &str, error: &Error) -> Self {
+        let code = match error.kind() {
+            ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
+            _ => code_of(error.kind()),
+        };
+        Self::new(code, at_path(path, error))
+    }
+
+    /// A failure to write `path`.
+    pub fn writing(path: &str, error: &Error) -> Self {
+        let code = match error.kind() {
+            ErrorKind::Io => ExitCode::OutputNotWritable,
+            _ => code_of(error.kind()),
+        };
+        Self::new(code, at_path(path, error))
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::new(code_of(error.kind()), error.message())
+    }
+}
+
+/// Names the file, unless the message does so already.
+fn at_path(path: &str, error: &Error) -> String {
+    match error.message().contains(path) {
+        true => error.message().to_owned(),
+        false => format!("{path}: {error}"),
+    }
+}
+
+fn code_of(kind: ErrorKind) -> ExitCode {
+    match kind {
+        ErrorKind::InvalidArgument => ExitCode::Usage,
+        ErrorKind::NonFinite | ErrorKind::Dimension | ErrorKind::DegenerateInput => {
+            ExitCode::InputRefused
+        }
+        ErrorKind::Capacity | ErrorKind::Limit | ErrorKind::OutOfMemory => ExitCode::Limit,
+        ErrorKind::Cancelled => ExitCode::Cancelled,
+        ErrorKind::NullArgument
+        | ErrorKind::Io
+        | ErrorKind::Format
+        | ErrorKind::State
+        | ErrorKind::Panic => ExitCode::Other,
+    }
+}

@@ -1,0 +1,59 @@
+//! The file that the mesh goes to: whatever can be known before the work is said before the work.
+
+use crate::exit_code::{ExitCode, Failure};
+use netmesh::io::{self, Format};
+use netmesh::{Error, ErrorKind, Mesh};
+use std::io::Write;
+use std::path::Path;
+
+/// Refuses a path that no file can be written to.
+pub fn require_place(path: &Path) -> Result<(), Failure> {
+    let refuse = |reason: &str| {
+        let message = format!("{}: {reason}", path.display());
+        Err(Failure::new(ExitCode::OutputNotWritable, message))
+    };
+    if path.is_dir() {
+        return refuse("is a directory; the output must be a file");
+    }
+    match path.parent() {
+        Some(parent) if parent != Path::new("") && !parent.is_dir() => {
+            refuse("the directory for the output does not exist")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a format that cannot hold the mesh that is going to be made of `mesh`.
+pub fn require_format(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
+    let fails = |error: Error| failure(path, &error);
+    let format = match format {
+        Format::Auto => Format::from_path(path).map_err(fails)?,
+        named => named,
+    };
+    match io::write(mesh, format, &mut Shut) {
+        Err(error) if error.kind() == ErrorKind::InvalidArgument => Err(fails(error)),
+        // No result yet, or it came to writing: the format is right.
+        _ => Ok(()),
+    }
+}
+
+pub fn write(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
+    io::write_file(mesh, path, format).map_err(|error| failure(path, &error))
+}
+
+fn failure(path: &Path, error: &Error) -> Failure {
+    Failure::writing(&path.display().to_string(), error)
+}
+
+/// Takes nothing.
+struct Shut;
+
+impl Write for Shut {
+    fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+        Err(std::io::ErrorKind::Unsupported.into())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}

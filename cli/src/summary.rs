@@ -1,0 +1,230 @@
+//! What the run made, for a person to read.
+
+use crate::arguments::Arguments;
+use crate::certificate;
+use crate::numbers::{counted, duration, grouped, measure};
+use netmesh::quality::Quality;
+use netmesh::validate::Report;
+use netmesh::{Algorithm, Criterion, Inputs, Output, Triangulation, VertexKind};
+use std::fmt::Write;
+
+/// Seconds that each step took; 0 for a step that was not asked for.
+#[derive(Debug, Default)]
+pub struct Times {
+    pub read: f64,
+    pub mesh: f64,
+    pub write: f64,
+    pub validate: f64,
+    pub measure: f64,
+}
+
+/// All that the summary tells.
+pub struct Summary<'a> {
+    pub arguments: &'a Arguments,
+    pub inputs: &'a Inputs,
+    pub triangulation: &'a Triangulation,
+    pub quality: &'a Quality,
+    pub report: Option<&'a Report>,
+    pub times: &'a Times,
+}
+
+impl Summary<'_> {
+    pub fn text(&self) -> String {
+        let mut lines = Lines::default();
+        self.add_input(&mut lines);
+        self.add_task(&mut lines);
+        self.add_mesh(&mut lines);
+        self.add_quality(&mut lines);
+        if self.arguments.stats {
+            self.add_stats(&mut lines);
+        }
+        self.add_times(&mut lines);
+        self.add_output(&mut lines);
+        self.add_certificate(&mut lines);
+        lines.text
+    }
+
+    fn add_input(&self, lines: &mut Lines) {
+        lines.add(
+            "input",
+            format!(
+                "{}: {} in {}D, {}",
+                self.arguments.input.display(),
+                counted(self.inputs.count() as u64, "point", "points"),
+                self.inputs.dim(),
+                counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
+            ),
+        );
+    }
+
+    fn add_task(&self, lines: &mut Lines) {
+        let parameters = &self.triangulation.parameters;
+        if parameters.algorithm == Algorithm::Delaunay {
+            return lines.add("task", "plain Delaunay triangulation of the input".to_owned());
+        }
+        let output = match parameters.output {
+            Output::Hierarchical => "hierarchical mesh",
+            Output::WellSpaced => "well-spaced mesh",
+        };
+        let criterion = match parameters.criterion {
+            Criterion::VoronoiAspect => "Voronoi aspect",
+            Criterion::RadiusEdge => "radius-edge ratio",
+        };
+        lines.add(
+            "task",
+            format!(
+                "{output}, {criterion} at most {}, seed {}",
+                parameters.quality_bound, parameters.seed
+            ),
+        );
+    }
+
+    fn add_mesh(&self, lines: &mut Lines) {
+        let vertices = self.triangulation.vertex_count() as u64;
+        lines.add(
+            "mesh",
+            format!(
+                "{} = {} input + {} Steiner + {} cage; {:.2} per distinct input",
+                counted(vertices, "vertex", "vertices"),
+                grouped(self.count_of(VertexKind::Input)),
+                grouped(self.count_of(VertexKind::Steiner)),
+                grouped(self.count_of(VertexKind::Cage)),
+                vertices as f64 / self.inputs.distinct() as f64,
+            ),
+        );
+        lines.add(
+            "",
+            format!(
+                "{}, {}",
+                counted(self.triangulation.simplex_count() as u64, "simplex", "simplices"),
+                counted(self.triangulation.domains.len() as u64, "domain", "domains"),
+            ),
+        );
+    }
+
+    fn count_of(&self, kind: VertexKind) -> u64 {
+        self.triangulation.kinds.iter().filter(|&&other| other == kind).count() as u64
+    }
+
+    fn add_quality(&self, lines: &mut Lines) {
+        let quality = self.quality;
+        lines.add(
+            "quality",
+            format!(
+                "Voronoi aspect worst {}, mean {}; anywhere, beside cages and hull too, {}",
+                measure(quality.worst_aspect),
+                measure(quality.mean_aspect),
+                measure(quality.worst_aspect_anywhere),
+            ),
+        );
+        let angle = if self.triangulation.dim == 2 { "angle" } else { "dihedral angle" };
+        lines.add(
+            "",
+            format!(
+                "all simplices: radius-edge worst {}, smallest {angle} {} degrees; highest degree {}",
+                measure(quality.worst_radius_edge),
+                measure(quality.min_angle_degrees),
+                grouped(u64::from(quality.max_degree)),
+            ),
+        );
+        if quality.worst_cage_aspect > 0.0 {
+            lines.add("", format!("cages worst {}", measure(quality.worst_cage_aspect)));
+        }
+        lines.add(
+            "",
+            counted(
+                quality.precision_limited,
+                "cell out of reach of the bound in double precision",
+                "cells out of reach of the bound in double precision",
+            ),
+        );
+    }
+
+    fn add_stats(&self, lines: &mut Lines) {
+        let stats = &self.triangulation.stats;
+        let parameters = &self.triangulation.parameters;
+        lines.add(
+            "run",
+            format!(
+                "{}, {} ({:.1} per input, at most {} for one)",
+                counted(stats.rounds, "round", "rounds"),
+                counted(stats.touches, "touch", "touches"),
+                stats.touches as f64 / self.inputs.distinct() as f64,
+                grouped(stats.max_touches),
+            ),
+        );
+        lines.add(
+            "",
+            format!(
+                "cages: {} created, {} grown, {} released; {} exactly",
+                grouped(stats.cages_created),
+                grouped(stats.cages_grown),
+                grouped(stats.cages_released),
+                counted(stats.exact_fallbacks, "test decided", "tests decided"),
+            ),
+        );
+        lines.add(
+            "",
+            format!(
+                "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, root scale {}",
+                parameters.epsilon,
+                parameters.delta,
+                parameters.gamma,
+                parameters.yield_radius,
+                parameters.encroachment,
+                parameters.cage_scale,
+                parameters.root_scale,
+            ),
+        );
+    }
+
+    fn add_times(&self, lines: &mut Lines) {
+        let times = self.times;
+        let speed = self.triangulation.vertex_count() as f64 / times.mesh.max(1e-9);
+        let mut text = format!(
+            "mesh {} ({} vertices/s), read {}, quality {}",
+            duration(times.mesh),
+            grouped(speed as u64),
+            duration(times.read),
+            duration(times.measure),
+        );
+        if self.arguments.output.is_some() {
+            let _ = write!(text, ", write {}", duration(times.write));
+        }
+        if self.report.is_some() {
+            let _ = write!(text, ", certificate {}", duration(times.validate));
+        }
+        lines.add("time", text);
+    }
+
+    fn add_output(&self, lines: &mut Lines) {
+        if let Some(output) = &self.arguments.output {
+            lines.add("written", output.display().to_string());
+        }
+    }
+
+    fn add_certificate(&self, lines: &mut Lines) {
+        let Some(report) = self.report else { return };
+        let checks = counted(report.checked, "check", "checks");
+        let text = match certificate::holds(report) {
+            true => format!("holds at level {}: {checks}, no violation", report.level),
+            false => format!(
+                "violated: {} in {checks}",
+                counted(report.violations, "violation", "violations")
+            ),
+        };
+        lines.add("certificate", text);
+    }
+}
+
+/// Lines with a label in front; an empty label continues the line above.
+#[derive(Default)]
+struct Lines {
+    text: String,
+}
+
+impl Lines {
+    fn add(&mut self, label: &str, text: String) {
+        let _ = writeln!(self.text, "{label:<12}{text}");
+    }
+}

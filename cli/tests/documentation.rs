@@ -1,0 +1,105 @@
+//! What the documents say is what the code does.
+
+use netmesh::{Criterion, Mesh, Options};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(root().join(path)).expect("the document is there")
+}
+
+/// The second column of the README's table of options.
+fn documented_default(option: &str) -> String {
+    let readme = read("README.md");
+    let row = readme.lines().find(|line| line.starts_with(&format!("| {option} |")));
+    let row = row.unwrap_or_else(|| panic!("no row for {option}"));
+    row.split('|').nth(2).expect("a second column").trim().to_owned()
+}
+
+/// The parameters that a run in `dim` dimensions fills in.
+fn parameters(dim: usize, criterion: Criterion) -> Vec<(&'static str, f64)> {
+    let points = [[0.0; 5], [1.0; 5]].concat();
+    let mut mesh = Mesh::new(dim, 2, &points, 5).expect("two points");
+    mesh.run(&Options { criterion, ..Options::default() }, None).expect("defaults are valid");
+    let parameters = &mesh.triangulation().expect("a result").parameters;
+    let bound = match criterion {
+        Criterion::VoronoiAspect => "`quality_bound` (aspect)",
+        Criterion::RadiusEdge => "`quality_bound` (radius-edge)",
+    };
+    vec![
+        (bound, parameters.quality_bound),
+        ("`epsilon`", parameters.epsilon),
+        ("`delta`", parameters.delta),
+        ("`gamma`", parameters.gamma),
+        ("`yield_radius`", parameters.yield_radius),
+        ("`encroachment`", parameters.encroachment),
+        ("`cage_scale`", parameters.cage_scale),
+        ("`root_scale`", parameters.root_scale),
+        ("`max_vertices`", parameters.max_vertices as f64),
+    ]
+}
+
+/// As the README writes it: one value where all dimensions agree, otherwise four.
+fn listed(values: [f64; 4]) -> String {
+    let words = values.map(|value| value.to_string());
+    if words.iter().all(|word| *word == words[0]) { words[0].clone() } else { words.join(", ") }
+}
+
+#[test]
+fn defaults_in_the_readme_are_those_of_the_code() {
+    for criterion in [Criterion::VoronoiAspect, Criterion::RadiusEdge] {
+        let of_dimension = [2, 3, 4, 5].map(|dim| parameters(dim, criterion));
+        for (row, &(option, _)) in of_dimension[0].iter().enumerate() {
+            let values = of_dimension.each_ref().map(|parameters| parameters[row].1);
+            assert_eq!(documented_default(option), listed(values), "{option}");
+        }
+    }
+}
+
+#[test]
+fn every_exit_code_is_in_the_help_and_in_the_document() {
+    let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
+    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let document = read("docs/exit_codes.md");
+    for code in 0..=8 {
+        assert!(help.contains(&format!("\n  {code}  ")), "{code} in --help");
+        assert!(document.contains(&format!("\n| {code} | ")), "{code} in the document");
+    }
+}
+
+#[test]
+fn the_c_example_in_the_readme_compiles() {
+    let readme = read("README.md");
+    let (_, rest) = readme.split_once("```c\n").expect("a C example");
+    let (example, _) = rest.split_once("```").expect("its end");
+    let mut compiler = Command::new("cc")
+        .args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c", "-"])
+        .arg("-I")
+        .arg(root().join("include"))
+        .stdin(Stdio::piped())
+        .spawn()
+        .expect("cc starts");
+    let mut input = compiler.stdin.take().expect("a pipe");
+    input.write_all(example.as_bytes()).expect("cc reads");
+    drop(input);
+    assert!(compiler.wait().expect("cc ends").success());
+}
+
+#[test]
+fn links_in_the_documents_lead_somewhere() {
+    for document in ["README.md", "docs/limitations.md", "docs/decisions.md", "docs/exit_codes.md"]
+    {
+        let text = read(document);
+        let directory = root().join(document).parent().expect("a directory").to_owned();
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let local = !target.contains("://");
+            assert!(!local || directory.join(target).exists(), "{document} links to {target}");
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Whatever is wrong with a call, the exit code says whose turn it is, the message names the place,
+//! and nothing is left behind.
+
+mod workbench;
+
+use workbench::Workbench;
+
+const SQUARE: &str = "0 0\n1 0\n0 1\n1 1\n0.5 0.25\n";
+
+/// A workbench with `points.xyz` in it.
+fn bench_with(test: &str, points: &str) -> Workbench {
+    let bench = Workbench::new(test);
+    bench.write("points.xyz", points);
+    bench
+}
+
+#[test]
+fn no_arguments_is_wrong_usage() {
+    Workbench::new("no_arguments").run("").assert_failure(2, &["Usage: netmesh"]);
+}
+
+#[test]
+fn unknown_option_is_wrong_usage() {
+    let bench = bench_with("unknown_option", SQUARE);
+    bench.run("points.xyz --quality 3").assert_failure(2, &["--quality"]);
+}
+
+#[test]
+fn unknown_format_name_is_wrong_usage() {
+    let bench = bench_with("unknown_format_name", SQUARE);
+    let outcome = bench.run("points.xyz -o mesh.vtu --output-format stl");
+    outcome.assert_failure(2, &["stl", "vtu"]);
+}
+
+#[test]
+fn value_that_is_no_number_is_wrong_usage() {
+    let bench = bench_with("no_number", SQUARE);
+    bench.run("points.xyz --bound big").assert_failure(2, &["--bound", "big"]);
+}
+
+#[test]
+fn unknown_extension_of_the_output_is_wrong_usage() {
+    let bench = bench_with("unknown_extension", SQUARE);
+    bench.run("points.xyz -o mesh.stl").assert_failure(2, &["mesh.stl"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn unknown_extension_of_the_input_is_wrong_usage() {
+    let bench = Workbench::new("unknown_input_extension");
+    bench.write("points.what", SQUARE);
+    bench.run("points.what").assert_failure(2, &["points.what"]);
+    bench.run("points.what --input-format xyz --quiet").assert_success();
+}
+
+#[test]
+fn value_out_of_range_names_the_range() {
+    let bench = bench_with("out_of_range", SQUARE);
+    bench.run("points.xyz --bound 1").assert_failure(2, &["bound", "[2.2, 100]"]);
+    bench.run("points.xyz --bound -3").assert_failure(2, &["bound", "-3"]);
+    bench.run("points.xyz --epsilon nan").assert_failure(2, &["epsilon", "NaN"]);
+}
+
+#[test]
+fn missing_input_is_named() {
+    let bench = Workbench::new("missing_input");
+    bench.run("nowhere.xyz -o mesh.vtu").assert_failure(3, &["nowhere.xyz"]);
+    assert!(bench.files().is_empty());
+}
+
+#[test]
+fn ragged_input_names_the_line() {
+    let bench = bench_with("ragged", "0 0 0\n1 0 0\n0 1\n");
+    bench.run("points.xyz -o mesh.vtu").assert_failure(3, &["points.xyz", "line 3"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn word_in_the_input_names_the_line() {
+    let bench = bench_with("word", "0 0 0\n1 zero 0\n");
+    bench.run("points.xyz -o mesh.vtu").assert_failure(3, &["points.xyz", "line 2", "zero"]);
+}
+
+#[test]
+fn empty_input_is_malformed() {
+    let bench = bench_with("empty", "");
+    bench.run("points.xyz -o mesh.vtu").assert_failure(3, &["points.xyz"]);
+}
+
+#[test]
+fn non_finite_coordinate_is_refused() {
+    let bench = bench_with("non_finite", "0 0\n1 0\nnan 1\n");
+    bench.run("points.xyz -o mesh.vtu").assert_failure(4, &["points.xyz", "line 3", "finite"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn fewer_than_two_distinct_points_are_refused() {
+    let bench = bench_with("one_point", "1 2 3\n1 2 3\n");
+    bench.run("points.xyz -o mesh.vtu").assert_failure(4, &["points.xyz", "distinct"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn dimension_one_and_nine_are_refused() {
+    let bench = bench_with("dimension_one", "1\n2\n3\n");
+    bench.run("points.xyz").assert_failure(4, &["points.xyz", "dim"]);
+    let nine = bench_with("dimension_nine", "1 2 3 4 5 6 7 8 9\n9 8 7 6 5 4 3 2 1\n");
+    nine.run("points.xyz").assert_failure(4, &["points.xyz", "dim"]);
+}
+
+#[test]
+fn plain_delaunay_of_a_line_is_refused() {
+    let bench = bench_with("line", "0 0\n1 1\n2 2\n");
+    bench.run("points.xyz -o mesh.vtu --algorithm delaunay").assert_failure(4, &["rank"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn too_many_vertices_is_a_limit() {
+    let bench = bench_with("max_vertices", SQUARE);
+    bench.run("points.xyz -o mesh.vtu --max-vertices 6").assert_failure(5, &["6"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn format_that_cannot_hold_the_dimension_is_refused_before_the_work() {
+    let bench = bench_with("vtu_4d", "0 0 0 0\n1 0 0 0\n0 1 0 1\n");
+    bench.run("points.xyz -o mesh.vtu --max-vertices 1").assert_failure(2, &["mesh.vtu", "Vtu"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn output_in_a_missing_directory_leaves_nothing() {
+    let bench = bench_with("missing_directory", SQUARE);
+    bench.run("points.xyz -o nowhere/mesh.vtu").assert_failure(8, &["nowhere/mesh.vtu"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+#[test]
+fn output_that_is_a_directory_is_refused() {
+    let bench = bench_with("output_directory", SQUARE);
+    bench.run("points.xyz -o .").assert_failure(8, &["directory"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}

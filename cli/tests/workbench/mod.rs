@@ -1,0 +1,85 @@
+//! A directory of its own for each test, and the program to run in it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+pub struct Workbench {
+    directory: PathBuf,
+}
+
+/// How a run ended.
+pub struct Outcome {
+    pub code: i32,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl Workbench {
+    /// An empty directory; `test` must be unique in the whole suite.
+    pub fn new(test: &str) -> Self {
+        let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+        let _ = fs::remove_dir_all(&directory);
+        fs::create_dir_all(&directory).expect("the test directory can be made");
+        Self { directory }
+    }
+
+    pub fn write(&self, name: &str, text: &str) {
+        fs::write(self.directory.join(name), text).expect("the test file can be written");
+    }
+
+    /// Text, or what of a binary file is text.
+    #[allow(dead_code)] // not every test file reads outputs
+    pub fn read(&self, name: &str) -> String {
+        let bytes = fs::read(self.directory.join(name)).expect("the output can be read");
+        String::from_utf8_lossy(&bytes).into_owned()
+    }
+
+    /// Names of all files, sorted.
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.directory).expect("the test directory can be listed");
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// Runs `netmesh` in the directory with the words of `line`.
+    pub fn run(&self, line: &str) -> Outcome {
+        let output = Command::new(env!("CARGO_BIN_EXE_netmesh"))
+            .args(line.split_whitespace())
+            .current_dir(&self.directory)
+            .output()
+            .expect("the program starts");
+        Outcome::new(&output)
+    }
+}
+
+impl Outcome {
+    fn new(output: &Output) -> Self {
+        Self {
+            code: output.status.code().expect("the program ends by itself"),
+            stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
+            stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
+        }
+    }
+
+    /// The run must have failed with `code`, said `words` on stderr and nothing on stdout.
+    #[allow(dead_code)] // not every test file tests failures
+    #[track_caller]
+    pub fn assert_failure(&self, code: i32, words: &[&str]) {
+        assert_eq!(self.code, code, "stderr: {}", self.stderr);
+        assert_eq!(self.stdout, "");
+        for word in words {
+            assert!(self.stderr.contains(word), "no '{word}' in: {}", self.stderr);
+        }
+    }
+
+    #[allow(dead_code)] // not every test file tests successes
+    #[track_caller]
+    pub fn assert_success(&self) {
+        assert_eq!(self.code, 0, "stderr: {}", self.stderr);
+        assert_eq!(self.stderr, "");
+    }
+}

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Runs every test there is; installs what that needs on Debian. NETMESH_JOBS limits the processes.
+set -euo pipefail
+cd "$(dirname "$0")"
+exec </dev/null
+
+readonly jobs="${NETMESH_JOBS:-$(nproc)}"
+readonly tools="$PWD/target/tools" venv="$PWD/target/venv" build="$PWD/target/cmake"
+# shellcheck source=scripts/common.sh
+. scripts/common.sh
+# shellcheck source=scripts/tools.sh
+. scripts/tools.sh
+
+step "tools"
+need_cargo
+need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev python3 python3-venv
+need_rust_components
+export PATH="$venv/bin:$tools/bin:$PATH" CARGO_BUILD_JOBS="$jobs"
+need_cbindgen
+need_meshio
+
+step "format"
+cargo fmt --all --check
+
+step "clippy"
+cargo clippy --workspace --all-targets --locked -- -D warnings
+
+step "Rust tests"
+cargo test --workspace --locked
+
+step "C++ harness: build"
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release
+cmake --build "$build" --parallel "$jobs"
+
+step "C++ harness: CGAL, TetGen, valgrind"
+ctest --test-dir "$build" --output-on-failure --parallel "$jobs"
+
+step "Miri"
+miri="$(miri_toolchain)"
+if [ -n "$miri" ]; then
+  MIRIFLAGS=-Zmiri-disable-isolation cargo "+$miri" miri test --package netmesh --lib capi
+else
+  echo "skipped: no nightly toolchain with the component miri"
+fi
+
+step "all tests passed"

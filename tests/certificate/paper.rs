@@ -232,6 +232,19 @@ fn a_vertex_just_outside_a_ball() {
 }
 
 #[test]
+fn a_chain_of_domains_that_is_absurdly_long() {
+    let mut case = by_hand(&BY_HAND, &[]);
+    let mesh = &mut case.mesh;
+    for i in 0..100_000u32 {
+        let radius = 0.02 / (1.0 + 1e-4 * f64::from(i));
+        mesh.domains.push(Domain { center: 0, parent: i + 1, radius });
+    }
+    mesh.vertex_domains[0] = mesh.domains.len() as u32 - 1;
+    mesh.precision_limited[0] = true;
+    assert_violates(&case, Kind::DomainSpan);
+}
+
+#[test]
 fn encroachment_by_tighter_parameters() {
     assert_all(Kind::OuterEncroachment, |case| case.mesh.parameters.encroachment = 1e12);
     for mut case in [by_hand(&BY_HAND, &[]), run(&pairs::<2>(6, 1e-9, 2), &Options::default())] {

@@ -1,6 +1,7 @@
 //! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
 
 use super::start::{REPRESENTABLE, spacing_near};
+use super::template::{cage_points, turned};
 use super::{Mesher, some};
 use crate::error::Result;
 use crate::numerics::distance;
@@ -33,7 +34,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.adopt_center(cage, site);
         let mut start = start;
         let mut yielded = Vec::new();
-        for x in self.cage_points(&point, sphere) {
+        let directions = turned(&self.template, &mut self.random);
+        for x in cage_points(&directions, &point, sphere) {
             if let Some(vertex) = self.insert_cage_vertex(cage, x, start)? {
                 start = self.delaunay.complex().incident(vertex);
                 if self.is_input(vertex) {

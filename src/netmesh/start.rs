@@ -3,7 +3,7 @@
 
 use super::Mesher;
 use super::domains::ROOT;
-use super::template::cage_template;
+use super::template::{cage_points, cage_template};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::NONE;
 use crate::numerics::{affine_basis, distance};
@@ -19,7 +19,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let center = self.central_input();
         let point = *self.delaunay.point(center);
         let radius = self.root_radius(&point);
-        let sphere = self.cage_points(&point, radius * self.parameters.cage_scale);
+        let sphere = cage_points(&self.template, &point, radius * self.parameters.cage_scale);
         if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
             let message =
                 "the coordinates are too large: the outer cage leaves the range of double";
@@ -113,14 +113,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .fold(0.0, f64::max);
         let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
         (self.parameters.root_scale * radius).max(spacing)
-    }
-
-    /// The points c + r T.
-    pub(super) fn cage_points(&self, center: &[f64; D], radius: f64) -> Vec<[f64; D]> {
-        let point = |direction: &[f64; D]| {
-            std::array::from_fn(|axis| center[axis] + radius * direction[axis])
-        };
-        self.template.iter().map(point).collect()
     }
 }
 

@@ -23,6 +23,34 @@ fn polygon<const D: usize>(delta: f64) -> Vec<[f64; D]> {
     (0..count as u32).map(corner).collect()
 }
 
+/// The points c + r T.
+pub(super) fn cage_points<const D: usize>(
+    template: &[[f64; D]],
+    center: &[f64; D],
+    radius: f64,
+) -> Vec<[f64; D]> {
+    let point =
+        |direction: &[f64; D]| std::array::from_fn(|axis| center[axis] + radius * direction[axis]);
+    template.iter().map(point).collect()
+}
+
+/// T with its axes permuted and reflected at random, which is exact: cages about one centre that
+/// are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
+pub(super) fn turned<const D: usize>(
+    template: &[[f64; D]],
+    random: &mut Pcg64Mcg,
+) -> Vec<[f64; D]> {
+    let bits = random.next_u64();
+    let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
+    let mut choice = bits >> 32;
+    for axis in (1..D).rev() {
+        axes.swap(axis, (choice % (axis as u64 + 1)) as usize);
+        choice /= axis as u64 + 1;
+    }
+    let sign = |axis: usize| if bits >> axis & 1 == 0 { 1.0 } else { -1.0 };
+    template.iter().map(|t| std::array::from_fn(|axis| sign(axis) * t[axes[axis]])).collect()
+}
+
 /// Inserts the point of the sphere farthest from the net until none is farther than delta. The
 /// candidates are the normals of the hull's facets. The Delaunay complex of the net and the origin
 /// has a simplex over each facet, and its circumcentre c is such a normal: |c - t| = |c| for the

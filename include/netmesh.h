@@ -673,7 +673,8 @@ typedef struct nm_options {
      */
     double cage_scale;
     /**
-     * Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5.
+     * Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5,
+     * 2.5, 3, 4 in 2D, 3D, 4D, more.
      */
     double root_scale;
     /**
@@ -765,9 +766,9 @@ typedef struct nm_quality {
     uint32_t max_degree;
     /**
      * Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
-     * no cage, not on the hull and not precision-limited, over the corners inside 0.85 of the radius
-     * of their domain's cage sphere (those beyond are the cage's business; all corners where there
-     * are no domains).
+     * no cage, not on the hull and not precision-limited, over the corners inside the hull of their
+     * domain's cage: within min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (those
+     * beyond are the cage's business; all corners where there are no domains).
      */
     double worst_aspect;
     /**

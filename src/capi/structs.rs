@@ -81,7 +81,8 @@ pub struct nm_options {
     pub encroachment: f64,
     /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
     pub cage_scale: f64,
-    /// Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5.
+    /// Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5,
+    /// 2.5, 3, 4 in 2D, 3D, 4D, more.
     pub root_scale: f64,
     /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Any value, default 0.
     pub seed: u64,
@@ -168,9 +169,9 @@ pub struct nm_quality {
     /// Largest number of vertices that share an edge with one vertex.
     pub max_degree: u32,
     /// Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
-    /// no cage, not on the hull and not precision-limited, over the corners inside 0.85 of the radius
-    /// of their domain's cage sphere (those beyond are the cage's business; all corners where there
-    /// are no domains).
+    /// no cage, not on the hull and not precision-limited, over the corners inside the hull of their
+    /// domain's cage: within min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (those
+    /// beyond are the cage's business; all corners where there are no domains).
     pub worst_aspect: f64,
     /// Worst aspect of all cells off the hull, cages and precision-limited ones too, over all corners.
     pub worst_aspect_anywhere: f64,

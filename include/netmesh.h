@@ -352,6 +352,207 @@ typedef int32_t nm_vertex_kind;
 #endif // __cplusplus
 
 /**
+ * nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1 (topology),
+ * 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later versions may append
+ * kinds.
+ */
+enum nm_violation
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Nothing was found broken.
+     */
+    NM_VIOLATION_NONE = 0,
+    /**
+     * An array does not have the length that the number of vertices or simplices asks for.
+     */
+    NM_VIOLATION_ARRAY_LENGTH = 1,
+    /**
+     * A coordinate is infinite or not a number.
+     */
+    NM_VIOLATION_NON_FINITE = 2,
+    /**
+     * A simplex names a vertex that does not exist.
+     */
+    NM_VIOLATION_VERTEX_OUT_OF_RANGE = 3,
+    /**
+     * A simplex names a vertex twice.
+     */
+    NM_VIOLATION_REPEATED_VERTEX = 4,
+    /**
+     * A vertex is in no simplex.
+     */
+    NM_VIOLATION_UNUSED_VERTEX = 5,
+    /**
+     * A simplex names a neighbour that does not exist.
+     */
+    NM_VIOLATION_NEIGHBOR_OUT_OF_RANGE = 6,
+    /**
+     * Two simplices have the same vertices.
+     */
+    NM_VIOLATION_DUPLICATE_SIMPLEX = 7,
+    /**
+     * A facet is in more than two simplices.
+     */
+    NM_VIOLATION_OVERFULL_FACET = 8,
+    /**
+     * A simplex shares a facet with another one but names no neighbour there.
+     */
+    NM_VIOLATION_MISSING_NEIGHBOR = 9,
+    /**
+     * A simplex names a neighbour that does not name it back.
+     */
+    NM_VIOLATION_ASYMMETRIC_NEIGHBOR = 10,
+    /**
+     * Two neighbours name each other, but not across the facet that they share.
+     */
+    NM_VIOLATION_NEIGHBOR_FACET = 11,
+    /**
+     * The simplices are not connected through facets.
+     */
+    NM_VIOLATION_DISCONNECTED = 12,
+    /**
+     * The numbers of faces of each dimension do not add up to a ball's.
+     */
+    NM_VIOLATION_EULER_CHARACTERISTIC = 13,
+    /**
+     * The simplices round a vertex are not connected through facets at that vertex.
+     */
+    NM_VIOLATION_VERTEX_STAR = 14,
+    /**
+     * The link of a vertex is not a sphere, or on the hull a ball, by its Euler characteristic.
+     */
+    NM_VIOLATION_VERTEX_LINK = 15,
+    /**
+     * The mesh has no hull facet, or a hull ridge is not in exactly two hull facets.
+     */
+    NM_VIOLATION_HULL_RIDGE = 16,
+    /**
+     * The hull is not connected.
+     */
+    NM_VIOLATION_HULL_DISCONNECTED = 17,
+    /**
+     * The hull facets round a vertex are not connected through ridges at that vertex.
+     */
+    NM_VIOLATION_HULL_LINK = 18,
+    /**
+     * A simplex is flat or negatively oriented.
+     */
+    NM_VIOLATION_ORIENTATION = 101,
+    /**
+     * Two neighbours lie on the same side of the facet that they share.
+     */
+    NM_VIOLATION_FOLDED_FACET = 102,
+    /**
+     * The opposite vertex of a neighbour is strictly inside a simplex's circumball.
+     */
+    NM_VIOLATION_DELAUNAY = 103,
+    /**
+     * The hull is not convex at a ridge.
+     */
+    NM_VIOLATION_NON_CONVEX_HULL = 104,
+    /**
+     * The simplices round a face of codimension two go round it more than once.
+     */
+    NM_VIOLATION_WINDING = 105,
+    /**
+     * An input's vertex does not exist or has other coordinates.
+     */
+    NM_VIOLATION_INPUT_VERTEX = 201,
+    /**
+     * The vertex of a distinct input does not have that input's bits.
+     */
+    NM_VIOLATION_INPUT_BITS = 202,
+    /**
+     * A vertex's kind contradicts its place: inputs are vertices 0, 1, ... up to the distinct inputs, and no others.
+     */
+    NM_VIOLATION_VERTEX_KIND = 203,
+    /**
+     * A plain Delaunay triangulation has domains, labels or vertices that are no inputs.
+     */
+    NM_VIOLATION_PLAIN_DELAUNAY = 204,
+    /**
+     * The domains are not a tree: domain 0 the only root, parents before their children.
+     */
+    NM_VIOLATION_DOMAIN_TREE = 205,
+    /**
+     * A domain's radius is not positive and finite, or its centre is no vertex.
+     */
+    NM_VIOLATION_DOMAIN_BALL = 206,
+    /**
+     * The vertex at a domain's centre is not labelled as in that domain's subtree.
+     */
+    NM_VIOLATION_DOMAIN_CENTER = 207,
+    /**
+     * A child's ball reaches outside its parent's.
+     */
+    NM_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
+    /**
+     * The balls of two siblings overlap.
+     */
+    NM_VIOLATION_DOMAINS_OVERLAP = 209,
+    /**
+     * A vertex is labelled with a domain that does not exist, whose ball does not hold it, or
+     * with one that has a child whose ball holds it.
+     */
+    NM_VIOLATION_VERTEX_DOMAIN = 210,
+    /**
+     * A cage vertex's kind contradicts the domain that it is labelled with.
+     */
+    NM_VIOLATION_CAGE_OF = 211,
+    /**
+     * A cage vertex is not near the cage's sphere.
+     */
+    NM_VIOLATION_CAGE_RADIUS = 212,
+    /**
+     * A cage has too few vertices to enclose its domain's centre.
+     */
+    NM_VIOLATION_CAGE_INCOMPLETE = 213,
+    /**
+     * A vertex on the hull is not in the root's cage.
+     */
+    NM_VIOLATION_HULL_VERTEX = 214,
+    /**
+     * An input inside a domain's ball encroaches its cage (Definition 2).
+     */
+    NM_VIOLATION_INNER_ENCROACHMENT = 215,
+    /**
+     * A vertex outside a domain's ball encroaches its cage (Definition 2).
+     */
+    NM_VIOLATION_OUTER_ENCROACHMENT = 216,
+    /**
+     * Simplices span more levels of the hierarchy than un-encroached cages allow.
+     */
+    NM_VIOLATION_DOMAIN_SPAN = 217,
+    /**
+     * The Voronoi cell of a non-cage vertex has a worse aspect than the bound (Definition 4).
+     */
+    NM_VIOLATION_VERTEX_ASPECT = 218,
+    /**
+     * The union cell of a cage has a worse aspect than the bound (Definition 4).
+     */
+    NM_VIOLATION_CAGE_ASPECT = 219,
+    /**
+     * A simplex has a larger ratio of circumradius to shortest edge than the bound.
+     */
+    NM_VIOLATION_RADIUS_EDGE = 220,
+    /**
+     * A finished mesh has other domains than the root.
+     */
+    NM_VIOLATION_NOT_FINISHED = 221,
+};
+#ifndef __cplusplus
+typedef int32_t nm_violation;
+#endif // __cplusplus
+
+/**
+ * A length `mantissa * 2^exponent` with the mantissa in \[1, 2); zero and infinity are their own.
+ */
+typedef struct Length Length;
+
+/**
  * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
  * nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time from
  * any threads; nm_run needs the handle for itself, which is checked: the call that comes too early
@@ -390,9 +591,9 @@ typedef struct nm_progress {
 } nm_progress;
 
 /**
- * Called by nm_run on the thread that called nm_run, about 20 times a second. progress: valid
- * during the call. user_data: nm_options.user_data. Nonzero cancels the run, which then answers
- * NM_CANCELLED and leaves the mesh as it was.
+ * Called by nm_run on the thread that called nm_run, about 20 times a second; a run that is over
+ * sooner may not call it at all. progress: valid during the call. user_data: nm_options.user_data.
+ * Nonzero cancels the run, which then answers NM_CANCELLED and leaves the mesh as it was.
  *
  * It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
  * being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -549,8 +750,9 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
- * How good a mesh is. A Voronoi cell's aspect is the distance from its vertex to its farthest corner
- * over half the distance to the nearest other vertex (1 at best).
+ * How good a mesh is. The aspect of a Voronoi cell is the distance from its vertex to its farthest
+ * corner over half the distance to the nearest other vertex; it is at least 1. A figure over no
+ * cells at all is 0; infinity stands for ratios beyond the doubles.
  */
 typedef struct nm_quality {
     /**
@@ -562,35 +764,36 @@ typedef struct nm_quality {
      */
     uint32_t max_degree;
     /**
-     * Worst aspect of the vertices that are in no cage, counting the corners inside 0.85 of the
-     * radius of their domain's cage sphere (the rest is the cage's business). What
-     * NM_CRITERION_VORONOI_ASPECT bounds.
+     * Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
+     * no cage, not on the hull and not precision-limited, over the corners inside 0.85 of the radius
+     * of their domain's cage sphere (those beyond are the cage's business; all corners where there
+     * are no domains).
      */
     double worst_aspect;
     /**
-     * Worst aspect of all cells that are off the hull, with all their corners.
+     * Worst aspect of all cells off the hull, cages and precision-limited ones too, over all corners.
      */
     double worst_aspect_anywhere;
     /**
-     * Mean aspect of the cells that worst_aspect ranges over.
+     * Mean of the aspects of which worst_aspect is the largest.
      */
     double mean_aspect;
     /**
-     * Worst aspect of a cage: the union of its vertices' cells, seen from the domain's centre.
+     * Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
+     * domain's centre.
      */
     double worst_cage_aspect;
     /**
-     * Worst circumradius over shortest edge of a simplex. What NM_CRITERION_RADIUS_EDGE bounds,
-     * with the same restriction as worst_aspect.
+     * Worst circumradius over shortest edge of the simplices without a vertex on the hull, not
+     * restricted. What NM_CRITERION_RADIUS_EDGE bounds, under the restriction of worst_aspect.
      */
     double worst_radius_edge;
     /**
-     * Smallest angle of a triangle (2D), smallest dihedral angle of a simplex (3D and more), in
-     * degrees.
+     * Smallest angle (2D) or dihedral angle (3D and more) of the same simplices, in degrees.
      */
     double min_angle_degrees;
     /**
-     * Cells that no double can improve: too near to other vertices for the grid of doubles. They
+     * Vertices whose cells no double can improve: too near to others for the grid of doubles. They
      * are outside the promise; nm_mesh_get_precision_limited tells which.
      */
     uint64_t precision_limited;
@@ -680,7 +883,7 @@ typedef struct nm_report {
      */
     uint64_t checked;
     /**
-     * The first violation's kind, 0 if there is none.
+     * The first violation's kind, an nm_violation; 0 if there is none.
      */
     uint32_t kind;
     /**

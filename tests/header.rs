@@ -5,6 +5,7 @@
 mod compiler;
 
 use compiler::{Language, root, run, skip, strict_compiler, text};
+use netmesh::{Criterion, Mesh, Options};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -67,34 +68,61 @@ fn the_constants_are_the_crates() {
     assert_eq!(constant("NM_NONE"), format!("{:#X}u", netmesh::NONE));
 }
 
+/// What a run says about `options.<field>` out of its range, in each dimension that has its own
+/// defaults (2, 3, 4 and more): the ranges and the defaults.
+fn ranges(refuse: impl Fn(&mut Options)) -> (Vec<String>, Vec<String>) {
+    let mut options = Options::default();
+    refuse(&mut options);
+    let message = |dim: usize| {
+        let points: Vec<f64> = (0..2 * dim).map(|i| i as f64).collect();
+        let mut mesh = Mesh::new(dim, 2, &points, 0).unwrap();
+        mesh.run(&options, None).unwrap_err().to_string()
+    };
+    let messages: Vec<_> = (2..=5).map(message).collect();
+    let after = |text: &str, start: &str, end: char| {
+        let rest = &text[text.find(start).unwrap() + start.len()..];
+        rest[..rest.find(end).unwrap()].to_owned()
+    };
+    let mut ranges: Vec<_> =
+        messages.iter().map(|text| format!("[{}]", after(text, "[", ']'))).collect();
+    let mut defaults: Vec<_> = messages.iter().map(|text| after(text, "default ", ')')).collect();
+    for values in [&mut ranges, &mut defaults] {
+        if values.iter().all(|value| *value == values[0]) {
+            values.truncate(1);
+        }
+    }
+    (ranges, defaults)
+}
+
 /// The ranges and defaults that the manual gives are the ones that are enforced.
 #[test]
 fn the_manuals_ranges_are_the_enforced_ones() {
-    use netmesh::Options;
-    type Set = fn(&mut Options, f64);
-    let fields: [(&str, Set); 7] = [
-        ("epsilon", |options, value| options.epsilon = value),
-        ("delta", |options, value| options.delta = value),
-        ("gamma", |options, value| options.gamma = value),
-        ("yield_radius", |options, value| options.yield_radius = value),
-        ("encroachment", |options, value| options.encroachment = value),
-        ("cage_scale", |options, value| options.cage_scale = value),
-        ("root_scale", |options, value| options.root_scale = value),
+    type Set = fn(&mut Options);
+    let fields: [(&str, Set); 9] = [
+        ("quality_bound", |options| options.quality_bound = -1.0),
+        ("quality_bound", |options| {
+            options.criterion = Criterion::RadiusEdge;
+            options.quality_bound = -1.0;
+        }),
+        ("epsilon", |options| options.epsilon = -1.0),
+        ("delta", |options| options.delta = -1.0),
+        ("gamma", |options| options.gamma = -1.0),
+        ("yield_radius", |options| options.yield_radius = -1.0),
+        ("encroachment", |options| options.encroachment = -1.0),
+        ("cage_scale", |options| options.cage_scale = -1.0),
+        ("root_scale", |options| options.root_scale = -1.0),
     ];
     let header = header();
-    for (field, set) in fields {
+    for (field, refuse) in fields {
         let end = header.find(&format!("    double {field};")).unwrap();
         let start = header[..end].rfind("/**").unwrap();
-        let manual = header[start..end].replace("\n     *", "").replace("  ", " ");
-        let message = {
-            let mut options = Options::default();
-            set(&mut options, -1.0);
-            netmesh::netmesh::parameters::Parameters::resolve(2, &options).unwrap_err().to_string()
-        };
-        let range = &message[message.find('[').unwrap()..];
-        assert!(manual.contains(&format!("In {range}")), "{field}: {manual}: {message}");
-        let default = message.split("default ").nth(1).unwrap().split(')').next().unwrap();
-        assert!(manual.contains(&format!("default {default}")), "{field}: {manual}: {message}");
+        let manual = header[start..end].replace("\n     *", "");
+        let (ranges, defaults) = ranges(refuse);
+        let ranges = format!("n {}", ranges.join(", "));
+        let defaults = format!("default {}", defaults.join(", "));
+        for part in [ranges, defaults] {
+            assert!(manual.contains(&part), "{field}: no '{part}' in {manual}");
+        }
     }
 }
 

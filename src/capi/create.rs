@@ -127,7 +127,7 @@ unsafe fn read_points<'a>(
         let message = format!("stride is {stride}; n = {n} points so far apart fit no memory");
         Error::new(ErrorKind::InvalidArgument, message)
     })?;
-    // SAFETY: the caller's promise.
+    // SAFETY: `n > 0`, so not NULL; the rest is the caller's promise.
     unsafe { doubles("points", points, count) }
 }
 

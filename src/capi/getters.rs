@@ -241,6 +241,7 @@ unsafe fn get_per_vertex<T: Copy>(
 mod tests {
     use super::*;
     use crate::capi::test_support::{last_message, square};
+    use crate::options::Options;
     use std::ptr::{null, null_mut};
 
     type Getter<T> = unsafe extern "C" fn(*const nm_mesh, *mut T, u64, *mut u64) -> nm_status;
@@ -305,5 +306,36 @@ mod tests {
         // SAFETY: a live handle; NULL is allowed.
         let status = unsafe { nm_mesh_counts(&square(), null_mut()) };
         assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "counts is NULL"));
+    }
+    #[test]
+    fn after_a_run_every_getter_has_its_array() {
+        let mut points: Vec<f64> = (0..120).map(|i| f64::from(i * i % 121)).collect();
+        points.extend([60.0, 60.0, 60.0, 60.0 + 1e-9]);
+        let mut mesh = Mesh::new(2, 62, &points, 0).unwrap();
+        mesh.run(&Options::default(), None).unwrap();
+        let t = mesh.triangulation().unwrap().clone();
+        let distinct = mesh.inputs().distinct();
+        let mesh = nm_mesh::new(mesh);
+        assert_eq!(get(&mesh, nm_mesh_get_points), t.points);
+        assert_eq!(get(&mesh, nm_mesh_get_simplices), t.simplices);
+        assert_eq!(get(&mesh, nm_mesh_get_neighbors), t.neighbors);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_domains), t.vertex_domains);
+        let kinds = get(&mesh, nm_mesh_get_vertex_kinds);
+        assert_eq!(kinds, t.kinds.iter().map(|&kind| kind as u8).collect::<Vec<_>>());
+        assert!(kinds[..distinct].iter().all(|&kind| kind == 0) && kinds[distinct..].contains(&2));
+        let limited = t.precision_limited.iter().map(|&limited| u8::from(limited));
+        assert_eq!(get(&mesh, nm_mesh_get_precision_limited), limited.collect::<Vec<_>>());
+        assert_eq!(get(&mesh, nm_mesh_get_input_vertices).len(), 62);
+        let mut domains = vec![nm_domain { center: 9, parent: 9, radius: 9.0 }; t.domains.len()];
+        let capacity = domains.len() as u64;
+        // SAFETY: a live handle; the buffer has room for `capacity`.
+        let status =
+            unsafe { nm_mesh_get_domains(&mesh, domains.as_mut_ptr(), capacity, null_mut()) };
+        assert_eq!(status, nm_status::NM_OK);
+        assert!(domains.len() > 1, "the close pair has a domain of its own");
+        for (is, should) in domains.iter().zip(&t.domains) {
+            let is = (is.center, is.parent, is.radius);
+            assert_eq!(is, (should.center, should.parent, should.radius));
+        }
     }
 }

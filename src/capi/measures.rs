@@ -6,6 +6,7 @@ use super::getters::result;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::OutStruct;
 use super::structs::{nm_quality, nm_report, nm_stats};
+use super::violations::nm_violation;
 use crate::mesh::{Mesh, NONE, Stats};
 use crate::quality::{Quality, measure};
 use crate::validate::{Report, validate};
@@ -125,7 +126,7 @@ fn encode_report(report: &Report) -> nm_report {
         level: report.level,
         violations: report.violations,
         checked: report.checked,
-        kind: first.map_or(0, |violation| violation.kind as u32),
+        kind: first.map_or(0, |violation| nm_violation::from(violation.kind) as u32),
         simplex: first.map_or(NONE, |violation| violation.simplex),
         vertex: first.map_or(NONE, |violation| violation.vertex),
         domain: first.map_or(NONE, |violation| violation.domain),
@@ -143,7 +144,7 @@ mod tests {
 
     fn report(message: &str) -> Report {
         let first = Violation {
-            kind: ViolationKind::None,
+            kind: ViolationKind::Delaunay,
             simplex: 3,
             vertex: 4,
             domain: NONE,
@@ -162,7 +163,7 @@ mod tests {
     fn a_report_carries_the_first_violation() {
         let encoded = encode_report(&report("facet 1 of simplex 3"));
         let ids = (encoded.kind, encoded.simplex, encoded.vertex, encoded.domain);
-        assert_eq!(ids, (0, 3, 4, NONE));
+        assert_eq!(ids, (103, 3, 4, NONE));
         assert_eq!((encoded.level, encoded.violations, encoded.checked), (1, 2, 30));
         assert_eq!(message(&encoded), "facet 1 of simplex 3");
         let clean = encode_report(&Report { level: 3, violations: 0, checked: 9, first: None });

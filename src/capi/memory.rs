@@ -182,18 +182,12 @@ pub(super) unsafe fn copy_out<T>(
 /// `count` doubles of the caller's.
 ///
 /// # Safety
-/// `pointer` is NULL or has `count` readable doubles that stay while the slice lives.
+/// `pointer` is not NULL and has `count` readable doubles that stay while the slice lives.
 pub(super) unsafe fn doubles<'a>(
     argument: &str,
     pointer: *const f64,
     count: usize,
 ) -> Result<&'a [f64]> {
-    if count == 0 {
-        return Ok(&[]);
-    }
-    if pointer.is_null() {
-        return Err(null_argument(argument));
-    }
     if !pointer.is_aligned() {
         return Err(misaligned::<f64>(argument));
     }

@@ -21,6 +21,8 @@ mod version;
 
 mod enums;
 
+mod violations;
+
 mod error;
 
 mod create;
@@ -55,3 +57,4 @@ pub use structs::{
     nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report, nm_stats,
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
+pub use violations::nm_violation;

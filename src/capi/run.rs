@@ -65,8 +65,12 @@ fn encode_progress(progress: &Progress) -> nm_progress {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::capi::getters::nm_mesh_counts;
+    use crate::capi::structs::nm_counts;
     use crate::capi::test_support::{from_c, last_message, square};
-    use crate::options::Phase;
+    use crate::mesh::Mesh;
+    use crate::options::{Algorithm, Phase};
+    use std::ffi::c_void;
     use std::ptr::{null, null_mut};
 
     #[test]
@@ -101,5 +105,83 @@ mod tests {
         // SAFETY: NULL is allowed.
         let status = unsafe { nm_run(null_mut(), null()) };
         assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
+    }
+    /// A handle with `n` points in a cube.
+    fn cube(n: usize) -> nm_mesh {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64
+        };
+        let points: Vec<f64> = (0..3 * n).map(|_| next()).collect();
+        nm_mesh::new(Mesh::new(3, n, &points, 0).expect("good points"))
+    }
+
+    fn counts(mesh: &nm_mesh) -> (nm_status, nm_counts) {
+        let mut counts = nm_counts {
+            struct_size: size_of::<nm_counts>() as u32,
+            dim: 0,
+            inputs: 0,
+            duplicates: 0,
+            vertices: 0,
+            simplices: 0,
+            domains: 0,
+        };
+        // SAFETY: a live handle and a whole struct.
+        (unsafe { nm_mesh_counts(mesh, &mut counts) }, counts)
+    }
+
+    /// What calls on the mesh answered from within its progress callback.
+    struct Witness<'a> {
+        mesh: &'a nm_mesh,
+        statuses: Vec<nm_status>,
+    }
+
+    unsafe extern "C" fn use_the_mesh(_: *const nm_progress, user_data: *mut c_void) -> i32 {
+        // SAFETY: the test passes a witness that nothing else uses during the run.
+        let witness = unsafe { &mut *user_data.cast::<Witness>() };
+        let mesh = witness.mesh;
+        let try_calls = move || {
+            // SAFETY: a live handle; the run is refused before it changes anything.
+            [counts(mesh).0, unsafe { nm_run((&raw const *mesh).cast_mut(), null()) }]
+        };
+        witness.statuses.extend(try_calls());
+        let elsewhere = std::thread::scope(|scope| scope.spawn(try_calls).join());
+        witness.statuses.extend(elsewhere.unwrap());
+        -1
+    }
+
+    #[test]
+    fn a_run_has_the_mesh_alone_and_may_be_cancelled() {
+        let mesh = cube(40_000);
+        let before = counts(&mesh);
+        let mut witness = Witness { mesh: &mesh, statuses: Vec::new() };
+        let options = nm_options {
+            progress: Some(use_the_mesh),
+            user_data: (&raw mut witness).cast(),
+            ..encode(&Options::default())
+        };
+        // SAFETY: a live handle and a whole struct; the callback keeps to the rules.
+        let status = unsafe { nm_run((&raw const mesh).cast_mut(), &options) };
+        assert_eq!(status, nm_status::NM_CANCELLED);
+        assert_eq!(witness.statuses, [nm_status::NM_STATE; 4], "one report, then no more");
+        assert_eq!(counts(&mesh), before);
+    }
+
+    #[test]
+    fn a_second_run_replaces_the_first() {
+        let mesh = cube(100);
+        let run = |algorithm| {
+            let options = encode(&Options { algorithm, ..Options::default() });
+            // SAFETY: a live handle and a whole struct.
+            let status = unsafe { nm_run((&raw const mesh).cast_mut(), &options) };
+            assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+            counts(&mesh).1
+        };
+        let refined = run(Algorithm::Netmesh);
+        let plain = run(Algorithm::Delaunay);
+        assert!(refined.domains > 0 && refined.vertices > 100);
+        assert_eq!((plain.domains, plain.vertices), (0, 100));
+        assert_eq!(run(Algorithm::Netmesh), refined);
     }
 }

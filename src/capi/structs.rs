@@ -24,9 +24,9 @@ pub struct nm_progress {
     pub simplices: u64,
 }
 
-/// Called by nm_run on the thread that called nm_run, about 20 times a second. progress: valid
-/// during the call. user_data: nm_options.user_data. Nonzero cancels the run, which then answers
-/// NM_CANCELLED and leaves the mesh as it was.
+/// Called by nm_run on the thread that called nm_run, about 20 times a second; a run that is over
+/// sooner may not call it at all. progress: valid during the call. user_data: nm_options.user_data.
+/// Nonzero cancels the run, which then answers NM_CANCELLED and leaves the mesh as it was.
 ///
 /// It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
 /// being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -156,8 +156,9 @@ pub struct nm_domain {
     pub radius: f64,
 }
 
-/// How good a mesh is. A Voronoi cell's aspect is the distance from its vertex to its farthest corner
-/// over half the distance to the nearest other vertex (1 at best).
+/// How good a mesh is. The aspect of a Voronoi cell is the distance from its vertex to its farthest
+/// corner over half the distance to the nearest other vertex; it is at least 1. A figure over no
+/// cells at all is 0; infinity stands for ratios beyond the doubles.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,23 +167,24 @@ pub struct nm_quality {
     pub struct_size: u32,
     /// Largest number of vertices that share an edge with one vertex.
     pub max_degree: u32,
-    /// Worst aspect of the vertices that are in no cage, counting the corners inside 0.85 of the
-    /// radius of their domain's cage sphere (the rest is the cage's business). What
-    /// NM_CRITERION_VORONOI_ASPECT bounds.
+    /// Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
+    /// no cage, not on the hull and not precision-limited, over the corners inside 0.85 of the radius
+    /// of their domain's cage sphere (those beyond are the cage's business; all corners where there
+    /// are no domains).
     pub worst_aspect: f64,
-    /// Worst aspect of all cells that are off the hull, with all their corners.
+    /// Worst aspect of all cells off the hull, cages and precision-limited ones too, over all corners.
     pub worst_aspect_anywhere: f64,
-    /// Mean aspect of the cells that worst_aspect ranges over.
+    /// Mean of the aspects of which worst_aspect is the largest.
     pub mean_aspect: f64,
-    /// Worst aspect of a cage: the union of its vertices' cells, seen from the domain's centre.
+    /// Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
+    /// domain's centre.
     pub worst_cage_aspect: f64,
-    /// Worst circumradius over shortest edge of a simplex. What NM_CRITERION_RADIUS_EDGE bounds,
-    /// with the same restriction as worst_aspect.
+    /// Worst circumradius over shortest edge of the simplices without a vertex on the hull, not
+    /// restricted. What NM_CRITERION_RADIUS_EDGE bounds, under the restriction of worst_aspect.
     pub worst_radius_edge: f64,
-    /// Smallest angle of a triangle (2D), smallest dihedral angle of a simplex (3D and more), in
-    /// degrees.
+    /// Smallest angle (2D) or dihedral angle (3D and more) of the same simplices, in degrees.
     pub min_angle_degrees: f64,
-    /// Cells that no double can improve: too near to other vertices for the grid of doubles. They
+    /// Vertices whose cells no double can improve: too near to others for the grid of doubles. They
     /// are outside the promise; nm_mesh_get_precision_limited tells which.
     pub precision_limited: u64,
 }
@@ -250,7 +252,7 @@ pub struct nm_report {
     pub violations: u64,
     /// Single checks made.
     pub checked: u64,
-    /// The first violation's kind, 0 if there is none.
+    /// The first violation's kind, an nm_violation; 0 if there is none.
     pub kind: u32,
     /// The first violation's simplex, NM_NONE where none.
     pub simplex: u32,

@@ -13,6 +13,12 @@ pub(super) const LEVELS: usize = 3;
 /// A new cage is this much larger than |u - v| / epsilon, so that v is strictly inside epsilon r.
 const SLACK: f64 = 1.001;
 
+/// How much more room than it needs a cage must have to be smaller than the refinement that it
+/// saves (docs/decisions.md): cages are cheap in 2D, dearer above.
+const fn pays<const D: usize>() -> f64 {
+    if D == 2 { 1.0 } else { 2.0 }
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
     /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
@@ -24,7 +30,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (center, gap) = self.nearest_in_domain(&x, parent)?;
         let Parameters { epsilon, encroachment, .. } = self.parameters;
         let radius = SLACK * gap / epsilon;
-        let has_room = self.clearance(center, parent) >= encroachment * radius / epsilon;
+        let has_room =
+            self.clearance(center, parent) >= pays::<D>() * encroachment * radius / epsilon;
         has_room.then_some(CageSite { center, radius, parent })
     }
 

@@ -9,7 +9,7 @@ use crate::mesh::NONE;
 
 /// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
 /// not encroached let no D-ball span more than a few.
-const CLIMBS_PER_SIMPLEX: usize = 256;
+const CLIMBS_PER_SIMPLEX: usize = 64;
 
 /// Radii of the cells of all vertices and cages.
 pub(crate) struct Cells {

@@ -43,7 +43,8 @@ pub struct Quality {
     /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
     /// on the hull, which is the root's cage. Their corners are not restricted.
     pub worst_radius_edge: f64,
-    /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees.
+    /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees; 0 below
+    /// about 1e-14, where the directions of two facets are no longer told apart.
     pub min_angle_degrees: f64,
     /// Number of vertices marked as precision-limited.
     pub precision_limited: u64,

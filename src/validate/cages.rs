@@ -23,7 +23,7 @@ pub(super) fn check<const D: usize>(
     check_membership(view, tree, findings);
     check_positions(view, findings);
     check_hull(view, findings);
-    check_outer(view, cells, findings);
+    check_outer(view, tree, cells, findings);
     check_inner(view, tree, findings);
 }
 
@@ -99,7 +99,12 @@ fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
 
 /// No vertex in annulus(c, r, outf r / epsilon). It is enough to look at the nearest vertex
 /// outside the subtree's ball; that the others are inside is checked with the labels.
-fn check_outer<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut Findings) {
+fn check_outer<const D: usize>(
+    view: View<'_, D>,
+    tree: &DomainTree,
+    cells: &Cells,
+    findings: &mut Findings,
+) {
     findings.check(cells.cages_complete, || {
         let message = "simplices span more domains than un-encroached cages allow";
         Violation::new(ViolationKind::DomainSpan, message)
@@ -109,13 +114,27 @@ fn check_outer<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut 
     for (i, domain) in view.mesh.domains.iter().enumerate().skip(1) {
         let nearest = cells.cage_nearest[i];
         findings.check(nearest >= Length::new(domain.radius).times(factor), || {
-            let (radius, nearest) = (domain.radius, nearest.to_f64());
+            let (v, radius, nearest) = (nearest_outside(view, tree, i), domain.radius, nearest.to_f64());
             let message = format!(
-                "domain {i} of radius {radius:e} is outer-encroached: a vertex is {nearest:e} from its centre"
+                "domain {i} of radius {radius:e} is outer-encroached: vertex {v} is {nearest:e} from its centre"
             );
-            Violation::new(ViolationKind::OuterEncroachment, message).domain(i)
+            Violation::new(ViolationKind::OuterEncroachment, message).vertex(v).domain(i)
         });
     }
+}
+
+/// The vertex outside a domain's subtree that is nearest to its centre, by trying all.
+fn nearest_outside<const D: usize>(view: View<'_, D>, tree: &DomainTree, domain: usize) -> usize {
+    let center = view.point(view.mesh.domains[domain].center);
+    let labels = view.mesh.vertex_domains.iter().enumerate();
+    let mut best = (NONE as usize, Length::INFINITE);
+    for (v, _) in labels.filter(|&(_, &label)| !tree.holds(domain as u32, label)) {
+        let distance = Length::between(view.point(v as u32), center);
+        if distance < best.1 {
+            best = (v, distance);
+        }
+    }
+    best.0
 }
 
 /// No input in annulus(c, epsilon r, r), cage vertices apart, for each ancestor of its domain.

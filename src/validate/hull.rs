@@ -152,3 +152,75 @@ impl Sets {
         self.parents[a.max(b)] = a.min(b) as u32;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Stats, Triangulation, VertexKind};
+    use crate::netmesh::parameters::Parameters;
+    use crate::options::Options;
+
+    /// The first violation of the hull of a complex of which only the simplices matter.
+    fn first_violation<const D: usize>(simplices: &[Vec<u32>]) -> Option<ViolationKind> {
+        let shares = |a: &[u32], b: &[u32]| b.iter().filter(|v| a.contains(v)).count() == D;
+        let neighbor = |s: &[u32], slot: usize| {
+            let across = |t: &Vec<u32>| shares(s, t) && !t.contains(&s[slot]);
+            simplices.iter().position(across).map_or(NONE, |t| t as u32)
+        };
+        let row = |s: &Vec<u32>| (0..=D).map(|slot| neighbor(s, slot)).collect::<Vec<_>>();
+        let count = simplices.concat().into_iter().max().unwrap() as usize + 1;
+        let mesh = Triangulation {
+            dim: D,
+            points: vec![0.0; count * D],
+            simplices: simplices.concat(),
+            neighbors: simplices.iter().flat_map(row).collect(),
+            kinds: vec![VertexKind::Input; count],
+            vertex_domains: vec![NONE; count],
+            cage_of: vec![NONE; count],
+            domains: Vec::new(),
+            precision_limited: vec![false; count],
+            parameters: Parameters::resolve(D, &Options::default()).unwrap(),
+            stats: Stats::default(),
+        };
+        let mut findings = Findings::default();
+        check(View::<D> { mesh: &mesh }, &mut findings);
+        findings.first.map(|first| first.kind)
+    }
+
+    #[test]
+    fn a_chain_of_simplices_has_a_closed_hull() {
+        let chain: Vec<Vec<u32>> = (0..5).map(|k| (k..k + 4).collect()).collect();
+        assert_eq!(first_violation::<3>(&chain), None);
+        assert_eq!(first_violation::<2>(&[vec![0, 1, 2], vec![1, 2, 3]]), None);
+    }
+
+    #[test]
+    fn a_bow_tie_has_an_overfull_ridge() {
+        let bow = [vec![0, 1, 2], vec![0, 3, 4]];
+        assert_eq!(first_violation::<2>(&bow), Some(ViolationKind::HullRidge));
+    }
+
+    #[test]
+    fn a_closed_surface_has_no_hull() {
+        let sphere = [vec![0, 1, 2], vec![0, 1, 3], vec![0, 2, 3], vec![1, 2, 3]];
+        assert_eq!(first_violation::<2>(&sphere), Some(ViolationKind::HullRidge));
+    }
+
+    #[test]
+    fn an_annulus_has_two_hulls() {
+        let ring: Vec<Vec<u32>> = (0..4)
+            .flat_map(|i| {
+                let j = (i + 1) % 4;
+                [vec![i, j, 4 + i], vec![j, 4 + j, 4 + i]]
+            })
+            .collect();
+        assert_eq!(first_violation::<2>(&ring), Some(ViolationKind::HullDisconnected));
+    }
+
+    #[test]
+    fn a_chain_that_touches_itself_is_pinched() {
+        let mut chain: Vec<Vec<u32>> = (0..5).map(|k| (k..k + 4).collect()).collect();
+        chain[4][3] = 0;
+        assert_eq!(first_violation::<3>(&chain), Some(ViolationKind::HullLink));
+    }
+}

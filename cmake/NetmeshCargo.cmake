@@ -1,0 +1,69 @@
+# The Rust library as CMake targets. cargo decides what is out of date, so it runs at every build
+# and answers at once when nothing changed.
+
+find_program(NETMESH_CARGO cargo HINTS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin"
+             DOC "The cargo that builds netmesh")
+if(NOT NETMESH_CARGO)
+  message(FATAL_ERROR "netmesh needs cargo (https://rustup.rs); set NETMESH_CARGO to its path")
+endif()
+
+# Inside the binary directory: an out-of-source build writes nothing to the source tree, and two
+# build directories never wait for each other's lock. Point it at target/ to share cargo's own.
+set(NETMESH_CARGO_TARGET_DIR "${CMAKE_CURRENT_BINARY_DIR}/cargo" CACHE PATH
+    "Where cargo puts what it builds")
+
+set(netmesh_library_dir "${NETMESH_CARGO_TARGET_DIR}/release")
+set(netmesh_include_dir "${CMAKE_CURRENT_SOURCE_DIR}/include")
+if(WIN32)
+  set(netmesh_shared_file "${netmesh_library_dir}/netmesh.dll")
+  set(netmesh_import_file "${netmesh_library_dir}/netmesh.dll.lib")
+  set(netmesh_static_file "${netmesh_library_dir}/netmesh.lib")
+else()
+  set(netmesh_shared_file
+      "${netmesh_library_dir}/libnetmesh${CMAKE_SHARED_LIBRARY_SUFFIX}")
+  set(netmesh_import_file "")
+  set(netmesh_static_file "${netmesh_library_dir}/libnetmesh.a")
+endif()
+
+add_custom_target(netmesh_cargo
+  COMMAND "${NETMESH_CARGO}" build --release --locked --package netmesh --lib
+          --manifest-path "${CMAKE_CURRENT_SOURCE_DIR}/Cargo.toml"
+          --target-dir "${NETMESH_CARGO_TARGET_DIR}"
+  WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
+  BYPRODUCTS "${netmesh_shared_file}" "${netmesh_static_file}" ${netmesh_import_file}
+  COMMENT "Building the Rust library with cargo"
+  USES_TERMINAL
+  VERBATIM)
+
+# What `cargo rustc --release --crate-type staticlib -- --print native-static-libs` names.
+if(WIN32)
+  set(netmesh_system_libraries kernel32 ntdll userenv ws2_32 dbghelp)
+elseif(APPLE)
+  set(netmesh_system_libraries iconv m)
+else()
+  set(netmesh_system_libraries gcc_s util rt pthread m dl)
+endif()
+
+add_library(netmesh::netmesh SHARED IMPORTED GLOBAL)
+set_target_properties(netmesh::netmesh PROPERTIES
+  IMPORTED_LOCATION "${netmesh_shared_file}"
+  IMPORTED_NO_SONAME TRUE)
+if(netmesh_import_file)
+  set_target_properties(netmesh::netmesh PROPERTIES IMPORTED_IMPLIB "${netmesh_import_file}")
+endif()
+
+add_library(netmesh::static STATIC IMPORTED GLOBAL)
+set_target_properties(netmesh::static PROPERTIES
+  IMPORTED_LOCATION "${netmesh_static_file}"
+  INTERFACE_LINK_LIBRARIES "${netmesh_system_libraries}")
+
+foreach(target netmesh::netmesh netmesh::static)
+  target_include_directories(${target} INTERFACE "${netmesh_include_dir}")
+  add_dependencies(${target} netmesh_cargo)
+endforeach()
+
+# The top-level project builds the library even where nothing links it.
+if(netmesh_is_top_level)
+  add_custom_target(netmesh_library ALL)
+  add_dependencies(netmesh_library netmesh_cargo)
+endif()

@@ -26,10 +26,10 @@ step "clippy"
 cargo clippy --workspace --all-targets --locked -- -D warnings
 
 step "Rust tests"
-cargo test --workspace --locked
+cargo test --workspace --locked --no-fail-fast
 
 step "C++ harness: build"
-cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_CARGO_TARGET_DIR="$PWD/target"
 cmake --build "$build" --parallel "$jobs"
 
 step "C++ harness: CGAL, TetGen, valgrind"

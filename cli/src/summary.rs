@@ -121,7 +121,7 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "all simplices: radius-edge worst {}, smallest {angle} {} degrees; highest degree {}",
+                "off the hull: radius-edge worst {}, smallest {angle} {} degrees; highest degree {}",
                 measure(quality.worst_radius_edge),
                 measure(quality.min_angle_degrees),
                 grouped(u64::from(quality.max_degree)),

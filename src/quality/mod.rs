@@ -19,7 +19,7 @@ use view::View;
 /// The aspect of a Voronoi cell is its out-radius (distance to the farthest corner) over its
 /// in-radius (half the distance to the nearest vertex); it is at least 1. A corner counts in a
 /// domain of radius r if it is within `corner_restriction() * cage_scale * r` of the domain's centre
-/// (0.85 of the cage sphere's radius): corners beyond are the cage's business. Without domains
+/// (min(0.85, 1 - delta^2 / 2) of the cage sphere's radius): corners beyond are the cage's business. Without domains
 /// (plain Delaunay) every corner counts. A figure over no cells at all is 0. Infinity stands for
 /// ratios beyond the doubles and for flat simplices.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -73,7 +73,6 @@ fn hierarchical_runs_hold_and_measure_within_the_bound() {
 }
 
 #[test]
-#[ignore = "the builder leaves a cage outer-encroached"]
 fn larger_hierarchical_runs_hold() {
     let options = Options::default();
     for seed in 0..10 {
@@ -84,14 +83,12 @@ fn larger_hierarchical_runs_hold() {
 }
 
 #[test]
-#[ignore = "the builder puts Steiner vertices on the hull in 4D and above"]
 fn runs_in_higher_dimensions_hold() {
     assert_bounded(&run(&random_points::<4>(100, 1), &Options::default()));
     assert_bounded(&run(&random_points::<5>(20, 1), &Options::default()));
 }
 
 #[test]
-#[ignore = "the builder leaves bad cells where cages were released"]
 fn finished_runs_hold() {
     let options = Options { output: Output::WellSpaced, ..Options::default() };
     assert_bounded(&run(&random_points::<2>(500, 1), &options));
@@ -108,7 +105,6 @@ fn runs_by_radius_edge_hold() {
 }
 
 #[test]
-#[ignore = "the builder leaves bad simplices"]
 fn larger_runs_by_radius_edge_hold() {
     let options = Options { criterion: Criterion::RadiusEdge, ..Options::default() };
     assert_sound(&run(&random_points::<2>(1000, 1), &options));

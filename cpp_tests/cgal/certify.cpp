@@ -142,24 +142,36 @@ private:
         if (sum != 1) say("the Euler characteristic is " + std::to_string(sum) + " instead of 1");
     }
 
+    // The number of faces with so many corners.
     std::size_t faces(unsigned size) const {
-        using Face = std::array<std::uint32_t, 5>;
+        if (size == corners_) return mesh_.simplex_count();
+        if (size == corners_ - 1) return out_.facets;  // counted, with its adjacency, by facet()
+        using Face = std::array<std::uint32_t, 3>;     // all that is left up to dimension 4
+        std::vector<unsigned> subsets;
+        for (unsigned subset = 0; subset < (1u << corners_); ++subset) {
+            if (members(subset) == size) subsets.push_back(subset);
+        }
         std::vector<Face> all;
+        all.reserve(mesh_.simplex_count() * subsets.size());
         for (std::size_t s = 0; s < mesh_.simplex_count(); ++s) {
-            for (unsigned subset = 0; subset < (1u << corners_); ++subset) {
-                Face face;
-                face.fill(NM_NONE);
+            for (const unsigned subset : subsets) {
+                Face face = {NM_NONE, NM_NONE, NM_NONE};
                 unsigned used = 0;
                 for (unsigned i = 0; i < corners_; ++i) {
-                    if ((subset >> i & 1u) != 0 && used++ < size) face[used - 1] = mesh_.simplex(s)[i];
+                    if ((subset >> i & 1u) != 0) face[used++] = mesh_.simplex(s)[i];
                 }
-                if (used != size) continue;
                 std::sort(face.begin(), face.end());
                 all.push_back(face);
             }
         }
         std::sort(all.begin(), all.end());
         return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+    }
+
+    static unsigned members(unsigned subset) {
+        unsigned count = 0;
+        for (; subset != 0; subset &= subset - 1) ++count;
+        return count;
     }
 
     const ExportedMesh& mesh_;

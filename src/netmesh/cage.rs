@@ -1,5 +1,6 @@
 //! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
 
+use super::site::CageSite;
 use super::start::{REPRESENTABLE, spacing_near};
 use super::template::{cage_points, turned};
 use super::{Mesher, some};
@@ -9,14 +10,6 @@ use crate::numerics::distance;
 /// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
 /// has been displaced by rounding: the packing property leaves more room in exact arithmetic.
 const PACKING: f64 = 0.1;
-
-/// Where a cage is wanted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CageSite {
-    pub center: u32,
-    pub radius: f64,
-    pub parent: u32,
-}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
@@ -112,28 +105,29 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 };
                 let Some(domain) = self.inner_encroached_from(outer, &x) else { break };
                 let start = self.delaunay.complex().incident(input);
-                self.grow_cage(domain, start)?;
+                self.grow_cage_for(domain, &x, start)?;
             }
         }
         Ok(())
     }
 
-    /// GROWCAGE(C): where the nearest vertex outside leaves room for it, a cage of radius
-    /// r / epsilon; then the old one is released. (The paper compares Vor(C)'s in-radius (d + r)/2,
-    /// but only d >= outf r / epsilon^2 leaves the new cage un-encroached.)
-    pub(super) fn grow_cage(&mut self, cage: u32, start: u32) -> Result<()> {
-        let node = self.hierarchy.node(cage);
-        let (center, radius, outside) = (node.center, node.radius, node.outside);
-        let epsilon = self.parameters.epsilon;
-        if outside >= self.parameters.encroachment * radius / (epsilon * epsilon) {
-            let parent = self.hierarchy.parent(cage);
+    /// GROWCAGE(C): a cage of radius `least` or a little more where there is room for it; then the
+    /// old one is released. The paper's radius is r / epsilon.
+    pub(super) fn grow_cage(&mut self, cage: u32, least: f64, start: u32) -> Result<()> {
+        if let Some(site) = self.grown_site(cage, least) {
             self.stats.cages_grown += 1;
-            self.new_cage(CageSite { center, radius: radius / epsilon, parent }, start)?;
+            self.new_cage(site, start)?;
         }
         if self.hierarchy.node(cage).alive {
             self.release_cage(cage);
         }
         Ok(())
+    }
+
+    /// GROWCAGE of the cage that the point at `x` encroaches from inside.
+    pub(super) fn grow_cage_for(&mut self, cage: u32, x: &[f64; D], start: u32) -> Result<()> {
+        let least = self.radius_for(self.hierarchy.distance_to_center(cage, x));
+        self.grow_cage(cage, least, start)
     }
 
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of

@@ -1,65 +1,13 @@
-//! Encroachment (Definition 2) and mediality (§6.2), both read off the vertices U(x) of the D-balls
-//! that hold x, which are the corners of the scratch cavity.
+//! Encroachment (Definition 2), read off the vertices U(x) of the D-balls that hold x, which are the
+//! corners of the scratch cavity.
 
 use super::Mesher;
-use super::cage::CageSite;
 use super::domains::ROOT;
-use super::parameters::Parameters;
-use crate::numerics::distance;
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
 pub(super) const LEVELS: usize = 3;
-/// A new cage is this much larger than |u - v| / epsilon, so that v is strictly inside epsilon r.
-const SLACK: f64 = 1.001;
-
-/// How much more room than it needs a cage must have to be smaller than the refinement that it
-/// saves (docs/decisions.md): cages are cheap in 2D, dearer above.
-const fn pays<const D: usize>() -> f64 {
-    if D == 2 { 1.0 } else { 2.0 }
-}
-
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
-    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
-    /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
-    /// ask for what the cage needs: no vertex within outf r / epsilon of u.
-    pub(super) fn wanted_cage(&mut self, input: u32) -> Option<CageSite> {
-        let x = *self.delaunay.point(input);
-        let parent = self.containing_domain(&x);
-        let (center, gap) = self.nearest_in_domain(&x, parent)?;
-        let Parameters { epsilon, encroachment, .. } = self.parameters;
-        let radius = SLACK * gap / epsilon;
-        let has_room =
-            self.clearance(center, parent) >= pays::<D>() * encroachment * radius / epsilon;
-        has_room.then_some(CageSite { center, radius, parent })
-    }
-
-    /// The vertex of M_Omega nearest to `x`, and its distance.
-    fn nearest_in_domain(&mut self, x: &[f64; D], omega: u32) -> Option<(u32, f64)> {
-        let mut nearest = None;
-        let mut least = f64::INFINITY;
-        for at in 0..self.scratch.corners.ids.len() {
-            let corner = self.scratch.corners.ids[at];
-            let Some(vertex) = self.hierarchy.representative(corner, omega) else { continue };
-            let gap = distance(x, self.delaunay.point(vertex));
-            if gap < least {
-                least = gap;
-                nearest = Some((vertex, gap));
-            }
-        }
-        nearest
-    }
-
-    /// The distance from `vertex`, which is in M_Omega, to the nearest vertex that is not in the
-    /// child of Omega around it.
-    fn clearance(&mut self, vertex: u32, omega: u32) -> f64 {
-        match self.hierarchy.child_towards(omega, vertex) {
-            Some(child) => self.hierarchy.node(child).outside,
-            None => self.nearest[vertex as usize],
-        }
-    }
-
     /// The innermost domain that holds `x`, over the climbs from U(x).
     pub(super) fn containing_domain(&mut self, x: &[f64; D]) -> u32 {
         if self.hierarchy.is_single() {

@@ -14,7 +14,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let node = self.hierarchy.node(domain);
                 let near = node.cage.first().copied().unwrap_or(node.center);
                 let start = self.delaunay.complex().incident(near);
-                self.grow_cage(domain, start)?;
+                let radius = node.radius / self.parameters.epsilon;
+                self.grow_cage(domain, radius, start)?;
                 self.clean()?;
             }
             domain += 1;

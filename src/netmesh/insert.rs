@@ -24,7 +24,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
             let start = self.location.home(input);
-            self.grow_cage(domain, start)?;
+            self.grow_cage_for(domain, &self.delaunay.point(input).to_owned(), start)?;
             if !self.look_again(input) {
                 return Ok(());
             }

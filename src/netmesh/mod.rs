@@ -1,6 +1,7 @@
 //! The paper's algorithm (§6), one file per operation: `start` (the root cage and first homes),
 //! `net` (SELECTROUND), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
-//! GROWCAGE, RELEASECAGE), `encroach` (INENCROACH, OUTENCROACH, MEDIALITY), `clean` (CLEAN,
+//! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
+//! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
 //! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH).
 
 mod cage;
@@ -15,6 +16,7 @@ mod output;
 pub mod parameters;
 mod quality;
 mod round;
+mod site;
 mod start;
 mod template;
 mod watch;

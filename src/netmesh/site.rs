@@ -1,0 +1,139 @@
+//! Where a cage goes and how large it is: MEDIALITY (§6.2) as INSERTINPUT needs it, and the radii
+//! that NEWCAGE and GROWCAGE take.
+
+use super::Mesher;
+use crate::numerics::distance;
+
+/// Where a cage is wanted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CageSite {
+    pub center: u32,
+    pub radius: f64,
+    pub parent: u32,
+}
+
+/// A cage for an input at distance g from its centre has at least this times g / epsilon for its
+/// radius, so that the input is strictly inside epsilon r.
+const SLACK: f64 = 1.001;
+
+/// How much more room than it needs a cage must have to be smaller than the refinement that it
+/// saves (docs/decisions.md): cages are cheap in 2D, dearer above.
+const fn pays<const D: usize>() -> f64 {
+    if D == 2 { 1.0 } else { 2.0 }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
+    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
+    /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
+    /// ask for what the cage needs: no vertex within outf r / epsilon of u.
+    pub(super) fn wanted_cage(&mut self, input: u32) -> Option<CageSite> {
+        let x = *self.delaunay.point(input);
+        let parent = self.containing_domain(&x);
+        let (center, gap) = self.nearest_in_domain(&x, parent)?;
+        let child = self.hierarchy.child_towards(parent, center);
+        let clearance = match child {
+            Some(child) => self.hierarchy.node(child).outside,
+            None => self.nearest[center as usize],
+        };
+        let most = clearance / (pays::<D>() * self.outer_reach());
+        let radius = self.lasting_radius(center, child, self.radius_for(gap), most)?;
+        Some(CageSite { center, radius, parent })
+    }
+
+    /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
+    /// compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest outside
+    /// vertex's distance d tells whether the new cage is un-encroached.)
+    pub(super) fn grown_site(&mut self, cage: u32, least: f64) -> Option<CageSite> {
+        let node = self.hierarchy.node(cage);
+        let (center, outside) = (node.center, node.outside);
+        let radius =
+            self.lasting_radius(center, Some(cage), least, outside / self.outer_reach())?;
+        Some(CageSite { center, radius, parent: self.hierarchy.parent(cage) })
+    }
+
+    /// The radius of a cage that has an input at distance `gap` from its centre well inside.
+    pub(super) fn radius_for(&self, gap: f64) -> f64 {
+        SLACK * gap / self.parameters.epsilon
+    }
+
+    /// A vertex within this times r of a cage's centre outer-encroaches it.
+    pub(super) fn outer_reach(&self) -> f64 {
+        self.parameters.encroachment / self.parameters.epsilon
+    }
+
+    /// The vertex of M_Omega nearest to `x`, and its distance.
+    fn nearest_in_domain(&mut self, x: &[f64; D], omega: u32) -> Option<(u32, f64)> {
+        let mut nearest = None;
+        let mut least = f64::INFINITY;
+        for at in 0..self.scratch.corners.ids.len() {
+            let corner = self.scratch.corners.ids[at];
+            let Some(vertex) = self.hierarchy.representative(corner, omega) else { continue };
+            let gap = distance(x, self.delaunay.point(vertex));
+            if gap < least {
+                least = gap;
+                nearest = Some((vertex, gap));
+            }
+        }
+        nearest
+    }
+
+    /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
+    /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
+    /// soon be released and leave their vertices behind.
+    fn lasting_radius(
+        &mut self,
+        center: u32,
+        child: Option<u32>,
+        least: f64,
+        most: f64,
+    ) -> Option<f64> {
+        if least > most {
+            return None;
+        }
+        let reach = self.outer_reach();
+        let mut radius = least;
+        for gap in self.gaps_nearby(center, child, reach * most) {
+            if gap >= reach * radius {
+                break;
+            }
+            if gap > self.parameters.epsilon * radius {
+                radius = self.radius_for(gap);
+                if radius > most {
+                    return None;
+                }
+            }
+        }
+        Some(radius)
+    }
+
+    /// The distances below `limit` from `center` to the uninserted inputs whose homes are in the
+    /// scratch cavity or next to the centre (or the cage of the `child` domain round it), sorted.
+    fn gaps_nearby(&mut self, center: u32, child: Option<u32>, limit: f64) -> Vec<f64> {
+        let mut gaps = Vec::new();
+        if self.location.remaining() == 0 {
+            return gaps;
+        }
+        let mut simplices = self.scratch.cavity.simplices.clone();
+        let around: &[u32] = match child {
+            Some(child) => &self.hierarchy.node(child).cage,
+            None => &[center],
+        };
+        for &vertex in around {
+            self.delaunay.star(vertex, &mut self.scratch.star);
+            simplices.extend_from_slice(&self.scratch.star);
+        }
+        simplices.sort_unstable();
+        simplices.dedup();
+        for simplex in simplices {
+            for input in self.location.inhabitants(simplex) {
+                let gap = distance(self.delaunay.point(input), self.delaunay.point(center));
+                if gap < limit {
+                    gaps.push(gap);
+                }
+            }
+        }
+        gaps.sort_unstable_by(f64::total_cmp);
+        gaps
+    }
+}

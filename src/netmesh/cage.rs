@@ -76,7 +76,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             None => self.add_vertex(x)?,
         };
-        self.enter(&self.delaunay.point(vertex).to_owned());
+        let x = *self.delaunay.point(vertex);
+        self.enter(&x);
         self.hierarchy.set_domain(vertex, cage);
         self.hierarchy.join_cage(vertex, cage);
         self.insert_into_cavity(vertex)?;

@@ -21,10 +21,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return self.insert_into_cavity(input);
         }
         self.collect_cavity_corners();
+        let x = *self.delaunay.point(input);
         for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
             let start = self.location.home(input);
-            self.grow_cage_for(domain, &self.delaunay.point(input).to_owned(), start)?;
+            self.grow_cage_for(domain, &x, start)?;
             if !self.look_again(input) {
                 return Ok(());
             }
@@ -36,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(());
             }
         }
-        let domain = self.enter(&self.delaunay.point(input).to_owned());
+        let domain = self.enter(&x);
         self.hierarchy.set_domain(input, domain);
         self.insert_into_cavity(input)
     }

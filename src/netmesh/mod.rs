@@ -62,6 +62,8 @@ fn mesh<const D: usize>(
 ) -> Result<Triangulation> {
     let begun = Instant::now();
     let mut mesher = Mesher::<D>::new(inputs, parameters, Watch::new(progress))?;
+    // Also the shortest run can be watched and cancelled.
+    mesher.watch.report(Phase::Prepare, 0.0, [0; 3])?;
     if mesher.parameters.algorithm == Algorithm::Delaunay {
         mesher.start_delaunay()?;
         mesher.insert_rounds()?;

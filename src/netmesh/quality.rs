@@ -102,9 +102,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`.
     fn has_bad_cage(&mut self, simplex: u32) -> bool {
         let mut domains = [NONE; MAX_DIM + 1];
-        for index in 0..=D {
-            let vertex = self.delaunay.complex().vertices(simplex)[index];
-            domains[index] = self.hierarchy.domain_of(vertex);
+        for (domain, &vertex) in domains.iter_mut().zip(self.delaunay.complex().vertices(simplex)) {
+            *domain = self.hierarchy.domain_of(vertex);
         }
         let domains = &mut domains[..=D];
         while domains.iter().any(|&domain| domain != domains[0]) {

@@ -1,7 +1,8 @@
 # The shared library exports what symbols.txt lists, which is what the header declares, and nothing
 # else: a symbol that appears is ABI from then on, one that goes breaks programs.
 #
-#   cmake -DNM=... -DLIBRARY=... -DHEADER=... -DLIST=... -DSONAME=... -P symbols.cmake
+#   cmake -DNM=... -DLIBRARY=... -DHEADER=... -DLIST=... -DREADELF=...
+#         -DSONAME=... -P symbols.cmake
 
 function(require_equal what found expected)
   if(NOT found STREQUAL expected)
@@ -32,3 +33,8 @@ require_equal("${HEADER} declares" "${declared}" "${listed}")
 
 list(LENGTH listed count)
 message(STATUS "${count} symbols, exported and declared")
+
+execute_process(COMMAND "${READELF}" --dynamic "${LIBRARY}"
+                OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "soname: \\[([^]\n]+)\\]" unused "${text}")
+require_equal("${LIBRARY} is called" "${CMAKE_MATCH_1}" "${SONAME}")

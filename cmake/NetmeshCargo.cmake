@@ -12,7 +12,13 @@ endif()
 set(NETMESH_CARGO_TARGET_DIR "${CMAKE_CURRENT_BINARY_DIR}/cargo" CACHE PATH
     "Where cargo puts what it builds")
 
-set(netmesh_library_dir "${NETMESH_CARGO_TARGET_DIR}/release")
+set(NETMESH_CARGO_TARGET "" CACHE STRING "The triple to build for; empty: this machine's")
+if(NETMESH_CARGO_TARGET)
+  set(netmesh_target_arguments --target "${NETMESH_CARGO_TARGET}")
+endif()
+
+set(netmesh_library_dir "${NETMESH_CARGO_TARGET_DIR}/${NETMESH_CARGO_TARGET}/release")
+cmake_path(NORMAL_PATH netmesh_library_dir)
 set(netmesh_include_dir "${CMAKE_CURRENT_SOURCE_DIR}/include")
 if(WIN32)
   set(netmesh_shared_file "${netmesh_library_dir}/netmesh.dll")
@@ -40,7 +46,7 @@ endif()
 add_custom_target(netmesh_cargo
   COMMAND "${NETMESH_CARGO}" build --release --locked --package netmesh --lib
           --manifest-path "${CMAKE_CURRENT_SOURCE_DIR}/Cargo.toml"
-          --target-dir "${NETMESH_CARGO_TARGET_DIR}"
+          --target-dir "${NETMESH_CARGO_TARGET_DIR}" ${netmesh_target_arguments}
   ${netmesh_link_soname}
   WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
   BYPRODUCTS "${netmesh_shared_file}" "${netmesh_static_file}" ${netmesh_import_file}

@@ -21,16 +21,11 @@
 
 namespace check {
 
-// What this program was built with, for checks that a sanitizer's runtime does not bear.
+// What this program was built with, for a check that the sanitizer's runtime does not bear.
 #if defined(__SANITIZE_ADDRESS__) || NETMESH_TESTS_HAS_FEATURE(address_sanitizer)
 constexpr bool address_sanitizer = true;
 #else
 constexpr bool address_sanitizer = false;
-#endif
-#if defined(__SANITIZE_THREAD__) || NETMESH_TESTS_HAS_FEATURE(thread_sanitizer)
-constexpr bool thread_sanitizer = true;
-#else
-constexpr bool thread_sanitizer = false;
 #endif
 
 inline std::atomic<unsigned long> performed{0};

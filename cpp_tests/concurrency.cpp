@@ -70,18 +70,18 @@ void handles_travel() {
 }
 
 void many_readers() {
-    const MeshHandle mesh = create(generate("uniform", 3, 300));
+    const MeshHandle mesh = create(generate("uniform", 3, 80));
     REQUIRE_OK(nm_run(mesh.get(), nullptr));
     const std::uint64_t expected = hash_of(mesh.get());
     const double aspect = quality_of(mesh.get()).worst_aspect;
     on_all_threads([&](int number) {
-        for (int repetition = 0; repetition < 3; ++repetition) {
+        for (int repetition = 0; repetition < 2; ++repetition) {
             CHECK(hash_of(mesh.get()) == expected);
             CHECK_EQUAL(quality_of(mesh.get()).worst_aspect, aspect);
             // From a different one on each thread, so that different ones meet.
             every_getter(mesh.get(), NM_OK, number);
         }
-        check_certificate(mesh.get());
+        if (number % 4 == 0) check_certificate(mesh.get());
     });
 }
 
@@ -106,7 +106,7 @@ std::int32_t try_everything(const nm_progress*, void* user_data) {
 }
 
 void a_run_has_its_mesh_alone() {
-    const PointSet points = generate("gaussian", 3, 400);
+    const PointSet points = generate("gaussian", 3, 100);
     const MeshHandle mesh = create(points);
     REQUIRE_OK(nm_run(mesh.get(), nullptr));
     const std::uint64_t expected = hash_of(mesh.get());
@@ -122,7 +122,7 @@ void a_run_has_its_mesh_alone() {
 
 // nm_run from within a getter that calls back, and beside it.
 void a_run_waits_for_no_getter() {
-    const MeshHandle mesh = create(generate("uniform", 2, 200));
+    const MeshHandle mesh = create(generate("uniform", 2, 50));
     REQUIRE_OK(nm_run(mesh.get(), nullptr));
     const std::uint64_t expected = hash_of(mesh.get());
     const nm_write_fn write = [](const void*, std::size_t, void* user_data) -> std::int32_t {
@@ -143,7 +143,7 @@ void a_run_waits_for_no_getter() {
 // getter hands out is of one and the same mesh.
 void runs_and_getters_collide() {
     constexpr int runners = thread_count / 4;
-    const MeshHandle mesh = create(generate("uniform", 2, 100));
+    const MeshHandle mesh = create(generate("uniform", 2, 50));
     REQUIRE_OK(nm_run(mesh.get(), nullptr));
     const ExportedMesh expected = export_mesh(mesh.get());
     std::atomic<unsigned> ran{0}, read{0}, refused{0};

@@ -13,6 +13,7 @@ set(NETMESH_CARGO_TARGET_DIR "${CMAKE_CURRENT_BINARY_DIR}/cargo" CACHE PATH
     "Where cargo puts what it builds")
 
 set(NETMESH_CARGO_TARGET "" CACHE STRING "The triple to build for; empty: this machine's")
+set(NETMESH_CARGO_ENVIRONMENT "" CACHE STRING "Variables for cargo, as NAME=value;NAME=value")
 if(NETMESH_CARGO_TARGET)
   set(netmesh_target_arguments --target "${NETMESH_CARGO_TARGET}")
 endif()
@@ -44,7 +45,7 @@ if(UNIX AND NOT APPLE)
 endif()
 
 add_custom_target(netmesh_cargo
-  COMMAND "${NETMESH_CARGO}" build --release --locked --package netmesh --lib
+  COMMAND "${CMAKE_COMMAND}" -E env ${NETMESH_CARGO_ENVIRONMENT} "${NETMESH_CARGO}" build --release --locked --package netmesh --lib
           --manifest-path "${CMAKE_CURRENT_SOURCE_DIR}/Cargo.toml"
           --target-dir "${NETMESH_CARGO_TARGET_DIR}" ${netmesh_target_arguments}
   ${netmesh_link_soname}

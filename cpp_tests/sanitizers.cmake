@@ -6,10 +6,11 @@
 # allocator, the sanitizer's: it sees leaks and double frees of the library's memory too, and what the
 # library reads and writes through memcpy and its like.
 #
-#   cmake ... -DNETMESH_SANITIZERS=thread -DNETMESH_INSTRUMENTED=ON -DNETMESH_CARGO_TARGET=...
+#   cmake ... -DNETMESH_SANITIZERS=thread -DNETMESH_INSTRUMENTED=ON -DNETMESH_CARGO_TARGET=... \
+#         "-DNETMESH_CARGO_ENVIRONMENT=RUSTFLAGS=..."
 #
-# builds those that use threads, with the Rust code itself instrumented, for which the script sets
-# RUSTFLAGS; without that the library's locks are out of sight. No report is suppressed.
+# builds those that use threads, with the Rust code itself instrumented by those flags: without that
+# the library's locks are out of sight, and whatever they guard is reported. No report is suppressed.
 option(NETMESH_INSTRUMENTED "The Rust code is built for the same sanitizer")
 
 add_compile_options("-fsanitize=${NETMESH_SANITIZERS}" -fno-sanitize-recover=all -fno-omit-frame-pointer)

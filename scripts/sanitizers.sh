@@ -33,10 +33,8 @@ thread_sanitizer_tests() {
     echo "skipped: this Rust compiler has no thread sanitizer"
     return 0
   fi
-  (
-    export RUSTC_BOOTSTRAP=1 RUSTFLAGS="$flags"
-    export CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16
-    sanitizer_tests thread thread -DNETMESH_CARGO_TARGET="$triple" -DNETMESH_INSTRUMENTED=ON \
-      -DNETMESH_CARGO_TARGET_DIR="$PWD/target/sanitizer"
-  )
+  local environment="RUSTC_BOOTSTRAP=1;RUSTFLAGS=$flags;CARGO_PROFILE_RELEASE_LTO=off"
+  environment+=";CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16"
+  sanitizer_tests thread thread -DNETMESH_INSTRUMENTED=ON -DNETMESH_CARGO_TARGET="$triple" \
+    -DNETMESH_CARGO_ENVIRONMENT="$environment" -DNETMESH_CARGO_TARGET_DIR="$PWD/target/sanitizer"
 }

@@ -7,7 +7,7 @@ mod locate;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::numerics::{Circumball, Sign, in_ball, orientation};
+use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
 
 /// Corners of a simplex of the highest dimension.
@@ -97,6 +97,16 @@ impl<const D: usize> Delaunay<D> {
         let ball = self.ball(simplex)?;
         let anchor = self.complex.vertices(simplex)[ball.anchor as usize];
         Some(ball.center_point(self.point(anchor)))
+    }
+
+    /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of range.
+    pub fn corner_distance(&self, simplex: u32, x: &[f64; D]) -> Option<f64> {
+        let ball = self.ball(simplex)?;
+        let anchor = self.point(self.complex.vertices(simplex)[ball.anchor as usize]);
+        let unit = 1.0 / ball.scale;
+        let offset: [f64; D] =
+            std::array::from_fn(|axis| (anchor[axis] - x[axis]) + ball.center[axis] * unit);
+        Some(norm(&offset))
     }
 
     /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly

@@ -93,10 +93,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
     fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
-        let Some(corner) = self.delaunay.corner(simplex) else { return false };
-        let reach = self.parameters.corner_restriction() * self.parameters.cage_scale;
-        let distance = self.hierarchy.distance_to_center(domain, &corner);
-        distance < reach * self.hierarchy.node(domain).radius
+        let node = self.hierarchy.node(domain);
+        let sphere = self.parameters.cage_scale * node.radius;
+        let distance = self.delaunay.corner_distance(simplex, &node.point);
+        distance.is_some_and(|gap| gap < self.parameters.corner_restriction() * sphere)
     }
 
     /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`.
@@ -120,11 +120,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn is_bad_cage_corner(&self, simplex: u32, cage: u32, parent: u32) -> bool {
-        let Some(corner) = self.delaunay.corner(simplex) else { return false };
         let node = self.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
-        let bound = self.parameters.aspect_bound();
-        self.hierarchy.distance_to_center(cage, &corner) > bound * in_radius
+        let farthest = self.parameters.aspect_bound() * in_radius;
+        let distance = self.delaunay.corner_distance(simplex, &node.point);
+        distance.is_some_and(|gap| gap > farthest)
             && some(parent).is_some()
             && self.is_well_inside(simplex, parent)
     }

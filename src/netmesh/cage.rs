@@ -1,7 +1,6 @@
 //! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
 
 use super::site::CageSite;
-use super::start::{REPRESENTABLE, spacing_near};
 use super::template::{cage_points, turned};
 use super::{Mesher, some};
 use crate::error::Result;
@@ -14,14 +13,11 @@ const PACKING: f64 = 0.1;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
     /// concentric with it there, and the cage's vertices. `start` is a simplex near the sphere.
-    /// Where doubles cannot express the cage there is none, and the centre is precision-limited.
+    /// Where rounding leaves no room for a cage vertex there is none, and the centre is
+    /// precision-limited.
     pub(super) fn new_cage(&mut self, site: CageSite, start: u32) -> Result<()> {
         let point = *self.delaunay.point(site.center);
         let sphere = self.parameters.cage_scale * site.radius;
-        if sphere * self.parameters.delta < REPRESENTABLE * spacing_near(&point) {
-            self.precision_limited[site.center as usize] = true;
-            return Ok(());
-        }
         let cage = self.hierarchy.create(site.center, point, site.radius, site.parent);
         self.stats.cages_created += 1;
         self.adopt_center(cage, site);

@@ -100,9 +100,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Vertices whose cage could not be made, or with a corner that could not be inserted.
+    /// Vertices whose cage could not be made, or with a corner that could not be inserted, or so
+    /// near to another that ratios of radii and distances drown in the rounding of subnormals.
     fn limited_vertices(&mut self) -> Vec<bool> {
+        const SUBNORMAL: f64 = f64::from_bits(1 << 30);
         let mut limited = std::mem::take(&mut self.precision_limited);
+        for (limited, &nearest) in limited.iter_mut().zip(&self.nearest) {
+            *limited |= nearest < SUBNORMAL;
+        }
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
             if self.refine.is_limited(simplex) && self.delaunay.complex().is_live(simplex) {
                 for &vertex in self.delaunay.complex().vertices(simplex) {

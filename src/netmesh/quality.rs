@@ -12,18 +12,41 @@ use crate::numerics::distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Queues the bad ones among the simplices just created.
+    /// Queues the bad ones among the simplices just created, and lets their vertices know of the
+    /// corners that have come.
     pub(super) fn examine_created(&mut self) {
         for at in 0..self.scratch.created.len() {
-            self.examine(self.scratch.created[at]);
+            let simplex = self.scratch.created[at];
+            if let Some(ball) = self.delaunay.ball(simplex) {
+                for &vertex in self.delaunay.complex().vertices(simplex) {
+                    let farthest = &mut self.farthest[vertex as usize];
+                    *farthest = farthest.max(ball.radius);
+                }
+            }
+            self.examine(simplex);
         }
     }
 
     /// Queues the bad ones among the simplices at `vertex`.
     pub(super) fn examine_star(&mut self, vertex: u32) {
         self.delaunay.star(vertex, &mut self.scratch.star);
+        let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
-            self.examine(self.scratch.star[at]);
+            let simplex = self.scratch.star[at];
+            farthest = farthest.max(self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius));
+            self.examine(simplex);
+        }
+        self.farthest[vertex as usize] = farthest;
+    }
+
+    /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
+    /// edges there are what they were.
+    pub(super) fn examine_cell(&mut self, vertex: u32) {
+        let reach = 2.0 * self.farthest[vertex as usize] / self.parameters.quality_bound;
+        if self.parameters.criterion == Criterion::VoronoiAspect
+            && self.nearest[vertex as usize] < reach
+        {
+            self.examine_star(vertex);
         }
     }
 
@@ -93,10 +116,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
     fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
-        let Some(corner) = self.delaunay.corner(simplex) else { return false };
-        let reach = self.parameters.corner_restriction() * self.parameters.cage_scale;
-        let distance = self.hierarchy.distance_to_center(domain, &corner);
-        distance < reach * self.hierarchy.node(domain).radius
+        let node = self.hierarchy.node(domain);
+        let sphere = self.parameters.cage_scale * node.radius;
+        let distance = self.delaunay.corner_distance(simplex, &node.point);
+        distance.is_some_and(|gap| gap < self.parameters.corner_restriction() * sphere)
     }
 
     /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`.
@@ -120,11 +143,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn is_bad_cage_corner(&self, simplex: u32, cage: u32, parent: u32) -> bool {
-        let Some(corner) = self.delaunay.corner(simplex) else { return false };
         let node = self.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
-        let bound = self.parameters.aspect_bound();
-        self.hierarchy.distance_to_center(cage, &corner) > bound * in_radius
+        let farthest = self.parameters.aspect_bound() * in_radius;
+        let distance = self.delaunay.corner_distance(simplex, &node.point);
+        distance.is_some_and(|gap| gap > farthest)
             && some(parent).is_some()
             && self.is_well_inside(simplex, parent)
     }

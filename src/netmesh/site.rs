@@ -2,6 +2,7 @@
 //! that NEWCAGE and GROWCAGE take.
 
 use super::Mesher;
+use super::start::{REPRESENTABLE, spacing_near};
 use crate::numerics::distance;
 
 /// Where a cage is wanted.
@@ -37,7 +38,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             None => self.nearest[center as usize],
         };
         let most = clearance / (pays::<D>() * self.outer_reach());
-        let radius = self.lasting_radius(center, child, self.radius_for(gap), most)?;
+        let least = self.radius_for(gap).max(self.smallest_radius(center));
+        let radius = self.lasting_radius(center, child, least, most)?;
         Some(CageSite { center, radius, parent })
     }
 
@@ -55,6 +57,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The radius of a cage that has an input at distance `gap` from its centre well inside.
     pub(super) fn radius_for(&self, gap: f64) -> f64 {
         SLACK * gap / self.parameters.epsilon
+    }
+
+    /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a
+    /// few units of roundoff apart is as large as that takes.
+    fn smallest_radius(&self, center: u32) -> f64 {
+        let spacing = spacing_near(self.delaunay.point(center));
+        REPRESENTABLE * spacing / (self.parameters.delta * self.parameters.cage_scale)
     }
 
     /// A vertex within this times r of a cage's centre outer-encroaches it.

@@ -8,8 +8,8 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::NONE;
 use crate::numerics::{affine_basis, distance};
 
-/// A cage is representable where its radius is at least this many times the spacing of doubles.
-pub(super) const REPRESENTABLE: f64 = 128.0;
+/// A cage's vertices are representable where they are this many times the spacing of doubles apart.
+pub(super) const REPRESENTABLE: f64 = 16.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The outer cage around all inputs, centred at the input nearest to the middle, so that the

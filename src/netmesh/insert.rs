@@ -101,7 +101,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut nearest = f64::INFINITY;
         let neighbors = std::mem::take(&mut self.scratch.corners.ids);
         let x = *self.delaunay.point(vertex);
-        let mut nearer = Vec::new();
+        let mut nearer = std::mem::take(&mut self.scratch.nearer);
+        nearer.clear();
         for &neighbor in &neighbors {
             let gap = distance(&x, self.delaunay.point(neighbor));
             nearest = nearest.min(gap);
@@ -116,12 +117,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.scratch.corners.ids = neighbors;
         self.examine_created();
-        for neighbor in nearer {
-            self.examine_star(neighbor);
+        for &neighbor in &nearer {
+            self.examine_cell(neighbor);
         }
+        self.scratch.nearer = nearer;
     }
 
-    /// The nearest distance of a corner of the first simplex.
+    /// The nearest distance of a corner of the first simplex; its farthest corner is not known.
     pub(super) fn measure_nearest(&mut self, vertex: u32) {
         let simplex = self.delaunay.complex().incident(vertex);
         let x = self.delaunay.point(vertex);
@@ -134,5 +136,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .map(|&other| distance(x, self.delaunay.point(other)))
             .fold(f64::INFINITY, f64::min);
         self.nearest[vertex as usize] = nearest;
+        self.farthest[vertex as usize] = f64::INFINITY;
     }
 }

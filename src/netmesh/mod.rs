@@ -87,6 +87,8 @@ struct Mesher<'a, 'b, const D: usize> {
     refine: RefineList,
     /// Vertex -> distance to its nearest neighbour in the mesh.
     nearest: Vec<f64>,
+    /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
+    farthest: Vec<f64>,
     /// Vertices next to which doubles ran out when a cage was wanted.
     precision_limited: Vec<bool>,
     /// Number of distinct inputs.
@@ -105,6 +107,8 @@ struct Scratch {
     cavity: Cavity,
     created: Vec<u32>,
     star: Vec<u32>,
+    /// Vertices whose nearest distance fell.
+    nearer: Vec<u32>,
     /// The neighbours of the last inserted vertex, or the corners of the last cavity.
     corners: VertexSet,
 }
@@ -165,6 +169,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             location: Location::new(count),
             refine: RefineList::default(),
             nearest: vec![f64::INFINITY; count],
+            farthest: vec![0.0; count],
             precision_limited: vec![false; count],
             inputs: count,
             template: Vec::new(),
@@ -194,6 +199,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
         self.hierarchy.add_vertex();
         self.nearest.push(f64::INFINITY);
+        self.farthest.push(0.0);
         self.precision_limited.push(false);
         Ok(self.delaunay.add_point(x))
     }

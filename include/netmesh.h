@@ -673,7 +673,8 @@ typedef struct nm_options {
      */
     double cage_scale;
     /**
-     * Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5,
+     * Radius of the root ball relative to the input's bounding ball; it is larger where the cage
+     * would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
      * 2.5, 3, 4 in 2D, 3D, 4D, more.
      */
     double root_scale;

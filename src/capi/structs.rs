@@ -81,7 +81,8 @@ pub struct nm_options {
     pub encroachment: f64,
     /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
     pub cage_scale: f64,
-    /// Radius of the root ball relative to the input's bounding ball. In [2, 16], default 2.5,
+    /// Radius of the root ball relative to the input's bounding ball; it is larger where the cage
+    /// would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
     /// 2.5, 3, 4 in 2D, 3D, 4D, more.
     pub root_scale: f64,
     /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Any value, default 0.

@@ -79,10 +79,14 @@ impl Parameters {
 
 impl Parameters {
     /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of the
-    /// domain's cage sphere; corners beyond the hull of the cage are the cage's business. The hull of
-    /// a delta-net of the unit sphere holds the ball of radius 1 - delta^2 / 2.
+    /// domain's cage sphere; corners beyond the hull of the cage are the cage's business.
     pub fn corner_restriction(&self) -> f64 {
-        CORNER_RESTRICTION.min(1.0 - 0.5 * self.delta * self.delta)
+        CORNER_RESTRICTION.min(self.hull_radius())
+    }
+
+    /// The hull of a delta-net of the unit sphere holds the ball of this radius.
+    pub(super) fn hull_radius(&self) -> f64 {
+        1.0 - 0.5 * self.delta * self.delta
     }
 
     /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half

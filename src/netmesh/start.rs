@@ -11,6 +11,9 @@ use crate::numerics::{affine_basis, distance};
 /// A cage's vertices are representable where they are this many times the spacing of doubles apart.
 pub(super) const REPRESENTABLE: f64 = 16.0;
 
+/// The ball that the hull of the outer cage holds is at least this many times the inputs' ball.
+const ROOM: f64 = 1.25;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
     /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
@@ -106,13 +109,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
-    /// express the outer cage.
+    /// express the outer cage, and that its hull surrounds the inputs with room to spare.
     fn root_radius(&self, center: &[f64; D]) -> f64 {
         let radius = (0..self.inputs as u32)
             .map(|input| distance(self.delaunay.point(input), center))
             .fold(0.0, f64::max);
         let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
-        (self.parameters.root_scale * radius).max(spacing)
+        let hull = self.parameters.cage_scale * self.parameters.hull_radius();
+        (self.parameters.root_scale.max(ROOM / hull) * radius).max(spacing)
     }
 }
 

@@ -4,7 +4,7 @@ use super::bytes::Bytes;
 use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
 
 /// The most vertices of a run, by dimension from 2: enough for cages, few enough for many runs.
-const MAX_VERTICES: [u64; 3] = [2000, 1500, 1000];
+const MAX_VERTICES: [u64; 3] = [2000, 1000, 500];
 
 #[derive(Clone, Debug)]
 pub struct Settings {

@@ -1,9 +1,9 @@
 //! The first simplices and the first homes: the outer cage (§6.5, first lines of NETMESH), or for
 //! the plain Delaunay triangulation the first affinely independent inputs.
 
-use super::Mesher;
 use super::domains::ROOT;
 use super::template::{cage_points, cage_template};
+use super::{Mesher, limit};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::NONE;
 use crate::numerics::{affine_basis, distance};
@@ -18,7 +18,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
     /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
     pub(super) fn start_netmesh(&mut self) -> Result<()> {
-        self.template = cage_template::<D>(self.parameters.delta);
+        let most = self.parameters.max_vertices;
+        self.template = cage_template::<D>(self.parameters.delta, most);
+        if self.template.len() as u64 > most {
+            // Before that many are made for the smallest delta in 4D and more: minutes of work.
+            return Err(limit(most, self.template.len()));
+        }
         let center = self.central_input();
         let point = *self.delaunay.point(center);
         let radius = self.root_radius(&point);

@@ -6,9 +6,10 @@ use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, TAU};
 
-/// A delta-net of the unit sphere. In 2D the regular polygon, which is the smallest one.
-pub(super) fn cage_template<const D: usize>(delta: f64) -> Vec<[f64; D]> {
-    if D == 2 { polygon(delta) } else { greedy_net(delta) }
+/// A delta-net of the unit sphere, or a part of it that is more than `most` points. In 2D the
+/// regular polygon, which is the smallest one.
+pub(super) fn cage_template<const D: usize>(delta: f64, most: u64) -> Vec<[f64; D]> {
+    if D == 2 { polygon(delta) } else { greedy_net(delta, most) }
 }
 
 /// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's corners.
@@ -55,7 +56,7 @@ pub(super) fn turned<const D: usize>(
 /// candidates are the normals of the hull's facets. The Delaunay complex of the net and the origin
 /// has a simplex over each facet, and its circumcentre c is such a normal: |c - t| = |c| for the
 /// facet's corners t, so c t = 1/2 and the angle between them has the cosine 1 / (2 |c|).
-fn greedy_net<const D: usize>(delta: f64) -> Vec<[f64; D]> {
+fn greedy_net<const D: usize>(delta: f64, most: u64) -> Vec<[f64; D]> {
     let mut points = vec![[0.0; D]];
     points.extend(spanning_directions::<D>());
     let mut delaunay = Delaunay::new(points);
@@ -74,7 +75,7 @@ fn greedy_net<const D: usize>(delta: f64) -> Vec<[f64; D]> {
     loop {
         delaunay.star(0, &mut star);
         let (facet, radius) = widest_facet(&delaunay, &star);
-        if radius <= widest {
+        if radius <= widest || delaunay.point_count() as u64 > most.saturating_add(1) {
             return (1..delaunay.point_count() as u32).map(|v| *delaunay.point(v)).collect();
         }
         let corner = delaunay.corner(facet).expect("the simplices round the origin are finite");
@@ -132,7 +133,7 @@ mod tests {
 
     /// The gap of random directions to the net: never above delta, and nearly so somewhere.
     fn check_cover<const D: usize>(delta: f64) -> usize {
-        let net = cage_template::<D>(delta);
+        let net = cage_template::<D>(delta, u64::MAX);
         let mut random = Pcg64Mcg::new(7);
         let mut widest = 0.0f64;
         for _ in 0..20_000 {

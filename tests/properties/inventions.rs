@@ -39,13 +39,13 @@ fn signs_of_structured_points() {
 
 #[test]
 fn meshes_of_any_bytes() {
-    for_all(150, bytes(250), |data| mesh::check(&data));
+    for_all(50, bytes(250), |data| mesh::check(&data));
 }
 
 #[test]
 fn meshes_of_raw_bit_patterns() {
     let sets = (2..=3usize).prop_flat_map(|dim| (Just(dim), vec(finite(), 2 * dim..=9 * dim)));
-    for_all(60, sets, |(dim, mut coordinates)| {
+    for_all(40, sets, |(dim, mut coordinates)| {
         coordinates.truncate(coordinates.len() / dim * dim);
         let options = Options { max_vertices: 1500, ..Options::default() };
         let settings = super::checks::settings::Settings { options, valid: true, optional: false };

@@ -5,6 +5,7 @@
 mod checks;
 
 mod corpus;
+mod findings;
 mod flat_lattices;
 mod inventions;
 

@@ -60,6 +60,15 @@ pub fn run(bytes: &mut Bytes<'_>, handle: Option<&mut Handle>) {
     }
 }
 
+/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one.
+fn with_limit(struct_size: u32) -> u32 {
+    let shortest = offset_of!(nm_options, progress);
+    match struct_size as usize {
+        size if size < shortest && is_legal(size) => shortest as u32,
+        _ => struct_size,
+    }
+}
+
 /// Arguments of a run.
 struct Attempt {
     settings: Settings,
@@ -80,7 +89,7 @@ impl Attempt {
         Self {
             settings,
             wrong,
-            struct_size: struct_size::<nm_options>(bytes),
+            struct_size: with_limit(struct_size::<nm_options>(bytes)),
             tail: if bytes.once_in(4) { bytes.byte() } else { 0 },
             cancels: bytes.once_in(6),
         }
@@ -89,7 +98,7 @@ impl Attempt {
     fn run(&self, watch: &mut Watch) -> nm_status {
         let mut room = Room::filled(0, self.struct_size);
         room.0[ROOM - 1] = self.tail;
-        // A struct that lacks the last fields runs with their defaults: no limit, no callback.
+        // A struct that lacks the last fields runs without a callback.
         let options = self.options(watch);
         // SAFETY: the room is larger than the struct, and what `struct_size` says is in it.
         unsafe {

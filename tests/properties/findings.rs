@@ -1,0 +1,50 @@
+//! What the fuzz targets have found, each as a test of its own. The inputs are in the corpus too.
+
+use netmesh::validate::validate;
+use netmesh::{ErrorKind, Mesh, Options};
+use std::time::{Duration, Instant};
+
+fn certify(dim: usize, points: &[f64], options: &Options) {
+    let mut mesh = Mesh::new(dim, points.len() / dim, points, 0).unwrap();
+    mesh.run(options, None).unwrap();
+    let report = validate(mesh.inputs(), mesh.triangulation().unwrap(), 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}
+
+/// With `root_scale` 2 and `cage_scale` 0.3 the outer cage was smaller than the input.
+#[test]
+fn the_outer_cage_surrounds_the_input_whatever_the_scales() {
+    for (cage_scale, root_scale, delta) in [(0.3, 2.0, 0.0), (0.9, 2.0, 1.0), (0.3, 3.0, 1.0)] {
+        let options = Options { cage_scale, root_scale, delta, ..Options::default() };
+        for dim in 2..=4 {
+            let mut points = vec![0.0; 3 * dim];
+            (points[dim], points[2 * dim + 1]) = (1.0, 0.5);
+            certify(dim, &points, &options);
+            points.iter_mut().for_each(|x| *x *= 2f64.powi(-1066));
+            certify(dim, &points, &options);
+        }
+    }
+}
+
+/// Among subnormals the slack of a cage's radius rounded to nothing, and the input that the cage
+/// was made for encroached it.
+#[test]
+fn a_cage_among_subnormals_is_not_encroached() {
+    for gap in [1, 3, 40, 118, 183, 211, 255] {
+        for epsilon in [0.05, 0.1255, 0.5, 0.6] {
+            let units = |count: u64| f64::from_bits(count);
+            let points = [0.0, 0.0, units(gap), 0.0, 1e-300, 0.0, 0.0, 1.0];
+            certify(2, &points, &Options { epsilon, ..Options::default() });
+        }
+    }
+}
+
+/// The cage's template was made in full, minutes of work, before `max_vertices` was looked at.
+#[test]
+fn a_cage_beyond_the_limit_is_not_made() {
+    let mut mesh = Mesh::new(4, 2, &[0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0).unwrap();
+    let options = Options { delta: 0.1, max_vertices: 100, ..Options::default() };
+    let begun = Instant::now();
+    assert_eq!(mesh.run(&options, None).unwrap_err().kind(), ErrorKind::Limit);
+    assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
+}

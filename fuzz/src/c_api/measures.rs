@@ -1,0 +1,65 @@
+//! Structs that the library fills, of any size.
+
+use super::super::bytes::Bytes;
+use super::arguments::{ROOM, Room, struct_size};
+use super::expect;
+use super::handle::Handle;
+use netmesh::capi::{
+    nm_counts, nm_mesh, nm_mesh_counts, nm_mesh_quality, nm_mesh_stats, nm_mesh_validate,
+    nm_quality, nm_report, nm_stats, nm_status,
+};
+use std::ptr::{null, null_mut};
+
+pub fn measure(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
+    let mut call = Call { bytes, handle, needs_result: true };
+    match call.bytes.below(4) {
+        0 => {
+            call.needs_result = false;
+            // SAFETY: `check` passes what the function asks for.
+            call.check(true, |mesh, out: *mut nm_counts| unsafe { nm_mesh_counts(mesh, out) });
+        }
+        // SAFETY: as above.
+        1 => call.check(true, |mesh, out: *mut nm_quality| unsafe { nm_mesh_quality(mesh, out) }),
+        // SAFETY: as above.
+        2 => call.check(true, |mesh, out: *mut nm_stats| unsafe { nm_mesh_stats(mesh, out) }),
+        _ => {
+            let level = call.bytes.below(6) as u32;
+            call.check((1..=3).contains(&level), |mesh, out: *mut nm_report| {
+                // SAFETY: as above.
+                unsafe { nm_mesh_validate(mesh, level, out) }
+            });
+        }
+    }
+}
+
+struct Call<'a, 'b> {
+    bytes: &'a mut Bytes<'b>,
+    handle: Option<&'a Handle>,
+    needs_result: bool,
+}
+
+impl Call<'_, '_> {
+    /// Calls with a struct of some size; `good` says whether the other arguments are.
+    fn check<T>(&mut self, good: bool, call: impl Fn(*const nm_mesh, *mut T) -> nm_status) {
+        let mesh = self.handle.map_or(null(), |handle| handle.mesh.cast_const());
+        expect(call(mesh, null_mut()), nm_status::NM_NULL_ARGUMENT);
+        let struct_size = struct_size::<T>(self.bytes);
+        let mut room = Room::filled(0xee, struct_size);
+        let size = struct_size as usize;
+        let legal = (4..=ROOM).contains(&size);
+        let status = call(mesh, room.pointer());
+        match self.handle {
+            None => expect(status, nm_status::NM_NULL_ARGUMENT),
+            Some(_) if !legal => expect(status, nm_status::NM_INVALID_ARGUMENT),
+            Some(handle) if self.needs_result && !handle.has_result => {
+                expect(status, nm_status::NM_STATE);
+            }
+            Some(_) if !good => expect(status, nm_status::NM_INVALID_ARGUMENT),
+            Some(_) => expect(status, nm_status::NM_OK),
+        }
+        assert_eq!(room.0[..4], struct_size.to_ne_bytes(), "struct_size changed");
+        let written = status == nm_status::NM_OK;
+        let end = if written { size.min(size_of::<T>()) } else { 4 };
+        assert!(room.0[end..].iter().all(|&byte| byte == 0xee), "wrote beyond the struct");
+    }
+}

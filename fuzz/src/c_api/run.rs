@@ -1,0 +1,188 @@
+//! Options, and runs with them: good, refused and cancelled.
+
+use super::super::bytes::Bytes;
+use super::super::settings::Settings;
+use super::arguments::{ROOM, Room, from_c, struct_size};
+use super::handle::Handle;
+use super::{expect, last_error};
+use netmesh::capi::{
+    nm_mesh, nm_mesh_get_points, nm_mesh_validate, nm_options, nm_options_init, nm_progress,
+    nm_report, nm_run, nm_status,
+};
+use netmesh::{Algorithm, Options};
+use std::ffi::c_void;
+use std::mem::{offset_of, zeroed};
+use std::ptr::{null, null_mut};
+
+const SIZE: usize = size_of::<nm_options>();
+
+/// The most vertices of a run: sequences have many.
+const MAX_VERTICES: u64 = 400;
+
+/// Whether a struct of `size` bytes, the size of no version, is one of an older version.
+fn is_legal(size: usize) -> bool {
+    let field = if size < offset_of!(nm_options, quality_bound) { 4 } else { 8 };
+    (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
+}
+
+pub fn options_init(bytes: &mut Bytes<'_>) {
+    let size = struct_size::<nm_options>(bytes);
+    let mut room = Room::filled(0xee, 0xeeee_eeee);
+    // SAFETY: the room has all sizes that are accepted.
+    let status = unsafe { nm_options_init(room.pointer(), size) };
+    let legal = is_legal(size as usize);
+    expect(status, if legal { nm_status::NM_OK } else { nm_status::NM_INVALID_ARGUMENT });
+    let end = if legal { size as usize } else { 0 };
+    assert!(room.0[end..].iter().all(|&byte| byte == 0xee), "wrote beyond the struct");
+    assert!(room.0[SIZE.min(end)..end].iter().all(|&byte| byte == 0), "the tail is not cleared");
+    // SAFETY: NULL is refused.
+    expect(unsafe { nm_options_init(null_mut(), size) }, nm_status::NM_NULL_ARGUMENT);
+}
+
+pub fn run(bytes: &mut Bytes<'_>, handle: Option<&mut Handle>) {
+    let Some(handle) = handle else {
+        // SAFETY: NULL is refused.
+        expect(unsafe { nm_run(null_mut(), null()) }, nm_status::NM_NULL_ARGUMENT);
+        return;
+    };
+    let before = handle.snapshot();
+    let attempt = Attempt::new(bytes, handle.dim);
+    let mut watch = Watch { mesh: handle.mesh, cancels: attempt.cancels, calls: 0 };
+    let status = attempt.run(&mut watch);
+    assert!(attempt.allows(status), "{status:?} {}: {:?}", last_error(), attempt.settings);
+    assert!(!attempt.cancels || watch.calls <= 1, "called after it cancelled");
+    if status == nm_status::NM_OK {
+        handle.has_result = true;
+        assert!(handle.counts().simplices > 0);
+        check_certificate(handle);
+    } else {
+        assert_eq!(handle.snapshot(), before, "a failed run changed the mesh");
+    }
+}
+
+/// Arguments of a run.
+struct Attempt {
+    settings: Settings,
+    /// An enum's value, if one is to be wrong: field and value.
+    wrong: Option<(usize, i32)>,
+    struct_size: u32,
+    /// A byte beyond this version's struct.
+    tail: u8,
+    cancels: bool,
+}
+
+impl Attempt {
+    fn new(bytes: &mut Bytes<'_>, dim: usize) -> Self {
+        let mut settings = Settings::new(bytes, dim);
+        let most = settings.options.max_vertices.min(MAX_VERTICES);
+        settings.options.max_vertices = most;
+        let wrong = bytes.once_in(8).then(|| (bytes.below(4), i32::from(bytes.byte() as i8)));
+        Self {
+            settings,
+            wrong,
+            struct_size: struct_size::<nm_options>(bytes),
+            tail: if bytes.once_in(4) { bytes.byte() } else { 0 },
+            cancels: bytes.once_in(6),
+        }
+    }
+
+    fn run(&self, watch: &mut Watch) -> nm_status {
+        let mut room = Room::filled(0, self.struct_size);
+        room.0[ROOM - 1] = self.tail;
+        // A struct that lacks the last fields runs with their defaults: no limit, no callback.
+        let options = self.options(watch);
+        // SAFETY: the room is larger than the struct, and what `struct_size` says is in it.
+        unsafe {
+            room.pointer::<nm_options>().write(options);
+            nm_run(watch.mesh, room.pointer())
+        }
+    }
+
+    fn options(&self, watch: &mut Watch) -> nm_options {
+        let Options { output, algorithm, ordering, criterion, .. } = self.settings.options;
+        let mut enums = [output as i32, algorithm as i32, ordering as i32, criterion as i32];
+        if let Some((field, value)) = self.wrong {
+            enums[field] = value;
+        }
+        let given = &self.settings.options;
+        nm_options {
+            struct_size: self.struct_size,
+            output: from_c(enums[0]),
+            algorithm: from_c(enums[1]),
+            ordering: from_c(enums[2]),
+            criterion: from_c(enums[3]),
+            threads: given.threads,
+            quality_bound: given.quality_bound,
+            epsilon: given.epsilon,
+            delta: given.delta,
+            gamma: given.gamma,
+            yield_radius: given.yield_radius,
+            encroachment: given.encroachment,
+            cage_scale: given.cage_scale,
+            root_scale: given.root_scale,
+            seed: given.seed,
+            max_vertices: given.max_vertices,
+            progress: Some(look),
+            user_data: (&raw mut *watch).cast(),
+        }
+    }
+
+    /// Whether the run may answer so: what must be refused is refused, nothing else is.
+    fn allows(&self, status: nm_status) -> bool {
+        let size = self.struct_size as usize;
+        let tail = size == ROOM && self.tail != 0;
+        if !is_legal(size) || tail {
+            return status == nm_status::NM_INVALID_ARGUMENT;
+        }
+        match status {
+            nm_status::NM_OK => self.may_succeed(),
+            nm_status::NM_INVALID_ARGUMENT => {
+                !self.settings.valid || self.settings.optional || self.wrong.is_some()
+            }
+            nm_status::NM_CANCELLED => self.cancels,
+            nm_status::NM_DEGENERATE_INPUT => {
+                self.settings.options.algorithm == Algorithm::Delaunay || self.wrong.is_some()
+            }
+            nm_status::NM_LIMIT => true,
+            _ => false,
+        }
+    }
+
+    fn may_succeed(&self) -> bool {
+        let known = [2, 3, 2, 2];
+        let enums = self.wrong.is_none_or(|(field, value)| (0..known[field]).contains(&value));
+        // A criterion that is not the settings' has other ranges, and a small struct lacks fields.
+        let whole = self.struct_size as usize >= SIZE;
+        enums && (self.settings.valid || self.wrong.is_some() || !whole) && !(self.cancels && whole)
+    }
+}
+
+/// What the callback sees and does.
+struct Watch {
+    mesh: *mut nm_mesh,
+    cancels: bool,
+    calls: u32,
+}
+
+unsafe extern "C" fn look(progress: *const nm_progress, user_data: *mut c_void) -> i32 {
+    // SAFETY: both are live during the call; the run does not use the watch.
+    let (progress, watch) = unsafe { (&*progress, &mut *user_data.cast::<Watch>()) };
+    watch.calls += 1;
+    assert_eq!(progress.struct_size as usize, size_of::<nm_progress>());
+    assert!(progress.fraction <= 1.0);
+    let mut needed = 0;
+    // SAFETY: a live handle that is being run, which is refused.
+    let status = unsafe { nm_mesh_get_points(watch.mesh, null_mut(), 0, &mut needed) };
+    assert_eq!((status, needed), (nm_status::NM_STATE, 0));
+    i32::from(watch.cancels)
+}
+
+fn check_certificate(handle: &Handle) {
+    // SAFETY: numbers only.
+    let mut report: nm_report = unsafe { zeroed() };
+    report.struct_size = size_of::<nm_report>() as u32;
+    // SAFETY: a live handle and a whole struct.
+    expect(unsafe { nm_mesh_validate(handle.mesh, 3, &mut report) }, nm_status::NM_OK);
+    let message: String = report.message.iter().map(|&c| c as u8 as char).collect();
+    assert_eq!((report.level, report.violations), (3, 0), "{message}");
+}

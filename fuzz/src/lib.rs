@@ -1,0 +1,13 @@
+//! What must hold for any input, as functions of bytes: each panics if something does not. The fuzz
+//! targets call them with what libFuzzer invents, the library's own tests (`tests/properties`)
+//! include this file and call them with the corpus and with proptest's inventions.
+
+pub mod bytes;
+pub mod c_api;
+pub mod families;
+pub mod mesh;
+pub mod oracle;
+pub mod readers;
+pub mod settings;
+pub mod signs;
+pub mod triangulations;

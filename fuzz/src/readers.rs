@@ -1,0 +1,90 @@
+//! Readers refuse bytes with a documented kind, or read points that every writer gives back.
+
+use super::bytes::Bytes;
+use super::triangulations::bits;
+use netmesh::io::{Format, PointCloud, read, write};
+use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result};
+use std::io::BufReader;
+
+pub const FORMATS: [Format; 4] = [Format::TetgenNode, Format::Off, Format::Xyz, Format::Csv];
+
+/// Kinds that bytes in memory can be refused with.
+const REFUSALS: [ErrorKind; 3] = [ErrorKind::Format, ErrorKind::NonFinite, ErrorKind::Dimension];
+
+/// The most points that are triangulated, for the formats that hold nothing less.
+const MAX_TRIANGULATED: usize = 12;
+
+/// The first byte picks the format; the rest is the file.
+pub fn check(data: &[u8]) {
+    let mut bytes = Bytes::new(data);
+    let format = FORMATS[bytes.below(FORMATS.len() as u8)];
+    check_text(format, bytes.rest());
+}
+
+/// Whether the text was accepted.
+pub fn check_text(format: Format, text: &[u8]) -> bool {
+    let whole = read(&mut &*text, format);
+    let in_pieces = read(&mut BufReader::with_capacity(3, text), format);
+    assert_eq!(whole, in_pieces, "the size of the pieces matters");
+    match whole {
+        Ok(cloud) => {
+            check_cloud(&cloud);
+            true
+        }
+        Err(error) => {
+            assert!(REFUSALS.contains(&error.kind()), "{:?}: {error}", error.kind());
+            assert!(!error.message().is_empty() && error.message().len() < 400, "{error}");
+            false
+        }
+    }
+}
+
+fn check_cloud(cloud: &PointCloud) {
+    assert!((2..=8).contains(&cloud.dim), "dimension {}", cloud.dim);
+    assert!(!cloud.coordinates.is_empty());
+    assert_eq!(cloud.coordinates.len() % cloud.dim, 0);
+    assert!(cloud.coordinates.iter().all(|x| x.is_finite()));
+    let count = cloud.coordinates.len() / cloud.dim;
+    match Mesh::new(cloud.dim, count, &cloud.coordinates, 0) {
+        Ok(mesh) => check_round_trip(mesh),
+        Err(error) => assert_eq!(error.kind(), ErrorKind::DegenerateInput, "{error}"),
+    }
+}
+
+/// Every format that can be written and read gives the points back, bit for bit.
+fn check_round_trip(mut mesh: Mesh) {
+    let points = mesh.inputs().distinct_points();
+    let dim = mesh.inputs().dim();
+    for format in [Format::Xyz, Format::Csv] {
+        assert_reads_back(&mesh, format, dim, &points);
+    }
+    let small = mesh.inputs().distinct() <= MAX_TRIANGULATED && dim <= 5;
+    let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+    if small && mesh.run(&plain, None).is_ok() {
+        assert_reads_back(&mesh, Format::TetgenNode, dim, &points);
+        let in_space = match dim {
+            2 => points.chunks_exact(2).flat_map(|p| [p[0], p[1], 0.0]).collect(),
+            _ => points,
+        };
+        assert_reads_back(&mesh, Format::Off, dim.max(3), &in_space);
+    }
+}
+
+fn assert_reads_back(mesh: &Mesh, format: Format, dim: usize, points: &[f64]) {
+    let read = written(mesh, format).and_then(|text| read(&mut &*text, format));
+    let read = read.unwrap_or_else(|error| panic!("{format:?}: {error}"));
+    assert_eq!(read.dim, dim, "{format:?}");
+    assert!(bits(&read.coordinates) == bits(points), "{format:?}: {points:?}");
+}
+
+/// What is read back: of the pair of TetGen's files the first.
+fn written(mesh: &Mesh, format: Format) -> Result<Vec<u8>> {
+    let mut text = Vec::new();
+    write(mesh, format, &mut text)?;
+    if format == Format::TetgenNode {
+        let lines = 1 + mesh.triangulation().expect("it was meshed").vertex_count();
+        let end = text.split_inclusive(|&byte| byte == b'\n').take(lines).map(<[u8]>::len).sum();
+        text.truncate(end);
+    }
+    Ok(text)
+}

@@ -7,37 +7,42 @@
 //! Without it CLEAN inserts points beside the cages and destroys them.
 
 use super::{Mesher, some};
+use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created.
-    pub(super) fn examine_created(&mut self) {
+    pub(super) fn examine_created(&mut self) -> Fallible<()> {
         for at in 0..self.scratch.created.len() {
-            self.examine(self.scratch.created[at]);
+            self.examine(self.scratch.created[at])?;
         }
+        Ok(())
     }
 
     /// Queues the bad ones among the simplices at `vertex`.
-    pub(super) fn examine_star(&mut self, vertex: u32) {
-        self.delaunay.star(vertex, &mut self.scratch.star);
+    pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
+        self.delaunay.star(vertex, &mut self.scratch.star)?;
         for at in 0..self.scratch.star.len() {
-            self.examine(self.scratch.star[at]);
+            self.examine(self.scratch.star[at])?;
         }
+        Ok(())
     }
 
     /// Queues the bad ones among the simplices round `cage`.
-    pub(super) fn examine_cage(&mut self, cage: u32) {
+    pub(super) fn examine_cage(&mut self, cage: u32) -> Fallible<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
-            self.examine_star(self.hierarchy.node(cage).cage[at]);
+            self.examine_star(self.hierarchy.node(cage).cage[at])?;
         }
+        Ok(())
     }
 
-    fn examine(&mut self, simplex: u32) {
+    fn examine(&mut self, simplex: u32) -> Fallible<()> {
         if self.is_bad(simplex) {
-            self.refine.push(simplex);
+            self.refine.push(simplex)?;
         }
+        Ok(())
     }
 
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.

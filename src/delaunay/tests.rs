@@ -183,7 +183,7 @@ proptest! {
 fn too_many_simplices_are_refused() {
     let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
     let mut delaunay = Delaunay::new(corners.to_vec()).unwrap();
-    delaunay.complex.limit_ids(7);
+    delaunay.complex.limit_ids(8);
     delaunay.begin(&[0, 1, 2]).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     for (vertex, expected) in [(3, Ok(())), (4, Err(Shortage::Ids))] {

@@ -140,7 +140,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.hierarchy.release(cage);
         self.stats.cages_released += 1;
         let mut affected = std::mem::take(&mut self.scratch.affected);
-        affected.clear();
+        affected.restart(self.delaunay.point_count())?;
         for at in 0..self.hierarchy.node(cage).cage.len() {
             let vertex = self.hierarchy.node(cage).cage[at];
             self.delaunay.star(vertex, &mut self.scratch.star)?;

@@ -62,7 +62,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The vertices U(x) of the scratch cavity.
     pub(super) fn collect_cavity_corners(&mut self) -> Fallible<()> {
         let Scratch { cavity, corners, .. } = &mut self.scratch;
-        corners.clear();
+        corners.restart(self.delaunay.point_count())?;
         for &simplex in &cavity.simplices {
             for vertex in self.delaunay.complex().vertices(simplex).iter().copied() {
                 if some(vertex).is_some() {
@@ -93,7 +93,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in.
     fn update_star(&mut self, vertex: u32) -> Fallible<()> {
         let Scratch { created, corners, .. } = &mut self.scratch;
-        corners.clear();
+        corners.restart(self.delaunay.point_count())?;
         for &simplex in created.iter() {
             for &corner in self.delaunay.complex().vertices(simplex) {
                 if some(corner).is_some() && corner != vertex {

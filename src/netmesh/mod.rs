@@ -134,20 +134,21 @@ impl Default for VertexSet {
 }
 
 impl VertexSet {
-    fn clear(&mut self) {
+    /// Empties the set, and makes room for the marks of so many vertices.
+    fn restart(&mut self, vertices: usize) -> Fallible<()> {
+        self.marks.cover(vertices, 0)?;
         self.ids.clear();
         if self.epoch == u32::MAX {
             self.marks.fill(0);
             self.epoch = 0;
         }
         self.epoch += 1;
+        Ok(())
     }
 
-    #[inline]
+    // A call would cost as much as what is done.
+    #[inline(always)]
     fn insert(&mut self, id: u32) -> Fallible<()> {
-        if self.marks.len() <= id as usize {
-            self.marks.cover(id as usize + 1, 0)?;
-        }
         let mark = &mut self.marks[id as usize];
         if *mark != self.epoch {
             *mark = self.epoch;

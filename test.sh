@@ -10,10 +10,12 @@ readonly tools="$PWD/target/tools" venv="$PWD/target/venv" build="$PWD/target/cm
 . scripts/common.sh
 # shellcheck source=scripts/tools.sh
 . scripts/tools.sh
+# shellcheck source=scripts/sanitizers.sh
+. scripts/sanitizers.sh
 
 step "tools"
 need_cargo
-need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev python3 python3-venv
+need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev locales python3 python3-venv
 need_rust_components
 export PATH="$venv/bin:$tools/bin:$PATH" CARGO_BUILD_JOBS="$jobs"
 need_cbindgen
@@ -34,6 +36,12 @@ cmake --build "$build" --parallel "$jobs"
 
 step "C++ harness: CGAL, TetGen, valgrind"
 ctest --test-dir "$build" --output-on-failure --parallel "$jobs"
+
+step "C ABI: address and undefined behaviour sanitizers"
+address_sanitizer_tests
+
+step "C ABI: thread sanitizer"
+thread_sanitizer_tests
 
 step "Miri"
 miri="$(miri_toolchain)"

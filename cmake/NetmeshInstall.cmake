@@ -7,7 +7,20 @@ if(WIN32)
   install(FILES "${netmesh_import_file}" "${netmesh_static_file}"
           DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 else()
-  install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  if(netmesh_soname)
+    # The library under its full version, the name that programs ask for, and the one to link with.
+    set(netmesh_versioned_name "libnetmesh.so.${PROJECT_VERSION}")
+    install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+            RENAME "${netmesh_versioned_name}")
+    set(netmesh_links_dir "${CMAKE_CURRENT_BINARY_DIR}/install_links")
+    file(MAKE_DIRECTORY "${netmesh_links_dir}")
+    file(CREATE_LINK "${netmesh_versioned_name}" "${netmesh_links_dir}/${netmesh_soname}" SYMBOLIC)
+    file(CREATE_LINK "${netmesh_soname}" "${netmesh_links_dir}/libnetmesh.so" SYMBOLIC)
+    install(FILES "${netmesh_links_dir}/${netmesh_soname}" "${netmesh_links_dir}/libnetmesh.so"
+            DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  else()
+    install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  endif()
   install(FILES "${netmesh_static_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endif()
 install(DIRECTORY "${netmesh_include_dir}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"

@@ -60,6 +60,9 @@ fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     let made = directory(&format!("{name}-{language:?}-{link:?}")).join(name);
     command.arg(root().join(source)).args(["-x", "none"]).arg(&library);
     if link == Link::Shared {
+        let beside = made.parent().unwrap();
+        link_by_abi(&library, beside);
+        command.arg(format!("-Wl,-rpath,{}", beside.display()));
         command.arg(format!("-Wl,-rpath,{}", library.parent().unwrap().display()));
     }
     if cfg!(target_os = "linux") {
@@ -67,6 +70,18 @@ fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     }
     run(command.arg("-lm").arg("-o").arg(&made));
     Some(made)
+}
+
+/// Puts the library into `directory` under the name that a program asks for where it starts: cargo
+/// does not know that name.
+fn link_by_abi(library: &Path, directory: &Path) {
+    #[cfg(unix)]
+    if cfg!(not(target_os = "macos")) {
+        let name = format!("libnetmesh.so.{}", netmesh::capi::nm_abi_version());
+        std::os::unix::fs::symlink(library, directory.join(name)).unwrap();
+    }
+    #[cfg(not(unix))]
+    let _ = (library, directory);
 }
 
 /// A fresh directory.

@@ -62,7 +62,7 @@ fn assert_refused(format: Format, table: &[Damaged]) {
 
 #[test]
 fn every_text_format_refuses_what_is_no_text_or_number() {
-    let cases: [(&[u8], ErrorKind, &str); 10] = [
+    let cases: [(&[u8], ErrorKind, &str); 13] = [
         (b"abc", Broken, "\"abc\" is not a number"),
         (b"1.2.3", Broken, "\"1.2.3\" is not a number"),
         (b"1d5", Broken, "\"1d5\" is not a number"),
@@ -70,6 +70,9 @@ fn every_text_format_refuses_what_is_no_text_or_number() {
         ("1\u{a0}".as_bytes(), Broken, "\"1\\u{a0}\" is not a number"),
         (b"1e999", Broken, "\"1e999\" is too large for a double"),
         (b"-1e309", Broken, "\"-1e309\" is too large for a double"),
+        (b"1e99999999999999999999", Broken, "\"1e99999999999999999999\" is too large for a double"),
+        (b"1e", Broken, "\"1e\" is not a number"),
+        (b"1e1.5", Broken, "\"1e1.5\" is not a number"),
         (b"nan", NonFinite, "\"nan\"; every coordinate must be finite"),
         (b"-NaN", NonFinite, "\"-NaN\"; every coordinate must be finite"),
         (b"-Infinity", NonFinite, "\"-Infinity\"; every coordinate must be finite"),
@@ -86,12 +89,15 @@ fn every_text_format_refuses_what_is_no_text_or_number() {
             assert_refused_as(format, &bytes, kind, &message);
         }
         for (field, message) in [
-            (&b"\xff"[..], "line 2: the line is not valid UTF-8"),
-            (b"5\0", "line 2: the line holds a NUL byte"),
-            (b"5\r6", "line 2: a carriage return inside the line"),
+            (&b"\xff"[..], "the line is not valid UTF-8"),
+            (b"\0", "a NUL byte; this is not a text file"),
+            (b"\r6", "a carriage return inside the line"),
         ] {
-            let bytes = [before, b"5", &[separator], field, b"\n"].concat();
-            assert_refused_as(format, &bytes, Broken, message);
+            let bytes = [before, b"5", &[separator], b"5", field, b"\n"].concat();
+            let byte =
+                bytes.len() - field.len() - before.iter().position(|b| *b == b'\n').unwrap() - 1;
+            let message = format!("line 2, byte {byte}: {message}");
+            assert_refused_as(format, &bytes, Broken, &message);
         }
         let bytes = [before, b"5".repeat(1 << 20).as_slice(), b"\n"].concat();
         assert_refused_as(format, &bytes, Broken, "line 2: the line is longer than 1 MiB");
@@ -115,7 +121,11 @@ fn xyz_refuses_damaged_files() {
             (b"1 2 3\n\n# c\n3 4\n", Broken, "line 4: 2 coordinates where 3 are expected"),
             (b"1 2\n3\n", Broken, "line 2: 1 coordinates where 2 are expected"),
             (b"1,,2\n", Broken, "line 1, column 2: the field is empty"),
-            (b"1 2,\n", Broken, "line 1, column 3: the field is empty"),
+            (b"1,2,\n", Broken, "line 1, column 3: the field is empty"),
+            (b"1 2,\n", Broken, "line 1, column 2: commas and blanks both separate"),
+            (b"0,5 1,5\n", Broken, "line 1, column 3: commas and blanks both separate"),
+            (b"1 2\n0,5\t1\n", Broken, "line 2, column 3: commas and blanks both separate"),
+            (b"0,5;1,5\n", Broken, "line 1, column 2: \"5;1\" is not a number"),
             (b"1;2\n", Broken, "line 1, column 1: \"1;2\" is not a number"),
             (b"x y\n1 2\n", Broken, "line 1, column 1: \"x\" is not a number"),
             (b"1\n2\n", Dimension, "line 1: points of dimension 1; it must be in 2..=8"),
@@ -139,6 +149,8 @@ fn csv_refuses_damaged_files() {
             (b"x,y\nx,y\n1,2\n", Broken, "line 2, column 1: \"x\" is not a number"),
             (b"1 2\n3 4\n", Broken, "line 2, column 1: \"3 4\" is not a number"),
             (b"1,2 3\n", Broken, "line 1, column 2: \"2 3\" is not a number"),
+            (b"0,5;1,5\n", Broken, "line 1, column 2: \"5;1\" is not a number"),
+            (b"x;y\n0,5;1,5\n", Broken, "line 2: 3 columns; the first line has 1"),
             // A damaged first point is no header.
             (b"1.0,2.o\n3,4\n", Broken, "line 1, column 2: \"2.o\" is not a number"),
             (b",0,1\n0,5,6\n", Broken, "line 1, column 1: the field is empty"),

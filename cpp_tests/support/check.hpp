@@ -13,7 +13,20 @@
 
 #include "netmesh.h"
 
+#if defined(__has_feature)
+#define NETMESH_TESTS_HAS_FEATURE(name) __has_feature(name)
+#else
+#define NETMESH_TESTS_HAS_FEATURE(name) 0
+#endif
+
 namespace check {
+
+// What this program was built with, for a check that the sanitizer's runtime does not bear.
+#if defined(__SANITIZE_ADDRESS__) || NETMESH_TESTS_HAS_FEATURE(address_sanitizer)
+constexpr bool address_sanitizer = true;
+#else
+constexpr bool address_sanitizer = false;
+#endif
 
 inline std::atomic<unsigned long> performed{0};
 inline std::atomic<unsigned long> failed{0};

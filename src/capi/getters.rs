@@ -309,9 +309,11 @@ mod tests {
     }
     #[test]
     fn after_a_run_every_getter_has_its_array() {
-        let mut points: Vec<f64> = (0..120).map(|i| f64::from(i * i % 121)).collect();
-        points.extend([60.0, 60.0, 60.0, 60.0 + 1e-9]);
-        let mut mesh = Mesh::new(2, 62, &points, 0).unwrap();
+        // Under Miri each vertex takes a second.
+        let n = if cfg!(miri) { 2 } else { 62 };
+        let mut points = vec![60.0, 60.0, 60.0, 60.0 + 1e-9];
+        points.extend((0..2 * (n as i32 - 2)).map(|i| f64::from(i * i % 121)));
+        let mut mesh = Mesh::new(2, n, &points, 0).unwrap();
         mesh.run(&Options::default(), None).unwrap();
         let t = mesh.triangulation().unwrap().clone();
         let distinct = mesh.inputs().distinct();
@@ -325,14 +327,14 @@ mod tests {
         assert!(kinds[..distinct].iter().all(|&kind| kind == 0) && kinds[distinct..].contains(&2));
         let limited = t.precision_limited.iter().map(|&limited| u8::from(limited));
         assert_eq!(get(&mesh, nm_mesh_get_precision_limited), limited.collect::<Vec<_>>());
-        assert_eq!(get(&mesh, nm_mesh_get_input_vertices).len(), 62);
+        assert_eq!(get(&mesh, nm_mesh_get_input_vertices).len(), n);
         let mut domains = vec![nm_domain { center: 9, parent: 9, radius: 9.0 }; t.domains.len()];
         let capacity = domains.len() as u64;
         // SAFETY: a live handle; the buffer has room for `capacity`.
         let status =
             unsafe { nm_mesh_get_domains(&mesh, domains.as_mut_ptr(), capacity, null_mut()) };
         assert_eq!(status, nm_status::NM_OK);
-        assert!(domains.len() > 1, "the close pair has a domain of its own");
+        assert!(domains.len() > 1 || cfg!(miri), "the close pair has a domain of its own");
         for (is, should) in domains.iter().zip(&t.domains) {
             let is = (is.center, is.parent, is.radius);
             assert_eq!(is, (should.center, should.parent, should.radius));

@@ -8,6 +8,7 @@ mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
 use crate::memory::{Fallible, TryGrow};
+use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
 
@@ -24,12 +25,24 @@ pub(crate) struct Cavity {
     pub starts: Vec<u32>,
 }
 
+/// The D-ball of a finite simplex, with the vertex that its centre is relative to at hand.
+#[derive(Clone, Copy)]
+struct DBall<const D: usize> {
+    circumball: Circumball<D>,
+    /// [`NONE`] for an infinite simplex, which has no D-ball.
+    anchor: u32,
+}
+
+impl<const D: usize> DBall<D> {
+    const NONE: Self = Self { circumball: Circumball::UNUSABLE, anchor: NONE };
+}
+
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
     /// All points that have an id, inserted or not.
     points: Vec<[f64; D]>,
-    /// The D-ball of each finite simplex; `None` for an infinite or dead one.
-    balls: Vec<Option<Circumball<D>>>,
+    /// By simplex; that of a dead one is stale.
+    balls: Vec<DBall<D>>,
     exact_fallbacks: Cell<u64>,
 }
 
@@ -94,20 +107,25 @@ impl<const D: usize> Delaunay<D> {
     /// The D-ball of a live finite simplex.
     #[inline]
     pub fn ball(&self, simplex: u32) -> Option<&Circumball<D>> {
-        self.balls[simplex as usize].as_ref()
+        let ball = &self.balls[simplex as usize];
+        (ball.anchor != NONE).then_some(&ball.circumball)
+    }
+
+    #[inline]
+    fn ball_and_anchor(&self, simplex: u32) -> Option<(&Circumball<D>, &[f64; D])> {
+        let ball = &self.balls[simplex as usize];
+        (ball.anchor != NONE).then(|| (&ball.circumball, self.point(ball.anchor)))
     }
 
     /// The corner of the Voronoi diagram dual to `simplex`, rounded; not finite if out of range.
     pub fn corner(&self, simplex: u32) -> Option<[f64; D]> {
-        let ball = self.ball(simplex)?;
-        let anchor = self.complex.vertices(simplex)[ball.anchor as usize];
-        Some(ball.center_point(self.point(anchor)))
+        let (ball, anchor) = self.ball_and_anchor(simplex)?;
+        Some(ball.center_point(anchor))
     }
 
     /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of range.
     pub fn corner_distance(&self, simplex: u32, x: &[f64; D]) -> Option<f64> {
-        let ball = self.ball(simplex)?;
-        let anchor = self.point(self.complex.vertices(simplex)[ball.anchor as usize]);
+        let (ball, anchor) = self.ball_and_anchor(simplex)?;
         let unit = 1.0 / ball.scale;
         let offset: [f64; D] =
             std::array::from_fn(|axis| (anchor[axis] - x[axis]) + ball.center[axis] * unit);
@@ -118,11 +136,10 @@ impl<const D: usize> Delaunay<D> {
     /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
     #[inline]
     pub fn in_conflict(&self, simplex: u32, q: &[f64; D]) -> bool {
-        let Some(ball) = self.ball(simplex) else {
+        let Some((ball, anchor)) = self.ball_and_anchor(simplex) else {
             return self.beyond_hull(simplex, q);
         };
-        let anchor = self.complex.vertices(simplex)[ball.anchor as usize];
-        match ball.side(self.point(anchor), q) {
+        match ball.side(anchor, q) {
             Some(inside) => inside,
             None => self.in_ball_exactly(simplex, q),
         }
@@ -204,16 +221,19 @@ impl<const D: usize> Delaunay<D> {
 
     /// Makes the array of D-balls as long as that of the simplices.
     fn cover_balls(&mut self) -> Fallible<()> {
-        self.balls.cover(self.complex.simplex_bound(), None)
+        self.balls.cover(self.complex.simplex_bound(), DBall::NONE)
     }
 
     fn compute_ball(&mut self, simplex: u32) {
         let vertices = self.complex.vertices(simplex);
-        self.balls[simplex as usize] = if vertices.contains(&INFINITE) {
-            None
-        } else {
-            Some(Circumball::new(&self.corner_points(vertices)[..=D]))
+        let ball = match vertices.contains(&INFINITE) {
+            true => DBall::NONE,
+            false => {
+                let circumball = Circumball::new(&self.corner_points(vertices)[..=D]);
+                DBall { circumball, anchor: vertices[circumball.anchor as usize] }
+            }
         };
+        self.balls[simplex as usize] = ball;
     }
 
     /// Frees the D-balls: nothing is inserted or located any more.

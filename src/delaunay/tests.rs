@@ -188,7 +188,7 @@ fn too_many_simplices_are_refused() {
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     for (vertex, expected) in [(3, Ok(())), (4, Err(Shortage::Ids))] {
         let q = corners[vertex as usize];
-        let start = delaunay.locate(0, &q).unwrap();
+        let start = delaunay.locate(delaunay.complex().incident(0), &q).unwrap();
         delaunay.find_cavity(start, &q, &mut cavity).unwrap();
         assert_eq!(delaunay.insert(vertex, &cavity, &mut created), expected);
     }

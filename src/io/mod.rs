@@ -70,8 +70,8 @@ pub enum Format {
     Off = 5,
     /// Stanford's `.ply`. Not available in this version.
     Ply = 6,
-    /// Text points, one per line, separated by whitespace or commas. The first point's number of
-    /// columns is the dimension.
+    /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
+    /// decimal comma would read so). The first point's number of columns is the dimension.
     Xyz = 7,
     /// Comma-separated points. A first line without any number is a header; its columns are counted,
     /// quotes have no meaning. A last column with the header `kind`, as [`write()`] adds it, is

@@ -2,25 +2,45 @@
 
 use super::PointCloud;
 use super::text::{Line, Lines, Points, write_point};
-use crate::error::Result;
+use crate::error::{ErrorKind, Result};
 use crate::mesh::Mesh;
 use std::io::{self, Write};
 
 pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
     let mut points = Points::default();
     while let Some(line) = lines.next()? {
+        refuse_decimal_commas(&line)?;
         points.add(&line, fields(&line).enumerate())?;
     }
     points.finish()
 }
 
-/// The fields of a line: between blanks, a comma, or a comma among blanks. Two commas have an
-/// empty field between them, which is refused later: a number may be missing there.
+/// The fields of a line: between commas (and blanks around them), or between blanks where there is no
+/// comma. Two commas have an empty field between them, which is refused later: a number may be
+/// missing there.
 fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
     line.text.split(',').flat_map(|part| {
         let missing = part.trim_ascii().is_empty().then_some("");
         missing.into_iter().chain(part.split_ascii_whitespace())
     })
+}
+
+/// Refuses numbers that are separated by blanks in one place and by a comma in another: `0,5 1,5` is
+/// how half of the world writes one point in the plane, and must not become one in four dimensions.
+fn refuse_decimal_commas(line: &Line<'_>) -> Result<()> {
+    let mut column = 0;
+    let mut parts = line.text.split(',').peekable();
+    while let Some(part) = parts.next() {
+        let words = part.split_ascii_whitespace().count();
+        let alone = column == 0 && parts.peek().is_none();
+        if words > 1 && !alone {
+            let message = "commas and blanks both separate numbers in this line; where a comma is a \
+                           decimal one, write a point";
+            return Err(line.field_error(ErrorKind::Format, column + 1, message));
+        }
+        column += words.max(1);
+    }
+    Ok(())
 }
 
 pub(super) fn write(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
@@ -64,7 +84,7 @@ mod tests {
         for text in [
             "1 -2.5 3e-7\n4 5 6",
             "1,-2.5,3e-7\r\n\r\n4,5,6\r\n",
-            "# x y z\n\t1 ,\t-2.5 , 3E-7 # the first\n\n+4.0  5.,.6e1\n",
+            "# x y z\n\t1 ,\t-2.5 , 3E-7 # the first\n\n+4.0  5. .6e1\n",
         ] {
             assert_eq!(points(text), expected, "{text:?}");
         }

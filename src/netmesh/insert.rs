@@ -121,13 +121,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.scratch.corners.ids = neighbors;
         self.examine_created()?;
         for &neighbor in &nearer {
-            self.examine_star(neighbor)?;
+            self.examine_cell(neighbor)?;
         }
         self.scratch.nearer = nearer;
         Ok(())
     }
 
-    /// The nearest distance of a corner of the first simplex.
+    /// The nearest distance of a corner of the first simplex; its farthest corner is not known.
     pub(super) fn measure_nearest(&mut self, vertex: u32) {
         let simplex = self.delaunay.complex().incident(vertex);
         let x = self.delaunay.point(vertex);
@@ -140,5 +140,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .map(|&other| distance(x, self.delaunay.point(other)))
             .fold(f64::INFINITY, f64::min);
         self.nearest[vertex as usize] = nearest;
+        self.farthest[vertex as usize] = f64::INFINITY;
     }
 }

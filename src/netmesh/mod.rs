@@ -90,6 +90,8 @@ struct Mesher<'a, 'b, const D: usize> {
     refine: RefineList,
     /// Vertex -> distance to its nearest neighbour in the mesh.
     nearest: Vec<f64>,
+    /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
+    farthest: Vec<f64>,
     /// Vertices next to which doubles ran out when a cage was wanted.
     precision_limited: Vec<bool>,
     /// Number of distinct inputs.
@@ -108,10 +110,10 @@ struct Scratch {
     cavity: Cavity,
     created: Vec<u32>,
     star: Vec<u32>,
+    /// Vertices whose nearest distance fell.
+    nearer: Vec<u32>,
     /// The neighbours of the last inserted vertex, or the corners of the last cavity.
     corners: VertexSet,
-    /// Neighbours to which the last inserted vertex is nearer than all before.
-    nearer: Vec<u32>,
     /// The vertices next to a cage that is released.
     affected: VertexSet,
     /// Simplices, and their inputs' distances, near a cage that is wanted.
@@ -176,6 +178,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             location: Location::new(count)?,
             refine: RefineList::default(),
             nearest: filled(count, f64::INFINITY)?,
+            farthest: filled(count, 0.0)?,
             precision_limited: filled(count, false)?,
             inputs: count,
             template: Vec::new(),
@@ -205,6 +208,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
         self.hierarchy.add_vertex()?;
         self.nearest.try_push(f64::INFINITY)?;
+        self.farthest.try_push(0.0)?;
         self.precision_limited.try_push(false)?;
         Ok(self.delaunay.add_point(x)?)
     }

@@ -13,10 +13,18 @@ use crate::numerics::distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Queues the bad ones among the simplices just created.
+    /// Queues the bad ones among the simplices just created, and lets their vertices know of the
+    /// corners that have come.
     pub(super) fn examine_created(&mut self) -> Fallible<()> {
         for at in 0..self.scratch.created.len() {
-            self.examine(self.scratch.created[at])?;
+            let simplex = self.scratch.created[at];
+            if let Some(ball) = self.delaunay.ball(simplex) {
+                for &vertex in self.delaunay.complex().vertices(simplex) {
+                    let farthest = &mut self.farthest[vertex as usize];
+                    *farthest = farthest.max(ball.radius);
+                }
+            }
+            self.examine(simplex)?;
         }
         Ok(())
     }
@@ -24,8 +32,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices at `vertex`.
     pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
         self.delaunay.star(vertex, &mut self.scratch.star)?;
+        let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
-            self.examine(self.scratch.star[at])?;
+            let simplex = self.scratch.star[at];
+            farthest = farthest.max(self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius));
+            self.examine(simplex)?;
+        }
+        self.farthest[vertex as usize] = farthest;
+        Ok(())
+    }
+
+    /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
+    /// edges there are what they were.
+    pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
+        let reach = 2.0 * self.farthest[vertex as usize] / self.parameters.quality_bound;
+        if self.parameters.criterion == Criterion::VoronoiAspect
+            && self.nearest[vertex as usize] < reach
+        {
+            self.examine_star(vertex)?;
         }
         Ok(())
     }

@@ -34,6 +34,15 @@ const ACCEPTED: f64 = 1e-9;
 const FLOOR: f64 = 16.0 * UNIT;
 
 impl<const D: usize> Circumball<D> {
+    /// The ball of a flat simplex, or of one with a radius out of range: decides nothing.
+    pub const UNUSABLE: Self = Self {
+        anchor: 0,
+        scale: 1.0,
+        center: [f64::NAN; D],
+        error: f64::INFINITY,
+        radius: f64::INFINITY,
+    };
+
     /// The circumball of `D + 1` finite, affinely independent points. For flat simplices and those
     /// with a radius beyond 2^1030 the error and the radius are infinite and nothing is decided.
     ///
@@ -98,16 +107,9 @@ impl<const D: usize> Circumball<D> {
     #[cold]
     #[inline(never)]
     fn in_integers(points: &[&[f64; D]], anchor: usize) -> Self {
-        let unusable = Self {
-            anchor: anchor as u8,
-            scale: 1.0,
-            center: [f64::NAN; D],
-            error: f64::INFINITY,
-            radius: f64::INFINITY,
-        };
-        let Some(exact) = circumcenter_exact(points, anchor) else { return unusable };
+        let Some(exact) = circumcenter_exact(points, anchor) else { return Self::UNUSABLE };
         if exact.exponent > 1030 {
-            return unusable;
+            return Self::UNUSABLE;
         }
         let k = exact.exponent.clamp(-1000, 1000);
         let center = exact.center.map(|x| scale_by_power(x, exact.exponent - k));

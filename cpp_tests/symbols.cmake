@@ -1,0 +1,40 @@
+# The shared library exports what symbols.txt lists, which is what the header declares, and nothing
+# else: a symbol that appears is ABI from then on, one that goes breaks programs.
+#
+#   cmake -DNM=... -DLIBRARY=... -DHEADER=... -DLIST=... -DREADELF=...
+#         -DSONAME=... -P symbols.cmake
+
+function(require_equal what found expected)
+  if(NOT found STREQUAL expected)
+    string(REPLACE ";" "\n  " found "${found}")
+    string(REPLACE ";" "\n  " expected "${expected}")
+    message(FATAL_ERROR "${what}\n  ${found}\ninstead of\n  ${expected}")
+  endif()
+endfunction()
+
+file(STRINGS "${LIST}" listed)
+
+execute_process(COMMAND "${NM}" --dynamic --defined-only "${LIBRARY}"
+                OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[0-9a-f]+ [A-Za-z] [^\n]+" exported "${text}")
+list(TRANSFORM exported REPLACE "^[0-9a-f]+ [A-Za-z] " "")
+list(SORT exported)
+require_equal("${LIBRARY} exports" "${exported}" "${listed}")
+
+# Declarations begin at the first column; comments and struct members do not.
+file(STRINGS "${HEADER}" lines REGEX "^[a-z].*nm_[a-z_]+\\(")
+set(declared "")
+foreach(line IN LISTS lines)
+  string(REGEX MATCH "(nm_[a-z_]+)\\(" unused "${line}")
+  list(APPEND declared "${CMAKE_MATCH_1}")
+endforeach()
+list(SORT declared)
+require_equal("${HEADER} declares" "${declared}" "${listed}")
+
+list(LENGTH listed count)
+message(STATUS "${count} symbols, exported and declared")
+
+execute_process(COMMAND "${READELF}" --dynamic "${LIBRARY}"
+                OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "soname: \\[([^]\n]+)\\]" unused "${text}")
+require_equal("${LIBRARY} is called" "${CMAKE_MATCH_1}" "${SONAME}")

@@ -1,0 +1,40 @@
+# Sourced by test.sh: the tests of the C ABI under the address, undefined behaviour and thread
+# sanitizers, each in a build directory of its own.
+
+# sanitizer_tests SANITIZERS NAME [CMAKE-ARGUMENT...]
+sanitizer_tests() {
+  local sanitizers="$1" directory="$PWD/target/cmake-$2"
+  shift 2
+  cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNETMESH_BUILD_BENCHMARKS=OFF \
+    -DNETMESH_SANITIZERS="$sanitizers" "$@"
+  cmake --build "$directory" --parallel "$jobs"
+  # The thread sanitizer's tables have fixed places, which much randomisation of addresses takes.
+  local steady=()
+  if setarch --addr-no-randomize true 2>/dev/null; then steady=(setarch --addr-no-randomize); fi
+  "${steady[@]}" ctest --test-dir "$directory" --output-on-failure
+}
+
+address_sanitizer_tests() {
+  sanitizer_tests address,undefined address -DNETMESH_CARGO_TARGET_DIR="$PWD/target"
+}
+
+# With the Rust code instrumented too, or the locks in it would be out of sight. Flags of the compiler
+# that are not stable need RUSTC_BOOTSTRAP; the standard library stays as it is, but for what is
+# generic or inline, such as its locks. Link time optimisation would only cost time here.
+thread_sanitizer_tests() {
+  local triple flags="-Zsanitizer=thread -Cunsafe-allow-abi-mismatch=sanitizer"
+  local probe="$PWD/target/sanitizer/probe"
+  triple="$(rustc -vV | sed -n 's/^host: //p')"
+  mkdir -p "$probe"
+  # Into a directory: as root, rustc would replace a device that is named as its output.
+  # shellcheck disable=SC2086
+  if ! RUSTC_BOOTSTRAP=1 rustc $flags --crate-type lib --crate-name probe --emit metadata \
+    --out-dir "$probe" - </dev/null; then
+    echo "skipped: this Rust compiler has no thread sanitizer"
+    return 0
+  fi
+  local environment="RUSTC_BOOTSTRAP=1;RUSTFLAGS=$flags;CARGO_PROFILE_RELEASE_LTO=off"
+  environment+=";CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16"
+  sanitizer_tests thread thread -DNETMESH_INSTRUMENTED=ON -DNETMESH_CARGO_TARGET="$triple" \
+    -DNETMESH_CARGO_ENVIRONMENT="$environment" -DNETMESH_CARGO_TARGET_DIR="$PWD/target/sanitizer"
+}

@@ -245,7 +245,7 @@ static int whole(const struct job *job) {
 static void sweep(const struct job *job) {
   memset(&plan, 0, sizeof plan);
   /* A process that ends itself takes its time about it. */
-  plan.stride = job->exact_integers ? 16 : 1;
+  plan.stride = job->exact_integers ? 256 : 1;
   plan.forking = 1;
   int done = whole(job);
   if (plan.child) {

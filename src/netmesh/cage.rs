@@ -10,6 +10,10 @@ use crate::numerics::distance;
 /// has been displaced by rounding: the packing property leaves more room in exact arithmetic.
 const PACKING: f64 = 0.1;
 
+/// A cage grows at least by this factor: the vertices of a smaller one would coincide with those
+/// that the old cage leaves behind.
+const GROWTH: f64 = 1.5;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
     /// concentric with it there, and the cage's vertices. `start` is a simplex near the sphere.
@@ -123,7 +127,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// GROWCAGE of the cage that the point at `x` encroaches from inside.
     pub(super) fn grow_cage_for(&mut self, cage: u32, x: &[f64; D], start: u32) -> Result<()> {
-        let least = self.radius_for(self.hierarchy.distance_to_center(cage, x));
+        let needed = self.radius_for(self.hierarchy.distance_to_center(cage, x));
+        let least = needed.max(GROWTH * self.hierarchy.node(cage).radius);
         self.grow_cage(cage, least, start)
     }
 

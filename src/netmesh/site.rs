@@ -17,6 +17,9 @@ pub(super) struct CageSite {
 /// radius, so that the input is strictly inside epsilon r.
 const SLACK: f64 = 1.001;
 
+/// Subnormal distances are rounded to whole units of the smallest double.
+const ROUNDING: f64 = 4.0 * f64::from_bits(1);
+
 /// How much more room than it needs a cage must have to be smaller than the refinement that it
 /// saves (docs/decisions.md): cages are cheap in 2D, dearer above.
 const fn pays<const D: usize>() -> f64 {
@@ -37,7 +40,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Some(child) => self.hierarchy.node(child).outside,
             None => self.nearest[center as usize],
         };
-        let most = clearance / (pays::<D>() * self.outer_reach());
+        let most = self.radius_within(clearance) / pays::<D>();
         let least = self.radius_for(gap).max(self.smallest_radius(center));
         let radius = self.lasting_radius(center, child, least, most)?;
         Some(CageSite { center, radius, parent })
@@ -56,7 +59,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The radius of a cage that has an input at distance `gap` from its centre well inside.
     pub(super) fn radius_for(&self, gap: f64) -> f64 {
-        SLACK * gap / self.parameters.epsilon
+        SLACK * gap / self.parameters.epsilon + ROUNDING
+    }
+
+    /// The largest radius of a cage with the nearest vertex outside at distance `clearance`.
+    fn radius_within(&self, clearance: f64) -> f64 {
+        (clearance - ROUNDING) / self.outer_reach()
     }
 
     /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a

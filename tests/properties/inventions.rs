@@ -39,7 +39,7 @@ fn signs_of_structured_points() {
 
 #[test]
 fn meshes_of_any_bytes() {
-    for_all(50, bytes(250), |data| mesh::check(&data));
+    for_all(100, bytes(250), |data| mesh::check(&data));
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! What a fallible call answers: a kind that maps one to one to `nm_status`, and a message that
 //! names the argument, the index and the rule.
 
-use std::fmt;
+use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// The kinds of failure. The C ABI's `nm_status` carries the same values (append only).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,11 +27,11 @@ pub enum ErrorKind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,
-    message: String,
+    message: Cow<'static, str>,
 }
 
 impl Error {
-    pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
+    pub fn new(kind: ErrorKind, message: impl Into<Cow<'static, str>>) -> Self {
         Self { kind, message: message.into() }
     }
 
@@ -50,6 +51,33 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// `format!` for messages: where memory runs out the message ends, not the process.
+macro_rules! message {
+    ($($argument:tt)*) => {
+        $crate::error::written(format_args!($($argument)*))
+    };
+}
+pub(crate) use message;
+
+/// What [`message!`] stands for.
+pub(crate) fn written(arguments: fmt::Arguments<'_>) -> String {
+    let mut text = Text(String::new());
+    // Cut off where memory ran out; the error's kind says the rest.
+    let _ = text.write_fmt(arguments);
+    text.0
+}
+
+/// A string that refuses to grow where `String` ends the process.
+struct Text(String);
+
+impl Write for Text {
+    fn write_str(&mut self, piece: &str) -> fmt::Result {
+        self.0.try_reserve(piece.len()).map_err(|_| fmt::Error)?;
+        self.0.push_str(piece);
+        Ok(())
+    }
+}
 
 /// Shorthand for results of this crate.
 pub type Result<T> = std::result::Result<T, Error>;

@@ -5,6 +5,7 @@
 
 pub mod error;
 pub mod io;
+pub(crate) mod memory;
 pub mod mesh;
 pub(crate) mod netmesh;
 pub mod numerics;

@@ -2,7 +2,8 @@
 //! dimension as a type. Plain data: whoever holds a [`Triangulation`] may read (and in tests
 //! corrupt) every part of it.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{Shortage, with_room};
 use crate::netmesh;
 use crate::netmesh::parameters::Parameters;
 use crate::options::{Options, ProgressFn};
@@ -118,16 +119,16 @@ impl Inputs {
     /// `Capacity` (2^32 - 2 points at most), `DegenerateInput` (fewer than two distinct points).
     pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
         if !(MIN_DIM..=MAX_DIM).contains(&dim) {
-            let message = format!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+            let message = message!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
             return Err(Error::new(ErrorKind::Dimension, message));
         }
         let stride = if stride == 0 { dim } else { stride };
         if stride < dim {
-            let message = format!("stride is {stride}; it must be 0 or at least dim = {dim}");
+            let message = message!("stride is {stride}; it must be 0 or at least dim = {dim}");
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         if n as u64 >= NONE as u64 {
-            let message = format!("n is {n}; at most {} points fit 32-bit ids", NONE - 1);
+            let message = message!("n is {n}; at most {} points fit 32-bit ids", NONE - 1);
             return Err(Error::new(ErrorKind::Capacity, message));
         }
         let needed = match n {
@@ -135,20 +136,18 @@ impl Inputs {
             _ => (n - 1).checked_mul(stride).and_then(|start| start.checked_add(dim)),
         };
         if needed.is_none_or(|needed| points.len() < needed) {
-            let message = format!(
+            let message = message!(
                 "points holds {} doubles; n = {n} points with stride {stride} need more",
                 points.len()
             );
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        let mut coordinates = Vec::new();
-        let mut vertices = Vec::new();
-        reserve(&mut coordinates, n * dim)?;
-        reserve(&mut vertices, n)?;
+        let mut coordinates = with_room(n * dim)?;
+        let mut vertices = with_room(n)?;
         for i in 0..n {
             let point = &points[i * stride..][..dim];
             if let Some(axis) = point.iter().position(|x| !x.is_finite()) {
-                let message = format!(
+                let message = message!(
                     "points[{i}] has a non-finite coordinate {axis}: {}; every coordinate must be finite",
                     point[axis]
                 );
@@ -158,7 +157,7 @@ impl Inputs {
         }
         let first_input = identify_duplicates(dim, &coordinates, &mut vertices)?;
         if first_input.len() < 2 {
-            let message = format!(
+            let message = message!(
                 "{n} points, {} of them distinct; a mesh needs at least two distinct points",
                 first_input.len()
             );
@@ -206,14 +205,6 @@ impl Inputs {
     }
 }
 
-/// Reserves or answers `OutOfMemory`: a caller's size must not abort the process.
-pub(crate) fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> Result<()> {
-    vec.try_reserve_exact(additional).map_err(|_| {
-        let bytes = additional.saturating_mul(size_of::<T>());
-        Error::new(ErrorKind::OutOfMemory, format!("cannot allocate {bytes} bytes"))
-    })
-}
-
 /// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are equal.
 fn identify_duplicates(
     dim: usize,
@@ -221,12 +212,9 @@ fn identify_duplicates(
     vertices: &mut Vec<u32>,
 ) -> Result<Vec<u32>> {
     let n = coordinates.len() / dim;
-    let mut first_input = Vec::new();
-    reserve(&mut first_input, n)?;
+    let mut first_input = with_room(n)?;
     let mut seen: FxHashMap<[u64; MAX_DIM], u32> = FxHashMap::default();
-    seen.try_reserve(n).map_err(|_| {
-        Error::new(ErrorKind::OutOfMemory, format!("cannot allocate the table of {n} points"))
-    })?;
+    seen.try_reserve(n).map_err(Shortage::from)?;
     for (i, point) in coordinates.chunks_exact(dim).enumerate() {
         let mut key = [0; MAX_DIM];
         for (k, x) in key.iter_mut().zip(point) {

@@ -31,7 +31,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     if !arguments.quiet {
         let triangulation = triangulation_of(&mesh)?;
-        let quality = timed(&mut times.measure, || quality::measure(triangulation));
+        let quality = timed(&mut times.measure, || quality::measure(triangulation))?;
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),

@@ -81,7 +81,7 @@ fn check_certificate(mesh: &Mesh) {
     let report = validate(mesh.inputs(), result, 3).expect("the level is right");
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
     let limited = result.precision_limited.iter().filter(|&&marked| marked).count();
-    let quality = measure(result);
+    let quality = measure(result).expect("there is memory");
     assert_eq!(quality.precision_limited, limited as u64);
     assert_eq!(result.stats.precision_limited, limited as u64);
     let inputs = bits(&mesh.inputs().distinct_points());

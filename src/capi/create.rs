@@ -4,8 +4,9 @@ use super::enums::{decode_format, nm_format, nm_status};
 use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8_path};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::io;
+use crate::memory::with_room;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
@@ -97,11 +98,20 @@ unsafe fn hand_out(out: *mut *mut nm_mesh, make: impl FnOnce() -> Result<Mesh>) 
         }
         // SAFETY: not NULL, so writable.
         unsafe { out.write(std::ptr::null_mut()) };
-        let handle = Box::new(nm_mesh::new(make()?));
+        let handle = boxed(nm_mesh::new(make()?))?;
         // SAFETY: as above.
         unsafe { out.write(Box::into_raw(handle)) };
         Ok(())
     })
+}
+
+/// `Box::new` that refuses where that ends the process.
+fn boxed<T>(value: T) -> Result<Box<T>> {
+    let mut alone = with_room(1)?;
+    alone.push(value);
+    let slice: *mut [T] = Box::into_raw(alone.into_boxed_slice());
+    // SAFETY: a boxed slice of one element has the layout of a box of it.
+    Ok(unsafe { Box::from_raw(slice.cast::<T>()) })
 }
 
 /// The caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by themselves.
@@ -124,7 +134,7 @@ unsafe fn read_points<'a>(
     }
     let count = (n - 1).checked_mul(stride).and_then(|start| start.checked_add(dim));
     let count = count.ok_or_else(|| {
-        let message = format!("stride is {stride}; n = {n} points so far apart fit no memory");
+        let message = message!("stride is {stride}; n = {n} points so far apart fit no memory");
         Error::new(ErrorKind::InvalidArgument, message)
     })?;
     // SAFETY: `n > 0`, so not NULL; the rest is the caller's promise.

@@ -1,7 +1,7 @@
 //! The enums of the boundary. C passes any 32 bits: a parameter or field that C fills is a
 //! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`decode`].
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
 use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
@@ -241,7 +241,7 @@ fn decode<E, T: Copy, const N: usize>(
     let value = bits(raw);
     usize::try_from(value).ok().and_then(|index| by_value.get(index)).copied().ok_or_else(|| {
         let last = N - 1;
-        let message = format!("{field} is {value}; it must be in 0..={last}");
+        let message = message!("{field} is {value}; it must be in 0..={last}");
         Error::new(ErrorKind::InvalidArgument, message)
     })
 }

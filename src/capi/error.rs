@@ -1,26 +1,60 @@
 //! The calling thread's last message.
 
 use super::enums::nm_status;
-use crate::error::{Error, ErrorKind};
+use crate::error::{Error, ErrorKind, message};
 use std::any::Any;
 use std::cell::RefCell;
 use std::ffi::c_char;
 
+/// The longest message that is kept.
+const MESSAGE_BYTES: usize = 2047;
+
+/// A message in place. It needs no allocation and no destructor, whose registration would
+/// allocate: there may be no memory to say so with.
+struct LastMessage {
+    bytes: [u8; MESSAGE_BYTES],
+    length: usize,
+}
+
+impl LastMessage {
+    fn text(&self) -> &str {
+        std::str::from_utf8(&self.bytes[..self.length]).unwrap_or("")
+    }
+
+    /// Keeps `text`, cut between characters if need be, with its NULs made visible.
+    fn set(&mut self, text: &str) {
+        self.length = 0;
+        for (i, piece) in text.split('\0').enumerate() {
+            if i > 0 {
+                self.append("\\0");
+            }
+            self.append(piece);
+        }
+    }
+
+    fn append(&mut self, piece: &str) {
+        let kept = prefix(piece, MESSAGE_BYTES - self.length);
+        self.bytes[self.length..][..kept.len()].copy_from_slice(kept.as_bytes());
+        self.length += kept.len();
+    }
+}
+
 thread_local! {
-    static LAST_MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
+    static LAST_MESSAGE: RefCell<LastMessage> =
+        const { RefCell::new(LastMessage { bytes: [0; MESSAGE_BYTES], length: 0 }) };
 }
 
 /// Keeps the message for this thread and answers the status.
 pub(super) fn fail(error: &Error) -> nm_status {
     // A thread that is being torn down has lost its storage: the status must do.
     let _ = LAST_MESSAGE.try_with(|last| {
-        *last.borrow_mut() = error.message().replace('\0', "\\0");
+        last.borrow_mut().set(error.message());
     });
     error.kind().into()
 }
 
 pub(super) fn null_argument(name: &str) -> Error {
-    Error::new(ErrorKind::NullArgument, format!("{name} is NULL"))
+    Error::new(ErrorKind::NullArgument, message!("{name} is NULL"))
 }
 
 /// A caught panic as an error.
@@ -30,7 +64,7 @@ pub(super) fn panicked(payload: &(dyn Any + Send)) -> Error {
         .copied()
         .or_else(|| payload.downcast_ref::<String>().map(String::as_str))
         .unwrap_or("no reason given");
-    Error::new(ErrorKind::Panic, format!("internal error: {reason}; please report it"))
+    Error::new(ErrorKind::Panic, message!("internal error: {reason}; please report it"))
 }
 
 /// The longest prefix of `text` of at most `limit` bytes that ends between characters.
@@ -55,14 +89,14 @@ pub unsafe extern "C" fn nm_last_error(buf: *mut c_char, cap: usize) -> usize {
     let size = LAST_MESSAGE.try_with(|last| {
         let last = last.borrow();
         if !buf.is_null() && cap > 0 {
-            let shown = prefix(&last, cap - 1);
+            let shown = prefix(last.text(), cap - 1);
             // SAFETY: the caller gave `cap` writable bytes and `shown` has at most `cap - 1`.
             unsafe {
                 buf.cast::<u8>().copy_from_nonoverlapping(shown.as_ptr(), shown.len());
                 buf.add(shown.len()).write(0);
             }
         }
-        last.len() + 1
+        last.text().len() + 1
     });
     size.unwrap_or(1)
 }

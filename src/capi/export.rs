@@ -4,11 +4,11 @@ use super::enums::{decode_format, nm_format, nm_status};
 use super::error::null_argument;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::utf8_path;
-use crate::error::{Error, ErrorKind, Result};
-use crate::io;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::io::{self, Buffered};
 use crate::mesh::Mesh;
 use std::ffi::{c_char, c_void};
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::mem::MaybeUninit;
 
 /// The most bytes that a write callback gets at once is about this.
@@ -84,22 +84,20 @@ fn write_through(
     send: impl FnMut(&[u8]) -> i32,
     export: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    let mut out = BufWriter::with_capacity(CHUNK, CallbackWriter { send, stopped: 0 });
+    let mut out = Buffered::new(CHUNK, CallbackWriter { send, stopped: 0 })?;
     let mut exported = export(&mut out);
     if exported.is_ok() {
         let flushed = out.flush();
-        exported = flushed.map_err(|error| Error::new(ErrorKind::Io, error.to_string()));
+        exported = flushed.map_err(|error| Error::new(ErrorKind::Io, message!("{error}")));
     }
-    // Taken apart, the buffer is not flushed once more when it is dropped.
-    let (writer, _) = out.into_parts();
-    match writer.stopped {
+    match out.into_inner().stopped {
         0 => exported,
         answer => Err(Error::new(ErrorKind::Io, stop_message(answer))),
     }
 }
 
 fn stop_message(answer: i32) -> String {
-    format!("write answered {answer}, which stops the export")
+    message!("write answered {answer}, which stops the export")
 }
 
 /// Hands bytes to a callback until it answers nonzero.
@@ -115,7 +113,7 @@ impl<F: FnMut(&[u8]) -> i32> Write for CallbackWriter<F> {
         }
         match self.stopped {
             0 => Ok(bytes.len()),
-            answer => Err(std::io::Error::other(stop_message(answer))),
+            _ => Err(std::io::ErrorKind::Other.into()),
         }
     }
 

@@ -26,7 +26,7 @@ pub unsafe extern "C" fn nm_mesh_quality(
     let body = |mesh: &Mesh| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let out = unsafe { OutStruct::new("quality", quality)? };
-        out.write(&encode_quality(&measure(result(mesh)?)));
+        out.write(&encode_quality(&measure(result(mesh)?)?));
         Ok(())
     };
     // SAFETY: the caller gave NULL or a live handle.
@@ -148,7 +148,7 @@ mod tests {
             simplex: 3,
             vertex: 4,
             domain: NONE,
-            message: message.to_owned(),
+            message: message.to_owned().into(),
         };
         Report { level: 1, violations: 2, checked: 30, first: Some(first) }
     }

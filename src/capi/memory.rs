@@ -1,7 +1,7 @@
 //! The caller's memory: the `struct_size` protocol, buffers, strings.
 
 use super::error::null_argument;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
 use std::ffi::{CStr, c_char};
 use std::path::Path;
 
@@ -25,7 +25,7 @@ pub(super) unsafe trait Versioned: Copy {
 pub(super) fn check_struct_size<T: Versioned>(argument: &str, struct_size: u32) -> Result<usize> {
     let size = struct_size as usize;
     let refuse = |rule: &str| {
-        let message = format!(
+        let message = message!(
             "{argument}.struct_size is {size}; {rule}; set it to sizeof({}), {} in this version",
             T::TYPE,
             size_of::<T>()
@@ -72,7 +72,7 @@ pub(super) unsafe fn read_struct<T: Versioned>(
     for offset in known..size {
         // SAFETY: `offset < size`, the number of readable bytes.
         if unsafe { pointer.cast::<u8>().add(offset).read() } != 0 {
-            let message = format!(
+            let message = message!(
                 "{argument}.struct_size is {size}, this version knows {known} bytes, and byte {offset} \
                  is not zero: a newer field is in use"
             );
@@ -169,7 +169,7 @@ pub(super) unsafe fn copy_out<T>(
         return Ok(());
     }
     if capacity < count as u64 {
-        let message = format!("capacity is {capacity}; the result has {count} elements");
+        let message = message!("capacity is {capacity}; the result has {count} elements");
         return Err(Error::new(ErrorKind::Capacity, message));
     }
     for (i, value) in values.into_iter().take(count).enumerate() {
@@ -192,7 +192,7 @@ pub(super) unsafe fn doubles<'a>(
         return Err(misaligned::<f64>(argument));
     }
     if count > isize::MAX as usize / size_of::<f64>() {
-        let message = format!("{argument} would hold {count} doubles, more than there is memory");
+        let message = message!("{argument} would hold {count} doubles, more than there is memory");
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
     // SAFETY: not NULL, aligned, not too long, and readable by the caller's promise.
@@ -209,7 +209,7 @@ pub(super) unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
     }
     // SAFETY: not NULL, so a C string.
     let path = unsafe { CStr::from_ptr(path) }.to_str().map_err(|error| {
-        let message = format!("path_utf8 is not UTF-8 from byte {}", error.valid_up_to());
+        let message = message!("path_utf8 is not UTF-8 from byte {}", error.valid_up_to());
         Error::new(ErrorKind::InvalidArgument, message)
     })?;
     if path.is_empty() {
@@ -219,7 +219,7 @@ pub(super) unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
 }
 
 fn misaligned<T>(argument: &str) -> Error {
-    let message = format!("{argument} is not a multiple of {}", align_of::<T>());
+    let message = message!("{argument} is not a multiple of {}", align_of::<T>());
     Error::new(ErrorKind::InvalidArgument, message)
 }
 

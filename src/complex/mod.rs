@@ -7,6 +7,7 @@
 
 mod star;
 
+use crate::memory::{Fallible, Shortage, TryGrow, filled};
 use crate::mesh::NONE;
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
@@ -30,21 +31,24 @@ pub(crate) struct Complex<const D: usize> {
     incident: Vec<u32>,
     marks: Vec<u32>,
     epoch: u32,
+    /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
+    id_limit: usize,
 }
 
 impl<const D: usize> Complex<D> {
     const CORNERS: usize = D + 1;
 
     /// An empty complex that knows `vertices` ids, none of them inserted.
-    pub fn new(vertices: usize) -> Self {
-        Self {
+    pub fn new(vertices: usize) -> Fallible<Self> {
+        Ok(Self {
             vertices: Vec::new(),
             neighbors: Vec::new(),
             free: Vec::new(),
-            incident: vec![NONE; vertices],
+            incident: filled(vertices, NONE)?,
             marks: Vec::new(),
             epoch: 0,
-        }
+            id_limit: NONE as usize,
+        })
     }
 
     /// One past the largest simplex id ever used; arrays over simplices have this length.
@@ -86,14 +90,15 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Makes room for a new vertex id.
-    pub fn add_vertex(&mut self) -> u32 {
-        self.incident.push(NONE);
-        self.incident.len() as u32 - 1
+    pub fn add_vertex(&mut self) -> Fallible<u32> {
+        self.incident.try_push(NONE)?;
+        Ok(self.incident.len() as u32 - 1)
     }
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
-    pub fn begin(&mut self, corners: &[u32]) {
+    pub fn begin(&mut self, corners: &[u32]) -> Fallible<()> {
         assert!(self.marks.is_empty() && corners.len() == Self::CORNERS);
+        self.reserve(D + 2, 0)?;
         let finite = self.allocate();
         self.vertices_mut(finite).copy_from_slice(corners);
         for opposite in 0..Self::CORNERS {
@@ -108,6 +113,26 @@ impl<const D: usize> Complex<D> {
         for &corner in corners {
             self.incident[corner as usize] = finite;
         }
+        Ok(())
+    }
+
+    /// Makes room for `created` new simplices and for `released` more dead ones, so that neither
+    /// has to ask for memory. The caller then makes at most so many.
+    pub fn reserve(&mut self, created: usize, released: usize) -> Fallible<()> {
+        let appended = created.saturating_sub(self.free.len());
+        if appended > self.id_limit.saturating_sub(self.marks.len()) {
+            return Err(Shortage::Ids);
+        }
+        self.free.try_reserve(released)?;
+        self.marks.try_reserve(appended)?;
+        self.vertices.try_reserve(appended * Self::CORNERS)?;
+        Ok(self.neighbors.try_reserve(appended * Self::CORNERS)?)
+    }
+
+    /// Lets the complex run out of ids where a test can see it.
+    #[cfg(test)]
+    pub fn limit_ids(&mut self, limit: usize) {
+        self.id_limit = limit;
     }
 
     /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex each.

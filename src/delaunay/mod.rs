@@ -7,6 +7,7 @@ mod locate;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
+use crate::memory::{Fallible, TryGrow};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
@@ -32,6 +33,10 @@ struct DBall<const D: usize> {
     anchor: u32,
 }
 
+impl<const D: usize> DBall<D> {
+    const NONE: Self = Self { circumball: Circumball::UNUSABLE, anchor: NONE };
+}
+
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
     /// All points that have an id, inserted or not.
@@ -43,13 +48,13 @@ pub(crate) struct Delaunay<const D: usize> {
 
 impl<const D: usize> Delaunay<D> {
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
-    pub fn new(points: Vec<[f64; D]>) -> Self {
-        Self {
-            complex: Complex::new(points.len()),
+    pub fn new(points: Vec<[f64; D]>) -> Fallible<Self> {
+        Ok(Self {
+            complex: Complex::new(points.len())?,
             points,
             balls: Vec::new(),
             exact_fallbacks: Cell::new(0),
-        }
+        })
     }
 
     pub fn complex(&self) -> &Complex<D> {
@@ -71,28 +76,32 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Gives `point` an id; it is not inserted yet.
-    pub fn add_point(&mut self, point: [f64; D]) -> u32 {
-        self.points.push(point);
+    pub fn add_point(&mut self, point: [f64; D]) -> Fallible<u32> {
+        self.points.try_push(point)?;
         self.complex.add_vertex()
     }
 
     /// See [`Complex::star`].
-    pub fn star(&mut self, vertex: u32, star: &mut Vec<u32>) {
-        self.complex.star(vertex, star);
+    pub fn star(&mut self, vertex: u32, star: &mut Vec<u32>) -> Fallible<()> {
+        self.complex.star(vertex, star)
     }
 
     /// Starts the complex with D + 1 affinely independent points.
-    pub fn begin(&mut self, corners: &[u32]) {
-        let mut corners = corners.to_vec();
-        let sign = orientation(&self.corner_points(&corners)[..=D]);
+    pub fn begin(&mut self, corners: &[u32]) -> Fallible<()> {
+        let mut ordered = [0; MAX_CORNERS];
+        let ordered = &mut ordered[..=D];
+        ordered.copy_from_slice(corners);
+        let sign = orientation(&self.corner_points(ordered)[..=D]);
         debug_assert!(sign != Sign::Zero, "the first simplex has a volume");
         if sign == Sign::Negative {
-            corners.swap(0, 1);
+            ordered.swap(0, 1);
         }
-        self.complex.begin(&corners);
+        self.complex.begin(ordered)?;
+        self.cover_balls()?;
         for simplex in 0..self.complex.simplex_bound() as u32 {
             self.compute_ball(simplex);
         }
+        Ok(())
     }
 
     /// The D-ball of a live finite simplex.
@@ -161,62 +170,75 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
-    pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) {
+    pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) -> Fallible<()> {
         cavity.simplices.clear();
         cavity.boundary.clear();
         cavity.starts.clear();
         self.complex.begin_marks();
         self.complex.mark_inside(start);
-        cavity.simplices.push(start);
+        cavity.simplices.try_push(start)?;
         let mut next = 0;
         while next < cavity.simplices.len() {
             let simplex = cavity.simplices[next];
             next += 1;
-            cavity.starts.push(cavity.boundary.len() as u32);
+            cavity.starts.try_push(cavity.boundary.len() as u32)?;
             for index in 0..=D {
                 let beyond = self.complex.neighbors(simplex)[index];
                 if !self.complex.is_marked(beyond) {
                     if self.in_conflict(beyond, q) {
                         self.complex.mark_inside(beyond);
-                        cavity.simplices.push(beyond);
+                        cavity.simplices.try_push(beyond)?;
                     } else {
                         self.complex.mark_outside(beyond);
                     }
                 }
                 if !self.complex.is_inside(beyond) {
-                    cavity.boundary.push(Facet { simplex, index: index as u32, beyond });
+                    cavity.boundary.try_push(Facet { simplex, index: index as u32, beyond })?;
                 }
             }
         }
-        cavity.starts.push(cavity.boundary.len() as u32);
+        cavity.starts.try_push(cavity.boundary.len() as u32)?;
+        Ok(())
     }
 
     /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex
-    /// on `cavity.boundary[i]`. O(cavity).
-    pub fn insert(&mut self, vertex: u32, cavity: &Cavity, created: &mut Vec<u32>) {
+    /// on `cavity.boundary[i]`. O(cavity). The complex is useless after an error.
+    pub fn insert(&mut self, vertex: u32, cavity: &Cavity, created: &mut Vec<u32>) -> Fallible<()> {
+        self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
+        created.clear();
+        created.try_reserve(cavity.boundary.len())?;
         self.complex.begin_marks();
         for &simplex in &cavity.simplices {
             self.complex.mark_inside(simplex);
         }
         self.complex.retriangulate(vertex, &cavity.simplices, &cavity.boundary, created);
+        self.cover_balls()?;
         for &simplex in created.iter() {
             self.compute_ball(simplex);
         }
+        Ok(())
+    }
+
+    /// Makes the array of D-balls as long as that of the simplices.
+    fn cover_balls(&mut self) -> Fallible<()> {
+        self.balls.cover(self.complex.simplex_bound(), DBall::NONE)
     }
 
     fn compute_ball(&mut self, simplex: u32) {
         let vertices = self.complex.vertices(simplex);
         let ball = match vertices.contains(&INFINITE) {
-            true => DBall { circumball: Circumball::UNUSABLE, anchor: NONE },
+            true => DBall::NONE,
             false => {
                 let circumball = Circumball::new(&self.corner_points(vertices)[..=D]);
                 DBall { circumball, anchor: vertices[circumball.anchor as usize] }
             }
         };
-        if self.balls.len() < self.complex.simplex_bound() {
-            self.balls.resize(self.complex.simplex_bound(), ball);
-        }
         self.balls[simplex as usize] = ball;
+    }
+
+    /// Frees the D-balls: nothing is inserted or located any more.
+    pub fn forget_balls(&mut self) {
+        self.balls = Vec::new();
     }
 
     fn corner_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_CORNERS] {

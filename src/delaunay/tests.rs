@@ -3,6 +3,7 @@
 
 use super::{Cavity, Delaunay};
 use crate::complex::INFINITE;
+use crate::memory::Shortage;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 use proptest::prelude::*;
 
@@ -12,9 +13,9 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     if basis.len() < D + 1 {
         return None;
     }
-    let mut delaunay = Delaunay::new(points.to_vec());
+    let mut delaunay = Delaunay::new(points.to_vec()).unwrap();
     let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
-    delaunay.begin(&corners);
+    delaunay.begin(&corners).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     let mut near = delaunay.complex().incident(corners[0]);
     for vertex in 0..points.len() as u32 {
@@ -22,8 +23,8 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
             continue;
         }
         if let Some(start) = delaunay.locate(near, &points[vertex as usize]) {
-            delaunay.find_cavity(start, &points[vertex as usize], &mut cavity);
-            delaunay.insert(vertex, &cavity, &mut created);
+            delaunay.find_cavity(start, &points[vertex as usize], &mut cavity).unwrap();
+            delaunay.insert(vertex, &cavity, &mut created).unwrap();
             near = created[0];
         }
     }
@@ -175,4 +176,20 @@ proptest! {
 
     #[test]
     fn raw_bit_patterns_4d(points in points::<4>(raw_finite())) { check(&points); }
+}
+
+/// Ids that would run out are refused, not wrapped round.
+#[test]
+fn too_many_simplices_are_refused() {
+    let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
+    let mut delaunay = Delaunay::new(corners.to_vec()).unwrap();
+    delaunay.complex.limit_ids(8);
+    delaunay.begin(&[0, 1, 2]).unwrap();
+    let (mut cavity, mut created) = (Cavity::default(), Vec::new());
+    for (vertex, expected) in [(3, Ok(())), (4, Err(Shortage::Ids))] {
+        let q = corners[vertex as usize];
+        let start = delaunay.locate(delaunay.complex().incident(0), &q).unwrap();
+        delaunay.find_cavity(start, &q, &mut cavity).unwrap();
+        assert_eq!(delaunay.insert(vertex, &cavity, &mut created), expected);
+    }
 }

@@ -19,6 +19,7 @@
 //! **Text that is written** carries the shortest decimal that reads back as the same double, bit by
 //! bit, -0.0 and subnormals included.
 
+mod buffered;
 mod csv;
 #[cfg(test)]
 mod independent;
@@ -31,10 +32,12 @@ mod text;
 mod vtu;
 mod xyz;
 
-use crate::error::{Error, ErrorKind, Result};
+pub(crate) use buffered::Buffered;
+
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::mesh::{Mesh, Triangulation};
 use std::fs::File;
-use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 
 /// File formats, with the C ABI's values.
@@ -97,7 +100,7 @@ impl Format {
             Some("npy") => Ok(Self::Npy),
             _ => Err(Error::new(
                 ErrorKind::InvalidArgument,
-                format!(
+                message!(
                     "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .off, \
                      .xyz, .txt, .xy, .pts or .csv (.msh, .mesh, .ply and .npy are not available in this version)",
                     path.display()
@@ -111,7 +114,7 @@ impl Format {
     }
 
     fn not_available(self) -> Error {
-        let message = format!("format {self:?} is not available in this version");
+        let message = message!("format {self:?} is not available in this version");
         Error::new(ErrorKind::InvalidArgument, message)
     }
 }
@@ -140,8 +143,9 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
     check_readable(format)?;
     let sibling = (format == Format::TetgenNode).then(|| tetgen::paths(path).0);
     let path = sibling.as_deref().unwrap_or(path);
-    let in_file =
-        |error: Error| Error::new(error.kind(), format!("{}: {}", path.display(), error.message()));
+    let in_file = |error: Error| {
+        Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
+    };
     let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
     read(&mut BufReader::with_capacity(1 << 16, file), format).map_err(in_file)
 }
@@ -231,7 +235,7 @@ impl<'a> Content<'a> {
         let triangulation = || {
             mesh.triangulation().ok_or_else(|| {
                 let message =
-                    format!("format {format:?} holds a mesh; run first, or write Xyz or Csv");
+                    message!("format {format:?} holds a mesh; run first, or write Xyz or Csv");
                 Error::new(ErrorKind::State, message)
             })
         };
@@ -251,10 +255,8 @@ impl<'a> Content<'a> {
 
     /// In large pieces, whatever `out` is.
     fn write(&self, out: &mut dyn Write) -> Result<()> {
-        let mut buffered = BufWriter::with_capacity(1 << 16, out);
+        let mut buffered = Buffered::new(1 << 16, out)?;
         let written = self.write_unbuffered(&mut buffered).and_then(|()| buffered.flush());
-        // A dropped buffer would be flushed: a failed `out` is not called again.
-        drop(buffered.into_parts());
         written.map_err(|error| io_error("cannot write", &error))
     }
 
@@ -278,5 +280,9 @@ fn auto_without_path() -> Error {
 }
 
 fn io_error(what: &str, error: &std::io::Error) -> Error {
-    Error::new(ErrorKind::Io, format!("{what}: {error}"))
+    let kind = match error.kind() {
+        std::io::ErrorKind::OutOfMemory => ErrorKind::OutOfMemory,
+        _ => ErrorKind::Io,
+    };
+    Error::new(kind, message!("{what}: {error}"))
 }

@@ -1,10 +1,11 @@
 //! Files that appear complete or not at all: written under another name in the same directory,
 //! synchronised, then renamed.
 
+use super::Buffered;
 use super::io_error;
 use crate::error::{Error, ErrorKind, Result};
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes one file's content.
@@ -109,10 +110,10 @@ fn fill(file: File, permissions: Option<fs::Permissions>, body: Body<'_>) -> io:
     if let Some(permissions) = permissions {
         file.set_permissions(permissions)?;
     }
-    let mut buffered = BufWriter::with_capacity(1 << 16, file);
+    let mut buffered = Buffered::new(1 << 16, file).map_err(|_| io::ErrorKind::OutOfMemory)?;
     body(&mut buffered)?;
-    let file = buffered.into_inner().map_err(io::IntoInnerError::into_error)?;
-    file.sync_all()
+    buffered.flush()?;
+    buffered.into_inner().sync_all()
 }
 
 fn of_path(path: &Path, what: &str, error: &io::Error) -> Error {

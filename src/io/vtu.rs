@@ -1,7 +1,8 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::mesh::Triangulation;
+use std::fmt;
 use std::io::{self, Write};
 
 const TRIANGLE: u8 = 5;
@@ -13,7 +14,7 @@ pub(super) fn check_dimension(dim: usize) -> Result<()> {
         2 | 3 => Ok(()),
         _ => Err(Error::new(
             ErrorKind::InvalidArgument,
-            format!(
+            message!(
                 "format Vtu holds meshes of dimension 2 and 3, not {dim}; use Off (nOFF) or TetgenNode"
             ),
         )),
@@ -85,9 +86,25 @@ impl Array {
         8 + self.bytes()
     }
 
-    fn declaration(&self, offset: u64) -> String {
-        let Self { name, scalar, components, .. } = self;
-        format!(
+    fn declaration(&self, offset: u64) -> Declaration {
+        let Self { name, scalar, components, .. } = *self;
+        Declaration { name, scalar, components, offset }
+    }
+}
+
+/// What the XML says of an array; written in place, without a string between.
+struct Declaration {
+    name: &'static str,
+    scalar: &'static str,
+    components: u64,
+    offset: u64,
+}
+
+impl fmt::Display for Declaration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, scalar, components, offset } = self;
+        write!(
+            f,
             r#"<DataArray type="{scalar}" Name="{name}" NumberOfComponents="{components}" format="appended" offset="{offset}"/>"#
         )
     }

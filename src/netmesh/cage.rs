@@ -4,6 +4,7 @@ use super::site::CageSite;
 use super::template::{cage_points, turned};
 use super::{Mesher, some};
 use crate::error::Result;
+use crate::memory::{Fallible, TryGrow};
 use crate::numerics::distance;
 
 /// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
@@ -22,22 +23,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn new_cage(&mut self, site: CageSite, start: u32) -> Result<()> {
         let point = *self.delaunay.point(site.center);
         let sphere = self.parameters.cage_scale * site.radius;
-        let cage = self.hierarchy.create(site.center, point, site.radius, site.parent);
+        let cage = self.hierarchy.create(
+            site.center,
+            point,
+            site.radius,
+            site.parent,
+            self.template.len(),
+        )?;
         self.stats.cages_created += 1;
         self.adopt_center(cage, site);
         let mut start = start;
         let mut yielded = Vec::new();
-        let directions = turned(&self.template, &mut self.random);
-        for x in cage_points(&directions, &point, sphere) {
+        let directions = turned(&self.template, &mut self.random)?;
+        for x in cage_points(&directions, &point, sphere)? {
             if let Some(vertex) = self.insert_cage_vertex(cage, x, start)? {
                 start = self.delaunay.complex().incident(vertex);
                 if self.is_input(vertex) {
-                    yielded.push(vertex);
+                    yielded.try_push(vertex)?;
                 }
             }
         }
-        self.measure_clearance(cage);
-        self.examine_cage(cage);
+        self.measure_clearance(cage)?;
+        self.examine_cage(cage)?;
         self.make_room_outside(cage, &yielded)
     }
 
@@ -60,26 +67,26 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.limit_cage(cage);
             return Ok(None);
         };
-        self.delaunay.find_cavity(home, &x, &mut self.scratch.cavity);
-        self.collect_cavity_corners();
+        self.delaunay.find_cavity(home, &x, &mut self.scratch.cavity)?;
+        self.collect_cavity_corners()?;
         let nearest = self.nearest_corner(&x);
         let sphere = self.parameters.cage_scale * self.hierarchy.node(cage).radius;
         if nearest < PACKING * self.parameters.delta * sphere {
             self.limit_cage(cage);
             return Ok(None);
         }
-        let vertex = match self.input_near(&x, self.parameters.gamma * nearest) {
+        let vertex = match self.input_near(&x, self.parameters.gamma * nearest)? {
             Some(input) => {
-                self.find_cavity_of_input(input);
-                self.collect_cavity_corners();
+                self.find_cavity_of_input(input)?;
+                self.collect_cavity_corners()?;
                 input
             }
             None => self.add_vertex(x)?,
         };
         let x = *self.delaunay.point(vertex);
-        self.enter(&x);
+        self.enter(&x)?;
         self.hierarchy.set_domain(vertex, cage);
-        self.hierarchy.join_cage(vertex, cage);
+        self.hierarchy.join_cage(vertex, cage)?;
         self.insert_into_cavity(vertex)?;
         Ok(Some(vertex))
     }
@@ -115,12 +122,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// GROWCAGE(C): a cage of radius `least` or a little more where there is room for it; then the
     /// old one is released. The paper's radius is r / epsilon.
     pub(super) fn grow_cage(&mut self, cage: u32, least: f64, start: u32) -> Result<()> {
-        if let Some(site) = self.grown_site(cage, least) {
+        if let Some(site) = self.grown_site(cage, least)? {
             self.stats.cages_grown += 1;
             self.new_cage(site, start)?;
         }
         if self.hierarchy.node(cage).alive {
-            self.release_cage(cage);
+            self.release_cage(cage)?;
         }
         Ok(())
     }
@@ -134,32 +141,35 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
     /// their neighbours, whose corners were exempt inside the cage, are examined anew.
-    pub(super) fn release_cage(&mut self, cage: u32) {
+    pub(super) fn release_cage(&mut self, cage: u32) -> Fallible<()> {
         self.hierarchy.release(cage);
         self.stats.cages_released += 1;
-        let mut affected = super::VertexSet::default();
+        let mut affected = std::mem::take(&mut self.scratch.affected);
+        affected.restart(self.delaunay.point_count())?;
         for at in 0..self.hierarchy.node(cage).cage.len() {
             let vertex = self.hierarchy.node(cage).cage[at];
-            self.delaunay.star(vertex, &mut self.scratch.star);
+            self.delaunay.star(vertex, &mut self.scratch.star)?;
             for &simplex in &self.scratch.star {
                 for &corner in self.delaunay.complex().vertices(simplex) {
                     if some(corner).is_some() {
-                        affected.insert(corner);
+                        affected.insert(corner)?;
                     }
                 }
             }
         }
-        for vertex in affected.ids {
-            self.examine_star(vertex);
+        for &vertex in &affected.ids {
+            self.examine_star(vertex)?;
         }
+        self.scratch.affected = affected;
+        Ok(())
     }
 
     /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
     /// a cage vertex.
-    fn measure_clearance(&mut self, cage: u32) {
+    fn measure_clearance(&mut self, cage: u32) -> Fallible<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
             let vertex = self.hierarchy.node(cage).cage[at];
-            self.delaunay.star(vertex, &mut self.scratch.star);
+            self.delaunay.star(vertex, &mut self.scratch.star)?;
             for at in 0..self.scratch.star.len() {
                 for index in 0..=D {
                     let other = self.delaunay.complex().vertices(self.scratch.star[at])[index];
@@ -169,6 +179,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 }
             }
         }
+        Ok(())
     }
 
     /// Lowers the clearance of `cage` to `vertex` if that is outside.
@@ -182,7 +193,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After `vertex` went in: it and its neighbours may be the nearest outside of each other's
     /// cages.
-    pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) {
+    pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) -> Fallible<()> {
         for &neighbor in neighbors {
             let mut inner = self.hierarchy.domain_of(vertex);
             let mut other = self.hierarchy.domain_of(neighbor);
@@ -193,11 +204,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.separate(cage, outside);
                 // An infinite clearance is that of a cage in the making.
                 if self.hierarchy.node(cage).outside < before && before.is_finite() {
-                    self.examine_cage(cage);
+                    self.examine_cage(cage)?;
                 }
                 let parent = self.hierarchy.parent(cage);
                 if climb { inner = parent } else { other = parent }
             }
         }
+        Ok(())
     }
 }

@@ -3,6 +3,7 @@
 
 use super::Mesher;
 use crate::error::Result;
+use crate::memory::{Fallible, TryGrow, enqueue};
 use crate::numerics::distance;
 use std::collections::VecDeque;
 
@@ -19,19 +20,21 @@ pub(super) struct RefineList {
 
 impl RefineList {
     /// Forgets what was known of ids that new simplices have taken.
-    pub fn forget(&mut self, created: &[u32], bound: usize) {
-        self.flags.resize(bound, 0);
+    pub fn forget(&mut self, created: &[u32], bound: usize) -> Fallible<()> {
+        self.flags.cover(bound, 0)?;
         for &simplex in created {
             self.flags[simplex as usize] &= QUEUED;
         }
+        Ok(())
     }
 
-    pub fn push(&mut self, simplex: u32) {
+    pub fn push(&mut self, simplex: u32) -> Fallible<()> {
         let flags = &mut self.flags[simplex as usize];
-        if *flags & QUEUED == 0 {
-            *flags |= QUEUED;
-            self.queue.push_back(simplex);
+        if *flags & QUEUED != 0 {
+            return Ok(());
         }
+        *flags |= QUEUED;
+        enqueue(&mut self.queue, simplex)
     }
 
     fn pop(&mut self) -> Option<u32> {
@@ -56,17 +59,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         while let Some(simplex) = self.refine.pop() {
             if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
                 self.refine_corner(simplex)?;
-                self.queue_again(simplex);
+                self.queue_again(simplex)?;
             }
         }
         Ok(())
     }
 
     /// An input that was yielded to may lie on the D-ball within rounding and leave the simplex.
-    fn queue_again(&mut self, simplex: u32) {
+    fn queue_again(&mut self, simplex: u32) -> Fallible<()> {
         if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
-            self.refine.push(simplex);
+            self.refine.push(simplex)?;
         }
+        Ok(())
     }
 
     /// YIELDINGINSERT of the corner of `simplex`.
@@ -75,14 +79,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refine.limit(simplex);
             return Ok(());
         };
-        self.delaunay.find_cavity(simplex, &x, &mut self.scratch.cavity);
+        self.delaunay.find_cavity(simplex, &x, &mut self.scratch.cavity)?;
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
-        if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius) {
+        if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {
             return self.insert_input(input);
         }
-        self.collect_cavity_corners();
-        let domain = self.enter(&x);
+        self.collect_cavity_corners()?;
+        let domain = self.enter(&x)?;
         let vertex = self.add_vertex(x)?;
         self.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex)
@@ -105,12 +109,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The uninserted input nearest to `x` within `reach`, among the homes in the scratch cavity
     /// (the cavity of `x`).
-    pub(super) fn input_near(&mut self, x: &[f64; D], reach: f64) -> Option<u32> {
+    pub(super) fn input_near(&mut self, x: &[f64; D], reach: f64) -> Result<Option<u32>> {
         let mut best = None;
         let mut best_gap = reach;
         for at in 0..self.scratch.cavity.simplices.len() {
             let simplex = self.scratch.cavity.simplices[at];
             for input in self.location.inhabitants(simplex) {
+                self.watch.tick(1)?;
                 let gap = distance(x, self.delaunay.point(input));
                 if gap < best_gap {
                     best_gap = gap;
@@ -118,6 +123,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 }
             }
         }
-        best
+        Ok(best)
     }
 }

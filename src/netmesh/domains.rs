@@ -2,6 +2,7 @@
 //! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
 //! a release. Concentric chains of domains are legal.
 
+use crate::memory::{Fallible, Shortage, TryGrow, filled, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
 
@@ -32,18 +33,18 @@ pub(super) struct Hierarchy<const D: usize> {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    pub fn new(vertices: usize) -> Self {
-        Self {
+    pub fn new(vertices: usize) -> Fallible<Self> {
+        Ok(Self {
             nodes: Vec::new(),
-            labels: vec![NONE; vertices],
-            cages: vec![NONE; vertices],
+            labels: filled(vertices, NONE)?,
+            cages: filled(vertices, NONE)?,
             alive: 0,
-        }
+        })
     }
 
-    pub fn add_vertex(&mut self) {
-        self.labels.push(NONE);
-        self.cages.push(NONE);
+    pub fn add_vertex(&mut self) -> Fallible<()> {
+        self.labels.try_push(NONE)?;
+        self.cages.try_push(NONE)
     }
 
     /// Number of domains ever created; ids are below it.
@@ -65,19 +66,30 @@ impl<const D: usize> Hierarchy<D> {
         &mut self.nodes[domain as usize]
     }
 
-    /// Adds a domain in `parent` ([`NONE`] for the root).
-    pub fn create(&mut self, center: u32, point: [f64; D], radius: f64, parent: u32) -> u32 {
-        self.nodes.push(Node {
+    /// Adds a domain in `parent` ([`NONE`] for the root), with room for the vertices of its cage.
+    pub fn create(
+        &mut self,
+        center: u32,
+        point: [f64; D],
+        radius: f64,
+        parent: u32,
+        cage_size: usize,
+    ) -> Fallible<u32> {
+        let cage = with_room(cage_size)?;
+        if self.nodes.len() >= NONE as usize {
+            return Err(Shortage::Ids);
+        }
+        self.nodes.try_push(Node {
             center,
             point,
             radius,
             parent,
             alive: true,
             outside: f64::INFINITY,
-            cage: Vec::new(),
-        });
+            cage,
+        })?;
         self.alive += 1;
-        self.len() - 1
+        Ok(self.len() - 1)
     }
 
     /// Dissolves `domain` into its parent.
@@ -130,9 +142,9 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// Makes `vertex` part of the cage of `domain`.
-    pub fn join_cage(&mut self, vertex: u32, domain: u32) {
+    pub fn join_cage(&mut self, vertex: u32, domain: u32) -> Fallible<()> {
         self.cages[vertex as usize] = domain;
-        self.node_mut(domain).cage.push(vertex);
+        self.node_mut(domain).cage.try_push(vertex)
     }
 
     /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.

@@ -3,6 +3,7 @@
 
 use super::Mesher;
 use super::domains::ROOT;
+use crate::memory::Fallible;
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
@@ -53,9 +54,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
     /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
-    pub(super) fn enter(&mut self, x: &[f64; D]) -> u32 {
+    pub(super) fn enter(&mut self, x: &[f64; D]) -> Fallible<u32> {
         if self.hierarchy.is_single() {
-            return ROOT;
+            return Ok(ROOT);
         }
         let reach = self.parameters.encroachment / self.parameters.epsilon;
         for at in 0..self.scratch.corners.ids.len() {
@@ -64,11 +65,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let gap = self.hierarchy.distance_to_center(domain, x);
                 let parent = self.hierarchy.parent(domain);
                 if gap < reach * self.hierarchy.node(domain).radius {
-                    self.release_cage(domain);
+                    self.release_cage(domain)?;
                 }
                 domain = parent;
             }
         }
-        self.containing_domain(x)
+        Ok(self.containing_domain(x))
     }
 }

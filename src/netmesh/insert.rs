@@ -4,6 +4,7 @@
 use super::encroach::LEVELS;
 use super::{Mesher, Scratch, some};
 use crate::error::Result;
+use crate::memory::{Fallible, TryGrow};
 use crate::numerics::distance;
 use crate::options::{Algorithm, Phase};
 
@@ -16,85 +17,87 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.is_inserted(input) {
             return Ok(());
         }
-        self.find_cavity_of_input(input);
+        self.find_cavity_of_input(input)?;
         if self.parameters.algorithm == Algorithm::Delaunay {
             return self.insert_into_cavity(input);
         }
-        self.collect_cavity_corners();
+        self.collect_cavity_corners()?;
         let x = *self.delaunay.point(input);
         for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
             let start = self.location.home(input);
             self.grow_cage_for(domain, &x, start)?;
-            if !self.look_again(input) {
+            if !self.look_again(input)? {
                 return Ok(());
             }
         }
-        if let Some(wanted) = self.wanted_cage(input) {
+        if let Some(wanted) = self.wanted_cage(input)? {
             let start = self.location.home(input);
             self.new_cage(wanted, start)?;
-            if !self.look_again(input) {
+            if !self.look_again(input)? {
                 return Ok(());
             }
         }
-        let domain = self.enter(&x);
+        let domain = self.enter(&x)?;
         self.hierarchy.set_domain(input, domain);
         self.insert_into_cavity(input)
     }
 
     /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
-    fn look_again(&mut self, input: u32) -> bool {
+    fn look_again(&mut self, input: u32) -> Fallible<bool> {
         if self.is_inserted(input) {
-            return false;
+            return Ok(false);
         }
-        self.find_cavity_of_input(input);
-        self.collect_cavity_corners();
-        true
+        self.find_cavity_of_input(input)?;
+        self.collect_cavity_corners()?;
+        Ok(true)
     }
 
-    pub(super) fn find_cavity_of_input(&mut self, input: u32) {
+    pub(super) fn find_cavity_of_input(&mut self, input: u32) -> Fallible<()> {
         let q = *self.delaunay.point(input);
         let home = self.location.home(input);
-        self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity);
+        self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity)
     }
 
     /// The vertices U(x) of the scratch cavity.
-    pub(super) fn collect_cavity_corners(&mut self) {
+    pub(super) fn collect_cavity_corners(&mut self) -> Fallible<()> {
         let Scratch { cavity, corners, .. } = &mut self.scratch;
-        corners.clear();
+        corners.restart(self.delaunay.point_count())?;
         for &simplex in &cavity.simplices {
             for vertex in self.delaunay.complex().vertices(simplex).iter().copied() {
                 if some(vertex).is_some() {
-                    corners.insert(vertex);
+                    corners.insert(vertex)?;
                 }
             }
         }
+        Ok(())
     }
 
     /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity and whose domain
     /// is set, to the Voronoi diagram; updates homes, distances and the refine list.
     pub(super) fn insert_into_cavity(&mut self, vertex: u32) -> Result<()> {
         let Scratch { cavity, created, .. } = &mut self.scratch;
-        self.delaunay.insert(vertex, cavity, created);
-        self.location.rehome(&self.delaunay, cavity, created, vertex);
-        self.refine.forget(created, self.delaunay.complex().simplex_bound());
+        let work = 4 * cavity.boundary.len() as u32;
+        self.delaunay.insert(vertex, cavity, created)?;
+        self.location.rehome(&self.delaunay, cavity, created, vertex, &mut self.watch)?;
+        self.refine.forget(created, self.delaunay.complex().simplex_bound())?;
         if self.parameters.algorithm != Algorithm::Delaunay {
-            self.update_star(vertex);
+            self.update_star(vertex)?;
         }
-        if self.watch.is_due() {
+        if self.watch.is_due(work) {
             self.report_progress(Phase::Insert)?;
         }
         Ok(())
     }
 
     /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in.
-    fn update_star(&mut self, vertex: u32) {
+    fn update_star(&mut self, vertex: u32) -> Fallible<()> {
         let Scratch { created, corners, .. } = &mut self.scratch;
-        corners.clear();
+        corners.restart(self.delaunay.point_count())?;
         for &simplex in created.iter() {
             for &corner in self.delaunay.complex().vertices(simplex) {
                 if some(corner).is_some() && corner != vertex {
-                    corners.insert(corner);
+                    corners.insert(corner)?;
                 }
             }
         }
@@ -108,19 +111,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
             nearest = nearest.min(gap);
             if gap < self.nearest[neighbor as usize] {
                 self.nearest[neighbor as usize] = gap;
-                nearer.push(neighbor);
+                nearer.try_push(neighbor)?;
             }
         }
         self.nearest[vertex as usize] = nearest;
         if !self.hierarchy.is_single() {
-            self.update_clearances(vertex, &neighbors);
+            self.update_clearances(vertex, &neighbors)?;
         }
         self.scratch.corners.ids = neighbors;
-        self.examine_created();
+        self.examine_created()?;
         for &neighbor in &nearer {
-            self.examine_cell(neighbor);
+            self.examine_cell(neighbor)?;
         }
         self.scratch.nearer = nearer;
+        Ok(())
     }
 
     /// The nearest distance of a corner of the first simplex; its farthest corner is not known.

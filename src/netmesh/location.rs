@@ -5,7 +5,10 @@
 //! balls holds the point (a ball through the new vertex and the point, empty of all others, lies in
 //! the destroyed ball, so the two would be Delaunay neighbours).
 
+use super::watch::Watch;
 use crate::delaunay::{Cavity, Delaunay};
+use crate::error::Result;
+use crate::memory::{Fallible, TryGrow, filled};
 use crate::mesh::NONE;
 
 pub(super) struct Location {
@@ -42,15 +45,15 @@ impl Iterator for Inhabitants<'_> {
 }
 
 impl Location {
-    pub fn new(inputs: usize) -> Self {
-        Self {
+    pub fn new(inputs: usize) -> Fallible<Self> {
+        Ok(Self {
             heads: Vec::new(),
             counts: Vec::new(),
-            next: vec![NONE; inputs],
-            homes: vec![NONE; inputs],
-            touches: vec![0; inputs],
+            next: filled(inputs, NONE)?,
+            homes: filled(inputs, NONE)?,
+            touches: filled(inputs, 0)?,
             remaining: 0,
-        }
+        })
     }
 
     /// Number of uninserted inputs.
@@ -63,12 +66,11 @@ impl Location {
     }
 
     pub fn count(&self, simplex: u32) -> u32 {
-        self.counts.get(simplex as usize).copied().unwrap_or(0)
+        self.counts[simplex as usize]
     }
 
     pub fn inhabitants(&self, simplex: u32) -> Inhabitants<'_> {
-        let current = self.heads.get(simplex as usize).copied().unwrap_or(NONE);
-        Inhabitants { next: &self.next, current }
+        Inhabitants { next: &self.next, current: self.heads[simplex as usize] }
     }
 
     pub fn total_touches(&self) -> u64 {
@@ -84,6 +86,12 @@ impl Location {
         self.counts.iter().copied().max().unwrap_or(0)
     }
 
+    /// Makes room for inputs in the simplices below `bound`.
+    pub fn cover(&mut self, bound: usize) -> Fallible<()> {
+        self.heads.cover(bound, NONE)?;
+        self.counts.cover(bound, 0)
+    }
+
     /// Takes up an input that has no home yet.
     pub fn admit(&mut self, input: u32, simplex: u32) {
         self.settle(input, simplex);
@@ -92,10 +100,6 @@ impl Location {
 
     fn settle(&mut self, input: u32, simplex: u32) {
         let at = simplex as usize;
-        if self.heads.len() <= at {
-            self.heads.resize(at + 1, NONE);
-            self.counts.resize(at + 1, 0);
-        }
         self.next[input as usize] = self.heads[at];
         self.heads[at] = input;
         self.counts[at] += 1;
@@ -110,12 +114,11 @@ impl Location {
         cavity: &Cavity,
         created: &[u32],
         inserted: u32,
-    ) {
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<()> {
+        self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
-            let mut input = match self.heads.get_mut(simplex as usize) {
-                Some(head) => std::mem::replace(head, NONE),
-                None => NONE,
-            };
+            let mut input = std::mem::replace(&mut self.heads[simplex as usize], NONE);
             if input == NONE {
                 continue;
             }
@@ -123,6 +126,7 @@ impl Location {
             let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
             let mut guess = own.start.min(created.len() - 1);
             while input != NONE {
+                watch.tick(4)?;
                 let next = self.next[input as usize];
                 if input == inserted {
                     self.homes[input as usize] = NONE;
@@ -134,6 +138,7 @@ impl Location {
                 input = next;
             }
         }
+        Ok(())
     }
 
     /// Position in `created` of a D-ball that holds `input`, tried outward from `guess`.

@@ -22,7 +22,8 @@ mod template;
 mod watch;
 
 use crate::delaunay::{Cavity, Delaunay};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{Fallible, TryGrow, filled, with_room};
 use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use clean::RefineList;
@@ -30,6 +31,7 @@ use domains::Hierarchy;
 use location::Location;
 use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
+use std::cmp::Reverse;
 use std::time::Instant;
 use watch::Watch;
 
@@ -61,9 +63,10 @@ fn mesh<const D: usize>(
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
     let begun = Instant::now();
-    let mut mesher = Mesher::<D>::new(inputs, parameters, Watch::new(progress))?;
+    let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
-    mesher.watch.report(Phase::Prepare, 0.0, [0; 3])?;
+    watch.report(Phase::Prepare, 0.0, [0; 3])?;
+    let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
     if mesher.parameters.algorithm == Algorithm::Delaunay {
         mesher.start_delaunay()?;
         mesher.insert_rounds()?;
@@ -74,7 +77,7 @@ fn mesh<const D: usize>(
             mesher.finish_mesh()?;
         }
     }
-    Ok(mesher.into_triangulation(begun))
+    mesher.into_triangulation(begun)
 }
 
 /// The state of a run. Vertices `0..inputs` are the distinct inputs, inserted or not; Steiner and
@@ -111,6 +114,11 @@ struct Scratch {
     nearer: Vec<u32>,
     /// The neighbours of the last inserted vertex, or the corners of the last cavity.
     corners: VertexSet,
+    /// The vertices next to a cage that is released.
+    affected: VertexSet,
+    /// Simplices, and their inputs' distances, near a cage that is wanted.
+    near: Vec<u32>,
+    gaps: Vec<Reverse<u64>>,
 }
 
 /// A set of vertex ids that is emptied in constant time.
@@ -128,49 +136,50 @@ impl Default for VertexSet {
 }
 
 impl VertexSet {
-    fn clear(&mut self) {
+    /// Empties the set, and makes room for the marks of so many vertices.
+    fn restart(&mut self, vertices: usize) -> Fallible<()> {
+        self.marks.cover(vertices, 0)?;
         self.ids.clear();
         if self.epoch == u32::MAX {
             self.marks.fill(0);
             self.epoch = 0;
         }
         self.epoch += 1;
+        Ok(())
     }
 
-    #[inline]
-    fn insert(&mut self, id: u32) {
-        if self.marks.len() <= id as usize {
-            self.marks.resize(id as usize + 1, 0);
-        }
+    // A call would cost as much as what is done.
+    #[inline(always)]
+    fn insert(&mut self, id: u32) -> Fallible<()> {
         let mark = &mut self.marks[id as usize];
         if *mark != self.epoch {
             *mark = self.epoch;
-            self.ids.push(id);
+            self.ids.try_push(id)?;
         }
+        Ok(())
     }
 }
 
 impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
-    fn new(inputs: &Inputs, parameters: Parameters, watch: Watch<'a, 'b>) -> Result<Self> {
+    fn new(inputs: &Inputs, parameters: Parameters, mut watch: Watch<'a, 'b>) -> Result<Self> {
         let count = inputs.distinct();
         if count as u64 > parameters.max_vertices {
             return Err(limit(parameters.max_vertices, count));
         }
-        let mut points = Vec::new();
-        crate::mesh::reserve(&mut points, 2 * count)?;
-        points.extend((0..count).map(|v| {
-            let point: [f64; D] = inputs.distinct_point(v).try_into().expect("dim is D");
-            point
-        }));
+        let mut points: Vec<[f64; D]> = with_room(2 * count)?;
+        for v in 0..count {
+            watch.tick(1)?;
+            points.push(inputs.distinct_point(v).try_into().expect("dim is D"));
+        }
         Ok(Self {
             random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ u128::from(parameters.seed)),
-            delaunay: Delaunay::new(points),
-            hierarchy: Hierarchy::new(count),
-            location: Location::new(count),
+            delaunay: Delaunay::new(points)?,
+            hierarchy: Hierarchy::new(count)?,
+            location: Location::new(count)?,
             refine: RefineList::default(),
-            nearest: vec![f64::INFINITY; count],
-            farthest: vec![0.0; count],
-            precision_limited: vec![false; count],
+            nearest: filled(count, f64::INFINITY)?,
+            farthest: filled(count, 0.0)?,
+            precision_limited: filled(count, false)?,
             inputs: count,
             template: Vec::new(),
             watch,
@@ -197,11 +206,11 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         if count as u64 >= self.parameters.max_vertices {
             return Err(limit(self.parameters.max_vertices, count + 1));
         }
-        self.hierarchy.add_vertex();
-        self.nearest.push(f64::INFINITY);
-        self.farthest.push(0.0);
-        self.precision_limited.push(false);
-        Ok(self.delaunay.add_point(x))
+        self.hierarchy.add_vertex()?;
+        self.nearest.try_push(f64::INFINITY)?;
+        self.farthest.try_push(0.0)?;
+        self.precision_limited.try_push(false)?;
+        Ok(self.delaunay.add_point(x)?)
     }
 
     fn report_progress(&mut self, phase: Phase) -> Result<()> {
@@ -227,7 +236,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 
 fn limit(max_vertices: u64, needed: usize) -> Error {
     let message =
-        format!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+        message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
 }
 

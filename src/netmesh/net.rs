@@ -3,35 +3,55 @@
 //! the round verifies that it did and asks for more where it did not.
 
 use super::Mesher;
+use crate::error::Result;
+use crate::memory::TryGrow;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Up to `per_ball` inputs of every home with more than `crowd` of them, by simplex.
-    pub(super) fn select_round(&mut self, per_ball: u32, crowd: u32) -> Vec<u32> {
+    pub(super) fn select_round(&mut self, per_ball: u32, crowd: u32) -> Result<Vec<u32>> {
         let mut selected = Vec::new();
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+            self.watch.tick(1)?;
             let count = self.location.count(simplex);
             if count > crowd {
-                self.sample(simplex, count, per_ball.min(count), &mut selected);
+                self.sample(simplex, count, per_ball.min(count), &mut selected)?;
             }
         }
-        selected
+        Ok(selected)
     }
 
     /// Chooses `wanted` of the `count` inputs of `simplex`: one at random of each of `wanted`
     /// consecutive stretches of the list.
-    fn sample(&mut self, simplex: u32, count: u32, wanted: u32, selected: &mut Vec<u32>) {
+    fn sample(
+        &mut self,
+        simplex: u32,
+        count: u32,
+        wanted: u32,
+        selected: &mut Vec<u32>,
+    ) -> Result<()> {
         let stretch = |i: u32| (u64::from(i) * u64::from(count) / u64::from(wanted)) as u32;
         let mut inhabitants = self.location.inhabitants(simplex);
         let mut at = 0;
         for i in 0..wanted {
             let (begin, end) = (stretch(i), stretch(i + 1));
             let pick = begin + scaled(self.random.next_u32(), end - begin);
-            selected.extend(inhabitants.nth((pick - at) as usize));
+            while pick - at >= STEP {
+                self.watch.tick(STEP / 8)?;
+                inhabitants.nth(STEP as usize - 1);
+                at += STEP;
+            }
+            if let Some(input) = inhabitants.nth((pick - at) as usize) {
+                selected.try_push(input)?;
+            }
             at = pick + 1;
         }
+        Ok(())
     }
 }
+
+/// Inputs that a walk along a list passes between two looks at the watch.
+const STEP: u32 = 1024;
 
 /// Maps 32 random bits to 0..bound.
 fn scaled(random: u32, bound: u32) -> u32 {

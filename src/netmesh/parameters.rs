@@ -1,6 +1,6 @@
 //! The meshing parameters (§4, end): defaults per dimension, and the ranges that are accepted.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 
 /// Largest value of [`Parameters::corner_restriction`].
@@ -49,7 +49,7 @@ impl Parameters {
         };
         let max_vertices = match options.max_vertices {
             0 => u64::from(u32::MAX - 1),
-            given => given,
+            given => given.min(u64::from(u32::MAX - 1)),
         };
         Ok(Self {
             output: options.output,
@@ -109,7 +109,7 @@ fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Re
         return Ok(default);
     }
     if !(lowest..=highest).contains(&given) {
-        let message = format!(
+        let message = message!(
             "options.{name} is {given}; it must be 0 (default {default}) or in [{lowest}, {highest}]"
         );
         return Err(Error::new(ErrorKind::InvalidArgument, message));
@@ -120,6 +120,6 @@ fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Re
 fn not_yet(what: &str) -> Error {
     Error::new(
         ErrorKind::InvalidArgument,
-        format!("options.{what} is not available in this version"),
+        message!("options.{what} is not available in this version"),
     )
 }

@@ -7,6 +7,7 @@
 //! Without it CLEAN inserts points beside the cages and destroys them.
 
 use super::{Mesher, some};
+use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::distance;
 use crate::options::Criterion;
@@ -14,7 +15,7 @@ use crate::options::Criterion;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and lets their vertices know of the
     /// corners that have come.
-    pub(super) fn examine_created(&mut self) {
+    pub(super) fn examine_created(&mut self) -> Fallible<()> {
         for at in 0..self.scratch.created.len() {
             let simplex = self.scratch.created[at];
             if let Some(ball) = self.delaunay.ball(simplex) {
@@ -23,44 +24,49 @@ impl<const D: usize> Mesher<'_, '_, D> {
                     *farthest = farthest.max(ball.radius);
                 }
             }
-            self.examine(simplex);
+            self.examine(simplex)?;
         }
+        Ok(())
     }
 
     /// Queues the bad ones among the simplices at `vertex`.
-    pub(super) fn examine_star(&mut self, vertex: u32) {
-        self.delaunay.star(vertex, &mut self.scratch.star);
+    pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
+        self.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
             let simplex = self.scratch.star[at];
             farthest = farthest.max(self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius));
-            self.examine(simplex);
+            self.examine(simplex)?;
         }
         self.farthest[vertex as usize] = farthest;
+        Ok(())
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
     /// edges there are what they were.
-    pub(super) fn examine_cell(&mut self, vertex: u32) {
+    pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
         let reach = 2.0 * self.farthest[vertex as usize] / self.parameters.quality_bound;
         if self.parameters.criterion == Criterion::VoronoiAspect
             && self.nearest[vertex as usize] < reach
         {
-            self.examine_star(vertex);
+            self.examine_star(vertex)?;
         }
+        Ok(())
     }
 
     /// Queues the bad ones among the simplices round `cage`.
-    pub(super) fn examine_cage(&mut self, cage: u32) {
+    pub(super) fn examine_cage(&mut self, cage: u32) -> Fallible<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
-            self.examine_star(self.hierarchy.node(cage).cage[at]);
+            self.examine_star(self.hierarchy.node(cage).cage[at])?;
         }
+        Ok(())
     }
 
-    fn examine(&mut self, simplex: u32) {
+    fn examine(&mut self, simplex: u32) -> Fallible<()> {
         if self.is_bad(simplex) {
-            self.refine.push(simplex);
+            self.refine.push(simplex)?;
         }
+        Ok(())
     }
 
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.

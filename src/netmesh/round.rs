@@ -23,7 +23,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut per_ball = PER_BALL;
         let mut crowd = 0;
         loop {
-            for input in self.select_round(per_ball, crowd) {
+            for input in self.select_round(per_ball, crowd)? {
                 self.insert_input(input)?;
                 if self.parameters.algorithm != Algorithm::Delaunay {
                     self.clean()?;

@@ -3,7 +3,12 @@
 
 use super::Mesher;
 use super::start::{REPRESENTABLE, spacing_near};
+use crate::error::Result;
+use crate::memory::TryGrow;
 use crate::numerics::distance;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
 
 /// Where a cage is wanted.
 #[derive(Clone, Copy, Debug)]
@@ -31,10 +36,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
     /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
     /// ask for what the cage needs: no vertex within outf r / epsilon of u.
-    pub(super) fn wanted_cage(&mut self, input: u32) -> Option<CageSite> {
+    pub(super) fn wanted_cage(&mut self, input: u32) -> Result<Option<CageSite>> {
         let x = *self.delaunay.point(input);
         let parent = self.containing_domain(&x);
-        let (center, gap) = self.nearest_in_domain(&x, parent)?;
+        let Some((center, gap)) = self.nearest_in_domain(&x, parent) else { return Ok(None) };
         let child = self.hierarchy.child_towards(parent, center);
         let clearance = match child {
             Some(child) => self.hierarchy.node(child).outside,
@@ -43,18 +48,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let most = self.radius_within(clearance) / pays::<D>();
         let least = self.radius_for(gap).max(self.smallest_radius(center));
         let radius = self.lasting_radius(center, child, least, most)?;
-        Some(CageSite { center, radius, parent })
+        Ok(radius.map(|radius| CageSite { center, radius, parent }))
     }
 
     /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
     /// compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest outside
     /// vertex's distance d tells whether the new cage is un-encroached.)
-    pub(super) fn grown_site(&mut self, cage: u32, least: f64) -> Option<CageSite> {
+    pub(super) fn grown_site(&mut self, cage: u32, least: f64) -> Result<Option<CageSite>> {
         let node = self.hierarchy.node(cage);
         let (center, outside) = (node.center, node.outside);
         let radius =
             self.lasting_radius(center, Some(cage), least, outside / self.outer_reach())?;
-        Some(CageSite { center, radius, parent: self.hierarchy.parent(cage) })
+        let parent = self.hierarchy.parent(cage);
+        Ok(radius.map(|radius| CageSite { center, radius, parent }))
     }
 
     /// The radius of a cage that has an input at distance `gap` from its centre well inside.
@@ -104,53 +110,65 @@ impl<const D: usize> Mesher<'_, '_, D> {
         child: Option<u32>,
         least: f64,
         most: f64,
-    ) -> Option<f64> {
+    ) -> Result<Option<f64>> {
         if least > most {
-            return None;
+            return Ok(None);
         }
         let reach = self.outer_reach();
         let mut radius = least;
-        for gap in self.gaps_nearby(center, child, reach * most) {
-            if gap >= reach * radius {
+        let range = self.parameters.epsilon * least..reach * most;
+        // A heap, since often a few of very many are looked at.
+        let mut gaps = BinaryHeap::from(self.gaps_nearby(center, child, range)?);
+        while let Some(Reverse(bits)) = gaps.pop() {
+            self.watch.tick(1)?;
+            let gap = f64::from_bits(bits);
+            if gap >= reach * radius || radius > most {
                 break;
             }
             if gap > self.parameters.epsilon * radius {
                 radius = self.radius_for(gap);
-                if radius > most {
-                    return None;
-                }
             }
         }
-        Some(radius)
+        self.scratch.gaps = gaps.into_vec();
+        Ok((radius <= most).then_some(radius))
     }
 
-    /// The distances below `limit` from `center` to the uninserted inputs whose homes are in the
-    /// scratch cavity or next to the centre (or the cage of the `child` domain round it), sorted.
-    fn gaps_nearby(&mut self, center: u32, child: Option<u32>, limit: f64) -> Vec<f64> {
-        let mut gaps = Vec::new();
+    /// The distances in `range` from `center` to the uninserted inputs whose homes are in the
+    /// scratch cavity or next to the centre (or the cage of the `child` domain round it), as bits,
+    /// which are ordered as distances are.
+    fn gaps_nearby(
+        &mut self,
+        center: u32,
+        child: Option<u32>,
+        range: Range<f64>,
+    ) -> Result<Vec<Reverse<u64>>> {
+        let mut gaps = std::mem::take(&mut self.scratch.gaps);
+        gaps.clear();
         if self.location.remaining() == 0 {
-            return gaps;
+            return Ok(gaps);
         }
-        let mut simplices = self.scratch.cavity.simplices.clone();
+        let near = &mut self.scratch.near;
+        near.clear();
+        near.try_extend(&self.scratch.cavity.simplices)?;
         let around: &[u32] = match child {
             Some(child) => &self.hierarchy.node(child).cage,
             None => &[center],
         };
         for &vertex in around {
-            self.delaunay.star(vertex, &mut self.scratch.star);
-            simplices.extend_from_slice(&self.scratch.star);
+            self.delaunay.star(vertex, &mut self.scratch.star)?;
+            near.try_extend(&self.scratch.star)?;
         }
-        simplices.sort_unstable();
-        simplices.dedup();
-        for simplex in simplices {
+        near.sort_unstable();
+        near.dedup();
+        for &simplex in near.iter() {
             for input in self.location.inhabitants(simplex) {
+                self.watch.tick(1)?;
                 let gap = distance(self.delaunay.point(input), self.delaunay.point(center));
-                if gap < limit {
-                    gaps.push(gap);
+                if range.contains(&gap) {
+                    gaps.try_push(Reverse(gap.to_bits()))?;
                 }
             }
         }
-        gaps.sort_unstable_by(f64::total_cmp);
-        gaps
+        Ok(gaps)
     }
 }

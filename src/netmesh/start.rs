@@ -4,7 +4,8 @@
 use super::domains::ROOT;
 use super::template::{cage_points, cage_template};
 use super::{Mesher, limit};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{collected, with_room};
 use crate::mesh::NONE;
 use crate::numerics::{affine_basis, distance};
 
@@ -19,32 +20,32 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
     pub(super) fn start_netmesh(&mut self) -> Result<()> {
         let most = self.parameters.max_vertices;
-        self.template = cage_template::<D>(self.parameters.delta, most);
+        self.template = cage_template::<D>(self.parameters.delta, most, &mut self.watch)?;
         if self.template.len() as u64 > most {
-            // Before that many are made for the smallest delta in 4D and more: minutes of work.
             return Err(limit(most, self.template.len()));
         }
-        let center = self.central_input();
+        let center = self.central_input()?;
         let point = *self.delaunay.point(center);
-        let radius = self.root_radius(&point);
-        let sphere = cage_points(&self.template, &point, radius * self.parameters.cage_scale);
+        let radius = self.root_radius(&point)?;
+        let sphere = cage_points(&self.template, &point, radius * self.parameters.cage_scale)?;
         if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
             let message =
                 "the coordinates are too large: the outer cage leaves the range of double";
             return Err(Error::new(ErrorKind::Limit, message));
         }
-        self.hierarchy.create(center, point, radius, NONE);
+        self.hierarchy.create(center, point, radius, NONE, sphere.len())?;
         self.stats.cages_created += 1;
-        let mut vertices = vec![center];
+        let mut vertices = with_room(1 + sphere.len())?;
+        vertices.push(center);
         for x in sphere {
             vertices.push(self.add_vertex(x)?);
         }
         let basis = affine_basis::<D>(vertices.len(), |i| *self.delaunay.point(vertices[i]));
         assert!(basis.len() == D + 1, "the template spans the space");
-        let corners: Vec<u32> = basis.iter().map(|&i| vertices[i]).collect();
-        self.delaunay.begin(&corners);
+        let corners = collected(basis.iter().map(|&i| vertices[i]))?;
+        self.delaunay.begin(&corners)?;
         for &vertex in &vertices[1..] {
-            self.hierarchy.join_cage(vertex, ROOT);
+            self.hierarchy.join_cage(vertex, ROOT)?;
         }
         for &corner in &corners {
             self.hierarchy.set_domain(corner, ROOT);
@@ -65,7 +66,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let x = *self.delaunay.point(vertex);
         let start = self.delaunay.complex().incident(near);
         let start = self.delaunay.locate(start, &x).expect("cage vertices are distinct");
-        self.delaunay.find_cavity(start, &x, &mut self.scratch.cavity);
+        self.delaunay.find_cavity(start, &x, &mut self.scratch.cavity)?;
         self.hierarchy.set_domain(vertex, ROOT);
         self.insert_into_cavity(vertex)
     }
@@ -74,21 +75,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn start_delaunay(&mut self) -> Result<()> {
         let basis = affine_basis::<D>(self.inputs, |i| *self.delaunay.point(i as u32));
         if basis.len() < D + 1 {
-            let message = format!(
+            let message = message!(
                 "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
                 basis.len() - 1
             );
             return Err(Error::new(ErrorKind::DegenerateInput, message));
         }
-        let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
-        self.delaunay.begin(&corners);
+        let corners = collected(basis.iter().map(|&i| i as u32))?;
+        self.delaunay.begin(&corners)?;
         self.admit_inputs(corners[0])
     }
 
     /// Gives every uninserted input a home, walking from that of the input before.
     fn admit_inputs(&mut self, near: u32) -> Result<()> {
+        self.location.cover(self.delaunay.complex().simplex_bound())?;
         let mut home = self.delaunay.complex().incident(near);
         for input in 0..self.inputs as u32 {
+            self.watch.tick(4)?;
             if !self.is_inserted(input) {
                 let q = *self.delaunay.point(input);
                 home = self.delaunay.locate(home, &q).expect("inputs are distinct");
@@ -99,29 +102,39 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The input nearest to the middle of the bounding box.
-    fn central_input(&self) -> u32 {
+    fn central_input(&mut self) -> Result<u32> {
         let mut low = *self.delaunay.point(0);
         let mut high = low;
         for input in 1..self.inputs as u32 {
+            self.watch.tick(1)?;
             for (axis, &x) in self.delaunay.point(input).iter().enumerate() {
                 low[axis] = low[axis].min(x);
                 high[axis] = high[axis].max(x);
             }
         }
         let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
-        let gap = |input: u32| distance(self.delaunay.point(input), &middle);
-        (1..self.inputs as u32).fold(0, |best, i| if gap(i) < gap(best) { i } else { best })
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for input in 0..self.inputs as u32 {
+            self.watch.tick(1)?;
+            let gap = distance(self.delaunay.point(input), &middle);
+            if gap < least {
+                (best, least) = (input, gap);
+            }
+        }
+        Ok(best)
     }
 
     /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
     /// express the outer cage, and that its hull surrounds the inputs with room to spare.
-    fn root_radius(&self, center: &[f64; D]) -> f64 {
-        let radius = (0..self.inputs as u32)
-            .map(|input| distance(self.delaunay.point(input), center))
-            .fold(0.0, f64::max);
+    fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
+        let mut radius = 0.0f64;
+        for input in 0..self.inputs as u32 {
+            self.watch.tick(1)?;
+            radius = radius.max(distance(self.delaunay.point(input), center));
+        }
         let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
         let hull = self.parameters.cage_scale * self.parameters.hull_radius();
-        (self.parameters.root_scale.max(ROOM / hull) * radius).max(spacing)
+        Ok((self.parameters.root_scale.max(ROOM / hull) * radius).max(spacing))
     }
 }
 

@@ -1,19 +1,29 @@
 //! The cage template T (§4): points on the unit sphere, no point of the sphere farther than delta
 //! from them, made by greedy farthest-point insertion [Gon85].
 
+use super::watch::Watch;
 use crate::delaunay::{Cavity, Delaunay};
+use crate::error::Result;
+use crate::memory::{Fallible, collected, copied, with_room};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, TAU};
 
 /// A delta-net of the unit sphere, or a part of it that is more than `most` points. In 2D the
 /// regular polygon, which is the smallest one.
-pub(super) fn cage_template<const D: usize>(delta: f64, most: u64) -> Vec<[f64; D]> {
-    if D == 2 { polygon(delta) } else { greedy_net(delta, most) }
+///
+/// # Errors
+/// `Cancelled`, since the smallest delta takes minutes in 4D and more; `OutOfMemory`.
+pub(super) fn cage_template<const D: usize>(
+    delta: f64,
+    most: u64,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<[f64; D]>> {
+    if D == 2 { Ok(polygon(delta)?) } else { greedy_net(delta, most, watch) }
 }
 
 /// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's corners.
-fn polygon<const D: usize>(delta: f64) -> Vec<[f64; D]> {
+fn polygon<const D: usize>(delta: f64) -> Fallible<Vec<[f64; D]>> {
     let count = (PI / (2.0 * (delta / 2.0).asin())).ceil();
     let corner = |i: u32| {
         let mut point = [0.0; D];
@@ -21,7 +31,7 @@ fn polygon<const D: usize>(delta: f64) -> Vec<[f64; D]> {
         (point[1], point[0]) = (f64::from(i) * TAU / count + 0.1).sin_cos();
         point
     };
-    (0..count as u32).map(corner).collect()
+    collected((0..count as u32).map(corner))
 }
 
 /// The points c + r T.
@@ -29,10 +39,10 @@ pub(super) fn cage_points<const D: usize>(
     template: &[[f64; D]],
     center: &[f64; D],
     radius: f64,
-) -> Vec<[f64; D]> {
+) -> Fallible<Vec<[f64; D]>> {
     let point =
         |direction: &[f64; D]| std::array::from_fn(|axis| center[axis] + radius * direction[axis]);
-    template.iter().map(point).collect()
+    collected(template.iter().map(point))
 }
 
 /// T with its axes permuted and reflected at random, which is exact: cages about one centre that
@@ -40,7 +50,7 @@ pub(super) fn cage_points<const D: usize>(
 pub(super) fn turned<const D: usize>(
     template: &[[f64; D]],
     random: &mut Pcg64Mcg,
-) -> Vec<[f64; D]> {
+) -> Fallible<Vec<[f64; D]>> {
     let bits = random.next_u64();
     let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
     let mut choice = bits >> 32;
@@ -49,57 +59,63 @@ pub(super) fn turned<const D: usize>(
         choice /= axis as u64 + 1;
     }
     let sign = |axis: usize| if bits >> axis & 1 == 0 { 1.0 } else { -1.0 };
-    template.iter().map(|t| std::array::from_fn(|axis| sign(axis) * t[axes[axis]])).collect()
+    collected(template.iter().map(|t| std::array::from_fn(|axis| sign(axis) * t[axes[axis]])))
 }
 
 /// Inserts the point of the sphere farthest from the net until none is farther than delta. The
 /// candidates are the normals of the hull's facets. The Delaunay complex of the net and the origin
 /// has a simplex over each facet, and its circumcentre c is such a normal: |c - t| = |c| for the
 /// facet's corners t, so c t = 1/2 and the angle between them has the cosine 1 / (2 |c|).
-fn greedy_net<const D: usize>(delta: f64, most: u64) -> Vec<[f64; D]> {
-    let mut points = vec![[0.0; D]];
-    points.extend(spanning_directions::<D>());
-    let mut delaunay = Delaunay::new(points);
-    let first: Vec<u32> = (0..=D as u32).collect();
-    delaunay.begin(&first);
+fn greedy_net<const D: usize>(
+    delta: f64,
+    most: u64,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<[f64; D]>> {
+    let mut points = with_room(D + 2)?;
+    points.push([0.0; D]);
+    points.extend(spanning_directions::<D>()?);
+    let mut delaunay = Delaunay::new(points)?;
+    let first = collected(0..=D as u32)?;
+    delaunay.begin(&first)?;
     let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Vec::new());
-    let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| {
+    let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| -> Fallible<()> {
         let x = *delaunay.point(vertex);
         let start = delaunay.locate(near, &x).expect("the directions are distinct");
-        delaunay.find_cavity(start, &x, &mut cavity);
-        delaunay.insert(vertex, &cavity, &mut created);
+        delaunay.find_cavity(start, &x, &mut cavity)?;
+        delaunay.insert(vertex, &cavity, &mut created)
     };
     let start = delaunay.complex().incident(0);
-    insert(&mut delaunay, D as u32 + 1, start);
+    insert(&mut delaunay, D as u32 + 1, start)?;
     let widest = 0.5 / (1.0 - 0.5 * delta * delta);
     loop {
-        delaunay.star(0, &mut star);
-        let (facet, radius) = widest_facet(&delaunay, &star);
+        delaunay.star(0, &mut star)?;
+        watch.tick(star.len() as u32)?;
+        let (facet, radius) = widest_facet(&delaunay, &star)?;
         if radius <= widest || delaunay.point_count() as u64 > most.saturating_add(1) {
-            return (1..delaunay.point_count() as u32).map(|v| *delaunay.point(v)).collect();
+            return Ok(collected((1..delaunay.point_count() as u32).map(|v| *delaunay.point(v)))?);
         }
         let corner = delaunay.corner(facet).expect("the simplices round the origin are finite");
-        let vertex = delaunay.add_point(corner.map(|x| x / radius));
-        insert(&mut delaunay, vertex, facet);
+        let vertex = delaunay.add_point(corner.map(|x| x / radius))?;
+        insert(&mut delaunay, vertex, facet)?;
     }
 }
 
 /// The simplex with the largest D-ball; among equals within rounding the first.
-fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> (u32, f64) {
+fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> Fallible<(u32, f64)> {
     let radius = |simplex: u32| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius);
-    let mut sorted = star.to_vec();
+    let mut sorted = copied(star)?;
     sorted.sort_unstable();
-    sorted.iter().fold((0, 0.0), |best, &simplex| match radius(simplex) {
+    Ok(sorted.iter().fold((0, 0.0), |best, &simplex| match radius(simplex) {
         wider if wider > best.1 * (1.0 + 1e-9) => (simplex, wider),
         _ => best,
-    })
+    }))
 }
 
 /// D orthonormal directions, turned at random so that grids do not align with them, and the one
 /// that balances them: together they hold the origin inside.
-fn spanning_directions<const D: usize>() -> Vec<[f64; D]> {
+fn spanning_directions<const D: usize>() -> Fallible<Vec<[f64; D]>> {
     let mut random = Pcg64Mcg::new(0x5eed);
-    let mut directions: Vec<[f64; D]> = Vec::with_capacity(D + 1);
+    let mut directions: Vec<[f64; D]> = with_room(D + 1)?;
     while directions.len() < D {
         let mut candidate = [0.0; D].map(|_| uniform(&mut random));
         for direction in &directions {
@@ -115,7 +131,7 @@ fn spanning_directions<const D: usize>() -> Vec<[f64; D]> {
         std::array::from_fn(|axis| -directions.iter().map(|d| d[axis]).sum::<f64>());
     let length = dot(&balance, &balance).sqrt();
     directions.push(balance.map(|x| x / length));
-    directions
+    Ok(directions)
 }
 
 fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
@@ -133,7 +149,7 @@ mod tests {
 
     /// The gap of random directions to the net: never above delta, and nearly so somewhere.
     fn check_cover<const D: usize>(delta: f64) -> usize {
-        let net = cage_template::<D>(delta, u64::MAX);
+        let net = cage_template::<D>(delta, u64::MAX, &mut Watch::new(None)).unwrap();
         let mut random = Pcg64Mcg::new(7);
         let mut widest = 0.0f64;
         for _ in 0..20_000 {

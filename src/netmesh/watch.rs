@@ -1,35 +1,57 @@
-//! Progress and cancellation: the clock is read every few insertions, the caller is called about
+//! Progress and cancellation: the clock is read every fraction of a millisecond, the caller is called about
 //! 20 times a second, and a run that is cancelled or grows past its limit stops with an error.
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
 use std::time::{Duration, Instant};
 
-const INTERVAL: Duration = Duration::from_millis(45);
-/// Insertions between two looks at the clock; far below a millisecond in any dimension up to 4.
-const STRIDE: u32 = 16;
+const INTERVAL: Duration = Duration::from_millis(40);
+/// Work between two looks at the clock, in units of some 100 ns: a fraction of a millisecond.
+const STRIDE: u32 = 2048;
 
 pub(super) struct Watch<'a, 'b> {
     callback: Option<&'a mut ProgressFn<'b>>,
     last: Instant,
     countdown: u32,
-    fraction: f64,
+    /// What the last report said, for places that cannot count.
+    progress: Progress,
 }
 
 impl<'a, 'b> Watch<'a, 'b> {
     pub fn new(callback: Option<&'a mut ProgressFn<'b>>) -> Self {
-        Self { callback, last: Instant::now(), countdown: STRIDE, fraction: 0.0 }
+        let progress = Progress {
+            phase: Phase::Prepare,
+            fraction: 0.0,
+            inputs_inserted: 0,
+            vertices: 0,
+            simplices: 0,
+        };
+        Self { callback, last: Instant::now(), countdown: STRIDE, progress }
     }
 
-    /// Whether it is time to [`Self::report`].
+    /// Whether it is time to [`Self::report`], after so much more `work`.
     #[inline]
-    pub fn is_due(&mut self) -> bool {
-        self.countdown -= 1;
-        if self.countdown > 0 {
+    pub fn is_due(&mut self, work: u32) -> bool {
+        if work < self.countdown {
+            self.countdown -= work;
             return false;
         }
+        self.look()
+    }
+
+    #[cold]
+    fn look(&mut self) -> bool {
         self.countdown = STRIDE;
         self.callback.is_some() && self.last.elapsed() >= INTERVAL
+    }
+
+    /// Reports what was reported last if it is time to, after so much more `work`.
+    ///
+    /// # Errors
+    /// `Cancelled` if the caller says so.
+    #[inline]
+    pub fn tick(&mut self, work: u32) -> Result<()> {
+        if self.is_due(work) { self.call() } else { Ok(()) }
     }
 
     /// Calls the caller.
@@ -37,12 +59,18 @@ impl<'a, 'b> Watch<'a, 'b> {
     /// # Errors
     /// `Cancelled` if the caller says so.
     pub fn report(&mut self, phase: Phase, fraction: f64, counts: [u64; 3]) -> Result<()> {
-        self.last = Instant::now();
-        self.fraction = self.fraction.max(fraction).min(1.0);
+        let fraction = self.progress.fraction.max(fraction).min(1.0);
         let [inputs_inserted, vertices, simplices] = counts;
-        let progress =
-            Progress { phase, fraction: self.fraction, inputs_inserted, vertices, simplices };
-        let go_on = self.callback.as_mut().is_none_or(|callback| callback(&progress));
+        self.progress = Progress { phase, fraction, inputs_inserted, vertices, simplices };
+        self.call()
+    }
+
+    #[cold]
+    fn call(&mut self) -> Result<()> {
+        let progress = &self.progress;
+        let go_on = self.callback.as_mut().is_none_or(|callback| callback(progress));
+        // The caller's own time is not the run's.
+        self.last = Instant::now();
         if !go_on {
             return Err(Error::new(
                 ErrorKind::Cancelled,

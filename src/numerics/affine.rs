@@ -1,6 +1,10 @@
 //! Affinely independent points among many.
 
 use super::orientation::orientation;
+use std::ops::Deref;
+
+/// As many dimensions as the signs know.
+const MAX_DIM: usize = 8;
 
 /// Indices of affinely independent points among `count`, greedily: index 0, then each index whose
 /// point is not in the affine hull of those taken before, until `D + 1` are found. Empty if `count`
@@ -8,14 +12,22 @@ use super::orientation::orientation;
 ///
 /// `point(i)` gives the finite coordinates of point i. Exact. O(`count` * D) orientation tests in
 /// the worst case, D + 1 calls of `point` on generic input.
-pub fn affine_basis<const D: usize>(count: usize, point: impl Fn(usize) -> [f64; D]) -> Vec<usize> {
-    const { assert!(D >= 2 && D <= 8) };
-    let mut basis = Basis::<D> { points: Vec::new(), columns: (0..D).collect() };
-    let mut taken = Vec::with_capacity(D + 1);
+pub fn affine_basis<const D: usize>(
+    count: usize,
+    point: impl Fn(usize) -> [f64; D],
+) -> AffineBasis {
+    const { assert!(D >= 2 && D <= MAX_DIM) };
+    let mut basis = Basis::<D> {
+        points: [[0.0; D]; MAX_DIM + 1],
+        size: 0,
+        columns: std::array::from_fn(|axis| axis),
+    };
+    let mut taken = AffineBasis { indices: [0; MAX_DIM + 1], size: 0 };
     for i in 0..count {
         if basis.extend_by(point(i)) {
-            taken.push(i);
-            if taken.len() == D + 1 {
+            taken.indices[taken.size] = i;
+            taken.size += 1;
+            if taken.size == D + 1 {
                 break;
             }
         }
@@ -23,11 +35,27 @@ pub fn affine_basis<const D: usize>(count: usize, point: impl Fn(usize) -> [f64;
     taken
 }
 
+/// The indices that [`affine_basis`] found, in rising order. Derefs to a slice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AffineBasis {
+    indices: [usize; MAX_DIM + 1],
+    size: usize,
+}
+
+impl Deref for AffineBasis {
+    type Target = [usize];
+
+    fn deref(&self) -> &[usize] {
+        &self.indices[..self.size]
+    }
+}
+
 /// Independent points. With r + 1 of them, the first r of `columns` are coordinates on which their
 /// projections are independent already.
 struct Basis<const D: usize> {
-    points: Vec<[f64; D]>,
-    columns: Vec<usize>,
+    points: [[f64; D]; MAX_DIM + 1],
+    size: usize,
+    columns: [usize; D],
 }
 
 impl<const D: usize> Basis<D> {
@@ -35,8 +63,9 @@ impl<const D: usize> Basis<D> {
     /// further row is independent iff one of the minors of r + 1 rows on those columns and one more
     /// is not zero.
     fn extend_by(&mut self, point: [f64; D]) -> bool {
-        let size = self.points.len();
-        self.points.push(point);
+        let size = self.size;
+        self.points[size] = point;
+        self.size += 1;
         if size == 0 {
             return true;
         }
@@ -47,13 +76,13 @@ impl<const D: usize> Basis<D> {
             }
             self.columns.swap(size - 1, other);
         }
-        self.points.pop();
+        self.size = size;
         false
     }
 
     /// Whether the points, one more than the columns looked at, are independent on those.
     fn minor_is_nonzero(&self) -> bool {
-        match self.points.len() - 1 {
+        match self.size - 1 {
             1 => self.points[0][self.columns[0]] != self.points[1][self.columns[0]],
             2 => self.projection_is_full::<2>(),
             3 => self.projection_is_full::<3>(),
@@ -66,10 +95,10 @@ impl<const D: usize> Basis<D> {
     }
 
     fn projection_is_full<const R: usize>(&self) -> bool {
-        let projected: Vec<[f64; R]> =
-            self.points.iter().map(|p| std::array::from_fn(|j| p[self.columns[j]])).collect();
-        let simplex: Vec<&[f64; R]> = projected.iter().collect();
-        !orientation(&simplex).is_zero()
+        let projected: [[f64; R]; MAX_DIM + 1] =
+            self.points.map(|p| std::array::from_fn(|j| p[self.columns[j]]));
+        let simplex: [&[f64; R]; MAX_DIM + 1] = projected.each_ref();
+        !orientation(&simplex[..=R]).is_zero()
     }
 }
 
@@ -160,6 +189,6 @@ mod tests {
             calls.set(calls.get() + 1);
             points[i]
         });
-        assert_eq!((basis, calls.get()), ((0..6).collect(), 6));
+        assert_eq!((&*basis, calls.get()), (&[0, 1, 2, 3, 4, 5][..], 6));
     }
 }

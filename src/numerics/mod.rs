@@ -22,7 +22,7 @@ mod testing;
 #[cfg(test)]
 mod timing;
 
-pub use affine::affine_basis;
+pub use affine::{AffineBasis, affine_basis};
 pub use circumball::Circumball;
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use in_ball::in_ball;

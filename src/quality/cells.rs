@@ -5,6 +5,7 @@ use super::corner::Corner;
 use super::length::Length;
 use super::tree::DomainTree;
 use super::view::View;
+use crate::memory::{Fallible, collected, filled};
 use crate::mesh::NONE;
 
 /// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
@@ -44,9 +45,9 @@ impl Cells {
         tree: Option<&DomainTree>,
         slack: f64,
         mut visit: impl FnMut(&SimplexCell),
-    ) -> Self {
-        let mut cells = Self::empty(view.vertex_count(), view.mesh.domains.len());
-        let limits = limits(view, slack);
+    ) -> Fallible<Self> {
+        let mut cells = Self::empty(view.vertex_count(), view.mesh.domains.len())?;
+        let limits = limits(view, slack)?;
         let mut climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
         for simplex in 0..view.simplex_count() {
             let vertices = view.simplex(simplex);
@@ -61,7 +62,7 @@ impl Cells {
             let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
             visit(&SimplexCell { simplex, radius_edge, counts });
         }
-        cells
+        Ok(cells)
     }
 
     /// Out-radius over in-radius of the cell of `vertex`, over the corners that count.
@@ -81,15 +82,15 @@ impl Cells {
         2.0 * self.cage_farthest[domain].ratio(twice_inner)
     }
 
-    fn empty(vertices: usize, domains: usize) -> Self {
-        Self {
-            nearest: vec![Length::INFINITE; vertices],
-            farthest: vec![Length::ZERO; vertices],
-            farthest_anywhere: vec![Length::ZERO; vertices],
-            cage_nearest: vec![Length::INFINITE; domains],
-            cage_farthest: vec![Length::ZERO; domains],
+    fn empty(vertices: usize, domains: usize) -> Fallible<Self> {
+        Ok(Self {
+            nearest: filled(vertices, Length::INFINITE)?,
+            farthest: filled(vertices, Length::ZERO)?,
+            farthest_anywhere: filled(vertices, Length::ZERO)?,
+            cage_nearest: filled(domains, Length::INFINITE)?,
+            cage_farthest: filled(domains, Length::ZERO)?,
             cages_complete: true,
-        }
+        })
     }
 
     /// Enters one simplex into the cells of its vertices; returns whether its corner counts in all.
@@ -184,8 +185,8 @@ impl<const D: usize> Star<'_, D> {
 }
 
 /// Domain -> the distance from its centre within which corners count.
-fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> Vec<Length> {
+fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> Fallible<Vec<Length>> {
     let factor =
         view.mesh.parameters.corner_restriction() * view.mesh.parameters.cage_scale * slack;
-    view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)).collect()
+    collected(view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)))
 }

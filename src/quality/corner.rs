@@ -76,8 +76,11 @@ pub(crate) fn normals<const D: usize>(points: &[&[f64; D]]) -> Option<[[f64; D];
     Some(normals)
 }
 
+/// One gradient for each vertex of a simplex; what follows is zero.
+pub(super) type Gradients<const D: usize> = [Offset<D>; MAX_DIM + 1];
+
 /// The gradients of the barycentric coordinates of the other vertices; last, that of `base`.
-fn gradients<const D: usize>(points: &[&[f64; D]], base: usize) -> Option<Vec<Offset<D>>> {
+fn gradients<const D: usize>(points: &[&[f64; D]], base: usize) -> Option<Gradients<D>> {
     let edges = edges(points, base);
     let mut matrix = edges.map(|edge| edge.vector);
     let mut right: [[f64; D]; D] =
@@ -86,9 +89,10 @@ fn gradients<const D: usize>(points: &[&[f64; D]], base: usize) -> Option<Vec<Of
         return IntegerEdges::new(points, base).gradients();
     }
     let column = |j: usize| Offset::normalized(right.map(|row| row[j]), -edges[j].exponent);
-    let mut gradients: Vec<Offset<D>> = (0..D).map(column).collect();
-    let sum = gradients.iter().fold(Offset::ZERO, |sum, gradient| sum.plus(gradient));
-    gradients.push(Offset { vector: sum.vector.map(|x| -x), exponent: sum.exponent });
+    let mut gradients = [Offset::ZERO; MAX_DIM + 1];
+    (0..D).for_each(|k| gradients[k] = column(k));
+    let sum = gradients[..D].iter().fold(Offset::ZERO, |sum, gradient| sum.plus(gradient));
+    gradients[D] = Offset { vector: sum.vector.map(|x| -x), exponent: sum.exponent };
     Some(gradients)
 }
 

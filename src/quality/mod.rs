@@ -9,6 +9,8 @@ pub(crate) mod rational;
 pub(crate) mod tree;
 pub(crate) mod view;
 
+use crate::error::Result;
+use crate::memory::{Fallible, collected, filled, with_room};
 use crate::mesh::{NONE, Triangulation};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
@@ -54,11 +56,14 @@ pub struct Quality {
 /// out of range, answers all zeros: [`crate::validate::validate`] says what is wrong with it.
 ///
 /// O(simplices) for a fixed dimension, plus sorting the edges.
-pub fn measure(triangulation: &Triangulation) -> Quality {
+///
+/// # Errors
+/// `OutOfMemory`.
+pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
     if !is_consistent(triangulation) {
-        return Quality::default();
+        return Ok(Quality::default());
     }
-    match triangulation.dim {
+    let quality = match triangulation.dim {
         2 => measure_in::<2>(triangulation),
         3 => measure_in::<3>(triangulation),
         4 => measure_in::<4>(triangulation),
@@ -66,29 +71,30 @@ pub fn measure(triangulation: &Triangulation) -> Quality {
         6 => measure_in::<6>(triangulation),
         7 => measure_in::<7>(triangulation),
         8 => measure_in::<8>(triangulation),
-        _ => Quality::default(),
-    }
+        _ => Ok(Quality::default()),
+    };
+    Ok(quality?)
 }
 
-fn measure_in<const D: usize>(mesh: &Triangulation) -> Quality {
+fn measure_in<const D: usize>(mesh: &Triangulation) -> Fallible<Quality> {
     let view = View::<D> { mesh };
-    let on_hull = view.hull_vertices();
-    let tree = DomainTree::new(&mesh.domains);
+    let on_hull = view.hull_vertices()?;
+    let tree = DomainTree::new(&mesh.domains)?;
     let mut simplices = SimplexMeasures { radius_edge: 0.0, angle: f64::INFINITY };
     let cells = Cells::survey(view, tree.as_ref(), 1.0, |cell| {
         simplices.add(view, cell, &on_hull);
-    });
+    })?;
     let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
     let mut quality = Quality {
-        max_degree: max_degree(view),
-        worst_cage_aspect: worst_cage_aspect(mesh, &cells),
+        max_degree: max_degree(view)?,
+        worst_cage_aspect: worst_cage_aspect(mesh, &cells)?,
         worst_radius_edge: simplices.radius_edge,
         min_angle_degrees: simplices.angle_degrees(),
         precision_limited: limited as u64,
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
-    quality
+    Ok(quality)
 }
 
 /// Figures over the simplices off the hull.
@@ -130,28 +136,29 @@ fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hu
     }
 }
 
-fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> f64 {
-    let limited = precision_limited_cages(mesh);
+fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> Fallible<f64> {
+    let limited = precision_limited_cages(mesh)?;
     let cages = mesh.domains.iter().enumerate().skip(1).filter(|&(i, _)| !limited[i]);
-    cages.fold(0.0, |worst: f64, (i, domain)| worst.max(cells.cage_aspect(i, domain.radius)))
+    let aspects = cages.map(|(i, domain)| cells.cage_aspect(i, domain.radius));
+    Ok(aspects.fold(0.0, f64::max))
 }
 
 /// Domain -> whether its centre or a vertex of its cage is precision-limited, which exempts the
 /// cage from its bounds. Ids must be in range.
-pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Vec<bool> {
+pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Fallible<Vec<bool>> {
     let centers = mesh.domains.iter().map(|domain| mesh.precision_limited[domain.center as usize]);
-    let mut limited: Vec<bool> = centers.collect();
+    let mut limited = collected(centers)?;
     for (&cage, _) in mesh.cage_of.iter().zip(&mesh.precision_limited).filter(|(_, l)| **l) {
         if cage != NONE {
             limited[cage as usize] = true;
         }
     }
-    limited
+    Ok(limited)
 }
 
 /// Largest number of distinct vertices that share a simplex with one vertex.
-fn max_degree<const D: usize>(view: View<'_, D>) -> u32 {
-    let mut edges = Vec::with_capacity(view.simplex_count() * View::<D>::CORNERS * D / 2);
+fn max_degree<const D: usize>(view: View<'_, D>) -> Fallible<u32> {
+    let mut edges = with_room(view.simplex_count() * View::<D>::CORNERS * D / 2)?;
     for s in 0..view.simplex_count() {
         for (i, &v) in view.simplex(s).iter().enumerate() {
             for &w in &view.simplex(s)[i + 1..] {
@@ -161,12 +168,12 @@ fn max_degree<const D: usize>(view: View<'_, D>) -> u32 {
     }
     edges.sort_unstable();
     edges.dedup();
-    let mut degrees = vec![0u32; view.vertex_count()];
+    let mut degrees = filled(view.vertex_count(), 0u32)?;
     for edge in edges {
         degrees[(edge >> 32) as usize] += 1;
         degrees[edge as u32 as usize] += 1;
     }
-    degrees.into_iter().max().unwrap_or(0)
+    Ok(degrees.into_iter().max().unwrap_or(0))
 }
 
 /// Whether array lengths fit and ids are in range, so that reading cannot go astray.

@@ -1,7 +1,9 @@
 //! Exact solutions of small linear systems, for simplices whose doubles are too ill-conditioned:
 //! fraction-free Gauss-Jordan elimination (Bareiss) on the coordinates as integers.
 
+use super::corner::Gradients;
 use super::length::{Offset, exponent_of, scale};
+use crate::mesh::MAX_DIM;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
@@ -37,7 +39,7 @@ impl<const D: usize> IntegerEdges<D> {
 
     /// The gradients of the barycentric coordinates of the vertices other than the base, then that
     /// of the base, their negated sum; `None` if the simplex is flat.
-    pub fn gradients(&self) -> Option<Vec<Offset<D>>> {
+    pub fn gradients(&self) -> Option<Gradients<D>> {
         let rows = self.edges.iter().enumerate().map(|(i, edge)| {
             let unit = (0..D).map(|j| IBig::from(u8::from(i == j)));
             edge.iter().cloned().chain(unit).collect()
@@ -51,7 +53,9 @@ impl<const D: usize> IntegerEdges<D> {
             let ratios: Vec<_> = column.iter().map(|x| ratio(x, &determinant)).collect();
             aligned(&ratios, -self.exponent)
         };
-        Some(columns.iter().map(offset).collect())
+        let mut gradients = [Offset::ZERO; MAX_DIM + 1];
+        gradients.iter_mut().zip(&columns).for_each(|(to, column)| *to = offset(column));
+        Some(gradients)
     }
 }
 

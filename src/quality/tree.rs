@@ -1,5 +1,6 @@
 //! The domain hierarchy (§4) as a tree that answers "does this domain hold that one" at once.
 
+use crate::memory::{Fallible, collected, copied, filled};
 use crate::mesh::{Domain, NONE};
 
 /// Nested intervals of a walk over the tree of domains; child lists.
@@ -13,13 +14,13 @@ pub(crate) struct DomainTree {
 
 impl DomainTree {
     /// `None` unless domain 0 is the only root and every parent stands before its children.
-    pub fn new(domains: &[Domain]) -> Option<Self> {
+    pub fn new(domains: &[Domain]) -> Fallible<Option<Self>> {
         if first_misplaced(domains).is_some() {
-            return None;
+            return Ok(None);
         }
-        let parents: Vec<u32> = domains.iter().map(|domain| domain.parent).collect();
-        let mut sizes = vec![1u32; parents.len()];
-        let mut child_start = vec![0u32; parents.len() + 1];
+        let parents = collected(domains.iter().map(|domain| domain.parent))?;
+        let mut sizes = filled(parents.len(), 1u32)?;
+        let mut child_start = filled(parents.len() + 1, 0u32)?;
         for i in (1..parents.len()).rev() {
             sizes[parents[i] as usize] += sizes[i];
             child_start[parents[i] as usize + 1] += 1;
@@ -27,20 +28,20 @@ impl DomainTree {
         for i in 1..child_start.len() {
             child_start[i] += child_start[i - 1];
         }
-        let mut children = vec![NONE; parents.len() - 1];
-        let mut filled = child_start.clone();
-        let mut enter = vec![0u32; parents.len()];
-        let mut next = vec![1u32; parents.len()];
+        let mut children = filled(parents.len() - 1, NONE)?;
+        let mut placed = copied(&child_start)?;
+        let mut enter = filled(parents.len(), 0u32)?;
+        let mut next = filled(parents.len(), 1u32)?;
         for i in 1..parents.len() {
             let parent = parents[i] as usize;
-            children[filled[parent] as usize] = i as u32;
-            filled[parent] += 1;
+            children[placed[parent] as usize] = i as u32;
+            placed[parent] += 1;
             enter[i] = next[parent];
             next[parent] += sizes[i];
             next[i] = enter[i] + 1;
         }
-        let leave = enter.iter().zip(&sizes).map(|(enter, size)| enter + size).collect();
-        Some(Self { parents, enter, leave, child_start, children })
+        let leave = collected(enter.iter().zip(&sizes).map(|(enter, size)| enter + size))?;
+        Ok(Some(Self { parents, enter, leave, child_start, children }))
     }
 
     /// Whether `domain` is `ancestor` or below it.
@@ -79,7 +80,7 @@ mod tests {
     #[test]
     fn a_tree_knows_its_descendants() {
         let parents = [NONE, 0, 0, 1, 1, 3, 2];
-        let tree = DomainTree::new(&domains(&parents)).unwrap();
+        let tree = DomainTree::new(&domains(&parents)).unwrap().unwrap();
         for i in 0..parents.len() as u32 {
             let mut ancestors = vec![i];
             while tree.parent(ancestors[ancestors.len() - 1]) != NONE {
@@ -96,7 +97,7 @@ mod tests {
     #[test]
     fn what_is_no_tree_is_refused() {
         for parents in [&[][..], &[0], &[NONE, NONE], &[NONE, 2, 1], &[NONE, 1], &[NONE, 0, 9]] {
-            assert!(DomainTree::new(&domains(parents)).is_none(), "{parents:?}");
+            assert!(DomainTree::new(&domains(parents)).unwrap().is_none(), "{parents:?}");
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A [`Triangulation`] read with its dimension as a type.
 
+use crate::memory::{Fallible, filled};
 use crate::mesh::{MAX_DIM, NONE, Triangulation};
 
 #[derive(Clone, Copy)]
@@ -43,8 +44,8 @@ impl<'a, const D: usize> View<'a, D> {
     }
 
     /// Vertex -> whether it is on the hull.
-    pub fn hull_vertices(self) -> Vec<bool> {
-        let mut on_hull = vec![false; self.vertex_count()];
+    pub fn hull_vertices(self) -> Fallible<Vec<bool>> {
+        let mut on_hull = filled(self.vertex_count(), false)?;
         for s in 0..self.simplex_count() {
             let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));
             for i in (0..Self::CORNERS).filter(|&i| neighbors[i] == NONE) {
@@ -53,6 +54,6 @@ impl<'a, const D: usize> View<'a, D> {
                 }
             }
         }
-        on_hull
+        Ok(on_hull)
     }
 }

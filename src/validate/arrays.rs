@@ -1,19 +1,25 @@
 //! Level 1: array lengths and ids. What holds here lets everything else index without a fear.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 
 /// Checks lengths, coordinates and ids; returns whether arrays may be indexed by the ids in them.
-pub(super) fn check(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings) -> bool {
+pub(super) fn check(
+    inputs: &Inputs,
+    mesh: &Triangulation,
+    findings: &mut Findings,
+) -> Fallible<bool> {
     if !check_lengths(inputs, mesh, findings) {
-        return false;
+        return Ok(false);
     }
     check_coordinates(mesh, findings);
     let in_range = check_ids(mesh, findings);
     if in_range {
-        check_use(mesh, findings);
+        check_use(mesh, findings)?;
     }
-    in_range
+    Ok(in_range)
 }
 
 fn check_lengths(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings) -> bool {
@@ -33,7 +39,7 @@ fn check_lengths(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings)
     let mut holds = true;
     for (what, found, needed) in rows {
         holds &= findings.check(found == needed, || {
-            let message = format!("{what}: {found}, but {vertices} vertices need {needed}");
+            let message = message!("{what}: {found}, but {vertices} vertices need {needed}");
             Violation::new(ViolationKind::ArrayLength, message)
         });
     }
@@ -44,7 +50,7 @@ fn check_coordinates(mesh: &Triangulation, findings: &mut Findings) {
     for (i, x) in mesh.points.iter().enumerate() {
         findings.check(x.is_finite(), || {
             let (vertex, axis) = (i / mesh.dim, i % mesh.dim);
-            let message = format!("coordinate {axis} of vertex {vertex} is {x}, not finite");
+            let message = message!("coordinate {axis} of vertex {vertex} is {x}, not finite");
             Violation::new(ViolationKind::NonFinite, message).vertex(vertex)
         });
     }
@@ -56,14 +62,14 @@ fn check_ids(mesh: &Triangulation, findings: &mut Findings) -> bool {
     for s in 0..simplices {
         for &v in mesh.simplex(s) {
             holds &= findings.check((v as usize) < vertices, || {
-                let message = format!("simplex {s} names vertex {v} of {vertices}");
+                let message = message!("simplex {s} names vertex {v} of {vertices}");
                 Violation::new(ViolationKind::VertexOutOfRange, message).simplex(s)
             });
         }
         for &n in mesh.neighbors_of(s) {
             let exists = n == NONE || ((n as usize) < simplices && n as usize != s);
             holds &= findings.check(exists, || {
-                let message = format!("simplex {s} names neighbour {n} of {simplices} simplices");
+                let message = message!("simplex {s} names neighbour {n} of {simplices} simplices");
                 Violation::new(ViolationKind::NeighborOutOfRange, message).simplex(s)
             });
         }
@@ -72,14 +78,14 @@ fn check_ids(mesh: &Triangulation, findings: &mut Findings) -> bool {
 }
 
 /// No vertex twice in a simplex, and none in no simplex.
-fn check_use(mesh: &Triangulation, findings: &mut Findings) {
-    let mut used = vec![false; mesh.kinds.len()];
+fn check_use(mesh: &Triangulation, findings: &mut Findings) -> Fallible<()> {
+    let mut used = filled(mesh.kinds.len(), false)?;
     for s in 0..mesh.simplex_count() {
         let vertices = mesh.simplex(s);
         for (i, &v) in vertices.iter().enumerate() {
             used[v as usize] = true;
             findings.check(!vertices[..i].contains(&v), || {
-                let message = format!("simplex {s} names vertex {v} twice");
+                let message = message!("simplex {s} names vertex {v} twice");
                 let violation = Violation::new(ViolationKind::RepeatedVertex, message);
                 violation.simplex(s).vertex(v as usize)
             });
@@ -87,8 +93,9 @@ fn check_use(mesh: &Triangulation, findings: &mut Findings) {
     }
     for (v, &used) in used.iter().enumerate() {
         findings.check(used, || {
-            let message = format!("vertex {v} is in no simplex");
+            let message = message!("vertex {v} is in no simplex");
             Violation::new(ViolationKind::UnusedVertex, message).vertex(v)
         });
     }
+    Ok(())
 }

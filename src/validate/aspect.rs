@@ -1,6 +1,8 @@
 //! Level 3: tau-quality (Definition 4), with the corners restricted as DESIGN section 5 says.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::Fallible;
 use crate::mesh::NONE;
 use crate::options::Criterion;
 use crate::quality::cells::{Cells, SimplexCell};
@@ -17,7 +19,7 @@ pub(super) fn survey<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
     findings: &mut Findings,
-) -> Cells {
+) -> Fallible<Cells> {
     let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
     Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
         if per_simplex && cell.counts {
@@ -27,13 +29,18 @@ pub(super) fn survey<const D: usize>(
 }
 
 /// Checks the aspect of the cells of vertices and cages if that is the run's criterion.
-pub(super) fn check<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut Findings) {
+pub(super) fn check<const D: usize>(
+    view: View<'_, D>,
+    cells: &Cells,
+    findings: &mut Findings,
+) -> Fallible<()> {
     if view.mesh.parameters.criterion == Criterion::VoronoiAspect {
         (0..view.vertex_count())
             .filter(|&v| is_bounded(view, v))
             .for_each(|v| check_vertex(view, cells, v, findings));
-        check_cages(view, cells, findings);
+        check_cages(view, cells, findings)?;
     }
+    Ok(())
 }
 
 /// Whether the bound is promised for the cell of `v`.
@@ -54,23 +61,28 @@ fn check_vertex<const D: usize>(
     let aspect = cells.aspect(v);
     findings.check(aspect <= bound(view), || {
         let (label, limit) = (view.mesh.vertex_domains[v], view.mesh.parameters.quality_bound);
-        let message = format!("the cell of vertex {v} has aspect {aspect}, the bound is {limit}");
+        let message = message!("the cell of vertex {v} has aspect {aspect}, the bound is {limit}");
         Violation::new(ViolationKind::VertexAspect, message).vertex(v).domain(label as usize)
     });
 }
 
-fn check_cages<const D: usize>(view: View<'_, D>, cells: &Cells, findings: &mut Findings) {
-    let limited = precision_limited_cages(view.mesh);
+fn check_cages<const D: usize>(
+    view: View<'_, D>,
+    cells: &Cells,
+    findings: &mut Findings,
+) -> Fallible<()> {
+    let limited = precision_limited_cages(view.mesh)?;
     let cages = view.mesh.domains.iter().enumerate().skip(1);
     for (i, domain) in cages.filter(|&(i, _)| !limited[i]) {
         let aspect = cells.cage_aspect(i, domain.radius);
         findings.check(aspect <= bound(view), || {
             let limit = view.mesh.parameters.quality_bound;
             let message =
-                format!("the union cell of cage {i} has aspect {aspect}, the bound is {limit}");
+                message!("the union cell of cage {i} has aspect {aspect}, the bound is {limit}");
             Violation::new(ViolationKind::CageAspect, message).domain(i)
         });
     }
+    Ok(())
 }
 
 fn check_simplex<const D: usize>(view: View<'_, D>, cell: &SimplexCell, findings: &mut Findings) {
@@ -81,7 +93,7 @@ fn check_simplex<const D: usize>(view: View<'_, D>, cell: &SimplexCell, findings
     findings.check(cell.radius_edge <= bound(view), || {
         let (ratio, limit) = (cell.radius_edge, view.mesh.parameters.quality_bound);
         let message =
-            format!("simplex {s} has circumradius / shortest edge {ratio}, the bound is {limit}");
+            message!("simplex {s} has circumradius / shortest edge {ratio}, the bound is {limit}");
         Violation::new(ViolationKind::RadiusEdge, message).simplex(s)
     });
 }

@@ -1,5 +1,6 @@
 //! A tree of boxes over sibling balls, to find those near a point or a ball without trying all.
 
+use crate::memory::{Fallible, TryGrow, collected};
 use crate::mesh::Domain;
 use crate::quality::view::View;
 
@@ -52,45 +53,50 @@ pub(super) struct BoxTree<const D: usize> {
 
 impl<const D: usize> BoxTree<D> {
     /// Of the balls of `ids`, whose centres are vertices. O(n log n).
-    pub fn new(view: View<'_, D>, domains: &[Domain], ids: &[u32]) -> Self {
+    pub fn new(view: View<'_, D>, domains: &[Domain], ids: &[u32]) -> Fallible<Self> {
         let bounds = |&id: &u32| {
             let domain = &domains[id as usize];
             (Bounds::of_ball(view.point(domain.center), domain.radius), id)
         };
-        let mut tree = Self { nodes: Vec::new(), items: ids.iter().map(bounds).collect() };
+        let mut tree = Self { nodes: Vec::new(), items: collected(ids.iter().map(bounds))? };
         if !tree.items.is_empty() {
-            tree.build(0, tree.items.len());
+            tree.build(0, tree.items.len())?;
         }
-        tree
+        Ok(tree)
     }
 
-    fn build(&mut self, start: usize, end: usize) {
+    fn build(&mut self, start: usize, end: usize) -> Fallible<()> {
         let node = self.nodes.len();
         let items = &mut self.items[start..end];
         let bounds = items[1..].iter().fold(items[0].0, |all, item| all.merged(&item.0));
-        self.nodes.push(Node { bounds, start, end, second: 0 });
+        self.nodes.try_push(Node { bounds, start, end, second: 0 })?;
         if end - start <= LEAF {
-            return;
+            return Ok(());
         }
         let axis = bounds.widest_axis();
         let middle = (end - start) / 2;
         let key = |item: &(Bounds<D>, u32)| item.0.low[axis] / 2.0 + item.0.high[axis] / 2.0;
         items.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)));
-        self.build(start, start + middle);
+        self.build(start, start + middle)?;
         self.nodes[node].second = self.nodes.len();
-        self.build(start + middle, end);
+        self.build(start + middle, end)
     }
 
     /// The first domain whose box meets `bounds` and that `accept` takes.
     pub fn find(&self, bounds: &Bounds<D>, mut accept: impl FnMut(u32) -> bool) -> Option<u32> {
-        let mut stack = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
-        while let Some(index) = stack.pop() {
+        // One node waits per level; the tree is halved at each.
+        let mut stack = [0; 2 * usize::BITS as usize];
+        let mut waiting = usize::from(!self.nodes.is_empty());
+        while waiting > 0 {
+            waiting -= 1;
+            let index = stack[waiting];
             let node: &Node<D> = &self.nodes[index];
             if !node.bounds.meets(bounds) {
                 continue;
             }
             if node.second != 0 {
-                stack.extend([node.second, index + 1]);
+                stack[waiting..waiting + 2].copy_from_slice(&[node.second, index + 1]);
+                waiting += 2;
                 continue;
             }
             let items = self.items[node.start..node.end].iter();

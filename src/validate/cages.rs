@@ -2,6 +2,8 @@
 
 use super::hierarchy::ROUNDING;
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, filled};
 use crate::mesh::{NONE, VertexKind};
 use crate::quality::cells::Cells;
 use crate::quality::length::Length;
@@ -19,12 +21,13 @@ pub(super) fn check<const D: usize>(
     tree: &DomainTree,
     cells: &Cells,
     findings: &mut Findings,
-) {
+) -> Fallible<()> {
     check_membership(view, tree, findings);
-    check_positions(view, findings);
-    check_hull(view, findings);
+    check_positions(view, findings)?;
+    check_hull(view, findings)?;
     check_outer(view, tree, cells, findings);
-    check_inner(view, tree, findings);
+    check_inner(view, tree, findings)?;
+    Ok(())
 }
 
 fn check_membership<const D: usize>(view: View<'_, D>, tree: &DomainTree, findings: &mut Findings) {
@@ -38,29 +41,30 @@ fn check_membership<const D: usize>(view: View<'_, D>, tree: &DomainTree, findin
         let inside = cage == NONE || tree.holds(cage, label);
         findings.check(fits && inside, || {
             let message =
-                format!("vertex {v} of kind {kind:?} in domain {label} has cage_of {cage}");
+                message!("vertex {v} of kind {kind:?} in domain {label} has cage_of {cage}");
             Violation::new(ViolationKind::CageOf, message).vertex(v)
         });
     }
 }
 
 /// Nearness (§4) of each cage vertex, and enough of them; the root's cage is a matter of taste.
-fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
-    let mut sizes = vec![0usize; view.mesh.domains.len()];
+fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+    let mut sizes = filled(view.mesh.domains.len(), 0usize)?;
     for (v, &cage) in view.mesh.cage_of.iter().enumerate().filter(|(_, cage)| **cage != NONE) {
         sizes[cage as usize] += 1;
         if cage != 0 {
             check_nearness(view, v, cage as usize, findings);
         }
     }
-    let limited = precision_limited_cages(view.mesh);
+    let limited = precision_limited_cages(view.mesh)?;
     for (i, &size) in sizes.iter().enumerate().filter(|&(i, _)| !limited[i]) {
         findings.check(size > D, || {
             let message =
-                format!("the cage of domain {i} has {size} vertices, fewer than {}", D + 1);
+                message!("the cage of domain {i} has {size} vertices, fewer than {}", D + 1);
             Violation::new(ViolationKind::CageIncomplete, message).domain(i)
         });
     }
+    Ok(())
 }
 
 fn check_nearness<const D: usize>(
@@ -80,21 +84,22 @@ fn check_nearness<const D: usize>(
     let near = distance <= sphere.plus(tolerance) && sphere <= distance.plus(tolerance);
     findings.check(near, || {
         let (found, wanted) = (distance.to_f64(), sphere.to_f64());
-        let message = format!(
+        let message = message!(
             "cage vertex {v} is {found:e} from the centre of domain {cage}, its sphere is at {wanted:e}"
         );
         Violation::new(ViolationKind::CageRadius, message).vertex(v).domain(cage)
     });
 }
 
-fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
-    for (v, &on_hull) in view.hull_vertices().iter().enumerate() {
+fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+    for (v, &on_hull) in view.hull_vertices()?.iter().enumerate() {
         let cage = view.mesh.cage_of[v];
         findings.check(!on_hull || cage == 0, || {
-            let message = format!("hull vertex {v} has cage_of {cage}, not the root's");
+            let message = message!("hull vertex {v} has cage_of {cage}, not the root's");
             Violation::new(ViolationKind::HullVertex, message).vertex(v)
         });
     }
+    Ok(())
 }
 
 /// No vertex in annulus(c, r, outf r / epsilon). It is enough to look at the nearest vertex
@@ -115,7 +120,7 @@ fn check_outer<const D: usize>(
         let nearest = cells.cage_nearest[i];
         findings.check(nearest >= Length::new(domain.radius).times(factor), || {
             let (v, radius, nearest) = (nearest_outside(view, tree, i), domain.radius, nearest.to_f64());
-            let message = format!(
+            let message = message!(
                 "domain {i} of radius {radius:e} is outer-encroached: vertex {v} is {nearest:e} from its centre"
             );
             Violation::new(ViolationKind::OuterEncroachment, message).vertex(v).domain(i)
@@ -138,8 +143,12 @@ fn nearest_outside<const D: usize>(view: View<'_, D>, tree: &DomainTree, domain:
 }
 
 /// No input in annulus(c, epsilon r, r), cage vertices apart, for each ancestor of its domain.
-fn check_inner<const D: usize>(view: View<'_, D>, tree: &DomainTree, findings: &mut Findings) {
-    let sheltered = sheltered_domains(view, tree);
+fn check_inner<const D: usize>(
+    view: View<'_, D>,
+    tree: &DomainTree,
+    findings: &mut Findings,
+) -> Fallible<()> {
+    let sheltered = sheltered_domains(view, tree)?;
     let mut climbs = view.vertex_count().saturating_mul(CLIMBS_PER_VERTEX);
     let inputs = |&v: &usize| view.mesh.kinds[v] == VertexKind::Input;
     for v in (0..view.vertex_count()).filter(inputs) {
@@ -154,6 +163,7 @@ fn check_inner<const D: usize>(view: View<'_, D>, tree: &DomainTree, findings: &
             domain = tree.parent(domain);
         }
     }
+    Ok(())
 }
 
 fn check_input<const D: usize>(
@@ -168,7 +178,7 @@ fn check_input<const D: usize>(
     let far = distance > Length::new(ball.radius).times(limit);
     findings.check(!far || view.mesh.cage_of[v] as usize == domain, || {
         let (distance, radius) = (distance.to_f64(), ball.radius);
-        let message = format!(
+        let message = message!(
             "domain {domain} of radius {radius:e} is inner-encroached: input {v} is {distance:e} from its centre"
         );
         Violation::new(ViolationKind::InnerEncroachment, message).vertex(v).domain(domain)
@@ -177,9 +187,9 @@ fn check_input<const D: usize>(
 
 /// Domain -> whether its whole ball is within epsilon r of the centre of every ancestor but the
 /// root, so that its vertices encroach none of them.
-fn sheltered_domains<const D: usize>(view: View<'_, D>, tree: &DomainTree) -> Vec<bool> {
+fn sheltered_domains<const D: usize>(view: View<'_, D>, tree: &DomainTree) -> Fallible<Vec<bool>> {
     let domains = &view.mesh.domains;
-    let mut sheltered = vec![true; domains.len()];
+    let mut sheltered = filled(domains.len(), true)?;
     for i in 1..domains.len() {
         let parent = tree.parent(i as u32) as usize;
         if parent == 0 {
@@ -191,5 +201,5 @@ fn sheltered_domains<const D: usize>(view: View<'_, D>, tree: &DomainTree) -> Ve
         let fits = reach <= Length::new(outer.radius).times(view.mesh.parameters.epsilon);
         sheltered[i] = fits && sheltered[parent];
     }
-    sheltered
+    Ok(sheltered)
 }

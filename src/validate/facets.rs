@@ -1,6 +1,8 @@
 //! Level 1: facets, found by sorting all of them, and compared with the neighbour array.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -14,22 +16,22 @@ struct Facet<const D: usize> {
 
 /// Checks that every facet is in one or two simplices, and that the neighbours say so too.
 /// Returns the number of distinct facets.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> usize {
-    let facets = sorted_facets(view);
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<usize> {
+    let facets = sorted_facets(view)?;
     let groups = facets.chunk_by(|a, b| a.vertices == b.vertices);
     let mut count = 0;
     for group in groups {
         count += 1;
-        if check_duplicates(view, group, findings) && check_overfull(view, group, findings) {
+        if check_duplicates(view, group, findings)? && check_overfull(view, group, findings) {
             check_neighbors(view, group, findings);
         }
     }
-    check_connected(view, findings);
-    count
+    check_connected(view, findings)?;
+    Ok(count)
 }
 
-fn sorted_facets<const D: usize>(view: View<'_, D>) -> Vec<Facet<D>> {
-    let mut facets = Vec::with_capacity(view.mesh.simplices.len());
+fn sorted_facets<const D: usize>(view: View<'_, D>) -> Fallible<Vec<Facet<D>>> {
+    let mut facets = with_room(view.mesh.simplices.len())?;
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
         for apex in 0..View::<D>::CORNERS {
@@ -40,7 +42,7 @@ fn sorted_facets<const D: usize>(view: View<'_, D>) -> Vec<Facet<D>> {
         }
     }
     facets.sort_unstable();
-    facets
+    Ok(facets)
 }
 
 fn apex<const D: usize>(view: View<'_, D>, facet: &Facet<D>) -> u32 {
@@ -51,22 +53,23 @@ fn check_duplicates<const D: usize>(
     view: View<'_, D>,
     group: &[Facet<D>],
     findings: &mut Findings,
-) -> bool {
+) -> Fallible<bool> {
     let mut apexes: Vec<(u32, u32)> = Vec::new();
     if let [a, b] = group {
         if apex(view, a) == apex(view, b) {
-            apexes.extend([(apex(view, a), a.simplex), (apex(view, b), b.simplex)]);
+            apexes.try_extend(&[(apex(view, a), a.simplex), (apex(view, b), b.simplex)])?;
         }
     } else if group.len() > 2 {
-        apexes.extend(group.iter().map(|facet| (apex(view, facet), facet.simplex)));
+        apexes = collected(group.iter().map(|facet| (apex(view, facet), facet.simplex)))?;
         apexes.sort_unstable();
     }
     let twin = apexes.windows(2).find(|pair| pair[0].0 == pair[1].0);
-    findings.check(twin.is_none(), || {
+    let single = findings.check(twin.is_none(), || {
         let (a, b) = twin.map_or((0, 0), |pair| (pair[0].1, pair[1].1));
-        let message = format!("simplices {a} and {b} have the same vertices");
+        let message = message!("simplices {a} and {b} have the same vertices");
         Violation::new(ViolationKind::DuplicateSimplex, message).simplex(b as usize)
-    })
+    });
+    Ok(single)
 }
 
 fn check_overfull<const D: usize>(
@@ -76,7 +79,8 @@ fn check_overfull<const D: usize>(
 ) -> bool {
     findings.check(group.len() <= 2, || {
         let (vertices, count) = (group[0].vertices, group.len());
-        let message = format!("facet {vertices:?} is in {count} simplices, at most 2 may share it");
+        let message =
+            message!("facet {vertices:?} is in {count} simplices, at most 2 may share it");
         let violation = Violation::new(ViolationKind::OverfullFacet, message);
         violation.simplex(group[2].simplex as usize).vertex(apex(view, &group[2]) as usize)
     })
@@ -102,36 +106,38 @@ fn describe<const D: usize>(
     shares: u32,
 ) -> (ViolationKind, String) {
     if named == NONE {
-        let message = format!("simplex {s} names no neighbour across a facet shared with {shares}");
+        let message =
+            message!("simplex {s} names no neighbour across a facet shared with {shares}");
         return (ViolationKind::MissingNeighbor, message);
     }
     if !view.neighbors(named as usize).contains(&s) {
-        let message = format!("simplex {s} names neighbour {named}, which does not name it back");
+        let message = message!("simplex {s} names neighbour {named}, which does not name it back");
         return (ViolationKind::AsymmetricNeighbor, message);
     }
     let message = match shares {
-        NONE => format!("simplex {s} names neighbour {named} across a hull facet"),
-        _ => format!("simplex {s} names neighbour {named} across a facet shared with {shares}"),
+        NONE => message!("simplex {s} names neighbour {named} across a hull facet"),
+        _ => message!("simplex {s} names neighbour {named} across a facet shared with {shares}"),
     };
     (ViolationKind::NeighborFacet, message)
 }
 
-fn check_connected<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
-    let mut reached = vec![false; view.simplex_count()];
-    let mut stack = vec![0];
+fn check_connected<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+    let mut reached = filled(view.simplex_count(), false)?;
+    let mut stack = collected([0])?;
     reached[0] = true;
     while let Some(s) = stack.pop() {
         for &n in view.neighbors(s).iter().filter(|&&n| n != NONE) {
             if !reached[n as usize] {
                 reached[n as usize] = true;
-                stack.push(n as usize);
+                stack.try_push(n as usize)?;
             }
         }
     }
     let missed = reached.iter().position(|&reached| !reached);
     findings.check(missed.is_none(), || {
         let missed = missed.unwrap_or(0);
-        let message = format!("simplex {missed} cannot be reached from simplex 0 through facets");
+        let message = message!("simplex {missed} cannot be reached from simplex 0 through facets");
         Violation::new(ViolationKind::Disconnected, message).simplex(missed)
     });
+    Ok(())
 }

@@ -1,15 +1,17 @@
 //! Level 2: exact signs on every simplex and every interior facet.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, with_room};
 use crate::mesh::NONE;
 use crate::numerics::{Sign, in_ball, orientation};
 use crate::quality::view::View;
 
 /// Checks orientations, folds and local Delaunay-ness; level 1 must hold. Returns whether all
 /// simplices are positively oriented and none is folded onto a neighbour.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> bool {
-    let positive: Vec<bool> =
-        (0..view.simplex_count()).map(|s| check_orientation(view, s, findings)).collect();
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<bool> {
+    let mut positive = with_room(view.simplex_count())?;
+    positive.extend((0..view.simplex_count()).map(|s| check_orientation(view, s, findings)));
     let mut unfolded = true;
     for s in 0..view.simplex_count() {
         for slot in 0..View::<D>::CORNERS {
@@ -23,7 +25,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
             }
         }
     }
-    unfolded && positive.iter().all(|&positive| positive)
+    Ok(unfolded && positive.iter().all(|&positive| positive))
 }
 
 fn check_orientation<const D: usize>(view: View<'_, D>, s: usize, findings: &mut Findings) -> bool {
@@ -31,7 +33,7 @@ fn check_orientation<const D: usize>(view: View<'_, D>, s: usize, findings: &mut
     let sign = orientation(&points[..View::<D>::CORNERS]);
     findings.check(sign == Sign::Positive, || {
         let word = if sign == Sign::Zero { "flat" } else { "negatively oriented" };
-        Violation::new(ViolationKind::Orientation, format!("simplex {s} is {word}")).simplex(s)
+        Violation::new(ViolationKind::Orientation, message!("simplex {s} is {word}")).simplex(s)
     })
 }
 
@@ -56,7 +58,7 @@ fn check_fold<const D: usize>(
     replaced[slot] = opposite(view, s, slot);
     let even = parity(&replaced[..View::<D>::CORNERS]) == parity(view.simplex(neighbor));
     findings.check(!even, || {
-        let message = format!("neighbours {s} and {neighbor} lie on the same side of their facet");
+        let message = message!("neighbours {s} and {neighbor} lie on the same side of their facet");
         Violation::new(ViolationKind::FoldedFacet, message).simplex(s)
     })
 }
@@ -79,7 +81,7 @@ fn check_delaunay<const D: usize>(
     let sign = in_ball(&points[..View::<D>::CORNERS], view.point(vertex));
     findings.check(sign != Sign::Positive, || {
         let neighbor = view.neighbors(s)[slot];
-        let message = format!(
+        let message = message!(
             "vertex {vertex} of simplex {neighbor} is inside the circumball of simplex {s}"
         );
         let violation = Violation::new(ViolationKind::Delaunay, message);

@@ -3,6 +3,8 @@
 
 use super::boxes::{Bounds, BoxTree};
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, with_room};
 use crate::quality::length::Length;
 use crate::quality::tree::{DomainTree, first_misplaced};
 use crate::quality::view::View;
@@ -14,15 +16,16 @@ pub(super) const ROUNDING: f64 = 1e-9;
 pub(super) fn check<const D: usize>(
     view: View<'_, D>,
     findings: &mut Findings,
-) -> Option<DomainTree> {
-    let tree = check_tree(view, findings)?;
+) -> Fallible<Option<DomainTree>> {
+    let Some(tree) = check_tree(view, findings)? else { return Ok(None) };
     if !check_balls(view, findings) || !check_labels_exist(view, findings) {
-        return None;
+        return Ok(None);
     }
     check_centers(view, &tree, findings);
-    let siblings: Vec<BoxTree<D>> = (0..view.mesh.domains.len())
-        .map(|i| BoxTree::new(view, &view.mesh.domains, tree.children(i as u32)))
-        .collect();
+    let mut siblings = with_room(view.mesh.domains.len())?;
+    for i in 0..view.mesh.domains.len() as u32 {
+        siblings.push(BoxTree::new(view, &view.mesh.domains, tree.children(i))?);
+    }
     for i in 1..view.mesh.domains.len() {
         check_nesting(view, &tree, i, findings);
         check_siblings(view, &tree, &siblings, i, findings);
@@ -30,17 +33,20 @@ pub(super) fn check<const D: usize>(
     for v in 0..view.vertex_count() {
         check_label(view, &siblings, v, findings);
     }
-    Some(tree)
+    Ok(Some(tree))
 }
 
-fn check_tree<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Option<DomainTree> {
+fn check_tree<const D: usize>(
+    view: View<'_, D>,
+    findings: &mut Findings,
+) -> Fallible<Option<DomainTree>> {
     let domains = &view.mesh.domains;
     let misplaced = first_misplaced(domains);
     findings.check(misplaced.is_none(), || {
         let i = misplaced.unwrap_or(0);
         let message = match domains.get(i) {
-            None => "there is no root domain".to_string(),
-            Some(domain) => format!(
+            None => message!("there is no root domain"),
+            Some(domain) => message!(
                 "domain {i} has parent {}; 0 is the only root, parents precede children",
                 domain.parent
             ),
@@ -57,7 +63,7 @@ fn check_balls<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> bo
         let proper = domain.radius > 0.0 && domain.radius.is_finite();
         holds &= findings.check(exists && proper, || {
             let (center, radius) = (domain.center, domain.radius);
-            let message = format!("domain {i} has centre vertex {center} and radius {radius:e}");
+            let message = message!("domain {i} has centre vertex {center} and radius {radius:e}");
             Violation::new(ViolationKind::DomainBall, message).domain(i)
         });
     }
@@ -70,14 +76,14 @@ fn check_labels_exist<const D: usize>(view: View<'_, D>, findings: &mut Findings
     let mut holds = true;
     for (v, &label) in view.mesh.vertex_domains.iter().enumerate() {
         holds &= findings.check((label as usize) < count, || {
-            let message = format!("vertex {v} is labelled with domain {label} of {count}");
+            let message = message!("vertex {v} is labelled with domain {label} of {count}");
             Violation::new(ViolationKind::VertexDomain, message).vertex(v)
         });
     }
     for (v, &cage) in view.mesh.cage_of.iter().enumerate() {
         let exists = cage == crate::mesh::NONE || (cage as usize) < count;
         holds &= findings.check(exists, || {
-            let message = format!("vertex {v} is in the cage of domain {cage} of {count}");
+            let message = message!("vertex {v} is in the cage of domain {cage} of {count}");
             Violation::new(ViolationKind::CageOf, message).vertex(v)
         });
     }
@@ -89,7 +95,7 @@ fn check_centers<const D: usize>(view: View<'_, D>, tree: &DomainTree, findings:
         let label = view.mesh.vertex_domains[domain.center as usize];
         findings.check(tree.holds(i as u32, label), || {
             let center = domain.center;
-            let message = format!(
+            let message = message!(
                 "the centre of domain {i}, vertex {center}, is labelled with domain {label}"
             );
             let violation = Violation::new(ViolationKind::DomainCenter, message);
@@ -115,7 +121,7 @@ fn check_nesting<const D: usize>(
     let reach = center_distance(view, i, parent).plus(radius(i));
     findings.check(reach <= radius(parent).times(1.0 + ROUNDING), || {
         let (reach, radius) = (reach.to_f64(), view.mesh.domains[parent].radius);
-        let message = format!(
+        let message = message!(
             "the ball of domain {i} reaches {reach:e} from the centre of its parent {parent}, radius {radius:e}"
         );
         Violation::new(ViolationKind::DomainOutsideParent, message).domain(i)
@@ -141,7 +147,7 @@ fn check_siblings<const D: usize>(
     findings.check(found.is_none(), || {
         let other = found.unwrap_or(0);
         let message =
-            format!("the balls of domains {other} and {i}, children of {parent}, overlap");
+            message!("the balls of domains {other} and {i}, children of {parent}, overlap");
         Violation::new(ViolationKind::DomainsOverlap, message).domain(i)
     });
 }
@@ -159,7 +165,7 @@ fn check_label<const D: usize>(
     let within = |i: usize, slack: f64| distance(i) < Length::new(domains[i].radius).times(slack);
     findings.check(within(label, 1.0 + ROUNDING), || {
         let (found, radius) = (distance(label).to_f64(), domains[label].radius);
-        let message = format!(
+        let message = message!(
             "vertex {v} is {found:e} from the centre of its domain {label}, whose radius is {radius:e}"
         );
         Violation::new(ViolationKind::VertexDomain, message).vertex(v).domain(label)
@@ -169,7 +175,7 @@ fn check_label<const D: usize>(
     findings.check(inner.is_none(), || {
         let inner = inner.unwrap_or(0) as usize;
         let message =
-            format!("vertex {v} of domain {label} is inside the ball of its child {inner}");
+            message!("vertex {v} of domain {label} is inside the ball of its child {inner}");
         Violation::new(ViolationKind::VertexDomain, message).vertex(v).domain(inner)
     });
 }

@@ -1,6 +1,8 @@
 //! Level 1: the hull is a closed connected manifold.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -18,19 +20,19 @@ struct Ridge<const D: usize> {
 }
 
 /// Checks the hull of a complex whose facets and neighbours hold.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
-    let facets = hull_facets(view);
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+    let facets = hull_facets(view)?;
     let exists = findings.check(!facets.is_empty(), || {
         Violation::new(ViolationKind::HullRidge, "the mesh has no hull facet")
     });
     if !exists {
-        return;
+        return Ok(());
     }
-    let mut connected = Sets::new(facets.len());
+    let mut connected = Sets::new(facets.len())?;
     // Node (facet, position): that facet seen from its vertex at that position.
-    let mut around = Sets::new(facets.len() * D);
+    let mut around = Sets::new(facets.len() * D)?;
     let mut closed = true;
-    for pair in sorted_ridges(&facets).chunk_by(|a, b| a.vertices == b.vertices) {
+    for pair in sorted_ridges(&facets)?.chunk_by(|a, b| a.vertices == b.vertices) {
         closed &= check_ridge(&facets, pair, findings);
         if let [a, b] = pair {
             connected.join(a.facet as usize, b.facet as usize);
@@ -41,24 +43,25 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
     }
     if closed {
         check_connected(&facets, &mut connected, findings);
-        check_links(view, &facets, &mut around, findings);
+        check_links(view, &facets, &mut around, findings)?;
     }
+    Ok(())
 }
 
-fn hull_facets<const D: usize>(view: View<'_, D>) -> Vec<HullFacet<D>> {
+fn hull_facets<const D: usize>(view: View<'_, D>) -> Fallible<Vec<HullFacet<D>>> {
     let mut facets = Vec::new();
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
         for (apex, _) in view.neighbors(s).iter().enumerate().filter(|&(_, &n)| n == NONE) {
             let vertices = std::array::from_fn(|k| simplex[k + usize::from(k >= apex)]);
-            facets.push(HullFacet { vertices, simplex: s as u32 });
+            facets.try_push(HullFacet { vertices, simplex: s as u32 })?;
         }
     }
-    facets
+    Ok(facets)
 }
 
-fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> Vec<Ridge<D>> {
-    let mut ridges = Vec::with_capacity(facets.len() * D);
+fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> Fallible<Vec<Ridge<D>>> {
+    let mut ridges = with_room(facets.len() * D)?;
     for (f, facet) in facets.iter().enumerate() {
         for skipped in 0..D {
             let mut vertices = facet.vertices;
@@ -68,7 +71,7 @@ fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> Vec<Ridge<D>> {
         }
     }
     ridges.sort_unstable();
-    ridges
+    Ok(ridges)
 }
 
 fn node<const D: usize>(facets: &[HullFacet<D>], facet: u32, vertex: u32) -> usize {
@@ -83,7 +86,7 @@ fn check_ridge<const D: usize>(
 ) -> bool {
     findings.check(group.len() == 2, || {
         let (ridge, count) = (&group[0].vertices[..D - 1], group.len());
-        let message = format!("hull ridge {ridge:?} is in {count} hull facets instead of 2");
+        let message = message!("hull ridge {ridge:?} is in {count} hull facets instead of 2");
         let violation = Violation::new(ViolationKind::HullRidge, message);
         let simplex = facets[group[0].facet as usize].simplex;
         violation.simplex(simplex as usize).vertex(ridge[0] as usize)
@@ -99,7 +102,7 @@ fn check_connected<const D: usize>(
     let apart = (0..facets.len()).find(|&f| connected.find(f) != root);
     findings.check(apart.is_none(), || {
         let simplex = facets[apart.unwrap_or(0)].simplex as usize;
-        let message = format!("the hull facet of simplex {simplex} is apart from the others");
+        let message = message!("the hull facet of simplex {simplex} is apart from the others");
         Violation::new(ViolationKind::HullDisconnected, message).simplex(simplex)
     });
 }
@@ -110,8 +113,8 @@ fn check_links<const D: usize>(
     facets: &[HullFacet<D>],
     around: &mut Sets,
     findings: &mut Findings,
-) {
-    let mut components = vec![NONE; view.vertex_count()];
+) -> Fallible<()> {
+    let mut components = filled(view.vertex_count(), NONE)?;
     for (f, facet) in facets.iter().enumerate() {
         for (k, &v) in facet.vertices.iter().enumerate() {
             let root = around.find(f * D + k) as u32;
@@ -120,12 +123,13 @@ fn check_links<const D: usize>(
                 *known = root;
             }
             findings.check(*known == root, || {
-                let message = format!("the hull facets at vertex {v} are not connected there");
+                let message = message!("the hull facets at vertex {v} are not connected there");
                 let violation = Violation::new(ViolationKind::HullLink, message);
                 violation.simplex(facet.simplex as usize).vertex(v as usize)
             });
         }
     }
+    Ok(())
 }
 
 /// Disjoint sets with path halving.
@@ -134,8 +138,8 @@ struct Sets {
 }
 
 impl Sets {
-    fn new(count: usize) -> Self {
-        Self { parents: (0..count as u32).collect() }
+    fn new(count: usize) -> Fallible<Self> {
+        Ok(Self { parents: collected(0..count as u32)? })
     }
 
     fn find(&mut self, mut item: usize) -> usize {
@@ -183,7 +187,7 @@ mod tests {
             stats: Stats::default(),
         };
         let mut findings = Findings::default();
-        check(View::<D> { mesh: &mesh }, &mut findings);
+        check(View::<D> { mesh: &mesh }, &mut findings).unwrap();
         findings.first.map(|first| first.kind)
     }
 

@@ -1,6 +1,7 @@
 //! Level 3: every distinct input is a vertex with its own bits, and kinds say what is an input.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
 use crate::mesh::{Inputs, NONE, Triangulation, VertexKind};
 
 /// Checks the vertices of the inputs and the kinds of all vertices.
@@ -16,7 +17,7 @@ pub(super) fn check(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findin
         findings.check((kind == VertexKind::Input) == is_input, || {
             let count = inputs.distinct();
             let message =
-                format!("vertex {v} is of kind {kind:?}, but the inputs are vertices 0..{count}");
+                message!("vertex {v} is of kind {kind:?}, but the inputs are vertices 0..{count}");
             Violation::new(ViolationKind::VertexKind, message).vertex(v)
         });
     }
@@ -26,16 +27,16 @@ pub(super) fn check(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findin
 pub(super) fn check_plain(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings) {
     let (vertices, count) = (mesh.vertex_count(), inputs.distinct());
     findings.check(vertices == count, || {
-        let message = format!("plain Delaunay of {count} distinct inputs has {vertices} vertices");
+        let message = message!("plain Delaunay of {count} distinct inputs has {vertices} vertices");
         Violation::new(ViolationKind::PlainDelaunay, message)
     });
     findings.check(mesh.domains.is_empty(), || {
-        let message = format!("plain Delaunay has {} domains", mesh.domains.len());
+        let message = message!("plain Delaunay has {} domains", mesh.domains.len());
         Violation::new(ViolationKind::PlainDelaunay, message)
     });
     for (v, (&label, &cage)) in mesh.vertex_domains.iter().zip(&mesh.cage_of).enumerate() {
         findings.check(label == NONE && cage == NONE, || {
-            let message = format!("plain Delaunay labels vertex {v} with a domain or cage");
+            let message = message!("plain Delaunay labels vertex {v} with a domain or cage");
             Violation::new(ViolationKind::PlainDelaunay, message).vertex(v)
         });
     }
@@ -44,7 +45,7 @@ pub(super) fn check_plain(inputs: &Inputs, mesh: &Triangulation, findings: &mut 
 fn check_bits(inputs: &Inputs, mesh: &Triangulation, v: usize, findings: &mut Findings) {
     if v >= mesh.vertex_count() {
         findings.check(false, || {
-            let message = format!("distinct input {v} is no vertex");
+            let message = message!("distinct input {v} is no vertex");
             Violation::new(ViolationKind::InputVertex, message)
         });
         return;
@@ -54,7 +55,7 @@ fn check_bits(inputs: &Inputs, mesh: &Triangulation, v: usize, findings: &mut Fi
     findings.check(differs.is_none(), || {
         let axis = differs.unwrap_or(0);
         let (a, b) = (given[axis], found[axis]);
-        let message = format!("coordinate {axis} of vertex {v} is {b:e}, its input's is {a:e}");
+        let message = message!("coordinate {axis} of vertex {v} is {b:e}, its input's is {a:e}");
         Violation::new(ViolationKind::InputBits, message).vertex(v)
     });
 }
@@ -64,7 +65,7 @@ fn check_input(inputs: &Inputs, mesh: &Triangulation, i: usize, findings: &mut F
     let v = inputs.vertices()[i];
     let exists = (v as usize) < inputs.distinct().min(mesh.vertex_count());
     findings.check(exists && inputs.point(i) == mesh.point(v), || {
-        let message = format!("input {i} has vertex {v}, which has other coordinates or is none");
+        let message = message!("input {i} has vertex {v}, which has other coordinates or is none");
         let violation = Violation::new(ViolationKind::InputVertex, message);
         if exists { violation.vertex(v as usize) } else { violation }
     });

@@ -1,6 +1,8 @@
 //! Level 1: the star and the link of every vertex, and the Euler characteristic.
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, TryGrow, collected, copied, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -10,18 +12,22 @@ const LINK_COUNT_DIM: usize = 5;
 
 /// Checks the star and link of each vertex, and that the complex of `facets` facets is a ball by
 /// its Euler characteristic. Facets and neighbours must hold. O(simplices 4^D).
-pub(super) fn check<const D: usize>(view: View<'_, D>, facets: usize, findings: &mut Findings) {
-    let stars = Stars::new(view);
-    let mut seen = vec![NONE; view.simplex_count()];
+pub(super) fn check<const D: usize>(
+    view: View<'_, D>,
+    facets: usize,
+    findings: &mut Findings,
+) -> Fallible<()> {
+    let stars = Stars::new(view)?;
+    let mut seen = filled(view.simplex_count(), NONE)?;
     let mut totals = [0u64; D];
     let mut keys = Vec::new();
     for v in 0..view.vertex_count() {
         let star = stars.of(v);
-        check_star(view, v, star, &mut seen, findings);
+        check_star(view, v, star, &mut seen, findings)?;
         // counts[j]: link faces of j vertices, j = 1..=D - 2.
         let mut counts = [0u64; D];
         for (j, count) in counts.iter_mut().enumerate().take(D - 1).skip(1) {
-            *count = count_faces(view, v as u32, star, j, &mut keys);
+            *count = count_faces(view, v as u32, star, j, &mut keys)?;
         }
         if D <= LINK_COUNT_DIM {
             check_link(view, v, star, &counts, findings);
@@ -31,6 +37,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, facets: usize, findings: 
         }
     }
     check_euler(view, facets, &totals, findings);
+    Ok(())
 }
 
 /// Vertex -> simplices.
@@ -40,21 +47,21 @@ struct Stars {
 }
 
 impl Stars {
-    fn new<const D: usize>(view: View<'_, D>) -> Self {
-        let mut start = vec![0usize; view.vertex_count() + 1];
+    fn new<const D: usize>(view: View<'_, D>) -> Fallible<Self> {
+        let mut start = filled(view.vertex_count() + 1, 0usize)?;
         for &v in &view.mesh.simplices {
             start[v as usize + 1] += 1;
         }
         for v in 1..start.len() {
             start[v] += start[v - 1];
         }
-        let mut filled = start.clone();
-        let mut simplices = vec![NONE; view.mesh.simplices.len()];
+        let mut placed = copied(&start)?;
+        let mut simplices = filled(view.mesh.simplices.len(), NONE)?;
         for (i, &v) in view.mesh.simplices.iter().enumerate() {
-            simplices[filled[v as usize]] = (i / View::<D>::CORNERS) as u32;
-            filled[v as usize] += 1;
+            simplices[placed[v as usize]] = (i / View::<D>::CORNERS) as u32;
+            placed[v as usize] += 1;
         }
-        Self { start, simplices }
+        Ok(Self { start, simplices })
     }
 
     fn of(&self, vertex: usize) -> &[u32] {
@@ -69,8 +76,8 @@ fn check_star<const D: usize>(
     star: &[u32],
     seen: &mut [u32],
     findings: &mut Findings,
-) {
-    let mut stack: Vec<u32> = star.iter().take(1).copied().collect();
+) -> Fallible<()> {
+    let mut stack = collected(star.iter().take(1).copied())?;
     stack.iter().for_each(|&s| seen[s as usize] = v as u32);
     let mut reached = 0;
     while let Some(s) = stack.pop() {
@@ -79,16 +86,17 @@ fn check_star<const D: usize>(
         for (&n, &opposite) in view.neighbors(s as usize).iter().zip(vertices) {
             if n != NONE && opposite as usize != v && seen[n as usize] != v as u32 {
                 seen[n as usize] = v as u32;
-                stack.push(n);
+                stack.try_push(n)?;
             }
         }
     }
     findings.check(reached == star.len(), || {
         let size = star.len();
         let message =
-            format!("of the {size} simplices at vertex {v} only {reached} are connected there");
+            message!("of the {size} simplices at vertex {v} only {reached} are connected there");
         Violation::new(ViolationKind::VertexStar, message).vertex(v)
     });
+    Ok(())
 }
 
 /// Number of distinct faces of `size` vertices in the link of `v`; above [`LINK_COUNT_DIM`] only
@@ -99,7 +107,7 @@ fn count_faces<const D: usize>(
     star: &[u32],
     size: usize,
     keys: &mut Vec<[u32; D]>,
-) -> u64 {
+) -> Fallible<u64> {
     keys.clear();
     for &s in star {
         let counts = |w: u32| w != v && (D <= LINK_COUNT_DIM || w > v);
@@ -110,15 +118,19 @@ fn count_faces<const D: usize>(
             length += 1;
         }
         link[..length].sort_unstable();
-        push_subsets(&link[..length], size, keys);
+        push_subsets(&link[..length], size, keys)?;
     }
     keys.sort_unstable();
     keys.dedup();
-    keys.len() as u64
+    Ok(keys.len() as u64)
 }
 
 /// Appends all subsets of `size` of the sorted `vertices`, padded with [`NONE`].
-fn push_subsets<const D: usize>(vertices: &[u32], size: usize, keys: &mut Vec<[u32; D]>) {
+fn push_subsets<const D: usize>(
+    vertices: &[u32],
+    size: usize,
+    keys: &mut Vec<[u32; D]>,
+) -> Fallible<()> {
     for mask in 0u32..1 << vertices.len() {
         if mask.count_ones() as usize != size {
             continue;
@@ -131,8 +143,9 @@ fn push_subsets<const D: usize>(vertices: &[u32], size: usize, keys: &mut Vec<[u
                 length += 1;
             }
         }
-        keys.push(key);
+        keys.try_push(key)?;
     }
+    Ok(())
 }
 
 /// Checks the Euler characteristic of the link: a (D - 1)-sphere, on the hull a (D - 1)-ball.
@@ -154,7 +167,7 @@ fn check_link<const D: usize>(
     let found = lower + sign(D - 2) * facets + sign(D - 1) * simplices;
     let needed = if hull_facets > 0 { 1 } else { 1 + sign(D - 1) };
     findings.check(found == needed, || {
-        let message = format!(
+        let message = message!(
             "the link of vertex {v} has Euler characteristic {found}, a {} has {needed}",
             if hull_facets > 0 { "ball" } else { "sphere" }
         );
@@ -177,7 +190,7 @@ fn check_euler<const D: usize>(
         found += sign(k) * (total / multiplicity) as i64;
     }
     findings.check(found == 1, || {
-        let message = format!("the Euler characteristic is {found}, a ball's is 1");
+        let message = message!("the Euler characteristic is {found}, a ball's is 1");
         Violation::new(ViolationKind::EulerCharacteristic, message)
     });
 }

@@ -32,7 +32,8 @@ mod turns;
 
 pub use report::{Report, Violation, ViolationKind};
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{Fallible, TryGrow, collected};
 use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation};
 use crate::options::{Algorithm, Output};
 use crate::quality::view::View;
@@ -48,7 +49,7 @@ use report::Findings;
 /// `InvalidArgument` if `level` is not 1, 2 or 3.
 pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> Result<Report> {
     if !(1..=3).contains(&level) {
-        let message = format!("level is {level}; it must be 1, 2 or 3");
+        let message = message!("level is {level}; it must be 1, 2 or 3");
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
     let findings = match triangulation.dim {
@@ -61,76 +62,90 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
         8 => check::<8>(inputs, triangulation, level),
         dim => wrong_dimension(dim),
     };
-    Ok(report(&findings))
+    Ok(report(findings?))
 }
 
 /// The findings of each level that was asked for and could be checked.
-fn check<const D: usize>(inputs: &Inputs, mesh: &Triangulation, level: u32) -> Vec<Findings> {
+fn check<const D: usize>(
+    inputs: &Inputs,
+    mesh: &Triangulation,
+    level: u32,
+) -> Fallible<Vec<Findings>> {
     let view = View::<D> { mesh };
     let mut topology = Findings::default();
-    check_topology(inputs, view, &mut topology);
+    check_topology(inputs, view, &mut topology)?;
     let holds = topology.clean();
-    let mut levels = vec![topology];
+    let mut levels = collected([topology])?;
     if holds && level >= 2 {
         let mut findings = Findings::default();
-        if geometry::check(view, &mut findings) {
-            turns::check(view, &mut findings);
+        if geometry::check(view, &mut findings)? {
+            turns::check(view, &mut findings)?;
         }
-        levels.push(findings);
+        levels.try_push(findings)?;
     }
     if holds && level >= 3 {
         let mut findings = Findings::default();
-        check_paper(inputs, view, &mut findings);
-        levels.push(findings);
+        check_paper(inputs, view, &mut findings)?;
+        levels.try_push(findings)?;
     }
-    levels
+    Ok(levels)
 }
 
-fn check_topology<const D: usize>(inputs: &Inputs, view: View<'_, D>, findings: &mut Findings) {
-    if !arrays::check(inputs, view.mesh, findings) {
-        return;
+fn check_topology<const D: usize>(
+    inputs: &Inputs,
+    view: View<'_, D>,
+    findings: &mut Findings,
+) -> Fallible<()> {
+    if !arrays::check(inputs, view.mesh, findings)? {
+        return Ok(());
     }
-    let facets = facets::check(view, findings);
+    let facets = facets::check(view, findings)?;
     if findings.clean() {
-        links::check(view, facets, findings);
-        hull::check(view, findings);
+        links::check(view, facets, findings)?;
+        hull::check(view, findings)?;
     }
+    Ok(())
 }
 
-fn check_paper<const D: usize>(inputs: &Inputs, view: View<'_, D>, findings: &mut Findings) {
+fn check_paper<const D: usize>(
+    inputs: &Inputs,
+    view: View<'_, D>,
+    findings: &mut Findings,
+) -> Fallible<()> {
     let mesh = view.mesh;
     inputs::check(inputs, mesh, findings);
     if mesh.parameters.algorithm == Algorithm::Delaunay {
         inputs::check_plain(inputs, mesh, findings);
-        return;
+        return Ok(());
     }
-    if let Some(tree) = hierarchy::check(view, findings) {
-        let cells = aspect::survey(view, &tree, findings);
-        cages::check(view, &tree, &cells, findings);
-        aspect::check(view, &cells, findings);
+    if let Some(tree) = hierarchy::check(view, findings)? {
+        let cells = aspect::survey(view, &tree, findings)?;
+        cages::check(view, &tree, &cells, findings)?;
+        aspect::check(view, &cells, findings)?;
     }
     let finished = mesh.parameters.output == Output::WellSpaced;
     findings.check(!finished || mesh.domains.len() == 1, || {
         let message =
-            format!("a finished mesh has {} domains, not the root alone", mesh.domains.len());
+            message!("a finished mesh has {} domains, not the root alone", mesh.domains.len());
         Violation::new(ViolationKind::NotFinished, message).domain(1)
     });
+    Ok(())
 }
 
-fn wrong_dimension(dim: usize) -> Vec<Findings> {
+fn wrong_dimension(dim: usize) -> Fallible<Vec<Findings>> {
     let mut findings = Findings::default();
     findings.check(false, || {
-        let message = format!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+        let message = message!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
         Violation::new(ViolationKind::ArrayLength, message)
     });
-    vec![findings]
+    collected([findings])
 }
 
-fn report(levels: &[Findings]) -> Report {
+fn report(levels: Vec<Findings>) -> Report {
     Report {
         level: levels.iter().take_while(|findings| findings.clean()).count() as u32,
         violations: levels.iter().map(|findings| findings.violations).sum(),
         checked: levels.iter().map(|findings| findings.checked).sum(),
-        first: levels.iter().find_map(|findings| findings.first.clone()),
+        first: levels.into_iter().find_map(|findings| findings.first),
     }
 }

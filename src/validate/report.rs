@@ -1,6 +1,7 @@
 //! What the checker says: kinds of violations, the first one in words, and counts.
 
 use crate::mesh::NONE;
+use std::borrow::Cow;
 
 /// Bytes of a message that fit the C ABI's `char[160]` with its NUL.
 const MESSAGE_BYTES: usize = 159;
@@ -123,17 +124,20 @@ pub struct Violation {
     pub vertex: u32,
     pub domain: u32,
     /// One sentence that names the rule and the values, at most 159 bytes.
-    pub message: String,
+    pub message: Cow<'static, str>,
 }
 
 impl Violation {
-    pub(super) fn new(kind: ViolationKind, message: impl Into<String>) -> Self {
-        let mut message = message.into();
+    pub(super) fn new(kind: ViolationKind, message: impl Into<Cow<'static, str>>) -> Self {
+        let mut message: Cow<'static, str> = message.into();
         let mut end = message.len().min(MESSAGE_BYTES);
         while !message.is_char_boundary(end) {
             end -= 1;
         }
-        message.truncate(end);
+        match &mut message {
+            Cow::Borrowed(text) => *text = &text[..end],
+            Cow::Owned(text) => text.truncate(end),
+        }
         Self { kind, simplex: NONE, vertex: NONE, domain: NONE, message }
     }
 

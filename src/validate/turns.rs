@@ -9,6 +9,8 @@
 //! (Tietze and Nakajima).
 
 use super::report::{Findings, Violation, ViolationKind};
+use crate::error::message;
+use crate::memory::{Fallible, filled};
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::{Sign, orientation};
 use crate::quality::view::View;
@@ -36,8 +38,8 @@ impl Step {
 
 /// Checks the turns round all faces of codimension two. Level 1 must hold, and all simplices be
 /// positively oriented and unfolded. O(simplices D^2) orientation tests.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) {
-    let mut done = vec![0u64; view.simplex_count()];
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+    let mut done = filled(view.simplex_count(), 0u64)?;
     for simplex in 0..view.simplex_count() {
         for to in 1..View::<D>::CORNERS {
             for from in 0..to {
@@ -49,6 +51,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
             }
         }
     }
+    Ok(())
 }
 
 /// The next simplex of the walk, across the facet without `from`; `None` beyond the hull.
@@ -125,9 +128,9 @@ fn describe<const D: usize>(view: View<'_, D>, start: Step, closed: bool) -> Vio
     }
     let face = &face[..length];
     let (kind, message) = if closed {
-        (ViolationKind::Winding, format!("the simplices round face {face:?} turn more than once"))
+        (ViolationKind::Winding, message!("the simplices round face {face:?} turn more than once"))
     } else {
-        (ViolationKind::NonConvexHull, format!("the hull is not convex at ridge {face:?}"))
+        (ViolationKind::NonConvexHull, message!("the hull is not convex at ridge {face:?}"))
     };
     Violation::new(kind, message).simplex(start.simplex).vertex(face[0] as usize)
 }

@@ -212,7 +212,7 @@ fn garbage_is_reported_and_not_a_panic() {
                 }
             }
             report(&broken);
-            netmesh::quality::measure(&broken.mesh);
+            netmesh::quality::measure(&broken.mesh).unwrap();
         }
     }
 }

@@ -264,13 +264,13 @@ fn cells_of_bad_aspect() {
     case.mesh.parameters.quality_bound = 3.0;
     assert_violates(&case, Kind::VertexAspect);
     assert_all(Kind::VertexAspect, |case| {
-        case.mesh.parameters.quality_bound = measure(&case.mesh).worst_aspect * 0.999;
+        case.mesh.parameters.quality_bound = measure(&case.mesh).unwrap().worst_aspect * 0.999;
         for v in 0..case.mesh.kinds.len() {
             // Exempt the centres, and with them the cages.
             case.mesh.precision_limited[v] =
                 case.mesh.domains.iter().any(|d| d.center as usize == v);
         }
-        case.mesh.parameters.quality_bound = measure(&case.mesh).worst_aspect * 0.999;
+        case.mesh.parameters.quality_bound = measure(&case.mesh).unwrap().worst_aspect * 0.999;
     });
 }
 
@@ -280,7 +280,7 @@ fn precision_limited_cells_are_exempt() {
         case.mesh.parameters.quality_bound = 1.0;
         case.mesh.precision_limited.fill(true);
         assert_sound(&case);
-        let quality = measure(&case.mesh);
+        let quality = measure(&case.mesh).unwrap();
         assert_eq!((quality.worst_aspect, quality.worst_cage_aspect), (0.0, 0.0));
         assert_eq!(quality.precision_limited, case.mesh.kinds.len() as u64);
     }
@@ -295,7 +295,7 @@ fn union_cells_of_bad_aspect() {
         for v in 0..mesh.kinds.len() {
             mesh.precision_limited[v] = v != center && mesh.cage_of[v] != 1;
         }
-        let quality = measure(mesh);
+        let quality = measure(mesh).unwrap();
         assert!(quality.worst_cage_aspect > quality.worst_aspect);
         mesh.parameters.quality_bound = quality.worst_cage_aspect * 1.001;
         assert_sound(&case);

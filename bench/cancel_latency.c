@@ -1,0 +1,78 @@
+/* How soon a run stops: for a million (or argv[1]) uniform points in 3D, the time from the callback's
+ * nonzero answer to nm_run's return, cancelled at several stages, and the largest gap between two
+ * callbacks until then. The memory of the run is freed on the way: what a large state costs. */
+#define _POSIX_C_SOURCE 199309L
+#include <netmesh.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+struct watch {
+  double stop_after, stop_fraction; /* seconds and fraction: both must be reached */
+  int stop_phase;                   /* nm_phase, and so must this */
+  double begun, last, largest, largest_at, stopped;
+};
+
+static int32_t progress(const nm_progress *report, void *user_data) {
+  struct watch *watch = user_data;
+  double now = seconds();
+  if (now - watch->last > watch->largest) {
+    watch->largest = now - watch->last;
+    watch->largest_at = now - watch->begun;
+  }
+  int stop = now - watch->begun >= watch->stop_after && report->fraction >= watch->stop_fraction &&
+             (int)report->phase >= watch->stop_phase;
+  watch->last = seconds();
+  watch->stopped = watch->last;
+  return stop;
+}
+
+static double uniform(void) {
+  static uint64_t state = 88172645463325252u;
+  state ^= state << 13;
+  state ^= state >> 7;
+  state ^= state << 17;
+  return (double)(state >> 11) / 9007199254740992.0;
+}
+
+int main(int argc, char **argv) {
+  const struct {
+    const char *name;
+    double after, fraction;
+    int phase;
+  } stages[] = {
+      {"at once", 0, 0, NM_PHASE_PREPARE},        {"copying", 0.03, 0, NM_PHASE_PREPARE},
+      {"homing", 0.5, 0, NM_PHASE_PREPARE},       {"a tenth", 0, 0.1, NM_PHASE_PREPARE},
+      {"a half", 0, 0.5, NM_PHASE_PREPARE},       {"output", 0, 0, NM_PHASE_EXPORT},
+      {"not at all", 0, 2, NM_PHASE_PREPARE},
+  };
+  size_t n = argc > 1 ? (size_t)strtoull(argv[1], NULL, 10) : 1000000;
+  double *points = malloc(3 * n * sizeof *points);
+  nm_mesh *mesh = NULL;
+  if (points == NULL) return 1;
+  for (size_t i = 0; i < 3 * n; i++) points[i] = uniform();
+  if (nm_mesh_create(3, n, points, 0, &mesh) != NM_OK) return 1;
+  for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
+    struct watch watch = {stages[i].after, stages[i].fraction, stages[i].phase, 0, 0, 0, 0, 0};
+    nm_options options;
+    nm_options_init(&options, sizeof options);
+    options.progress = progress;
+    options.user_data = &watch;
+    watch.begun = watch.last = seconds();
+    nm_status status = nm_run(mesh, &options);
+    double end = seconds();
+    printf("%-10s %-12s after %6.2f s; last callback to return %6.1f ms; largest gap %6.1f ms, at %.2f s\n",
+           stages[i].name, nm_status_name(status), end - watch.begun, 1e3 * (end - watch.stopped),
+           1e3 * watch.largest, watch.largest_at);
+    fflush(stdout);
+  }
+  nm_mesh_free(mesh);
+  free(points);
+  return 0;
+}

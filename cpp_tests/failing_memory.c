@@ -1,0 +1,299 @@
+/* Memory that runs out: every allocation of whole jobs fails in turn.
+ *
+ * This program defines the allocation functions, so those of the static library (and of libc below
+ * it) come here. Each request of the job forks children in which it is refused: alone, with all that
+ * follow, or (if it is of 4 KiB or more) with all such that follow. A child must see
+ * NM_OUT_OF_MEMORY, find the mesh as it was and usable, and give back all memory. What ends a child
+ * is counted. Only the exact integers may do that, and only with small requests
+ * (docs/limitations.md): the jobs that need none of them must have no abort. */
+#define _GNU_SOURCE
+#include <errno.h>
+#include <netmesh.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef __GLIBC__
+
+int main(void) {
+  puts("SKIP: needs glibc, whose allocator can be called under another name");
+  return 77;
+}
+
+#else
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+void *__libc_malloc(size_t);
+void *__libc_calloc(size_t, size_t);
+void *__libc_realloc(void *, size_t);
+void *__libc_memalign(size_t, size_t);
+void __libc_free(void *);
+
+/* Requests from here on are the big arrays. */
+static const size_t BIG = 4096;
+
+/* Which requests are refused: none, one, from one on all, from one on all big ones. */
+enum refusal { NONE_FAILS, ONE_FAILS, ALL_FAIL, BIG_FAIL };
+
+/* Of this process. The parent forks at every request while `forking`. */
+static struct {
+  int forking, child;
+  size_t stride; /* of the small requests, only every so many are refused */
+  enum refusal refusal;
+  size_t failed, points, big_points, children, aborts, big_aborts, panics;
+} plan;
+static long live;
+
+/* How a child ends that saw NM_PANIC. */
+enum { PANICKED = 3 };
+
+/* Forks a child in which the request at hand is refused; answers 1 in the child. */
+static int fork_child(enum refusal refusal, size_t size) {
+  pid_t child = fork();
+  if (child == 0) {
+    plan.forking = 0;
+    plan.child = 1;
+    plan.refusal = refusal;
+    return 1;
+  }
+  int status = 0;
+  plan.children++;
+  if (child < 0 || waitpid(child, &status, 0) != child) _exit(2);
+  if (WIFSIGNALED(status)) {
+    plan.aborts++;
+    plan.big_aborts += size >= BIG;
+  } else if (WEXITSTATUS(status) == PANICKED) {
+    plan.panics++;
+  } else if (WEXITSTATUS(status) != 1) {
+    fprintf(stderr, "request %zu, %zu bytes: a child failed\n", plan.points, size);
+    _exit(2);
+  }
+  return 0;
+}
+
+static int forked(size_t size) {
+  plan.points++;
+  plan.big_points += size >= BIG;
+  if (plan.points % plan.stride != 0 && size < BIG) return 0;
+  return fork_child(ONE_FAILS, size) || fork_child(ALL_FAIL, size) ||
+         (size >= BIG && fork_child(BIG_FAIL, size));
+}
+
+static int refused(size_t size) {
+  int refuse = plan.refusal == ALL_FAIL || (plan.refusal == BIG_FAIL && size >= BIG);
+  if (plan.forking && forked(size)) refuse = 1;
+  if (!refuse) return 0;
+  plan.failed++;
+  errno = ENOMEM;
+  return 1;
+}
+
+static void *counted(void *memory) {
+  live += memory != NULL;
+  return memory;
+}
+
+void *malloc(size_t size) { return refused(size) ? NULL : counted(__libc_malloc(size)); }
+
+void *calloc(size_t count, size_t size) {
+  size_t bytes = size != 0 && count > SIZE_MAX / size ? SIZE_MAX : count * size;
+  return refused(bytes) ? NULL : counted(__libc_calloc(count, size));
+}
+
+void *realloc(void *memory, size_t size) {
+  if (memory == NULL) return malloc(size);
+  return refused(size) ? NULL : __libc_realloc(memory, size);
+}
+
+void *aligned_alloc(size_t alignment, size_t size) {
+  return refused(size) ? NULL : counted(__libc_memalign(alignment, size));
+}
+
+int posix_memalign(void **out, size_t alignment, size_t size) {
+  *out = aligned_alloc(alignment, size);
+  return *out == NULL ? ENOMEM : 0;
+}
+
+void free(void *memory) {
+  live -= memory != NULL;
+  __libc_free(memory);
+}
+
+/* From here on there is memory again. */
+static void relent(void) { plan.refusal = NONE_FAILS; }
+
+static void check(int holds, const char *what) {
+  if (holds) return;
+  relent();
+  fprintf(stderr, "failed: %s\n", what);
+  _exit(2);
+}
+
+/* What a job works on. */
+struct job {
+  const char *name;
+  uint32_t dim;
+  size_t n;
+  nm_format mesh_format;
+  const double *points;
+  int exact_integers; /* whether coordinates are outside the window of the adaptive signs */
+};
+
+static uint64_t mixed(uint64_t hash, const void *data, size_t size) {
+  const unsigned char *bytes = data;
+  for (size_t i = 0; i < size; i++) hash = (hash ^ bytes[i]) * 1099511628211u;
+  return hash;
+}
+
+static int32_t mix_bytes(const void *data, size_t size, void *user_data) {
+  uint64_t *hash = user_data;
+  *hash = mixed(*hash, data, size);
+  return 0;
+}
+
+/* Everything that can be seen of a mesh, in one number, without an allocation: buffers are static. */
+static uint64_t fingerprint(const nm_mesh *mesh) {
+  static double points[1 << 16];
+  static uint32_t ids[1 << 18];
+  uint64_t hash = 14695981039346656037u, needed = 0;
+  nm_counts counts;
+  memset(&counts, 0, sizeof counts);
+  counts.struct_size = sizeof counts;
+  check(nm_mesh_counts(mesh, &counts) == NM_OK, "counts");
+  hash = mixed(hash, &counts, sizeof counts);
+  check(nm_mesh_get_points(mesh, points, 1 << 16, &needed) == NM_OK, "points");
+  hash = mixed(hash, points, needed * sizeof *points);
+  if (counts.simplices == 0) return hash;
+  check(nm_mesh_get_simplices(mesh, ids, 1 << 18, &needed) == NM_OK, "simplices");
+  hash = mixed(hash, ids, needed * sizeof *ids);
+  check(nm_mesh_get_neighbors(mesh, ids, 1 << 18, &needed) == NM_OK, "neighbours");
+  hash = mixed(hash, ids, needed * sizeof *ids);
+  check(nm_mesh_get_vertex_domains(mesh, ids, 1 << 18, &needed) == NM_OK, "domains");
+  return mixed(hash, ids, needed * sizeof *ids);
+}
+
+/* Whether the status is NM_OK; otherwise it must be what a failed allocation answers. */
+static int succeeded(nm_status status, const char *what) {
+  if (status == NM_PANIC && plan.failed > 0) _exit(PANICKED);
+  check(status == NM_OK || (status == NM_OUT_OF_MEMORY && plan.failed > 0), what);
+  check(status != NM_OUT_OF_MEMORY || nm_last_error(NULL, 0) > 1, "no message");
+  return status == NM_OK;
+}
+
+/* One run; after a failure the mesh must be as before, and the same run must succeed with memory. */
+static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
+  uint64_t before = fingerprint(mesh);
+  nm_options options;
+  nm_options_init(&options, sizeof options);
+  options.output = output;
+  options.algorithm = algorithm;
+  if (succeeded(nm_run(mesh, &options), "nm_run")) return 1;
+  check(fingerprint(mesh) == before, "a failed run changed the mesh");
+  relent();
+  /* Runs are long and failure points many: one in a while. */
+  if (plan.points % 16 == 0)
+    check(nm_run(mesh, &options) == NM_OK, "the mesh is not usable after a failed run");
+  return 0;
+}
+
+static int measure(const nm_mesh *mesh) {
+  nm_quality quality;
+  memset(&quality, 0, sizeof quality);
+  quality.struct_size = sizeof quality;
+  if (!succeeded(nm_mesh_quality(mesh, &quality), "nm_mesh_quality")) return 0;
+  nm_report report;
+  memset(&report, 0, sizeof report);
+  report.struct_size = sizeof report;
+  if (!succeeded(nm_mesh_validate(mesh, 3, &report), "nm_mesh_validate")) return 0;
+  check(report.level == 3 && report.violations == 0, "the certificate");
+  return 1;
+}
+
+static int export(const nm_mesh *mesh, nm_format format) {
+  uint64_t hash = 0;
+  return succeeded(nm_export_write(mesh, format, mix_bytes, &hash), "nm_export_write");
+}
+
+/* Everything after the handle is there; stops where an allocation fails. */
+static int use(const struct job *job, nm_mesh *mesh) {
+  return run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_NETMESH) && measure(mesh) &&
+         export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
+         export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
+         run(mesh, NM_OUTPUT_WELL_SPACED, NM_ALGORITHM_NETMESH) && measure(mesh) &&
+         run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_DELAUNAY);
+}
+
+/* The whole job. Returns 1 if nothing was refused, 0 after NM_OUT_OF_MEMORY. */
+static int whole(const struct job *job) {
+  long before = live;
+  nm_mesh *mesh = (nm_mesh *)&plan;
+  if (!succeeded(nm_mesh_create(job->dim, job->n, job->points, 0, &mesh), "nm_mesh_create")) {
+    check(mesh == NULL, "a handle after a failure");
+    check(live == before, "nm_mesh_create leaks");
+    return 0;
+  }
+  int done = use(job, mesh);
+  nm_mesh_free(mesh);
+  check(live == before, "memory is leaked");
+  return done;
+}
+
+/* Refuses every allocation of the job, each in children. */
+static void sweep(const struct job *job) {
+  memset(&plan, 0, sizeof plan);
+  /* A process that ends itself takes its time about it. */
+  plan.stride = job->exact_integers ? 256 : 1;
+  plan.forking = 1;
+  int done = whole(job);
+  if (plan.child) {
+    relent();
+    check(!done, "a failed allocation went unnoticed");
+    _exit(1);
+  }
+  plan.forking = 0;
+  check(done, "a job with memory");
+  printf("%s: %zu failure points, %zu of them of 4 KiB and more; %zu children, %zu aborts, %zu panics\n",
+         job->name, plan.points, plan.big_points, plan.children, plan.aborts, plan.panics);
+  fflush(stdout);
+  check(plan.big_aborts == 0, "a big array ended the process");
+  check(plan.aborts + plan.panics == 0 || job->exact_integers, "an allocation ended the process");
+}
+
+static double uniform(void) {
+  static uint64_t state = 88172645463325252u;
+  state ^= state << 13;
+  state ^= state >> 7;
+  state ^= state << 17;
+  return (double)(state >> 11) / 9007199254740992.0;
+}
+
+/* Half of the points in the unit cube, half of them a million times closer together: with cages. */
+static void scatter(double *points, uint32_t dim, size_t n) {
+  for (size_t i = 0; i < n; i++)
+    for (uint32_t k = 0; k < dim; k++)
+      points[i * dim + k] = i % 2 ? uniform() : 0.5 + uniform() * 1e-6;
+}
+
+int main(void) {
+  static double plane[2 * 60], space[3 * 24], lattice[2 * 25], huge[3 * 12];
+  scatter(plane, 2, 60);
+  scatter(space, 3, 24);
+  scatter(huge, 3, 12);
+  for (size_t i = 0; i < 3 * 12; i++) huge[i] *= 1e200;
+  for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
+  const struct job jobs[] = {
+      {"2D", 2, 60, NM_FORMAT_VTU, plane, 0},
+      {"2D lattice", 2, 25, NM_FORMAT_VTU, lattice, 0},
+      {"3D", 3, 24, NM_FORMAT_VTU, space, 0},
+      {"3D at 1e200 (big integers)", 3, 12, NM_FORMAT_VTU, huge, 1},
+  };
+  /* What ends a child would search for its own symbols first. */
+  setenv("RUST_BACKTRACE", "0", 1);
+  for (size_t i = 0; i < sizeof jobs / sizeof *jobs; i++) sweep(&jobs[i]);
+  return 0;
+}
+
+#endif

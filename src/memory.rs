@@ -1,0 +1,162 @@
+//! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
+//! grows with the input grows through this module instead, which answers a [`Shortage`].
+
+use crate::error::{Error, ErrorKind};
+use std::collections::{TryReserveError, VecDeque};
+
+/// What ran out. One byte: results that carry it cost what a `bool` costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortage {
+    /// The allocator refused.
+    Memory,
+    /// Simplices or domains beyond what 32-bit ids can name.
+    Ids,
+}
+
+pub type Fallible<T> = std::result::Result<T, Shortage>;
+
+impl From<TryReserveError> for Shortage {
+    fn from(_: TryReserveError) -> Self {
+        Self::Memory
+    }
+}
+
+impl From<Shortage> for Error {
+    /// Allocates nothing: there may be nothing left.
+    fn from(shortage: Shortage) -> Self {
+        match shortage {
+            Shortage::Memory => Self::new(ErrorKind::OutOfMemory, "an allocation failed"),
+            Shortage::Ids => Self::new(
+                ErrorKind::Limit,
+                "the mesh needs more simplices than 32-bit ids can name",
+            ),
+        }
+    }
+}
+
+/// Growth that is refused instead of fatal, amortised as that of `Vec`.
+pub trait TryGrow<T> {
+    fn try_push(&mut self, value: T) -> Fallible<()>;
+    fn try_extend(&mut self, values: &[T]) -> Fallible<()>
+    where
+        T: Copy;
+    /// Appends `value` until there are `length` of them; never shortens.
+    fn cover(&mut self, length: usize, value: T) -> Fallible<()>
+    where
+        T: Clone;
+}
+
+impl<T> TryGrow<T> for Vec<T> {
+    #[inline]
+    fn try_push(&mut self, value: T) -> Fallible<()> {
+        if self.len() == self.capacity() {
+            grow(self)?;
+        }
+        self.push(value);
+        Ok(())
+    }
+
+    #[inline]
+    fn try_extend(&mut self, values: &[T]) -> Fallible<()>
+    where
+        T: Copy,
+    {
+        self.try_reserve(values.len())?;
+        self.extend_from_slice(values);
+        Ok(())
+    }
+
+    #[inline]
+    fn cover(&mut self, length: usize, value: T) -> Fallible<()>
+    where
+        T: Clone,
+    {
+        if self.len() < length {
+            self.try_reserve(length - self.len())?;
+            self.resize(length, value);
+        }
+        Ok(())
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn grow<T>(vec: &mut Vec<T>) -> Fallible<()> {
+    Ok(vec.try_reserve(1)?)
+}
+
+/// Appends to a queue, as [`TryGrow::try_push`].
+#[inline]
+pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> Fallible<()> {
+    if queue.len() == queue.capacity() {
+        queue.try_reserve(1)?;
+    }
+    queue.push_back(value);
+    Ok(())
+}
+
+/// An empty vector with room for exactly `capacity` elements.
+pub fn with_room<T>(capacity: usize) -> Fallible<Vec<T>> {
+    let mut vec = Vec::new();
+    vec.try_reserve_exact(capacity)?;
+    Ok(vec)
+}
+
+/// `vec![value; length]`.
+pub fn filled<T: Clone>(length: usize, value: T) -> Fallible<Vec<T>> {
+    let mut vec = with_room(length)?;
+    vec.resize(length, value);
+    Ok(vec)
+}
+
+/// `iterator.collect()`; exact where the iterator knows its length.
+pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> Fallible<Vec<T>> {
+    let iterator = iterator.into_iter();
+    let mut vec = with_room(iterator.size_hint().0)?;
+    for value in iterator {
+        vec.try_push(value)?;
+    }
+    Ok(vec)
+}
+
+/// A copy of `values`.
+pub fn copied<T: Copy>(values: &[T]) -> Fallible<Vec<T>> {
+    let mut vec = with_room(values.len())?;
+    vec.extend_from_slice(values);
+    Ok(vec)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_had_is_refused() {
+        assert_eq!(with_room::<u64>(usize::MAX / 4).unwrap_err(), Shortage::Memory);
+        assert_eq!(filled(usize::MAX, 0u64).unwrap_err(), Shortage::Memory);
+        let mut vec = vec![1u64];
+        assert_eq!(vec.cover(usize::MAX / 4, 0), Err(Shortage::Memory));
+        assert_eq!(vec, [1]);
+    }
+
+    #[test]
+    fn what_can_be_had_is_as_with_vec() {
+        let mut vec = collected(0..3).unwrap();
+        vec.try_push(3).unwrap();
+        vec.try_extend(&[4, 5]).unwrap();
+        vec.cover(8, 9).unwrap();
+        vec.cover(2, 7).unwrap();
+        assert_eq!(vec, [0, 1, 2, 3, 4, 5, 9, 9]);
+        let (filled, copy) = (filled(2, 4u8).unwrap(), copied(&vec).unwrap());
+        assert_eq!((filled, copy), (vec![4, 4], vec));
+        let mut queue = VecDeque::new();
+        (0..9).for_each(|i| enqueue(&mut queue, i).unwrap());
+        assert!(queue.into_iter().eq(0..9));
+    }
+
+    #[test]
+    fn a_shortage_has_its_status() {
+        assert_eq!(Error::from(Shortage::Memory).kind(), ErrorKind::OutOfMemory);
+        assert_eq!(Error::from(Shortage::Ids).kind(), ErrorKind::Limit);
+    }
+}

@@ -142,8 +142,9 @@ impl Inputs {
             );
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        let mut coordinates = with_room(n * dim)?;
-        let mut vertices = with_room(n)?;
+        let no_room = |_| no_room(n, dim);
+        let mut coordinates = with_room(n * dim).map_err(no_room)?;
+        let mut vertices = with_room(n).map_err(no_room)?;
         for i in 0..n {
             let point = &points[i * stride..][..dim];
             if let Some(axis) = point.iter().position(|x| !x.is_finite()) {
@@ -203,6 +204,16 @@ impl Inputs {
     pub fn distinct_points(&self) -> Vec<f64> {
         (0..self.distinct()).flat_map(|v| self.distinct_point(v)).copied().collect()
     }
+}
+
+/// The refusal of a copy of the points; without numbers where there is no memory for those either.
+fn no_room(n: usize, dim: usize) -> Error {
+    let bytes = n as u128 * dim as u128 * size_of::<f64>() as u128;
+    let message = message!("cannot allocate a copy of the points: n = {n}, {bytes} bytes");
+    if message.is_empty() {
+        return Shortage::Memory.into();
+    }
+    Error::new(ErrorKind::OutOfMemory, message)
 }
 
 /// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are equal.

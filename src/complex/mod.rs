@@ -7,7 +7,7 @@
 
 mod star;
 
-use crate::memory::{Fallible, Shortage, TryGrow, filled};
+use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};
 use crate::mesh::NONE;
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
@@ -123,10 +123,18 @@ impl<const D: usize> Complex<D> {
         if appended > self.id_limit.saturating_sub(self.marks.len()) {
             return Err(Shortage::Ids);
         }
-        self.free.try_reserve(released)?;
-        self.marks.try_reserve(appended)?;
-        self.vertices.try_reserve(appended * Self::CORNERS)?;
-        Ok(self.neighbors.try_reserve(appended * Self::CORNERS)?)
+        make_room(&mut self.free, released)?;
+        make_room(&mut self.marks, appended)?;
+        make_room(&mut self.vertices, appended * Self::CORNERS)?;
+        make_room(&mut self.neighbors, appended * Self::CORNERS)
+    }
+
+    /// Makes room for so many simplices and vertices if the system gives it.
+    pub fn expect(&mut self, simplices: usize, vertices: usize) {
+        expect(&mut self.marks, simplices);
+        expect(&mut self.vertices, simplices * Self::CORNERS);
+        expect(&mut self.neighbors, simplices * Self::CORNERS);
+        expect(&mut self.incident, vertices);
     }
 
     /// Lets the complex run out of ids where a test can see it.

@@ -7,7 +7,7 @@ mod locate;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{Fallible, TryGrow, expect, make_room};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
@@ -73,6 +73,13 @@ impl<const D: usize> Delaunay<D> {
 
     pub fn exact_fallbacks(&self) -> u64 {
         self.exact_fallbacks.get()
+    }
+
+    /// Makes room for so many simplices and points if the system gives it.
+    pub fn expect(&mut self, simplices: usize, points: usize) {
+        self.complex.expect(simplices, points);
+        expect(&mut self.balls, simplices);
+        expect(&mut self.points, points);
     }
 
     /// Gives `point` an id; it is not inserted yet.
@@ -206,7 +213,7 @@ impl<const D: usize> Delaunay<D> {
     pub fn insert(&mut self, vertex: u32, cavity: &Cavity, created: &mut Vec<u32>) -> Fallible<()> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
-        created.try_reserve(cavity.boundary.len())?;
+        make_room(created, cavity.boundary.len())?;
         self.complex.begin_marks();
         for &simplex in &cavity.simplices {
             self.complex.mark_inside(simplex);

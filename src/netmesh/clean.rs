@@ -3,7 +3,7 @@
 
 use super::Mesher;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, enqueue};
+use crate::memory::{Fallible, TryGrow, enqueue, expect};
 use crate::numerics::distance;
 use std::collections::VecDeque;
 
@@ -19,6 +19,11 @@ pub(super) struct RefineList {
 }
 
 impl RefineList {
+    /// Makes room for so many simplices if the system gives it.
+    pub fn expect(&mut self, simplices: usize) {
+        expect(&mut self.flags, simplices);
+    }
+
     /// Forgets what was known of ids that new simplices have taken.
     pub fn forget(&mut self, created: &[u32], bound: usize) -> Fallible<()> {
         self.flags.cover(bound, 0)?;

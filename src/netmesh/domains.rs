@@ -2,7 +2,7 @@
 //! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
 //! a release. Concentric chains of domains are legal.
 
-use crate::memory::{Fallible, Shortage, TryGrow, filled, with_room};
+use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
 
@@ -40,6 +40,12 @@ impl<const D: usize> Hierarchy<D> {
             cages: filled(vertices, NONE)?,
             alive: 0,
         })
+    }
+
+    /// Makes room for so many vertices if the system gives it.
+    pub fn expect(&mut self, vertices: usize) {
+        expect(&mut self.labels, vertices);
+        expect(&mut self.cages, vertices);
     }
 
     pub fn add_vertex(&mut self) -> Fallible<()> {

@@ -8,7 +8,7 @@
 use super::watch::Watch;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, filled};
+use crate::memory::{Fallible, TryGrow, expect, filled};
 use crate::mesh::NONE;
 
 pub(super) struct Location {
@@ -52,7 +52,7 @@ impl Location {
             next: filled(inputs, NONE)?,
             homes: filled(inputs, NONE)?,
             touches: filled(inputs, 0)?,
-            remaining: 0,
+            remaining: inputs,
         })
     }
 
@@ -92,13 +92,19 @@ impl Location {
         self.counts.cover(bound, 0)
     }
 
-    /// Takes up an input that has no home yet.
-    pub fn admit(&mut self, input: u32, simplex: u32) {
-        self.settle(input, simplex);
-        self.remaining += 1;
+    /// Makes room for so many simplices if the system gives it.
+    pub fn expect(&mut self, simplices: usize) {
+        expect(&mut self.heads, simplices);
+        expect(&mut self.counts, simplices);
     }
 
-    fn settle(&mut self, input: u32, simplex: u32) {
+    /// An input that was inserted before inputs got homes.
+    pub fn dismiss_homeless(&mut self) {
+        self.remaining -= 1;
+    }
+
+    /// Makes `simplex` the home of `input`, which has none.
+    pub fn settle(&mut self, input: u32, simplex: u32) {
         let at = simplex as usize;
         self.next[input as usize] = self.heads[at];
         self.heads[at] = input;

@@ -23,7 +23,7 @@ mod watch;
 
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Fallible, TryGrow, filled, with_room};
+use crate::memory::{Fallible, TryGrow, expect, filled, with_room};
 use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use clean::RefineList;
@@ -34,6 +34,9 @@ use rand_pcg::Pcg64Mcg;
 use std::cmp::Reverse;
 use std::time::Instant;
 use watch::Watch;
+
+/// Inputs from which on growing arrays take more time than a progress callback may wait.
+const MANY: usize = 1 << 16;
 
 /// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
 ///
@@ -166,16 +169,22 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         if count as u64 > parameters.max_vertices {
             return Err(limit(parameters.max_vertices, count));
         }
-        let mut points: Vec<[f64; D]> = with_room(2 * count)?;
+        let mut points: Vec<[f64; D]> = with_room(count)?;
         for v in 0..count {
             watch.tick(1)?;
             points.push(inputs.distinct_point(v).try_into().expect("dim is D"));
         }
-        Ok(Self {
+        let delaunay = Delaunay::new(points)?;
+        watch.look()?;
+        let hierarchy = Hierarchy::new(count)?;
+        watch.look()?;
+        let location = Location::new(count)?;
+        watch.look()?;
+        let mut mesher = Self {
             random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ u128::from(parameters.seed)),
-            delaunay: Delaunay::new(points)?,
-            hierarchy: Hierarchy::new(count)?,
-            location: Location::new(count)?,
+            delaunay,
+            hierarchy,
+            location,
             refine: RefineList::default(),
             nearest: filled(count, f64::INFINITY)?,
             farthest: filled(count, 0.0)?,
@@ -186,7 +195,32 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             stats: Stats::default(),
             scratch: Scratch::default(),
             parameters,
-        })
+        };
+        mesher.watch.look()?;
+        if count >= MANY {
+            mesher.expect_usual_size();
+        }
+        Ok(mesher)
+    }
+
+    /// Makes room for the mesh of uniform inputs, so that the arrays of a large run do not move.
+    fn expect_usual_size(&mut self) {
+        let (vertices, simplices) = match (self.parameters.algorithm, D) {
+            (Algorithm::Delaunay, 2) => (self.inputs, 2),
+            (Algorithm::Delaunay, 3) => (self.inputs, 7),
+            (_, 2) => (3 * self.inputs, 2),
+            (_, 3) => (3 * self.inputs, 7),
+            // From 4D on sizes vary more than room is worth.
+            _ => return,
+        };
+        let simplices = simplices * vertices;
+        self.delaunay.expect(simplices, vertices);
+        self.location.expect(simplices);
+        self.refine.expect(simplices);
+        self.hierarchy.expect(vertices);
+        expect(&mut self.nearest, vertices);
+        expect(&mut self.farthest, vertices);
+        expect(&mut self.precision_limited, vertices);
     }
 
     fn is_input(&self, vertex: u32) -> bool {

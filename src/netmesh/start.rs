@@ -92,10 +92,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut home = self.delaunay.complex().incident(near);
         for input in 0..self.inputs as u32 {
             self.watch.tick(4)?;
-            if !self.is_inserted(input) {
+            if self.is_inserted(input) {
+                self.location.dismiss_homeless();
+            } else {
                 let q = *self.delaunay.point(input);
                 home = self.delaunay.locate(home, &q).expect("inputs are distinct");
-                self.location.admit(input, home);
+                self.location.settle(input, home);
             }
         }
         Ok(())

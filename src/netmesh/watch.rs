@@ -1,11 +1,11 @@
-//! Progress and cancellation: the clock is read every fraction of a millisecond, the caller is called about
-//! 20 times a second, and a run that is cancelled or grows past its limit stops with an error.
+//! Progress and cancellation: the clock is read every fraction of a millisecond, the caller is called
+//! 20 to 30 times a second, and a run that is cancelled or grows past its limit stops with an error.
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
 use std::time::{Duration, Instant};
 
-const INTERVAL: Duration = Duration::from_millis(40);
+const INTERVAL: Duration = Duration::from_millis(30);
 /// Work between two looks at the clock, in units of some 100 ns: a fraction of a millisecond.
 const STRIDE: u32 = 2048;
 
@@ -36,11 +36,11 @@ impl<'a, 'b> Watch<'a, 'b> {
             self.countdown -= work;
             return false;
         }
-        self.look()
+        self.is_time()
     }
 
     #[cold]
-    fn look(&mut self) -> bool {
+    fn is_time(&mut self) -> bool {
         self.countdown = STRIDE;
         self.callback.is_some() && self.last.elapsed() >= INTERVAL
     }
@@ -52,6 +52,14 @@ impl<'a, 'b> Watch<'a, 'b> {
     #[inline]
     pub fn tick(&mut self, work: u32) -> Result<()> {
         if self.is_due(work) { self.call() } else { Ok(()) }
+    }
+
+    /// As [`Self::tick`], after work that was long.
+    ///
+    /// # Errors
+    /// `Cancelled` if the caller says so.
+    pub fn look(&mut self) -> Result<()> {
+        self.tick(STRIDE)
     }
 
     /// Calls the caller.

@@ -1,7 +1,10 @@
 //! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
 //! grows with the input grows through this module instead, which answers a [`Shortage`].
 
+mod pages;
+
 use crate::error::{Error, ErrorKind};
+use pages::prefer_large_pages;
 use std::collections::{TryReserveError, VecDeque};
 
 /// What ran out. One byte: results that carry it cost what a `bool` costs.
@@ -49,9 +52,7 @@ pub trait TryGrow<T> {
 impl<T> TryGrow<T> for Vec<T> {
     #[inline]
     fn try_push(&mut self, value: T) -> Fallible<()> {
-        if self.len() == self.capacity() {
-            grow(self)?;
-        }
+        make_room(self, 1)?;
         self.push(value);
         Ok(())
     }
@@ -61,7 +62,7 @@ impl<T> TryGrow<T> for Vec<T> {
     where
         T: Copy,
     {
-        self.try_reserve(values.len())?;
+        make_room(self, values.len())?;
         self.extend_from_slice(values);
         Ok(())
     }
@@ -72,17 +73,35 @@ impl<T> TryGrow<T> for Vec<T> {
         T: Clone,
     {
         if self.len() < length {
-            self.try_reserve(length - self.len())?;
+            make_room(self, length - self.len())?;
             self.resize(length, value);
         }
         Ok(())
     }
 }
 
+/// Room for `additional` more elements, amortised.
+#[inline]
+pub fn make_room<T>(vec: &mut Vec<T>, additional: usize) -> Fallible<()> {
+    if additional > vec.capacity() - vec.len() { grow(vec, additional) } else { Ok(()) }
+}
+
 #[cold]
 #[inline(never)]
-fn grow<T>(vec: &mut Vec<T>) -> Fallible<()> {
-    Ok(vec.try_reserve(1)?)
+fn grow<T>(vec: &mut Vec<T>, additional: usize) -> Fallible<()> {
+    vec.try_reserve(additional)?;
+    prefer_large_pages(vec, vec.capacity());
+    Ok(())
+}
+
+/// Room for `expected` elements in all, if the system gives it: growing later would move what is
+/// there, which takes tenths of a second for the arrays of millions of simplices.
+pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
+    if let Some(additional) = expected.checked_sub(vec.len())
+        && vec.try_reserve_exact(additional).is_ok()
+    {
+        prefer_large_pages(vec, vec.capacity());
+    }
 }
 
 /// Appends to a queue, as [`TryGrow::try_push`].
@@ -99,6 +118,7 @@ pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> Fallible<()> {
 pub fn with_room<T>(capacity: usize) -> Fallible<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity)?;
+    prefer_large_pages(&vec, capacity);
     Ok(vec)
 }
 

@@ -240,7 +240,7 @@ fn expand(field: Field, matrix: &Matrix, rows: usize, columns: usize, minors: &m
 mod tests {
     use super::*;
     use crate::numerics::testing::*;
-    use crate::numerics::{in_ball_exact, orientation_exact};
+    use crate::numerics::{circumcenter_exact, in_ball_exact, orientation_exact};
     use dashu_int::IBig;
 
     /// Coordinates from both ends of the doubles, so that the numbers are as long as they get.
@@ -279,6 +279,19 @@ mod tests {
         (0..8).for_each(|k| columns[k] = Column::Component(k));
         assert_eq!(edges.bits_of_determinants(&columns), 21012);
         assert_eq!(primes_for(21012), Field::COUNT);
+    }
+
+    /// Threads of some systems have 128 KiB.
+    #[test]
+    fn a_small_stack_is_enough() {
+        let points = at_the_ends::<8>(&mut Random(1));
+        let work = move || {
+            let simplex = references(&points[..9]);
+            assert_eq!(in_ball_exact(&simplex, &points[9]), in_ball_exact(&simplex, &points[9]));
+            assert!(circumcenter_exact(&simplex, 0).is_some());
+        };
+        let thread = std::thread::Builder::new().stack_size(48 << 10).spawn(work);
+        thread.expect("a thread").join().expect("no overflow, which would end the process");
     }
 
     /// The right sides that no public function of this room asks for.

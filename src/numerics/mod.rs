@@ -4,15 +4,20 @@
 //! Everything is generic in the dimension `D`, 2 to 8 (checked at compile time), and expects finite
 //! coordinates; the whole finite range counts, subnormals and 1e308 included. A simplex is a slice
 //! of `D + 1` points. Signs are exact: a filter in f64 decides nearly all of them, adaptive
-//! expansions (`robust`) or big integers decide the rest.
+//! expansions (`robust`) or integers of a fixed size
+//! decide the rest, without an allocation.
 
 mod affine;
 mod circumball;
+mod edges;
 mod exact;
 mod in_ball;
+mod integer;
 mod length;
+mod natural;
 mod orientation;
 mod power;
+mod residues;
 mod sign;
 mod solve;
 mod window;
@@ -24,6 +29,7 @@ mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
 pub use circumball::Circumball;
+pub(crate) use edges::{Column, Edges};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use in_ball::in_ball;
 pub use length::{distance, norm};

@@ -10,7 +10,7 @@ use super::window::{in_window, planar, spatial};
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
-/// nearly in one hyperplane cost up to O(D^3) operations on big integers.
+/// nearly in one hyperplane cost as many modulo each of several primes.
 #[inline]
 pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     match orientation_filtered(simplex) {

@@ -2,6 +2,7 @@
 
 use super::testing::{Family, Random, points, references};
 use super::{Circumball, in_ball, orientation};
+use super::{circumcenter_exact, in_ball_exact, orientation_exact};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -57,4 +58,38 @@ fn hot_functions() {
     report::<5>(Family::Uniform);
     report::<6>(Family::Uniform);
     report::<8>(Family::Uniform);
+}
+
+fn report_exact<const D: usize>(family: Family) {
+    const COUNT: usize = 200;
+    let mut random = Random(1);
+    let clouds: Vec<_> = (0..COUNT).map(|_| points::<D>(family, D + 2, &mut random)).collect();
+    let simplices: Vec<_> = clouds.iter().map(|cloud| references(&cloud[..=D])).collect();
+    let turn = nanoseconds(COUNT, || {
+        for simplex in &simplices {
+            black_box(orientation_exact(black_box(simplex)));
+        }
+    });
+    let side = nanoseconds(COUNT, || {
+        for (simplex, cloud) in simplices.iter().zip(&clouds) {
+            black_box(in_ball_exact(black_box(simplex), &cloud[D + 1]));
+        }
+    });
+    let centre = nanoseconds(COUNT, || {
+        for simplex in &simplices {
+            black_box(circumcenter_exact(black_box(simplex), 0));
+        }
+    });
+    println!("{D} {family:?}: exact orientation {turn:.0} in_ball {side:.0} centre {centre:.0}");
+}
+
+#[test]
+#[ignore = "a measurement, not a check"]
+fn exact_functions() {
+    for family in [Family::Uniform, Family::Grid, Family::MixedScales, Family::RawBits] {
+        report_exact::<2>(family);
+        report_exact::<3>(family);
+        report_exact::<4>(family);
+        report_exact::<5>(family);
+    }
 }

@@ -1,0 +1,339 @@
+//! The edges of a simplex as integers, and exact determinants of matrices made of them. One common
+//! power of two scales all the coordinates, which makes them integers and changes no sign.
+//!
+//! A determinant is computed modulo as many primes as the bound of its magnitude asks for: nothing
+//! is rounded, and no memory grows with the numbers.
+
+use super::integer::{Integer, primes_for};
+use super::power::decompose;
+use super::residues::Field;
+use super::sign::Sign;
+
+const MAX_DIM: usize = 8;
+
+/// The most rows or columns of a matrix.
+const MAX_SIZE: usize = MAX_DIM + 1;
+
+/// Folds of the largest coordinate in units of the smallest, 2^2098, and one.
+const MAX_FOLDS: usize = 2098 / 63 + 1;
+
+/// Residues; those beyond the size of the matrix are zero.
+type Matrix = [[u64; MAX_SIZE]; MAX_SIZE];
+
+type Minors = [u64; 1 << MAX_SIZE];
+
+/// Primes that are enough for all but coordinates of very different sizes, with a limb to spare.
+const FEW: usize = 32;
+
+/// Primes that are enough for all doubles in all dimensions, with limbs to spare.
+const MANY: usize = Field::COUNT;
+
+/// Edges from an origin to at most `D + 1` other points, in units of `2^unit`.
+pub(crate) struct Edges<const D: usize> {
+    origin: [Coordinate; D],
+    ends: [[Coordinate; D]; MAX_SIZE],
+    count: usize,
+    /// The largest exponent whose power of two divides all the coordinates.
+    pub unit: i32,
+    /// Every component of an edge is less than 2^`bits` in magnitude.
+    bits: usize,
+    /// Of the largest coordinate.
+    folds: usize,
+}
+
+/// A column of a matrix with a row for each edge.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Column {
+    /// One component of the edges.
+    Component(usize),
+    /// The edges' squared lengths.
+    Square,
+    /// One in the given row and zero in the others.
+    Unit(usize),
+    Ones,
+}
+
+/// `mantissa * 2^(63 folds + shift)` with `shift` < 63.
+#[derive(Clone, Copy)]
+struct Coordinate {
+    mantissa: i64,
+    folds: u32,
+    shift: u32,
+}
+
+impl Coordinate {
+    const ZERO: Self = Self { mantissa: 0, folds: 0, shift: 0 };
+
+    /// `value / 2^unit`.
+    fn new(value: f64, unit: i32) -> Self {
+        if value == 0.0 {
+            return Self::ZERO;
+        }
+        let (mantissa, exponent) = decompose(value);
+        let shift = (exponent - unit) as u32;
+        Self { mantissa, folds: shift / 63, shift: shift % 63 }
+    }
+
+    fn residue(self, field: Field, powers: &[u64; MAX_FOLDS]) -> u64 {
+        // Less than 2^53 times 2^62.
+        let low = field.reduce(u128::from(self.mantissa.unsigned_abs()) << self.shift);
+        let value = field.multiply(low, powers[self.folds as usize]);
+        if self.mantissa < 0 { field.subtract(0, value) } else { value }
+    }
+}
+
+impl<const D: usize> Edges<D> {
+    pub fn new<'a>(origin: &'a [f64; D], ends: impl Iterator<Item = &'a [f64; D]> + Clone) -> Self {
+        const { assert!(D <= MAX_DIM) };
+        let (mut unit, mut top) = (i32::MAX, i32::MIN);
+        for x in ends.clone().chain([origin]).flatten().filter(|x| **x != 0.0) {
+            let (mantissa, exponent) = decompose(*x);
+            unit = unit.min(exponent);
+            top = top.max(exponent + mantissa.unsigned_abs().ilog2() as i32 + 1);
+        }
+        if unit > top {
+            (unit, top) = (0, 0);
+        }
+        let scaled = |p: &[f64; D]| p.map(|x| Coordinate::new(x, unit));
+        let mut edges = Self {
+            origin: scaled(origin),
+            ends: [[Coordinate::ZERO; D]; MAX_SIZE],
+            count: 0,
+            unit,
+            // A difference is less than twice the larger of two.
+            bits: (top - unit) as usize + 1,
+            folds: (top - unit) as usize / 63,
+        };
+        for p in ends {
+            edges.ends[edges.count] = scaled(p);
+            edges.count += 1;
+        }
+        edges
+    }
+
+    /// The sign of the determinant of these columns, as many as there are edges.
+    pub fn sign_of_determinant(&self, columns: &[Column]) -> Sign {
+        let primes = primes_for(self.bits_of_determinants(columns));
+        if primes < FEW {
+            self.sign_in::<FEW>(columns, primes)
+        } else {
+            self.sign_in::<MANY>(columns, primes)
+        }
+    }
+
+    fn sign_in<const N: usize>(&self, columns: &[Column], primes: usize) -> Sign {
+        let mut value = Integer::<N>::NEW;
+        self.minors(columns, primes, |minors| value.push(minors[(1 << columns.len()) - 1]));
+        value.sign()
+    }
+
+    /// The solution x of `D` equations, edge . x = right, each component m * 2^e as `(m, e)` with
+    /// |m| in [1, 2), or m = 0, within 2 units of roundoff; `None` if the edges are dependent.
+    pub fn solve(&self, right: Column) -> Option<[(f64, i64); D]> {
+        debug_assert_eq!(self.count, D);
+        let mut columns = [right; MAX_SIZE];
+        (0..D).for_each(|k| columns[k] = Column::Component(k));
+        let columns = &columns[..=D];
+        let primes = primes_for(self.bits_of_determinants(columns));
+        if primes < FEW {
+            self.solve_in::<FEW>(columns, primes)
+        } else {
+            self.solve_in::<MANY>(columns, primes)
+        }
+    }
+
+    /// By Cramer's rule: a numerator is the minor of all columns but one.
+    fn solve_in<const N: usize>(
+        &self,
+        columns: &[Column],
+        primes: usize,
+    ) -> Option<[(f64, i64); D]> {
+        let all = (1 << columns.len()) - 1;
+        let mut determinant = Integer::<N>::NEW;
+        let mut numerators: [Integer<N>; D] = [const { Integer::NEW }; D];
+        self.minors(columns, primes, |minors| {
+            determinant.push(minors[all ^ 1 << D]);
+            numerators.iter_mut().enumerate().for_each(|(k, x)| x.push(minors[all ^ 1 << k]));
+        });
+        if determinant.sign().is_zero() {
+            return None;
+        }
+        Some(std::array::from_fn(|k| {
+            let (mantissa, exponent) = numerators[k].divided_by(&determinant);
+            // The right side has to pass the columns after k to be in its place.
+            (if (D - 1 - k) % 2 == 0 { mantissa } else { -mantissa }, exponent)
+        }))
+    }
+
+    /// Calls `take` with the residues of the minors for each of the first fields.
+    fn minors(&self, columns: &[Column], primes: usize, mut take: impl FnMut(&Minors)) {
+        let mut minors = [0; 1 << MAX_SIZE];
+        for field in (0..primes).map(Field::nth) {
+            let matrix = self.matrix(field, columns);
+            expand(field, &matrix, self.count, columns.len(), &mut minors);
+            take(&minors);
+        }
+    }
+
+    /// No minor of as many of the columns as there are edges is as large as 2 to this power: by the
+    /// Leibniz formula it is the sum of n! products of one entry from each of n columns. At most
+    /// 21012, for the sphere in eight dimensions through points at both ends of the doubles.
+    fn bits_of_determinants(&self, columns: &[Column]) -> usize {
+        let bits_of = |count: usize| count.next_power_of_two().ilog2() as usize;
+        let entries = columns.iter().map(|column| match column {
+            Column::Component(_) => self.bits,
+            Column::Square => 2 * self.bits + bits_of(D),
+            Column::Unit(_) | Column::Ones => 0,
+        });
+        let smallest = if columns.len() > self.count { entries.clone().min() } else { None };
+        entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
+    }
+
+    fn matrix(&self, field: Field, columns: &[Column]) -> Matrix {
+        let mut powers = [1; MAX_FOLDS];
+        for k in 1..=self.folds {
+            powers[k] = field.multiply(powers[k - 1], field.fold_unit());
+        }
+        let residues = |p: &[Coordinate; D]| p.map(|x| x.residue(field, &powers));
+        let origin = residues(&self.origin);
+        let mut matrix = [[0; MAX_SIZE]; MAX_SIZE];
+        for (i, end) in self.ends[..self.count].iter().enumerate() {
+            let end = residues(end);
+            let edge: [u64; D] = std::array::from_fn(|k| field.subtract(end[k], origin[k]));
+            for (entry, column) in matrix[i].iter_mut().zip(columns) {
+                *entry = match *column {
+                    Column::Component(k) => edge[k],
+                    Column::Square => field.sum_of_products(edge.into_iter().zip(edge)),
+                    Column::Unit(row) => u64::from(row == i),
+                    Column::Ones => 1,
+                };
+            }
+        }
+        matrix
+    }
+}
+
+/// The residues of minors, by Laplace expansion over all sets of columns: entry s becomes the minor
+/// of the first |s| rows and the columns in s. O(2^n n) products for n columns, no division.
+fn expand(field: Field, matrix: &Matrix, rows: usize, columns: usize, minors: &mut Minors) {
+    let negated = matrix.map(|row| row.map(|x| field.subtract(0, x)));
+    minors[0] = 1;
+    for set in 1..1usize << columns {
+        let row = set.count_ones() as usize - 1;
+        if row == rows {
+            break; // all columns of a matrix with one more than rows
+        }
+        // Columns from the highest: expansion along the last row, signs alternate from plus.
+        let (mut rest, mut signed, mut other) = (set, &matrix[row], &negated[row]);
+        let products = std::iter::from_fn(|| {
+            let column = rest.checked_ilog2()? as usize;
+            rest ^= 1 << column;
+            let entry = signed[column];
+            (signed, other) = (other, signed);
+            Some((entry, minors[set ^ (1 << column)]))
+        });
+        minors[set] = field.sum_of_products(products);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::*;
+    use crate::numerics::{circumcenter_exact, in_ball_exact, orientation_exact};
+    use dashu_int::IBig;
+
+    /// Coordinates from both ends of the doubles, so that the numbers are as long as they get.
+    fn at_the_ends<const D: usize>(random: &mut Random) -> Vec<[f64; D]> {
+        let most = [f64::MAX, -f64::MAX, f64::MAX, -f64::MAX, f64::from_bits(1), 0.0];
+        let mut coordinate = || most[random.integer(0, 5) as usize];
+        let mut points: Vec<[f64; D]> =
+            (0..D + 2).map(|_| std::array::from_fn(|_| coordinate())).collect();
+        points[0] = [-f64::MAX; D];
+        points[1][0] = f64::from_bits(1);
+        points
+    }
+
+    fn signs_agree_at_the_ends<const D: usize>(trials: usize) {
+        let mut random = Random(D as u64);
+        for _ in 0..trials {
+            let points = at_the_ends::<D>(&mut random);
+            let (simplex, q) = (references(&points[..=D]), &points[D + 1]);
+            assert_eq!(orientation_exact(&simplex), orientation_oracle(&simplex), "{points:?}");
+            assert_eq!(in_ball_exact(&simplex, q), in_ball_oracle(&simplex, q), "{points:?}");
+        }
+    }
+
+    #[test]
+    fn the_longest_numbers_fit() {
+        signs_agree_at_the_ends::<2>(60);
+        signs_agree_at_the_ends::<3>(40);
+        signs_agree_at_the_ends::<4>(20);
+        signs_agree_at_the_ends::<5>(8);
+        signs_agree_at_the_ends::<6>(4);
+        signs_agree_at_the_ends::<7>(3);
+        signs_agree_at_the_ends::<8>(3);
+        let points = at_the_ends::<8>(&mut Random(0));
+        let edges = Edges::new(&points[0], points[1..].iter());
+        let mut columns = [Column::Square; MAX_SIZE];
+        (0..8).for_each(|k| columns[k] = Column::Component(k));
+        assert_eq!(edges.bits_of_determinants(&columns), 21012);
+        assert_eq!(primes_for(21012), Field::COUNT);
+    }
+
+    /// Threads of some systems have 128 KiB.
+    #[test]
+    fn a_small_stack_is_enough() {
+        let points = at_the_ends::<8>(&mut Random(1));
+        let work = move || {
+            let simplex = references(&points[..9]);
+            assert_eq!(in_ball_exact(&simplex, &points[9]), in_ball_exact(&simplex, &points[9]));
+            assert!(circumcenter_exact(&simplex, 0).is_some());
+        };
+        let thread = std::thread::Builder::new().stack_size(48 << 10).spawn(work);
+        thread.expect("a thread").join().expect("no overflow, which would end the process");
+    }
+
+    /// The right sides that no public function of this room asks for.
+    fn solutions_agree<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 100 + 70 + D as u64);
+            for trial in 0..trials {
+                let points = points::<D>(family, D + 1, &mut random);
+                let edges = Edges::new(&points[0], points[1..].iter());
+                let rows: Vec<Vec<IBig>> = (1..=D)
+                    .map(|i| {
+                        (0..D).map(|k| integer(points[i][k]) - integer(points[0][k])).collect()
+                    })
+                    .collect();
+                let determinant = laplace(&rows);
+                let row = trial % (D + 1);
+                let right = if row < D { Column::Unit(row) } else { Column::Ones };
+                let Some(solution) = edges.solve(right) else {
+                    assert!(determinant.is_zero(), "{points:?}");
+                    continue;
+                };
+                for (k, (mantissa, exponent)) in solution.into_iter().enumerate() {
+                    let mut replaced = rows.clone();
+                    for (i, entries) in replaced.iter_mut().enumerate() {
+                        entries[k] = IBig::from(u8::from(row == D || row == i));
+                    }
+                    // The edges here are in units of 2^-1074 and the solution in their inverse.
+                    let shift = exponent - i64::from(edges.unit) - 1074;
+                    let (up, down) = ((-shift).max(0) as usize, shift.max(0) as usize);
+                    let quotient = (&(laplace(&replaced) << (1074 + up)), &(&determinant << down));
+                    assert!(is_close(mantissa, f64::EPSILON, 0, quotient), "{points:?} {row}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn solutions_agree_with_cramers_rule() {
+        solutions_agree::<2>(60);
+        solutions_agree::<3>(40);
+        solutions_agree::<4>(20);
+        solutions_agree::<6>(7);
+        solutions_agree::<8>(2);
+    }
+}

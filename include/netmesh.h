@@ -87,7 +87,8 @@ enum nm_algorithm
      */
     NM_ALGORITHM_NETMESH = 0,
     /**
-     * Sparse Voronoi Refinement: no cages; O(n log spread + m). The baseline for comparisons.
+     * Sparse Voronoi Refinement: no cages, a well-spaced mesh of one domain whatever the output;
+     * O(n log spread + m). The baseline for comparisons.
      */
     NM_ALGORITHM_SVR = 1,
     /**
@@ -618,8 +619,7 @@ typedef struct nm_options {
      */
     nm_output output;
     /**
-     * How it works. Default NM_ALGORITHM_NETMESH. NM_ALGORITHM_SVR is not available in this version
-     * (NM_INVALID_ARGUMENT).
+     * How it works. Default NM_ALGORITHM_NETMESH.
      */
     nm_algorithm algorithm;
     /**
@@ -660,7 +660,7 @@ typedef struct nm_options {
     double gamma;
     /**
      * Refinement yield: a Steiner point yields to an input within this fraction of the radius of its
-     * empty ball. In [0.05, 1], default 1.
+     * empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
      */
     double yield_radius;
     /**

@@ -18,7 +18,7 @@ pub enum Output {
 pub enum Algorithm {
     #[default]
     Netmesh = 0,
-    /// Sparse Voronoi Refinement, the baseline without cages. Not yet available.
+    /// Sparse Voronoi Refinement (§3), the baseline without cages.
     Svr = 1,
     /// The plain Delaunay triangulation of the input, without Steiner points.
     Delaunay = 2,

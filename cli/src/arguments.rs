@@ -58,7 +58,7 @@ pub struct Arguments {
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Meshing")]
 pub struct Meshing {
-    /// netmesh, or the plain Delaunay triangulation of the input
+    /// netmesh, Sparse Voronoi Refinement (its baseline), or the input's Delaunay triangulation
     #[arg(long, value_enum, default_value_t = AlgorithmName::Netmesh)]
     pub algorithm: AlgorithmName,
 
@@ -115,6 +115,7 @@ pub struct Meshing {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlgorithmName {
     Netmesh,
+    Svr,
     Delaunay,
 }
 
@@ -175,6 +176,7 @@ impl AlgorithmName {
     fn algorithm(self) -> Algorithm {
         match self {
             Self::Netmesh => Algorithm::Netmesh,
+            Self::Svr => Algorithm::Svr,
             Self::Delaunay => Algorithm::Delaunay,
         }
     }

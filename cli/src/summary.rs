@@ -63,6 +63,7 @@ impl Summary<'_> {
             return lines.add("task", "plain Delaunay triangulation of the input".to_owned());
         }
         let output = match parameters.output {
+            _ if parameters.algorithm == Algorithm::Svr => "sparse Voronoi refinement",
             Output::Hierarchical => "hierarchical mesh",
             Output::WellSpaced => "well-spaced mesh",
         };

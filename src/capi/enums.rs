@@ -87,7 +87,8 @@ pub enum nm_output {
 pub enum nm_algorithm {
     /// NETMESH: O(n log n) (plus the output for NM_OUTPUT_WELL_SPACED), whatever the spread.
     NM_ALGORITHM_NETMESH = 0,
-    /// Sparse Voronoi Refinement: no cages; O(n log spread + m). The baseline for comparisons.
+    /// Sparse Voronoi Refinement: no cages, a well-spaced mesh of one domain whatever the output;
+    /// O(n log spread + m). The baseline for comparisons.
     NM_ALGORITHM_SVR = 1,
     /// The plain Delaunay triangulation of the input, without Steiner points and without a bound on
     /// quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine subspace

@@ -79,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// YIELDINGINSERT of the corner of `simplex`.
-    fn refine_corner(&mut self, simplex: u32) -> Result<()> {
+    pub(super) fn refine_corner(&mut self, simplex: u32) -> Result<()> {
         let Some((x, radius)) = self.sound_corner(simplex) else {
             self.refine.limit(simplex);
             return Ok(());

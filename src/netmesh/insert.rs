@@ -1,6 +1,7 @@
 //! INSERT and INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy
 //! is changed first.
 
+use super::domains::ROOT;
 use super::encroach::LEVELS;
 use super::{Mesher, Scratch, some};
 use crate::error::Result;
@@ -18,8 +19,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         self.find_cavity_of_input(input)?;
-        if self.parameters.algorithm == Algorithm::Delaunay {
-            return self.insert_into_cavity(input);
+        match self.parameters.algorithm {
+            Algorithm::Netmesh => {}
+            Algorithm::Svr => {
+                self.hierarchy.set_domain(input, ROOT);
+                return self.insert_into_cavity(input);
+            }
+            Algorithm::Delaunay => return self.insert_into_cavity(input),
         }
         self.collect_cavity_corners()?;
         let x = *self.delaunay.point(input);
@@ -83,6 +89,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.refine.forget(created, self.delaunay.complex().simplex_bound())?;
         if self.parameters.algorithm != Algorithm::Delaunay {
             self.update_star(vertex)?;
+        }
+        if self.parameters.algorithm == Algorithm::Svr {
+            self.queue_crowded()?;
         }
         if self.watch.is_due(work) {
             self.report_progress(Phase::Insert)?;

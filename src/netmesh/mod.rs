@@ -18,6 +18,7 @@ mod quality;
 mod round;
 mod site;
 mod start;
+mod svr;
 mod template;
 mod watch;
 
@@ -33,6 +34,7 @@ use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 use std::cmp::Reverse;
 use std::time::Instant;
+use svr::Crowded;
 use watch::Watch;
 
 /// Inputs from which on growing arrays take more time than a progress callback may wait.
@@ -75,7 +77,10 @@ fn mesh<const D: usize>(
         mesher.insert_rounds()?;
     } else {
         mesher.start_netmesh()?;
-        mesher.insert_rounds()?;
+        match mesher.parameters.algorithm {
+            Algorithm::Svr => mesher.insert_sparsely()?,
+            _ => mesher.insert_rounds()?,
+        }
         if mesher.parameters.output == Output::WellSpaced {
             mesher.finish_mesh()?;
         }
@@ -91,6 +96,7 @@ struct Mesher<'a, 'b, const D: usize> {
     hierarchy: Hierarchy<D>,
     location: Location,
     refine: RefineList,
+    crowded: Crowded,
     /// Vertex -> distance to its nearest neighbour in the mesh.
     nearest: Vec<f64>,
     /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
@@ -186,6 +192,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             hierarchy,
             location,
             refine: RefineList::default(),
+            crowded: Crowded::default(),
             nearest: filled(count, f64::INFINITY)?,
             farthest: filled(count, 0.0)?,
             precision_limited: filled(count, false)?,

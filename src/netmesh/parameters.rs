@@ -33,9 +33,6 @@ impl Parameters {
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
     pub fn resolve(dim: usize, options: &Options) -> Result<Self> {
-        if options.algorithm == Algorithm::Svr {
-            return Err(not_yet("algorithm NM_ALGORITHM_SVR"));
-        }
         if options.ordering == NetOrdering::DeterministicNet {
             return Err(not_yet("ordering NM_ORDERING_DETERMINISTIC_NET"));
         }
@@ -46,6 +43,11 @@ impl Parameters {
             Criterion::RadiusEdge => {
                 (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [1.1, 1.25, 1.75, 2.25]), 50.0)
             }
+        };
+        // At 1.0 the corner of a D-ball that has inputs always yields, to inputs that are not medial.
+        let yield_radius = match options.algorithm {
+            Algorithm::Svr => pick(dim, [0.6, 0.9, 0.9, 0.9]),
+            _ => 1.0,
         };
         let max_vertices = match options.max_vertices {
             0 => u64::from(u32::MAX - 1),
@@ -61,7 +63,7 @@ impl Parameters {
             epsilon: number("epsilon", options.epsilon, 0.5, 0.05, 0.6)?,
             delta: number("delta", options.delta, pick(dim, [0.5, 0.5, 0.8, 1.0]), 0.1, 1.0)?,
             gamma: number("gamma", options.gamma, 0.1, 0.01, 0.25)?,
-            yield_radius: number("yield_radius", options.yield_radius, 1.0, 0.05, 1.0)?,
+            yield_radius: number("yield_radius", options.yield_radius, yield_radius, 0.05, 1.0)?,
             encroachment: number("encroachment", options.encroachment, 1.0, 1.0, 4.0)?,
             cage_scale: number("cage_scale", options.cage_scale, 0.8, 0.3, 0.9)?,
             root_scale: number(

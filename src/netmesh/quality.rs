@@ -121,7 +121,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
-    fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
+    pub(super) fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
         let node = self.hierarchy.node(domain);
         let sphere = self.parameters.cage_scale * node.radius;
         let distance = self.delaunay.corner_distance(simplex, &node.point);

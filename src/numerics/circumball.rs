@@ -299,6 +299,8 @@ mod tests {
                     assert_eq!(ball.radius, f64::INFINITY);
                     continue;
                 }
+                let size = largest_magnitude(&ball.center);
+                assert!((16.0 * UNIT * size..=1e-9 * size).contains(&ball.error), "{ball:?}");
                 let (numerators, denominator) = circumcenter_oracle(&simplex, ball.anchor as usize);
                 let exponent = 1023 - i64::from(biased_exponent(ball.scale));
                 for (value, numerator) in ball.center.iter().zip(&numerators) {
@@ -336,6 +338,42 @@ mod tests {
         assert!(flat.error == f64::INFINITY && flat.radius == f64::INFINITY);
         assert!(flat.center_point(&anchor)[0].is_nan());
         assert_eq!(flat.side(&anchor, &[5.0, 1.0]), None);
+    }
+
+    #[test]
+    fn generic_simplices_need_no_integers() {
+        fn check<const D: usize>() {
+            let mut random = Random(D as u64);
+            for _ in 0..100 {
+                let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+                for scale in [1.0, 2f64.powi(-600), 2f64.powi(600)] {
+                    let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+                    let simplex = references(&scaled);
+                    assert!(
+                        (0..=D).all(|anchor| Circumball::in_floats(&simplex, anchor).is_some())
+                    );
+                }
+            }
+        }
+        check::<2>();
+        check::<3>();
+        check::<5>();
+        // An edge 2^850 times longer than another.
+        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 2f64.powi(850)]];
+        assert!(Circumball::in_floats(&references(&points), 0).is_some());
+    }
+
+    /// A centre that is wrong by all that `error` admits, and a point that it is wrong about.
+    #[test]
+    fn what_the_error_leaves_open_is_undecided() {
+        let error = 2f64.powi(-20);
+        let ball = Circumball { anchor: 0, scale: 1.0, center: [1.0, 0.0], error, radius: 1.0 };
+        // The true centre is at 1 - error or 1 + error: its sphere ends at twice that.
+        for slip in [-1.9, 1.9] {
+            assert_eq!(ball.side(&[0.0; 2], &[2.0 + slip * error, 0.0]), None);
+        }
+        assert_eq!(ball.side(&[0.0; 2], &[2.0 - 9.0 * error, 0.0]), Some(true));
+        assert_eq!(ball.side(&[0.0; 2], &[2.0 + 9.0 * error, 0.0]), Some(false));
     }
 
     #[test]

@@ -186,8 +186,17 @@ mod tests {
         let tiny = 2f64.powi(-537);
         let corners =
             [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
-        let simplex = references(&corners);
-        assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
+        // Whatever the order of the corners and the signs of the coordinates.
+        for order in [[1, 2, 3], [2, 3, 1], [3, 1, 2], [1, 3, 2], [3, 2, 1], [2, 1, 3]] {
+            for signs in 0..8 {
+                let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
+                let turned = [0, order[0], order[1], order[2]].map(|i: usize| -> [f64; 3] {
+                    std::array::from_fn(|k| corners[i][k] * sign(k))
+                });
+                let simplex = references(&turned);
+                assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
+            }
+        }
     }
 
     /// Any finite double, or one of a few that collide often.

@@ -330,6 +330,7 @@ mod tests {
         assert_eq!((ball.anchor, ball.radius), (0, 0.5f64.sqrt()));
         assert_eq!(ball.center_point(&anchor), [0.5, 0.5]);
         assert_eq!(ball.side(&anchor, &[1e200, 0.0]), Some(false));
+        assert_eq!(ball.side(&anchor, &[-1e200, 0.0]), Some(false));
         assert_eq!(ball.side(&anchor, &[-f64::MAX, f64::MAX]), Some(false));
         assert_eq!(ball.side(&anchor, &[1.0, 1.0]), None);
         assert_eq!(ball.side(&anchor, &[1e-200, 1e-200]), Some(true));
@@ -363,17 +364,70 @@ mod tests {
         assert!(Circumball::in_floats(&references(&points), 0).is_some());
     }
 
-    /// A centre that is wrong by all that `error` admits, and a point that it is wrong about.
+    /// Centres that are wrong by all that `error` admits, and points that they are wrong about.
     #[test]
     fn what_the_error_leaves_open_is_undecided() {
-        let error = 2f64.powi(-20);
-        let ball = Circumball { anchor: 0, scale: 1.0, center: [1.0, 0.0], error, radius: 1.0 };
-        // The true centre is at 1 - error or 1 + error: its sphere ends at twice that.
-        for slip in [-1.9, 1.9] {
-            assert_eq!(ball.side(&[0.0; 2], &[2.0 + slip * error, 0.0]), None);
+        for sign in [1.0, -1.0] {
+            for axis in 0..2 {
+                let along = |x: f64| -> [f64; 2] {
+                    std::array::from_fn(|k| if k == axis { sign * x } else { 0.0 })
+                };
+                let side = |error: f64, distance: f64| {
+                    let center = along(1.0);
+                    let ball = Circumball { anchor: 0, scale: 1.0, center, error, radius: 1.0 };
+                    ball.side(&[0.0; 2], &along(distance))
+                };
+                let error = 2f64.powi(-20);
+                // The true centre is at 1 - error or 1 + error: its sphere ends at twice that.
+                for slip in [-1.9, 1.9] {
+                    assert_eq!(side(error, 2.0 + slip * error), None);
+                }
+                assert_eq!(side(error, 2.0 - 9.0 * error), Some(true));
+                assert_eq!(side(error, 2.0 + 9.0 * error), Some(false));
+                // With the least error, what is allowed for roundings: 4 * 16 * 2 + 16 * 4 units.
+                for slip in [-88.0, 88.0] {
+                    assert_eq!(side(16.0 * UNIT, 2.0 + slip * UNIT), None);
+                    assert!(side(16.0 * UNIT, 2.0 + 1.2 * slip * UNIT).is_some());
+                }
+            }
         }
-        assert_eq!(ball.side(&[0.0; 2], &[2.0 - 9.0 * error, 0.0]), Some(true));
-        assert_eq!(ball.side(&[0.0; 2], &[2.0 + 9.0 * error, 0.0]), Some(false));
+    }
+
+    #[test]
+    fn the_anchor_is_on_the_shortest_edge() {
+        fn check<const D: usize>() {
+            let mut random = Random(D as u64);
+            for _ in 0..200 {
+                let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+                let length = |i: usize, j: usize| -> f64 {
+                    (0..D).map(|k| (corners[i][k] - corners[j][k]).abs()).sum()
+                };
+                let edges = (0..D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+                let shortest = edges.min_by(|a, b| length(a.0, a.1).total_cmp(&length(b.0, b.1)));
+                assert_eq!(shortest_edge(&references(&corners)), shortest.expect("edges").0);
+            }
+        }
+        check::<2>();
+        check::<3>();
+        check::<8>();
+    }
+
+    #[test]
+    fn scales_are_clamped_and_radii_limited() {
+        let mut random = Random(3);
+        for exponent in [-1015, -1005, -995, 995, 1005, 1015] {
+            let scale = 2f64.powi(exponent);
+            let corners = points::<2>(Family::Uniform, 3, &mut random);
+            let unscaled = Circumball::new(&references(&corners));
+            let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+            let ball = Circumball::new(&references(&scaled));
+            assert!((2f64.powi(-1000)..=2f64.powi(1000)).contains(&ball.scale));
+            let expected = unscaled.radius * scale;
+            assert!((ball.radius / expected - 1.0).abs() < 1e-8, "{exponent}");
+        }
+        // A radius of about 2^1500.
+        let arc = [[0.0, 0.0], [2f64.powi(500), 0.0], [2f64.powi(501), 2f64.powi(-500)]];
+        assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
     }
 
     #[test]

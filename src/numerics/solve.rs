@@ -230,12 +230,44 @@ mod tests {
         }
     }
 
+    /// What the residual may hide is added to it.
+    #[test]
+    fn residuals_do_not_offset_their_roundings() {
+        let mut random = Random(9);
+        for _ in 0..100 {
+            let (a, b) = (1.0 + random.unit().abs(), 1.0 + random.unit().abs());
+            let rows =
+                std::array::from_fn(|i| std::array::from_fn(|j| if i == j { a } else { 0.0 }));
+            let (solution, error) = solve::<4>(&rows, &[b; 4]);
+            let gamma = 2.0 * 8.0 * UNIT;
+            let residual = (a * solution[0] - b).abs() + gamma * (a * solution[0] + b);
+            assert!((error * a / (2.0 * residual) - 1.0).abs() < 1e-9);
+        }
+    }
+
+    /// The inverse is exact here, and differences in the data, which cancel nowhere, could make the
+    /// matrix singular.
+    #[test]
+    fn rows_that_cancel_are_not_small() {
+        let near = -1.0 + 2f64.powi(-48);
+        let rows = [
+            [1.0, -1.0, 0.0, 0.0],
+            [1.0, near, 0.0, 0.0],
+            [0.0, 0.0, 1.0, -1.0],
+            [0.0, 0.0, 1.0, near],
+        ];
+        assert_eq!(solve(&rows, &[1.0; 4]).1, f64::INFINITY);
+    }
+
     /// All terms of determinants and numerators count, whatever their signs: these cancel.
     #[test]
     fn bounds_grow_with_the_permanents() {
-        for signs in 0..16 {
+        for signs in 0..32 {
             let sign = |bit: i32| if signs >> bit & 1 == 1 { -1.0 } else { 1.0 };
-            let rows = [[sign(0), sign(1)], [sign(2) * 0.5, sign(3) * 0.75]];
+            let mut rows = [[sign(0), sign(1)], [sign(2) * 0.5, sign(3) * 0.75]];
+            if signs >= 16 {
+                rows.iter_mut().for_each(|row| row.swap(0, 1));
+            }
             let (solution, error) = solve(&rows, &[1.0, 1.0]);
             let determinant = (rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]).abs();
             let size = largest_magnitude(&solution);

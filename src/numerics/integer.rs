@@ -120,7 +120,7 @@ mod tests {
         let product: IBig = (0..primes).map(|k| IBig::from(Field::nth(k).prime())).product();
         let half = (&product - 1) / 2;
         let lower = &product / Field::nth(primes - 1).prime();
-        let drawn = &half * random.bits() >> 64;
+        let drawn = (&half * random.bits()) >> 64;
         let any = &drawn >> random.integer(0, 63 * primes as i64) as usize;
         let values = [IBig::ZERO, IBig::ONE, &half - 1, &lower / 2, &lower / 2 + 1, lower, drawn];
         let values = values.into_iter().chain([half, any]);

@@ -404,7 +404,10 @@ mod tests {
                 };
                 let edges = (0..D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
                 let shortest = edges.min_by(|a, b| length(a.0, a.1).total_cmp(&length(b.0, b.1)));
-                assert_eq!(shortest_edge(&references(&corners)), shortest.expect("edges").0);
+                let tiny: Vec<_> = corners.iter().map(|p| p.map(|x| x * 2f64.powi(-600))).collect();
+                for corners in [&corners, &tiny] {
+                    assert_eq!(shortest_edge(&references(corners)), shortest.expect("edges").0);
+                }
             }
         }
         check::<2>();
@@ -427,6 +430,9 @@ mod tests {
         }
         // A radius of about 2^1500.
         let arc = [[0.0, 0.0], [2f64.powi(500), 0.0], [2f64.powi(501), 2f64.powi(-500)]];
+        assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
+        // The same of about 2^1039, where the solution overflows.
+        let arc = [[0.0, 0.0], [1.0, 2f64.powi(-1040)], [-1.0, 2f64.powi(-1040)]];
         assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
     }
 

@@ -66,6 +66,12 @@ mod tests {
     }
 
     #[test]
+    fn the_unit_is_the_largest_that_rounds_away() {
+        assert_eq!(1.0 + UNIT, 1.0);
+        assert_eq!(1.0 + UNIT.next_up(), 1.0 + f64::EPSILON);
+    }
+
+    #[test]
     fn scaling_saturates() {
         assert_eq!(scale_by_power(5e-324, 2097), 2f64.powi(1023));
         assert_eq!(scale_by_power(1.0, i64::MAX), f64::INFINITY);

@@ -86,6 +86,11 @@ mod tests {
     use super::Sign::{self, Negative, Positive, Zero};
 
     #[test]
+    fn signs_are_numbers() {
+        assert_eq!([Negative, Zero, Positive].map(|sign| sign as i8), [-1, 0, 1]);
+    }
+
+    #[test]
     fn products_follow_the_numbers() {
         for (a, x) in [(Negative, -2.0), (Zero, -0.0), (Positive, 5e-324)] {
             assert_eq!(Sign::of(x), a);

@@ -179,6 +179,31 @@ mod tests {
         filter_is_sound::<8>(300);
     }
 
+    /// A determinant of a few units of roundoff and a permanent of 2: undecided below what is allowed
+    /// for roundings, decided above.
+    #[test]
+    fn filters_allow_for_the_counted_roundings() {
+        fn check<const D: usize>(allowance: f64) {
+            let filtered = |units: f64| {
+                let mut corners = vec![[0.0; D]];
+                for i in 0..D {
+                    corners.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+                }
+                corners[1][1] = 1.0;
+                corners[2][0] = 1.0;
+                corners[2][1] = 1.0 + (units / 2.0).round() * f64::EPSILON;
+                orientation_filtered(&references(&corners))
+            };
+            assert_eq!(filtered(1.8 * allowance), None);
+            assert_eq!(filtered(2.2 * allowance), Some(Sign::Positive));
+        }
+        check::<2>(8.0);
+        check::<3>(16.0);
+        check::<4>(2.0 * 4.0 * 7.0);
+        check::<5>(2.0 * 5.0 * 8.0);
+        check::<8>(2.0 * 8.0 * 11.0);
+    }
+
     #[test]
     fn underflowing_minors_are_not_trusted() {
         // In units of 2^-1074 the minors are 0.51 and -0.75 and round to 1 and -1; times the third

@@ -211,7 +211,15 @@ mod tests {
         let tiny = 2f64.powi(-537);
         let corners =
             [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
-        // Whatever the order of the corners and the signs of the coordinates.
+        agree_in_every_order(&corners);
+        // The minors are right, but times the third coordinates they are 0.51, 0.51 and -1.3 in units
+        // of 2^-1074 and round to 1, 1 and -1.
+        let (a, z) = (2f64.powi(-267), 2f64.powi(-540));
+        agree_in_every_order(&[[0.0; 3], [a, 0.0, z], [-a, -1.3 * a, z], [0.0, -0.51 * a, z]]);
+    }
+
+    /// Whatever the order of the corners after the first and the signs of the coordinates.
+    fn agree_in_every_order(corners: &[[f64; 3]; 4]) {
         for order in [[1, 2, 3], [2, 3, 1], [3, 1, 2], [1, 3, 2], [3, 2, 1], [2, 1, 3]] {
             for signs in 0..8 {
                 let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };

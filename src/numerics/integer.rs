@@ -68,6 +68,7 @@ impl<const N: usize> Integer<N> {
         (mantissa, exponent - shift)
     }
 
+    /// At most 63 N bits: in N limbs there is room for more.
     fn magnitude(&self) -> Natural<N> {
         let negative = self.sign().is_negative();
         let mut value = Natural::ZERO;

@@ -282,6 +282,19 @@ mod tests {
     }
 
     #[test]
+    fn minors_are_those_of_the_first_rows() {
+        let mut matrix = [[0; MAX_SIZE]; MAX_SIZE];
+        (matrix[0][0], matrix[0][1], matrix[0][2]) = (1, 2, 3);
+        (matrix[1][0], matrix[1][1], matrix[1][2]) = (4, 5, 7);
+        let field = Field::nth(0);
+        let mut minors = [0; 1 << MAX_SIZE];
+        expand(field, &matrix, 2, 3, &mut minors);
+        let negative = |x: u64| field.prime() - x;
+        // By sets of columns: none, {0}, {1}, {0, 1}, {2}, {0, 2}, {1, 2}.
+        assert_eq!(minors[..7], [1, 1, 2, negative(3), 3, negative(5), negative(1)]);
+    }
+
+    #[test]
     fn points_at_the_origin_are_flat() {
         let (simplex, q) = ([&[0.0, -0.0]; 3], [0.0; 2]);
         assert_eq!(

@@ -299,6 +299,8 @@ mod tests {
                     assert_eq!(ball.radius, f64::INFINITY);
                     continue;
                 }
+                let size = largest_magnitude(&ball.center);
+                assert!((16.0 * UNIT * size..=1e-9 * size).contains(&ball.error), "{ball:?}");
                 let (numerators, denominator) = circumcenter_oracle(&simplex, ball.anchor as usize);
                 let exponent = 1023 - i64::from(biased_exponent(ball.scale));
                 for (value, numerator) in ball.center.iter().zip(&numerators) {
@@ -328,6 +330,7 @@ mod tests {
         assert_eq!((ball.anchor, ball.radius), (0, 0.5f64.sqrt()));
         assert_eq!(ball.center_point(&anchor), [0.5, 0.5]);
         assert_eq!(ball.side(&anchor, &[1e200, 0.0]), Some(false));
+        assert_eq!(ball.side(&anchor, &[-1e200, 0.0]), Some(false));
         assert_eq!(ball.side(&anchor, &[-f64::MAX, f64::MAX]), Some(false));
         assert_eq!(ball.side(&anchor, &[1.0, 1.0]), None);
         assert_eq!(ball.side(&anchor, &[1e-200, 1e-200]), Some(true));
@@ -336,6 +339,101 @@ mod tests {
         assert!(flat.error == f64::INFINITY && flat.radius == f64::INFINITY);
         assert!(flat.center_point(&anchor)[0].is_nan());
         assert_eq!(flat.side(&anchor, &[5.0, 1.0]), None);
+    }
+
+    #[test]
+    fn generic_simplices_need_no_integers() {
+        fn check<const D: usize>() {
+            let mut random = Random(D as u64);
+            for _ in 0..100 {
+                let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+                for scale in [1.0, 2f64.powi(-600), 2f64.powi(600)] {
+                    let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+                    let simplex = references(&scaled);
+                    assert!(
+                        (0..=D).all(|anchor| Circumball::in_floats(&simplex, anchor).is_some())
+                    );
+                }
+            }
+        }
+        check::<2>();
+        check::<3>();
+        check::<5>();
+        // An edge 2^850 times longer than another.
+        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 2f64.powi(850)]];
+        assert!(Circumball::in_floats(&references(&points), 0).is_some());
+    }
+
+    /// Centres that are wrong by all that `error` admits, and points that they are wrong about.
+    #[test]
+    fn what_the_error_leaves_open_is_undecided() {
+        for sign in [1.0, -1.0] {
+            for axis in 0..2 {
+                let along = |x: f64| -> [f64; 2] {
+                    std::array::from_fn(|k| if k == axis { sign * x } else { 0.0 })
+                };
+                let side = |error: f64, distance: f64| {
+                    let center = along(1.0);
+                    let ball = Circumball { anchor: 0, scale: 1.0, center, error, radius: 1.0 };
+                    ball.side(&[0.0; 2], &along(distance))
+                };
+                let error = 2f64.powi(-20);
+                // The true centre is at 1 - error or 1 + error: its sphere ends at twice that.
+                for slip in [-1.9, 1.9] {
+                    assert_eq!(side(error, 2.0 + slip * error), None);
+                }
+                assert_eq!(side(error, 2.0 - 9.0 * error), Some(true));
+                assert_eq!(side(error, 2.0 + 9.0 * error), Some(false));
+                // With the least error, what is allowed for roundings: 4 * 16 * 2 + 16 * 4 units.
+                for slip in [-88.0, 88.0] {
+                    assert_eq!(side(16.0 * UNIT, 2.0 + slip * UNIT), None);
+                    assert!(side(16.0 * UNIT, 2.0 + 1.2 * slip * UNIT).is_some());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_anchor_is_on_the_shortest_edge() {
+        fn check<const D: usize>() {
+            let mut random = Random(D as u64);
+            for _ in 0..200 {
+                let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+                let length = |i: usize, j: usize| -> f64 {
+                    (0..D).map(|k| (corners[i][k] - corners[j][k]).abs()).sum()
+                };
+                let edges = (0..D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+                let shortest = edges.min_by(|a, b| length(a.0, a.1).total_cmp(&length(b.0, b.1)));
+                let tiny: Vec<_> = corners.iter().map(|p| p.map(|x| x * 2f64.powi(-600))).collect();
+                for corners in [&corners, &tiny] {
+                    assert_eq!(shortest_edge(&references(corners)), shortest.expect("edges").0);
+                }
+            }
+        }
+        check::<2>();
+        check::<3>();
+        check::<8>();
+    }
+
+    #[test]
+    fn scales_are_clamped_and_radii_limited() {
+        let mut random = Random(3);
+        for exponent in [-1015, -1005, -995, 995, 1005, 1015] {
+            let scale = 2f64.powi(exponent);
+            let corners = points::<2>(Family::Uniform, 3, &mut random);
+            let unscaled = Circumball::new(&references(&corners));
+            let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+            let ball = Circumball::new(&references(&scaled));
+            assert!((2f64.powi(-1000)..=2f64.powi(1000)).contains(&ball.scale));
+            let expected = unscaled.radius * scale;
+            assert!((ball.radius / expected - 1.0).abs() < 1e-8, "{exponent}");
+        }
+        // A radius of about 2^1500.
+        let arc = [[0.0, 0.0], [2f64.powi(500), 0.0], [2f64.powi(501), 2f64.powi(-500)]];
+        assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
+        // The same of about 2^1039, where the solution overflows.
+        let arc = [[0.0, 0.0], [1.0, 2f64.powi(-1040)], [-1.0, 2f64.powi(-1040)]];
+        assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
     }
 
     #[test]

@@ -22,10 +22,10 @@ type Matrix = [[u64; MAX_SIZE]; MAX_SIZE];
 
 type Minors = [u64; 1 << MAX_SIZE];
 
-/// Primes that are enough for all but coordinates of very different sizes, with a limb to spare.
+/// Primes that are enough for all but coordinates of very different sizes.
 const FEW: usize = 32;
 
-/// Primes that are enough for all doubles in all dimensions, with limbs to spare.
+/// Primes that are enough for all doubles in all dimensions.
 const MANY: usize = Field::COUNT;
 
 /// Edges from an origin to at most `D + 1` other points, in units of `2^unit`.
@@ -114,7 +114,7 @@ impl<const D: usize> Edges<D> {
     /// The sign of the determinant of these columns, as many as there are edges.
     pub fn sign_of_determinant(&self, columns: &[Column]) -> Sign {
         let primes = primes_for(self.bits_of_determinants(columns));
-        if primes < FEW {
+        if primes <= FEW {
             self.sign_in::<FEW>(columns, primes)
         } else {
             self.sign_in::<MANY>(columns, primes)
@@ -135,7 +135,7 @@ impl<const D: usize> Edges<D> {
         (0..D).for_each(|k| columns[k] = Column::Component(k));
         let columns = &columns[..=D];
         let primes = primes_for(self.bits_of_determinants(columns));
-        if primes < FEW {
+        if primes <= FEW {
             self.solve_in::<FEW>(columns, primes)
         } else {
             self.solve_in::<MANY>(columns, primes)
@@ -279,6 +279,29 @@ mod tests {
         (0..8).for_each(|k| columns[k] = Column::Component(k));
         assert_eq!(edges.bits_of_determinants(&columns), 21012);
         assert_eq!(primes_for(21012), Field::COUNT);
+    }
+
+    #[test]
+    fn minors_are_those_of_the_first_rows() {
+        let mut matrix = [[0; MAX_SIZE]; MAX_SIZE];
+        (matrix[0][0], matrix[0][1], matrix[0][2]) = (1, 2, 3);
+        (matrix[1][0], matrix[1][1], matrix[1][2]) = (4, 5, 7);
+        let field = Field::nth(0);
+        let mut minors = [0; 1 << MAX_SIZE];
+        expand(field, &matrix, 2, 3, &mut minors);
+        let negative = |x: u64| field.prime() - x;
+        // By sets of columns: none, {0}, {1}, {0, 1}, {2}, {0, 2}, {1, 2}.
+        assert_eq!(minors[..7], [1, 1, 2, negative(3), 3, negative(5), negative(1)]);
+    }
+
+    #[test]
+    fn points_at_the_origin_are_flat() {
+        let (simplex, q) = ([&[0.0, -0.0]; 3], [0.0; 2]);
+        assert_eq!(
+            (orientation_exact(&simplex), in_ball_exact(&simplex, &q)),
+            (Sign::Zero, Sign::Zero)
+        );
+        assert!(circumcenter_exact(&simplex, 1).is_none());
     }
 
     /// Threads of some systems have 128 KiB.

@@ -29,12 +29,14 @@ impl<const N: usize> Integer<N> {
     pub fn push(&mut self, residue: u64) {
         let (known, next) = self.digits.split_at_mut(self.count);
         let field = Field::nth(self.count);
-        // By Horner's rule, what the digits so far stand for.
+        // By Horner's rule, what the digits so far stand for: with a distance below 2^14 each fold
+        // leaves less than 2^63 + 2^29, which need not be reduced before the end.
         let mut value = 0u64;
         for (k, digit) in known.iter().enumerate().rev() {
             let product = u128::from(value) * u128::from(field.distance(k));
-            value = field.reduce(product + u128::from(*digit));
+            value = field.fold(product + u128::from(*digit)) as u64;
         }
+        let value = field.reduce(u128::from(value));
         next[0] = field.multiply(field.subtract(residue, value), field.inverse_of_earlier());
         self.count += 1;
     }
@@ -66,6 +68,7 @@ impl<const N: usize> Integer<N> {
         (mantissa, exponent - shift)
     }
 
+    /// At most 63 N bits: in N limbs there is room for more.
     fn magnitude(&self) -> Natural<N> {
         let negative = self.sign().is_negative();
         let mut value = Natural::ZERO;
@@ -120,7 +123,7 @@ mod tests {
         let product: IBig = (0..primes).map(|k| IBig::from(Field::nth(k).prime())).product();
         let half = (&product - 1) / 2;
         let lower = &product / Field::nth(primes - 1).prime();
-        let drawn = &half * random.bits() >> 64;
+        let drawn = (&half * random.bits()) >> 64;
         let any = &drawn >> random.integer(0, 63 * primes as i64) as usize;
         let values = [IBig::ZERO, IBig::ONE, &half - 1, &lower / 2, &lower / 2 + 1, lower, drawn];
         let values = values.into_iter().chain([half, any]);

@@ -12,28 +12,12 @@ const SAFE: std::ops::RangeInclusive<f64> =
 /// or 2^-1074 absolutely where the result is subnormal. Zero iff the points are equal.
 #[inline]
 pub fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let difference: [f64; D] = std::array::from_fn(|i| a[i] - b[i]);
-    if SAFE.contains(&largest_magnitude(&difference)) {
-        root_of_squares(&difference)
-    } else {
-        distance_at_the_limits(a, b)
-    }
+    // A component that overflows is longer than f64::MAX by itself.
+    norm(&std::array::from_fn::<f64, D, _>(|i| a[i] - b[i]))
 }
 
-#[cold]
-#[inline(never)]
-fn distance_at_the_limits<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let difference: [f64; D] = std::array::from_fn(|i| a[i] - b[i]);
-    if difference.iter().all(|x| x.is_finite()) {
-        return norm(&difference);
-    }
-    // A difference overflowed, so halving rounds nothing that matters.
-    let halved: [f64; D] = std::array::from_fn(|i| a[i] * 0.5 - b[i] * 0.5);
-    2.0 * norm(&halved)
-}
-
-/// The Euclidean length of a vector of finite components; infinite only if the true length,
-/// rounded, exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
+/// The Euclidean length of a vector; infinite only if a component is or if the true length, rounded,
+/// exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
 /// 2^-1074 absolutely where the result is subnormal. Zero iff all components are.
 #[inline]
 pub fn norm(vector: &[f64]) -> f64 {
@@ -44,12 +28,11 @@ pub fn norm(vector: &[f64]) -> f64 {
 #[cold]
 #[inline(never)]
 fn scaled_norm(vector: &[f64], largest: f64) -> f64 {
-    if largest == 0.0 || largest == f64::INFINITY {
-        return largest;
-    }
-    // For subnormals the exponent is that of the smallest normal number: near enough.
+    // Zero and infinity stay what they are. For subnormals the exponent is that of the smallest
+    // normal number: near enough.
     let exponent = i64::from(biased_exponent(largest).max(1)) - 1023;
-    let sum: f64 = vector.iter().map(|x| scale_by_power(*x, -exponent)).map(|x| x * x).sum();
+    let scaled = vector.iter().map(|x| scale_by_power(*x, -exponent));
+    let sum = scaled.fold(0.0, |sum, x| sum + x * x);
     scale_by_power(sum.sqrt(), exponent)
 }
 

@@ -7,7 +7,7 @@ pub(super) struct Natural<const N: usize> {
 }
 
 /// `(q, s)` with q = `top * 2^s / bottom`, rounded down, of 65 or 66 bits: truncation is far below
-/// the rounding to a double. There must be room for one limb more than the longer one has.
+/// the rounding to a double. There must be room for one bit more than the longer one has.
 pub(super) fn quotient<const N: usize>(mut top: Natural<N>, mut bottom: Natural<N>) -> (u128, i64) {
     let (top_bits, bottom_bits) = (top.bits(), bottom.bits());
     top.shift_left(bottom_bits.saturating_sub(top_bits));

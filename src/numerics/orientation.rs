@@ -179,6 +179,31 @@ mod tests {
         filter_is_sound::<8>(300);
     }
 
+    /// A determinant of a few units of roundoff and a permanent of 2: undecided below what is allowed
+    /// for roundings, decided above.
+    #[test]
+    fn filters_allow_for_the_counted_roundings() {
+        fn check<const D: usize>(allowance: f64) {
+            let filtered = |units: f64| {
+                let mut corners = vec![[0.0; D]];
+                for i in 0..D {
+                    corners.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+                }
+                corners[1][1] = 1.0;
+                corners[2][0] = 1.0;
+                corners[2][1] = 1.0 + (units / 2.0).round() * f64::EPSILON;
+                orientation_filtered(&references(&corners))
+            };
+            assert_eq!(filtered(1.8 * allowance), None);
+            assert_eq!(filtered(2.2 * allowance), Some(Sign::Positive));
+        }
+        check::<2>(8.0);
+        check::<3>(16.0);
+        check::<4>(2.0 * 4.0 * 7.0);
+        check::<5>(2.0 * 5.0 * 8.0);
+        check::<8>(2.0 * 8.0 * 11.0);
+    }
+
     #[test]
     fn underflowing_minors_are_not_trusted() {
         // In units of 2^-1074 the minors are 0.51 and -0.75 and round to 1 and -1; times the third
@@ -186,8 +211,25 @@ mod tests {
         let tiny = 2f64.powi(-537);
         let corners =
             [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
-        let simplex = references(&corners);
-        assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
+        agree_in_every_order(&corners);
+        // The minors are right, but times the third coordinates they are 0.51, 0.51 and -1.3 in units
+        // of 2^-1074 and round to 1, 1 and -1.
+        let (a, z) = (2f64.powi(-267), 2f64.powi(-540));
+        agree_in_every_order(&[[0.0; 3], [a, 0.0, z], [-a, -1.3 * a, z], [0.0, -0.51 * a, z]]);
+    }
+
+    /// Whatever the order of the corners after the first and the signs of the coordinates.
+    fn agree_in_every_order(corners: &[[f64; 3]; 4]) {
+        for order in [[1, 2, 3], [2, 3, 1], [3, 1, 2], [1, 3, 2], [3, 2, 1], [2, 1, 3]] {
+            for signs in 0..8 {
+                let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
+                let turned = [0, order[0], order[1], order[2]].map(|i: usize| -> [f64; 3] {
+                    std::array::from_fn(|k| corners[i][k] * sign(k))
+                });
+                let simplex = references(&turned);
+                assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
+            }
+        }
     }
 
     /// Any finite double, or one of a few that collide often.

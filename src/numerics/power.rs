@@ -59,7 +59,16 @@ mod tests {
             assert_eq!(mantissa & 1, 1);
             assert_eq!(scale_by_power(mantissa as f64, exponent as i64), value);
         }
-        assert_eq!(decompose(-0.0).0, 0);
+        assert_eq!([decompose(0.0), decompose(-0.0)], [(0, i32::MAX); 2]);
+        assert_eq!(decompose(-0.75), (-3, -2));
+        assert_eq!(decompose(1.0 + f64::EPSILON), ((1 << 52) + 1, -52));
+        assert_eq!(decompose(f64::from_bits(6)), (3, -1073));
+    }
+
+    #[test]
+    fn the_unit_is_the_largest_that_rounds_away() {
+        assert_eq!(1.0 + UNIT, 1.0);
+        assert_eq!(1.0 + UNIT.next_up(), 1.0 + f64::EPSILON);
     }
 
     #[test]
@@ -68,5 +77,6 @@ mod tests {
         assert_eq!(scale_by_power(1.0, i64::MAX), f64::INFINITY);
         assert_eq!(scale_by_power(-1.0, i64::MIN), 0.0);
         assert_eq!(scale_by_power(3.0, -1074), 1.5e-323);
+        assert_eq!((power_of_two(-1022), power_of_two(1023)), (f64::MIN_POSITIVE, 2f64.powi(1023)));
     }
 }

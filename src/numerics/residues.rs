@@ -183,7 +183,7 @@ mod tests {
             }
             // The last fold leaves most where the bits below 63 are all ones.
             for high in 0..200u128 {
-                let value = (high + 1 << 63) - 1;
+                let value = ((high + 1) << 63) - 1;
                 assert_eq!(u128::from(field.reduce(value)), value % prime, "{k} {value}");
             }
             let residues = [0, 1, 2, field.prime() / 2, field.prime() - 1, drawn as u64 >> 2];

@@ -86,10 +86,19 @@ mod tests {
     use super::Sign::{self, Negative, Positive, Zero};
 
     #[test]
+    fn signs_are_numbers() {
+        assert_eq!([Negative, Zero, Positive].map(|sign| sign as i8), [-1, 0, 1]);
+    }
+
+    #[test]
     fn products_follow_the_numbers() {
         for (a, x) in [(Negative, -2.0), (Zero, -0.0), (Positive, 5e-324)] {
             assert_eq!(Sign::of(x), a);
-            assert_eq!(-a, Sign::of(-x));
+            assert_eq!((-a, a.flip(), Sign::from(x)), (Sign::of(-x), Sign::of(-x), a));
+            assert_eq!(
+                (a.is_negative(), a.is_zero(), a.is_positive()),
+                (x < 0.0, x == 0.0, x > 0.0)
+            );
             for (b, y) in [(Negative, -3.0), (Zero, 0.0), (Positive, f64::MAX)] {
                 assert_eq!(a * b, Sign::of(Sign::of(x) as i8 as f64 * y));
             }

@@ -149,3 +149,176 @@ fn invert<const D: usize>(matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     }
     Some(inverse)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::power::scale_by_power;
+    use crate::numerics::testing::{Random, integer, is_close, laplace};
+
+    /// Rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`; right sides at most 2 D.
+    fn system<const D: usize>(depth: i64, random: &mut Random) -> ([[f64; D]; D], [f64; D]) {
+        let mut row = || -> [f64; D] { std::array::from_fn(|_| random.unit()) };
+        let first = row();
+        let mut rows: [[f64; D]; D] = std::array::from_fn(|_| {
+            let other = row();
+            std::array::from_fn(|k| first[k] + other[k] * scale_by_power(1.0, -depth))
+        });
+        for row in &mut rows {
+            let exponent = super::super::power::biased_exponent(largest_magnitude(row)) - 1023;
+            *row = row.map(|x| scale_by_power(x, i64::from(-exponent)));
+        }
+        (rows, std::array::from_fn(|_| (random.unit() + 1.0) * D as f64))
+    }
+
+    /// The exact solution is within the bound of the computed one; returns how many were bounded.
+    fn bounds_hold<const D: usize>(trials: usize, depth: i64) -> usize {
+        let mut random = Random(D as u64 * 100 + depth as u64);
+        let bounded = |_: &usize| {
+            let (rows, right) = system::<D>(depth, &mut random);
+            let (solution, error) = solve(&rows, &right);
+            let is_bounded = error <= 1e-3 * largest_magnitude(&solution);
+            if is_bounded {
+                let exact = rows.map(|row| row.map(integer).to_vec());
+                let denominator = laplace(&exact);
+                for k in 0..D {
+                    let mut replaced = exact.clone();
+                    replaced.iter_mut().zip(right).for_each(|(row, b)| row[k] = integer(b));
+                    // `is_close` takes the quotient in units of 2^-1074.
+                    let quotient = (&(laplace(&replaced) << 1074), &denominator);
+                    assert!(is_close(solution[k], error, 0, quotient), "{rows:?} {right:?}");
+                }
+            }
+            is_bounded
+        };
+        (0..trials).filter(bounded).count()
+    }
+
+    #[test]
+    fn solutions_are_within_their_bounds() {
+        fn check<const D: usize>(trials: usize) {
+            for depth in [0, 10, 20, 30, 40, 45] {
+                bounds_hold::<D>(trials, depth);
+            }
+            // A bound is worth something: it is rarely missing where nothing is wrong.
+            assert!(bounds_hold::<D>(100, 0) > 95);
+        }
+        check::<2>(200);
+        check::<3>(200);
+        check::<4>(100);
+        check::<6>(20);
+        check::<8>(5);
+    }
+
+    /// The bound of x = right for the unit matrix, in units of roundoff: what the proofs allow.
+    #[test]
+    fn bounds_are_those_of_the_counted_roundings() {
+        fn units<const D: usize>(size: f64) -> f64 {
+            let rows =
+                std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+            let (solution, error) = solve::<D>(&rows, &[size; D]);
+            assert_eq!(solution, [size; D]);
+            error / (UNIT * size)
+        }
+        for size in [1.0, 1.5] {
+            // 1.01 times what numerators and determinants are wrong by, and the last rounding twice.
+            assert!((units::<2>(size) - (1.01 * (16.0 + 8.0) + 2.0)).abs() < 1e-3);
+            assert!((units::<3>(size) - (1.01 * (24.0 + 16.0) + 2.0)).abs() < 1e-3);
+            // Twice gamma times |row| |x| + b.
+            assert!((units::<4>(size) - 2.0 * 2.0 * 8.0 * 2.0).abs() < 1e-3);
+            assert!((units::<8>(size) - 2.0 * 2.0 * 12.0 * 2.0).abs() < 1e-3);
+        }
+    }
+
+    /// What the residual may hide is added to it.
+    #[test]
+    fn residuals_do_not_offset_their_roundings() {
+        let mut random = Random(9);
+        for _ in 0..100 {
+            let (a, b) = (1.0 + random.unit().abs(), 1.0 + random.unit().abs());
+            let rows =
+                std::array::from_fn(|i| std::array::from_fn(|j| if i == j { a } else { 0.0 }));
+            let (solution, error) = solve::<4>(&rows, &[b; 4]);
+            let gamma = 2.0 * 8.0 * UNIT;
+            let residual = (a * solution[0] - b).abs() + gamma * (a * solution[0] + b);
+            assert!((error * a / (2.0 * residual) - 1.0).abs() < 1e-9);
+        }
+    }
+
+    /// The inverse is exact here, and differences in the data, which cancel nowhere, could make the
+    /// matrix singular.
+    #[test]
+    fn rows_that_cancel_are_not_small() {
+        let near = -1.0 + 2f64.powi(-48);
+        let rows = [
+            [1.0, -1.0, 0.0, 0.0],
+            [1.0, near, 0.0, 0.0],
+            [0.0, 0.0, 1.0, -1.0],
+            [0.0, 0.0, 1.0, near],
+        ];
+        assert_eq!(solve(&rows, &[1.0; 4]).1, f64::INFINITY);
+    }
+
+    /// All terms of determinants and numerators count, whatever their signs: these cancel.
+    #[test]
+    fn bounds_grow_with_the_permanents() {
+        for signs in 0..32 {
+            let sign = |bit: i32| if signs >> bit & 1 == 1 { -1.0 } else { 1.0 };
+            let mut rows = [[sign(0), sign(1)], [sign(2) * 0.5, sign(3) * 0.75]];
+            if signs >= 16 {
+                rows.iter_mut().for_each(|row| row.swap(0, 1));
+            }
+            let (solution, error) = solve(&rows, &[1.0, 1.0]);
+            let determinant = (rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]).abs();
+            let size = largest_magnitude(&solution);
+            // Permanents: 0.75 + 0.5 of the matrix, 0.75 + 1 and 0.5 + 1 of the numerators.
+            let expected = 1.01 * (16.0 * 1.75 + size * 8.0 * 1.25) / determinant + 2.0 * size;
+            assert!((error / (UNIT * expected) - 1.0).abs() < 1e-9, "{rows:?}");
+        }
+        for signs in 0..512 {
+            let sign = |bit: usize| if signs >> bit & 1 == 1 { -1.0 } else { 1.0 };
+            let magnitudes = [[1.0, 0.5, 0.25], [0.5, 1.25, 0.75], [0.25, 0.5, 1.5]];
+            let rows: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|j| magnitudes[i][j] * sign(3 * i + j))
+            });
+            let right = [1.0, 2.0, 3.0];
+            let (solution, error) = solve(&rows, &right);
+            let size = largest_magnitude(&solution);
+            let replaced = |k: usize| {
+                let mut replaced = magnitudes;
+                replaced.iter_mut().zip(right).for_each(|(row, b)| row[k] = b);
+                permanent(&replaced)
+            };
+            let largest = replaced(0).max(replaced(1)).max(replaced(2));
+            let determinant = determinant(&rows);
+            if determinant == 0.0 {
+                continue;
+            }
+            let sums = 24.0 * largest + size * 16.0 * permanent(&magnitudes);
+            let expected = 1.01 * sums / determinant.abs() + 2.0 * size;
+            assert!((error / (UNIT * expected) - 1.0).abs() < 1e-9, "{rows:?}");
+        }
+    }
+
+    fn determinant(m: &[[f64; 3]; 3]) -> f64 {
+        let turn = |s: usize| m[0][s] * m[1][(s + 1) % 3] * m[2][(s + 2) % 3];
+        let back = |s: usize| m[0][s] * m[1][(s + 2) % 3] * m[2][(s + 1) % 3];
+        (0..3).map(|s| turn(s) - back(s)).sum()
+    }
+
+    fn permanent(m: &[[f64; 3]; 3]) -> f64 {
+        let turn = |s: usize| m[0][s] * m[1][(s + 1) % 3] * m[2][(s + 2) % 3];
+        let back = |s: usize| m[0][s] * m[1][(s + 2) % 3] * m[2][(s + 1) % 3];
+        (0..3).map(|s| turn(s) + back(s)).sum()
+    }
+
+    #[test]
+    fn singular_systems_have_no_bound() {
+        fn bound<const D: usize>() -> f64 {
+            solve(&[[1.0; D]; D], &[1.0; D]).1
+        }
+        for error in [bound::<2>(), bound::<3>(), bound::<4>(), bound::<8>()] {
+            assert!(error.is_nan() || error == f64::INFINITY);
+        }
+    }
+}

@@ -24,3 +24,20 @@ pub(super) fn planar<const D: usize>(point: &[f64; D]) -> Coord<f64> {
 pub(super) fn spatial<const D: usize>(point: &[f64; D]) -> Coord3D<f64> {
     Coord3D { x: point[0], y: point[1], z: point[2] }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_window_is_where_the_adaptive_signs_were_measured() {
+        let (smallest, largest) = (2f64.powi(-142), 2f64.powi(201));
+        assert!(in_window(&[[0.0, -0.0], [smallest, largest], [-largest, -smallest]]));
+        for outside in [smallest.next_down(), largest.next_up(), f64::MAX, f64::from_bits(1)] {
+            for point in [[outside, 1.0], [1.0, -outside]] {
+                assert!(!in_window(&[[1.0, 1.0], point]));
+            }
+        }
+        assert_eq!((planar(&[1.0, 2.0]).x, planar(&[1.0, 2.0]).y), (1.0, 2.0));
+    }
+}

@@ -27,8 +27,8 @@ impl<const D: usize> IntegerEdges<D> {
     pub fn gradients(&self) -> Option<Gradients<D>> {
         let solution = |right| Some(aligned(&self.0.solve(right)?, -self.0.unit));
         let mut gradients = [Offset::ZERO; MAX_DIM + 1];
-        for i in 0..D {
-            gradients[i] = solution(Column::Unit(i))?;
+        for (i, gradient) in gradients[..D].iter_mut().enumerate() {
+            *gradient = solution(Column::Unit(i))?;
         }
         let sum = solution(Column::Ones)?;
         gradients[D] = Offset { vector: sum.vector.map(|x| -x), exponent: sum.exponent };

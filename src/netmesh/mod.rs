@@ -2,7 +2,8 @@
 //! `net` (SELECTROUND), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
-//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH).
+//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `steiner` (where
+//! a Steiner point goes), `svr` (§3, the baseline).
 
 mod cage;
 mod clean;
@@ -18,6 +19,7 @@ mod quality;
 mod round;
 mod site;
 mod start;
+mod steiner;
 mod svr;
 mod template;
 mod watch;

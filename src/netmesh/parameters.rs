@@ -36,9 +36,6 @@ impl Parameters {
         if options.algorithm == Algorithm::Svr {
             return Err(not_yet("algorithm NM_ALGORITHM_SVR"));
         }
-        if options.ordering == NetOrdering::DeterministicNet {
-            return Err(not_yet("ordering NM_ORDERING_DETERMINISTIC_NET"));
-        }
         let (bound, lowest, highest) = match options.criterion {
             Criterion::VoronoiAspect => {
                 (pick(dim, [3.0, 4.0, 5.0, 6.0]), pick(dim, [2.2, 2.5, 3.5, 4.5]), 100.0)

@@ -244,8 +244,6 @@ void options() {
     REFUSE(NM_INVALID_ARGUMENT, options.cage_scale = 7.5, "cage_scale", "7.5");
     REFUSE(NM_INVALID_ARGUMENT, options.root_scale = 1e9, "root_scale");
     REFUSE(NM_INVALID_ARGUMENT, options.algorithm = NM_ALGORITHM_SVR, "NM_ALGORITHM_SVR", "not available");
-    REFUSE(NM_INVALID_ARGUMENT, options.ordering = NM_ORDERING_DETERMINISTIC_NET, "NM_ORDERING_DETERMINISTIC_NET",
-           "not available");
     REFUSE(NM_LIMIT, options.max_vertices = 600, "600");
 #undef REFUSE
 

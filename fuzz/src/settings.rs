@@ -42,8 +42,7 @@ impl Settings {
             _ => most,
         };
         let valid = choose_numbers(&mut options, bytes, dim);
-        let optional = options.algorithm == Algorithm::Svr
-            || options.ordering == NetOrdering::DeterministicNet;
+        let optional = options.algorithm == Algorithm::Svr;
         Self { options, valid, optional }
     }
 }

@@ -1,7 +1,7 @@
 //! The round of the deterministic ordering: NET(1/(2d), inputs) of every home, or of smaller parts
 //! where that did not halve the homes. No random number is used, here or elsewhere in such a run.
 
-use super::net::Net;
+use super::greedy::Net;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;

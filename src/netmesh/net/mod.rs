@@ -1,5 +1,5 @@
 //! SELECTROUND (§6.5): which inputs go in next. Either a sample of every home's inputs (`sampled`),
-//! or their net (`deterministic`): Theorem 3's NET is `net`, its two ingredients are `cover` (which
+//! or their net (`deterministic`): Theorem 3's NET is `greedy`, its two ingredients are `cover` (which
 //! balls still hold too many) and `center` (which inputs to take of those).
 //!
 //! What a round must achieve: the largest number of inputs in one home at least halves. In the paper
@@ -10,14 +10,14 @@
 //! inputs. But the inputs of a new D-ball may come from more homes than d: from at most C, the
 //! number of D-balls that meet an empty ball, a constant while the mesh has quality (Theorem 19).
 //! So the round verifies the halving, and where it fails takes nets with 1/(4d), 1/(8d), ... of
-//! what is left. The most inputs in a home shrink by C eps at least in a pass with eps, so after
+//! what is left. A pass with eps leaves at most C eps times the most inputs in a home, so after
 //! some 2 log2(C / 2d) passes they have halved: a constant number of constant-size nets of each
 //! home, which is what Lemma 31 needs of a round. In no run that we made was a second pass needed.
 
 mod center;
 mod cover;
 mod deterministic;
-mod net;
+mod greedy;
 mod sampled;
 #[cfg(test)]
 mod tests;

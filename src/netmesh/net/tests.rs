@@ -1,7 +1,7 @@
 //! The net's property against every ball there is, its size, its work.
 
 use super::center::Center;
-use super::net::Net;
+use super::greedy::Net;
 use crate::netmesh::watch::Watch;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 
@@ -72,10 +72,10 @@ fn net<const D: usize>(anchors: &[[f64; D]], points: &[[f64; D]], threshold: u32
     chosen.iter().map(|&i| i as usize).collect()
 }
 
-/// Calls `visit` with every set of `size` of the numbers below `count`.
+/// Calls `visit` with every set of `size` of the numbers below `count`, which is no smaller.
 fn subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     let mut set: Vec<usize> = (0..size).collect();
-    while count >= size {
+    loop {
         visit(&set);
         let Some(at) = (0..size).rfind(|&at| set[at] < count - size + at) else { return };
         set[at] += 1;

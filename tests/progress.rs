@@ -17,7 +17,7 @@ fn reports_of(mesh: &mut Mesh, options: &Options) -> Vec<Progress> {
     let mut callback = |report: &Progress| {
         assert_eq!(report.fraction, report.inputs_inserted as f64 / n);
         assert!(reports.last().is_none_or(|last| last.fraction <= report.fraction));
-        reports.push(report.clone());
+        reports.push(*report);
         true
     };
     mesh.run(options, Some(&mut callback)).unwrap();

@@ -48,7 +48,7 @@ need_packages() {
 # rustup puts cargo where a shell that has not been started anew does not look.
 need_cargo() {
   has cargo || PATH="${CARGO_HOME:-$HOME/.cargo}/bin:$PATH"
-  has cargo || fail "cargo is needed: https://rustup.rs or Debian's package cargo (1.85 or later)"
+  has cargo || fail "cargo is needed: https://rustup.rs or Debian's package cargo (1.86 or later)"
 }
 
 # Rust links with the C compiler, which rustup does not bring along.

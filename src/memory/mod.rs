@@ -97,9 +97,8 @@ fn grow<T>(vec: &mut Vec<T>, additional: usize) -> Fallible<()> {
 /// Room for `expected` elements in all, if the system gives it: growing later would move what is
 /// there, which takes tenths of a second for the arrays of millions of simplices.
 pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
-    if let Some(additional) = expected.checked_sub(vec.len())
-        && vec.try_reserve_exact(additional).is_ok()
-    {
+    let additional = expected.saturating_sub(vec.len());
+    if vec.try_reserve_exact(additional).is_ok() {
         prefer_large_pages(vec, vec.capacity());
     }
 }

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "../cpp_tests/support/uniform.h"
+
 static double seconds(void) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -31,14 +33,6 @@ static int32_t progress(const nm_progress *report, void *user_data) {
   watch->last = seconds();
   watch->stopped = watch->last;
   return stop;
-}
-
-static double uniform(void) {
-  static uint64_t state = 88172645463325252u;
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return (double)(state >> 11) / 9007199254740992.0;
 }
 
 int main(int argc, char **argv) {

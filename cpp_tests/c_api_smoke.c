@@ -8,16 +8,7 @@
 #include <string.h>
 
 #include "netmesh.h"
-
-#define REQUIRE(expression)                                                                   \
-    do {                                                                                      \
-        if (!(expression)) {                                                                  \
-            char message[512];                                                                \
-            nm_last_error(message, sizeof message);                                           \
-            fprintf(stderr, "%s:%d: FAILED: %s  [%s]\n", __FILE__, __LINE__, #expression, message); \
-            exit(1);                                                                          \
-        }                                                                                     \
-    } while (0)
+#include "support/require.h"
 
 enum { point_count = 60 };
 

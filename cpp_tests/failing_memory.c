@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/uniform.h"
+
 #ifndef __GLIBC__
 
 int main(void) {
@@ -252,14 +254,6 @@ static void sweep(const struct job *job) {
          job->name, plan.points, plan.big_points, plan.children, plan.aborts, plan.panics);
   fflush(stdout);
   check(plan.aborts + plan.panics == 0, "an allocation ended the process");
-}
-
-static double uniform(void) {
-  static uint64_t state = 88172645463325252u;
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return (double)(state >> 11) / 9007199254740992.0;
 }
 
 /* Half of the points in the unit cube, half of them a million times closer together: with cages. */

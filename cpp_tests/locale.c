@@ -11,18 +11,9 @@
 #include <string.h>
 
 #include "netmesh.h"
+#include "support/require.h"
 
 enum { skip_code = 77 };
-
-#define REQUIRE(expression)                                                                   \
-    do {                                                                                      \
-        if (!(expression)) {                                                                  \
-            char message[512];                                                                \
-            nm_last_error(message, sizeof message);                                           \
-            fprintf(stderr, "%s:%d: FAILED: %s  [%s]\n", __FILE__, __LINE__, #expression, message); \
-            exit(1);                                                                          \
-        }                                                                                     \
-    } while (0)
 
 /* Sets a locale with a decimal comma; answers 0 where there is none. */
 static int set_comma_locale(void) {

@@ -243,8 +243,6 @@ void options() {
     REFUSE(NM_INVALID_ARGUMENT, options.encroachment = 7.5, "encroachment", "7.5");
     REFUSE(NM_INVALID_ARGUMENT, options.cage_scale = 7.5, "cage_scale", "7.5");
     REFUSE(NM_INVALID_ARGUMENT, options.root_scale = 1e9, "root_scale");
-    REFUSE(NM_INVALID_ARGUMENT, options.ordering = NM_ORDERING_DETERMINISTIC_NET, "NM_ORDERING_DETERMINISTIC_NET",
-           "not available");
     REFUSE(NM_LIMIT, options.max_vertices = 600, "600");
 #undef REFUSE
 

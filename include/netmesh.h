@@ -193,7 +193,8 @@ enum nm_ordering
      */
     NM_ORDERING_SAMPLED_NET = 0,
     /**
-     * A deterministic net: the time bound is worst-case time.
+     * A deterministic net: the time bound is worst-case time. No random number is used, so
+     * nm_options.seed has no effect.
      */
     NM_ORDERING_DETERMINISTIC_NET = 1,
 };
@@ -623,8 +624,7 @@ typedef struct nm_options {
      */
     nm_algorithm algorithm;
     /**
-     * How inputs are selected. Default NM_ORDERING_SAMPLED_NET. NM_ORDERING_DETERMINISTIC_NET is not
-     * available in this version (NM_INVALID_ARGUMENT).
+     * How inputs are selected. Default NM_ORDERING_SAMPLED_NET.
      */
     nm_ordering ordering;
     /**
@@ -679,7 +679,8 @@ typedef struct nm_options {
      */
     double root_scale;
     /**
-     * Seed of the sampling; equal inputs, options and seeds give equal meshes. Any value, default 0.
+     * Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
+     * NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
      */
     uint64_t seed;
     /**

@@ -31,7 +31,8 @@ pub enum NetOrdering {
     /// A seeded sample of each D-ball, whose halving is verified.
     #[default]
     SampledNet = 0,
-    /// A deterministic net. Not yet available.
+    /// The net of each D-ball's inputs (Theorem 3), its property exact, its halving verified. No
+    /// random number is used.
     DeterministicNet = 1,
 }
 
@@ -68,6 +69,7 @@ pub struct Options {
     pub cage_scale: f64,
     /// Radius of the root ball relative to the input's bounding ball.
     pub root_scale: f64,
+    /// Of [`NetOrdering::SampledNet`]; without effect on [`NetOrdering::DeterministicNet`].
     pub seed: u64,
     pub max_vertices: u64,
 }

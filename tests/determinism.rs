@@ -1,7 +1,8 @@
 //! A mesh is a function of its points and options: the same bytes every time, in this process and in
 //! any other. The bytes themselves are nobody's promise; a better algorithm may give others.
 
-use netmesh::{Mesh, Options, Output, Triangulation};
+use netmesh::validate::validate;
+use netmesh::{Algorithm, Inputs, Mesh, NetOrdering, Options, Output, Triangulation};
 
 /// Points in general position, some of them close together so that there are cages.
 fn points(dim: usize, n: usize) -> Vec<f64> {
@@ -70,4 +71,35 @@ fn a_second_run_gives_the_bytes_of_a_first_one() {
         mesh.run(options, None).unwrap();
     }
     assert_same_bytes(mesh.triangulation().unwrap(), &expected, "after other runs");
+}
+
+/// The deterministic ordering uses no random number: the seed changes nothing, and each round halves
+/// the homes.
+#[test]
+fn the_deterministic_ordering_has_no_seed() {
+    let kinds = [
+        (Algorithm::Netmesh, Output::Hierarchical),
+        (Algorithm::Netmesh, Output::WellSpaced),
+        (Algorithm::Delaunay, Output::Hierarchical),
+    ];
+    for (dim, n) in [(2, 3000), (3, 600), (4, 100)] {
+        let points = points(dim, n);
+        for (algorithm, output) in kinds {
+            let ordering = NetOrdering::DeterministicNet;
+            let options = Options { algorithm, output, ordering, ..Options::default() };
+            let condition = format!("{dim}D {algorithm:?} {output:?}");
+            let first = run(dim, &points, &options);
+            let cages = first.domains.len() > 1 || output == Output::WellSpaced;
+            assert!(cages || algorithm == Algorithm::Delaunay, "{condition}: no cage to be turned");
+            let other = run(dim, &points, &Options { seed: 12345, ..options.clone() });
+            assert_same_bytes(&first, &other, &condition);
+            let most = (n as f64).log2() as u64 + 2;
+            let rounds = first.stats.rounds;
+            // More than one, or every home was exhausted at once and there was no net.
+            assert!((rounds > 1 || dim == 4) && rounds <= most, "{condition}: {rounds} rounds");
+            let inputs = Inputs::new(dim, n, &points, 0).unwrap();
+            let report = validate(&inputs, &first, 3).unwrap();
+            assert_eq!(report.level, 3, "{condition}: {:?}", report.first);
+        }
+    }
 }

@@ -11,8 +11,6 @@ pub struct Settings {
     pub options: Options,
     /// Whether every number is in its documented range.
     pub valid: bool,
-    /// Whether they ask for what this version need not have.
-    pub optional: bool,
 }
 
 impl Settings {
@@ -42,8 +40,7 @@ impl Settings {
             _ => most,
         };
         let valid = choose_numbers(&mut options, bytes, dim);
-        let optional = options.ordering == NetOrdering::DeterministicNet;
-        Self { options, valid, optional }
+        Self { options, valid }
     }
 }
 

@@ -103,7 +103,8 @@ pub enum nm_algorithm {
 pub enum nm_ordering {
     /// A sample driven by nm_options.seed, whose success is verified: the time bound is expected time.
     NM_ORDERING_SAMPLED_NET = 0,
-    /// A deterministic net: the time bound is worst-case time.
+    /// A deterministic net: the time bound is worst-case time. No random number is used, so
+    /// nm_options.seed has no effect.
     NM_ORDERING_DETERMINISTIC_NET = 1,
 }
 

@@ -50,8 +50,7 @@ pub struct nm_options {
     pub output: MaybeUninit<nm_output>,
     /// How it works. Default NM_ALGORITHM_NETMESH.
     pub algorithm: MaybeUninit<nm_algorithm>,
-    /// How inputs are selected. Default NM_ORDERING_SAMPLED_NET. NM_ORDERING_DETERMINISTIC_NET is not
-    /// available in this version (NM_INVALID_ARGUMENT).
+    /// How inputs are selected. Default NM_ORDERING_SAMPLED_NET.
     pub ordering: MaybeUninit<nm_ordering>,
     /// The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
     pub criterion: MaybeUninit<nm_criterion>,
@@ -84,7 +83,8 @@ pub struct nm_options {
     /// would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
     /// 2.5, 3, 4 in 2D, 3D, 4D, more.
     pub root_scale: f64,
-    /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Any value, default 0.
+    /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
+    /// NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
     pub seed: u64,
     /// The run answers NM_LIMIT rather than make more vertices, inputs included. Default (0): what
     /// 32-bit ids allow.

@@ -51,6 +51,15 @@ impl<const D: usize> Complex<D> {
         })
     }
 
+    /// Forgets all vertices and simplices, but keeps their room.
+    pub fn clear(&mut self) {
+        self.vertices.clear();
+        self.neighbors.clear();
+        self.free.clear();
+        self.incident.clear();
+        self.marks.clear();
+    }
+
     /// One past the largest simplex id ever used; arrays over simplices have this length.
     pub fn simplex_bound(&self) -> usize {
         self.marks.len()

@@ -25,7 +25,8 @@ impl<const D: usize> Delaunay<D> {
             .find(|&simplex| self.complex.is_live(simplex) && self.in_conflict(simplex, q))
     }
 
-    fn finite_near(&self, start: u32) -> u32 {
+    /// `start`, or the finite neighbour of an infinite one.
+    pub fn finite_near(&self, start: u32) -> u32 {
         match self.complex.vertices(start).iter().position(|&v| v == INFINITE) {
             Some(infinite) => self.complex.neighbors(start)[infinite],
             None => start,

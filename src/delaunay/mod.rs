@@ -57,6 +57,13 @@ impl<const D: usize> Delaunay<D> {
         })
     }
 
+    /// Forgets all points and simplices, but keeps their room.
+    pub fn clear(&mut self) {
+        self.complex.clear();
+        self.points.clear();
+        self.balls.clear();
+    }
+
     pub fn complex(&self) -> &Complex<D> {
         &self.complex
     }

@@ -6,6 +6,8 @@ use super::{Mesher, some};
 use crate::error::Result;
 use crate::memory::{Fallible, TryGrow};
 use crate::numerics::distance;
+use crate::options::NetOrdering;
+use rand_core::Rng;
 
 /// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
 /// has been displaced by rounding: the packing property leaves more room in exact arithmetic.
@@ -34,7 +36,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.adopt_center(cage, site);
         let mut start = start;
         let mut yielded = Vec::new();
-        let directions = turned(&self.template, &mut self.random)?;
+        let turn = self.turn_of(cage);
+        let directions = turned(&self.template, turn)?;
         for x in cage_points(&directions, &point, sphere)? {
             if let Some(vertex) = self.insert_cage_vertex(cage, x, start)? {
                 start = self.delaunay.complex().incident(vertex);
@@ -46,6 +49,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.measure_clearance(cage)?;
         self.examine_cage(cage)?;
         self.make_room_outside(cage, &yielded)
+    }
+
+    /// What turns the template for `cage`: random bits, or in a deterministic ordering those of a
+    /// fixed sequence (the fractions of multiples of the golden ratio).
+    fn turn_of(&mut self, cage: u32) -> u64 {
+        match self.parameters.ordering {
+            NetOrdering::SampledNet => self.random.next_u64(),
+            NetOrdering::DeterministicNet => u64::from(cage).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+        }
     }
 
     /// Puts the centre, or the outermost domain concentric with it, into the new domain.

@@ -2,6 +2,7 @@
 //! nearest to it in its D-ball instead.
 
 use super::Mesher;
+use super::steiner::SteinerPoint;
 use crate::error::Result;
 use crate::memory::{Fallible, TryGrow, enqueue, expect};
 use crate::numerics::distance;
@@ -78,9 +79,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// YIELDINGINSERT of the corner of `simplex`.
+    /// YIELDINGINSERT of the Steiner point for `simplex`.
     pub(super) fn refine_corner(&mut self, simplex: u32) -> Result<()> {
-        let Some((x, radius)) = self.sound_corner(simplex) else {
+        let Some(SteinerPoint { point: x, radius }) = self.steiner_point(simplex) else {
             self.refine.limit(simplex);
             return Ok(());
         };
@@ -95,21 +96,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let vertex = self.add_vertex(x)?;
         self.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex)
-    }
-
-    /// The corner of `simplex` and its D-ball's radius, unless rounding moved the corner out of
-    /// the D-ball or closer to a vertex than half the radius (DESIGN section 3, precision).
-    fn sound_corner(&self, simplex: u32) -> Option<([f64; D], f64)> {
-        let radius = self.delaunay.ball(simplex)?.radius;
-        let corner = self.delaunay.corner(simplex)?;
-        let has_room = |&vertex: &u32| {
-            let gap = distance(&corner, self.delaunay.point(vertex));
-            gap >= 0.5 * radius && gap <= 1.5 * radius
-        };
-        let sound = corner.iter().all(|x| x.is_finite())
-            && self.delaunay.complex().vertices(simplex).iter().all(has_room)
-            && self.delaunay.in_conflict(simplex, &corner);
-        sound.then_some((corner, radius))
     }
 
     /// The uninserted input nearest to `x` within `reach`, among the homes in the scratch cavity

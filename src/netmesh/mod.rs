@@ -1,8 +1,9 @@
 //! The paper's algorithm (§6), one file per operation: `start` (the root cage and first homes),
-//! `net` (SELECTROUND), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
+//! `net` (SELECTROUND and NET), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
-//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH).
+//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `steiner` (where
+//! a Steiner point goes), `svr` (§3, the baseline).
 
 mod cage;
 mod clean;
@@ -18,6 +19,7 @@ mod quality;
 mod round;
 mod site;
 mod start;
+mod steiner;
 mod svr;
 mod template;
 mod watch;
@@ -107,6 +109,7 @@ struct Mesher<'a, 'b, const D: usize> {
     inputs: usize,
     /// Directions of the cage's vertices from its centre.
     template: Vec<[f64; D]>,
+    /// Not used by a deterministic ordering.
     random: Pcg64Mcg,
     watch: Watch<'a, 'b>,
     stats: Stats,

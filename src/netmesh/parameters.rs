@@ -33,9 +33,6 @@ impl Parameters {
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
     pub fn resolve(dim: usize, options: &Options) -> Result<Self> {
-        if options.ordering == NetOrdering::DeterministicNet {
-            return Err(not_yet("ordering NM_ORDERING_DETERMINISTIC_NET"));
-        }
         let (bound, lowest, highest) = match options.criterion {
             Criterion::VoronoiAspect => {
                 (pick(dim, [3.0, 4.0, 5.0, 6.0]), pick(dim, [2.2, 2.5, 3.5, 4.5]), 100.0)
@@ -117,11 +114,4 @@ fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Re
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
     Ok(given)
-}
-
-fn not_yet(what: &str) -> Error {
-    Error::new(
-        ErrorKind::InvalidArgument,
-        message!("options.{what} is not available in this version"),
-    )
 }

@@ -77,25 +77,29 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return false;
         }
         let bad_cell = match self.parameters.criterion {
-            Criterion::VoronoiAspect => self.has_bad_cell(simplex, radius),
+            Criterion::VoronoiAspect => self.worst_cell(simplex, radius).is_some(),
             Criterion::RadiusEdge => self.has_short_edge(simplex, radius),
         };
         bad_cell || (!self.hierarchy.is_single() && self.has_bad_cage(simplex))
     }
 
-    /// R / r_v for one of the vertices v, with r_v = NN(v) / 2.
-    fn has_bad_cell(&mut self, simplex: u32, radius: f64) -> bool {
-        let reach = 2.0 * radius / self.parameters.quality_bound;
+    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2.
+    pub(super) fn worst_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+        let mut least = 2.0 * radius / self.parameters.quality_bound;
+        let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];
-            if self.nearest[vertex as usize] < reach && self.counts_for(simplex, vertex) {
-                return true;
+            let nearest = self.nearest[vertex as usize];
+            if nearest < least && self.counts_for(simplex, vertex) {
+                least = nearest;
+                worst = Some(vertex);
             }
         }
-        false
+        worst
     }
 
-    fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
+    /// Whether an edge of `simplex` is too short for its radius.
+    pub(super) fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
         let shortest_allowed = radius / self.parameters.quality_bound;
         let vertices = self.delaunay.complex().vertices(simplex);
         if vertices.iter().all(|&v| self.nearest[v as usize] >= shortest_allowed) {

@@ -5,9 +5,6 @@ use super::Mesher;
 use crate::error::Result;
 use crate::options::Algorithm;
 
-/// Inputs that a round takes of each D-ball at first.
-const PER_BALL: u32 = 1;
-
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn insert_rounds(&mut self) -> Result<()> {
         while self.location.remaining() > 0 {
@@ -18,22 +15,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// One round: some inputs of every D-ball, then more of those that still hold over `target`.
+    /// One round: some inputs of every D-ball, then more until none holds over `target`.
     fn insert_round(&mut self, target: u32) -> Result<()> {
-        let mut per_ball = PER_BALL;
-        let mut crowd = 0;
-        loop {
-            for input in self.select_round(per_ball, crowd)? {
+        let mut pass = 0;
+        while pass == 0 || self.location.max_count() > target {
+            for input in self.select_round(pass, target)? {
                 self.insert_input(input)?;
                 if self.parameters.algorithm != Algorithm::Delaunay {
                     self.clean()?;
                 }
             }
-            if self.location.max_count() <= target {
-                return Ok(());
-            }
-            crowd = target;
-            per_ball *= 2;
+            pass += 1;
         }
+        Ok(())
     }
 }

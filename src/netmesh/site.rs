@@ -6,6 +6,7 @@ use super::start::{REPRESENTABLE, spacing_near};
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::numerics::distance;
+use crate::options::Output;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
@@ -26,9 +27,14 @@ const SLACK: f64 = 1.001;
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
 /// How much more room than it needs a cage must have to be smaller than the refinement that it
-/// saves (docs/decisions.md): cages are cheap in 2D, dearer above.
-const fn pays<const D: usize>() -> f64 {
-    if D == 2 { 1.0 } else { 2.0 }
+/// saves (docs/decisions.md): cages are cheap in 2D, dearer above, and dearer still where FINISHMESH
+/// fills the gap that they bridge.
+fn pays<const D: usize>(output: Output) -> f64 {
+    match (output, D) {
+        (Output::WellSpaced, _) => 8.0,
+        (Output::Hierarchical, 2) => 1.0,
+        (Output::Hierarchical, _) => 2.0,
+    }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -45,7 +51,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Some(child) => self.hierarchy.node(child).outside,
             None => self.nearest[center as usize],
         };
-        let most = self.radius_within(clearance) / pays::<D>();
+        let most = self.radius_within(clearance) / pays::<D>(self.parameters.output);
         let least = self.radius_for(gap).max(self.smallest_radius(center));
         let radius = self.lasting_radius(center, child, least, most)?;
         Ok(radius.map(|radius| CageSite { center, radius, parent }))

@@ -45,13 +45,9 @@ pub(super) fn cage_points<const D: usize>(
     collected(template.iter().map(point))
 }
 
-/// T with its axes permuted and reflected at random, which is exact: cages about one centre that
+/// T with its axes permuted and reflected as `bits` say, which is exact: cages about one centre that
 /// are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
-pub(super) fn turned<const D: usize>(
-    template: &[[f64; D]],
-    random: &mut Pcg64Mcg,
-) -> Fallible<Vec<[f64; D]>> {
-    let bits = random.next_u64();
+pub(super) fn turned<const D: usize>(template: &[[f64; D]], bits: u64) -> Fallible<Vec<[f64; D]>> {
     let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
     let mut choice = bits >> 32;
     for axis in (1..D).rev() {

@@ -308,7 +308,7 @@ fn union_cells_of_bad_aspect() {
 fn simplices_of_bad_radius_edge_ratio() {
     for mut case in [
         run(&random_points::<2>(60, 1), &Options::default()),
-        run(&pairs::<3>(4, 1e-9, 2), &Options::default()),
+        run(&pairs::<3>(12, 1e-9, 2), &Options::default()),
     ] {
         case.mesh.parameters.criterion = Criterion::RadiusEdge;
         assert_sound(&case);

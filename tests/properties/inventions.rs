@@ -48,7 +48,7 @@ fn meshes_of_raw_bit_patterns() {
     for_all(40, sets, |(dim, mut coordinates)| {
         coordinates.truncate(coordinates.len() / dim * dim);
         let options = Options { max_vertices: 1500, ..Options::default() };
-        let settings = super::checks::settings::Settings { options, valid: true, optional: false };
+        let settings = super::checks::settings::Settings { options, valid: true };
         mesh::check_points(dim, &coordinates, &settings);
     });
 }

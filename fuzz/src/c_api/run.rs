@@ -145,9 +145,7 @@ impl Attempt {
         }
         match status {
             nm_status::NM_OK => self.may_succeed(),
-            nm_status::NM_INVALID_ARGUMENT => {
-                !self.settings.valid || self.settings.optional || self.wrong.is_some()
-            }
+            nm_status::NM_INVALID_ARGUMENT => !self.settings.valid || self.wrong.is_some(),
             nm_status::NM_CANCELLED => self.cancels,
             nm_status::NM_DEGENERATE_INPUT => {
                 self.settings.options.algorithm == Algorithm::Delaunay || self.wrong.is_some()

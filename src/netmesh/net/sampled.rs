@@ -1,15 +1,15 @@
-//! SELECTROUND (§6.5): a few inputs of every D-ball, sampled. One point per ball halves the lists
-//! several times over in practice, far below the generic bound on the size of a net (Theorem 3);
-//! the round verifies that it did and asks for more where it did not.
+//! The sampled round: a few random inputs of every home. One per home halves the homes several times
+//! over in practice, far below the generic bound on the size of a net (Theorem 3); the round
+//! verifies that it did and asks for more where it did not.
 
-use super::Mesher;
 use crate::error::Result;
 use crate::memory::TryGrow;
+use crate::netmesh::Mesher;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Up to `per_ball` inputs of every home with more than `crowd` of them, by simplex.
-    pub(super) fn select_round(&mut self, per_ball: u32, crowd: u32) -> Result<Vec<u32>> {
+    pub(super) fn select_sample(&mut self, per_ball: u32, crowd: u32) -> Result<Vec<u32>> {
         let mut selected = Vec::new();
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
             self.watch.tick(1)?;

@@ -1,0 +1,121 @@
+//! Where a Steiner point goes. The paper inserts the farthest corner of a bad cell. A point on the
+//! way to the corner that is only as far from the vertices it serves as the bound asks for mends the
+//! cell as well and leaves a larger empty ball behind: off-centres, as in Üngör, "Off-centers: a new
+//! type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations",
+//! 2004.
+
+use super::Mesher;
+use crate::numerics::distance;
+use crate::options::Criterion;
+
+/// A point for the mesh and the radius of a ball about it that no vertex is in.
+pub(super) struct SteinerPoint<const D: usize> {
+    pub point: [f64; D],
+    pub radius: f64,
+}
+
+/// How far an off-centre is from the vertex of a bad cell, relative to what the bound allows its
+/// corners (docs/decisions.md has the figures).
+const fn cell_reach<const D: usize>() -> f64 {
+    if D == 2 { 1.2 } else { 1.1 }
+}
+
+/// How far an off-centre is from the middle of a short edge, relative to the apex of the triangle
+/// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex than
+/// the bound times the edge.
+const fn edge_reach<const D: usize>() -> f64 {
+    if D == 2 { 0.9 } else { 0.6 }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The point to insert for `simplex`, which is bad, or which is a crowded home. `None` if
+    /// rounding moved it out of the D-ball or closer to a vertex than half the radius (DESIGN
+    /// section 3, precision).
+    pub(super) fn steiner_point(&mut self, simplex: u32) -> Option<SteinerPoint<D>> {
+        let corner = self.sound_corner(simplex)?;
+        let off_center = match self.parameters.criterion {
+            Criterion::VoronoiAspect => self.off_center_of_cell(simplex, &corner),
+            Criterion::RadiusEdge => self.off_center_of_edge(simplex, &corner),
+        };
+        Some(off_center.unwrap_or(corner))
+    }
+
+    fn sound_corner(&self, simplex: u32) -> Option<SteinerPoint<D>> {
+        let radius = self.delaunay.ball(simplex)?.radius;
+        let corner = SteinerPoint { point: self.delaunay.corner(simplex)?, radius };
+        let vertices = self.delaunay.complex().vertices(simplex);
+        (self.is_sound(simplex, &corner)
+            && vertices.iter().all(|&vertex| self.is_at_its_radius(&corner, vertex)))
+        .then_some(corner)
+    }
+
+    fn is_sound(&self, simplex: u32, steiner: &SteinerPoint<D>) -> bool {
+        steiner.point.iter().all(|x| x.is_finite())
+            && self.delaunay.in_conflict(simplex, &steiner.point)
+    }
+
+    fn is_at_its_radius(&self, steiner: &SteinerPoint<D>, vertex: u32) -> bool {
+        let gap = distance(&steiner.point, self.delaunay.point(vertex));
+        gap >= 0.5 * steiner.radius && gap <= 1.5 * steiner.radius
+    }
+
+    /// On the way from v, the vertex of the worst cell that `corner` makes bad, to the corner, at
+    /// the distance t that the bound allows, times [`cell_reach`]. The ball of radius t about it
+    /// is inside the D-ball: no vertex is nearer to it than v.
+    fn off_center_of_cell(
+        &mut self,
+        simplex: u32,
+        corner: &SteinerPoint<D>,
+    ) -> Option<SteinerPoint<D>> {
+        let vertex = self.worst_cell(simplex, corner.radius)?;
+        let allowed = 0.5 * self.parameters.quality_bound * self.nearest[vertex as usize];
+        let radius = cell_reach::<D>() * allowed;
+        let from = self.delaunay.point(vertex);
+        let off_center =
+            SteinerPoint { point: between(from, &corner.point, radius / corner.radius)?, radius };
+        (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, vertex))
+            .then_some(off_center)
+    }
+
+    /// On the way from the middle of the shortest edge to `corner`.
+    fn off_center_of_edge(
+        &mut self,
+        simplex: u32,
+        corner: &SteinerPoint<D>,
+    ) -> Option<SteinerPoint<D>> {
+        if !self.has_short_edge(simplex, corner.radius) {
+            return None;
+        }
+        let (a, b, length) = self.shortest_edge(simplex);
+        let (p, q) = (self.delaunay.point(a), self.delaunay.point(b));
+        let middle = std::array::from_fn(|axis| p[axis] + 0.5 * (q[axis] - p[axis]));
+        let bound = self.parameters.quality_bound;
+        let apex = length * (bound + (bound * bound - 0.25).sqrt());
+        let height = edge_reach::<D>() * apex;
+        let point = between(&middle, &corner.point, height / distance(&middle, &corner.point))?;
+        let off_center = SteinerPoint { point, radius: distance(&point, p) };
+        (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, b))
+            .then_some(off_center)
+    }
+
+    /// The ends of the shortest edge of `simplex`, and its length.
+    fn shortest_edge(&self, simplex: u32) -> (u32, u32, f64) {
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let mut shortest = (vertices[0], vertices[1], f64::INFINITY);
+        for (at, &a) in vertices.iter().enumerate() {
+            for &b in &vertices[..at] {
+                let length = distance(self.delaunay.point(a), self.delaunay.point(b));
+                if length < shortest.2 {
+                    shortest = (a, b, length);
+                }
+            }
+        }
+        shortest
+    }
+}
+
+/// The point at `fraction` of the way; `None` if that is not before the end.
+fn between<const D: usize>(from: &[f64; D], to: &[f64; D], fraction: f64) -> Option<[f64; D]> {
+    (fraction < 1.0)
+        .then(|| std::array::from_fn(|axis| from[axis] + fraction * (to[axis] - from[axis])))
+}

@@ -650,7 +650,7 @@ typedef struct nm_options {
     double epsilon;
     /**
      * Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-     * at the cage and more vertices. In [0.1, 1], default 0.5, 0.5, 0.8, 1 in 2D, 3D, 4D, more.
+     * at the cage and more vertices. In [0.1, 1], default 0.8 in 2D, 1 above.
      */
     double delta;
     /**
@@ -767,14 +767,17 @@ typedef struct nm_quality {
      */
     uint32_t max_degree;
     /**
-     * Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
-     * no cage, not on the hull and not precision-limited, over the corners inside the hull of their
-     * domain's cage: within min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (those
-     * beyond are the cage's business; all corners where there are no domains).
+     * Worst aspect of the cells of vertices that are in no cage, not on the hull and not
+     * precision-limited, over the corners well inside the hull of their domain's cage: within min(0.85,
+     * 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are no domains).
      */
     double worst_aspect;
     /**
-     * Worst aspect of all cells off the hull, cages and precision-limited ones too, over all corners.
+     * Worst aspect of all cells off the hull, over all corners: of the vertices in no cage and of the
+     * cages (below), precision-limited ones too. What NM_CRITERION_VORONOI_ASPECT bounds, but for
+     * precision-limited cells; and for cells in inner domains if epsilon > 0.8 cage_scale, where it
+     * bounds worst_aspect. (The cell of a single vertex of a cage is a part of the cage's cell. It has
+     * no bound: it bridges the gap that the cage saves.)
      */
     double worst_aspect_anywhere;
     /**
@@ -783,12 +786,13 @@ typedef struct nm_quality {
     double mean_aspect;
     /**
      * Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
-     * domain's centre.
+     * domain's centre, over the corners well inside the parent's cage.
      */
     double worst_cage_aspect;
     /**
-     * Worst circumradius over shortest edge of the simplices without a vertex on the hull, not
-     * restricted. What NM_CRITERION_RADIUS_EDGE bounds, under the restriction of worst_aspect.
+     * Worst circumradius over shortest edge of the simplices without a vertex on the hull. What
+     * NM_CRITERION_RADIUS_EDGE bounds for every simplex of a well-spaced mesh, those at the hull too;
+     * in a hierarchical one for those with all vertices in one domain.
      */
     double worst_radius_edge;
     /**
@@ -863,6 +867,10 @@ typedef struct nm_stats {
      * Wall-clock time of the run, in seconds. The only field that differs between equal runs.
      */
     double seconds;
+    /**
+     * Further cage vertices that closed slits between a cage's own at the end.
+     */
+    uint64_t closing_points;
 } nm_stats;
 
 /**

@@ -46,6 +46,8 @@ pub struct Stats {
     pub cages_created: u64,
     pub cages_grown: u64,
     pub cages_released: u64,
+    /// Cage vertices that closed slits between others at the end.
+    pub closing_points: u64,
     /// In-ball and orientation tests that the floating-point filters did not decide.
     pub exact_fallbacks: u64,
     /// Vertices whose cell is out of reach of the bound in double precision.

@@ -177,7 +177,7 @@ fn the_layouts_are_fixed() {
         "CHECK(counts, sizeof(nm_counts) == 48 && offsetof(nm_counts, domains) == 40);",
         "CHECK(domain, sizeof(nm_domain) == 16 && offsetof(nm_domain, radius) == 8);",
         "CHECK(quality, sizeof(nm_quality) == 64 && offsetof(nm_quality, precision_limited) == 56);",
-        "CHECK(stats, sizeof(nm_stats) == 104 && offsetof(nm_stats, seconds) == 96);",
+        "CHECK(stats, sizeof(nm_stats) == 112 && offsetof(nm_stats, seconds) == 96);",
         "CHECK(report, sizeof(nm_report) == 200 && offsetof(nm_report, message) == 40);",
         "CHECK(enums, sizeof(nm_status) == 4 && sizeof(nm_format) == 4 && NM_PANIC == 13);",
     ];

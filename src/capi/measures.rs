@@ -111,6 +111,7 @@ fn encode_stats(stats: &Stats) -> nm_stats {
         exact_fallbacks: stats.exact_fallbacks,
         precision_limited: stats.precision_limited,
         seconds: stats.seconds,
+        closing_points: stats.closing_points,
     }
 }
 
@@ -194,11 +195,12 @@ mod tests {
             exact_fallbacks: 10,
             precision_limited: 11,
             seconds: 12.0,
+            closing_points: 13,
         };
         // SAFETY: numbers without padding.
-        let words: [u64; 13] = unsafe { std::mem::transmute(encode_stats(&stats)) };
+        let words: [u64; 14] = unsafe { std::mem::transmute(encode_stats(&stats)) };
         assert_eq!(words[1..12], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
-        assert_eq!(f64::from_bits(words[12]), 12.0);
+        assert_eq!((f64::from_bits(words[12]), words[13]), (12.0, 13));
     }
 
     #[test]

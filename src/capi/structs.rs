@@ -66,7 +66,7 @@ pub struct nm_options {
     /// makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
     pub epsilon: f64,
     /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-    /// at the cage and more vertices. In [0.1, 1], default 0.5, 0.5, 0.8, 1 in 2D, 3D, 4D, more.
+    /// at the cage and more vertices. In [0.1, 1], default 0.8 in 2D, 1 above.
     pub delta: f64,
     /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
     /// nearest vertex. In [0.01, 0.25], default 0.1.
@@ -168,20 +168,24 @@ pub struct nm_quality {
     pub struct_size: u32,
     /// Largest number of vertices that share an edge with one vertex.
     pub max_degree: u32,
-    /// Worst aspect of the cells that NM_CRITERION_VORONOI_ASPECT bounds: of the vertices that are in
-    /// no cage, not on the hull and not precision-limited, over the corners inside the hull of their
-    /// domain's cage: within min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (those
-    /// beyond are the cage's business; all corners where there are no domains).
+    /// Worst aspect of the cells of vertices that are in no cage, not on the hull and not
+    /// precision-limited, over the corners well inside the hull of their domain's cage: within min(0.85,
+    /// 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are no domains).
     pub worst_aspect: f64,
-    /// Worst aspect of all cells off the hull, cages and precision-limited ones too, over all corners.
+    /// Worst aspect of all cells off the hull, over all corners: of the vertices in no cage and of the
+    /// cages (below), precision-limited ones too. What NM_CRITERION_VORONOI_ASPECT bounds, but for
+    /// precision-limited cells; and for cells in inner domains if epsilon > 0.8 cage_scale, where it
+    /// bounds worst_aspect. (The cell of a single vertex of a cage is a part of the cage's cell. It has
+    /// no bound: it bridges the gap that the cage saves.)
     pub worst_aspect_anywhere: f64,
     /// Mean of the aspects of which worst_aspect is the largest.
     pub mean_aspect: f64,
     /// Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
-    /// domain's centre.
+    /// domain's centre, over the corners well inside the parent's cage.
     pub worst_cage_aspect: f64,
-    /// Worst circumradius over shortest edge of the simplices without a vertex on the hull, not
-    /// restricted. What NM_CRITERION_RADIUS_EDGE bounds, under the restriction of worst_aspect.
+    /// Worst circumradius over shortest edge of the simplices without a vertex on the hull. What
+    /// NM_CRITERION_RADIUS_EDGE bounds for every simplex of a well-spaced mesh, those at the hull too;
+    /// in a hierarchical one for those with all vertices in one domain.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and more) of the same simplices, in degrees.
     pub min_angle_degrees: f64,
@@ -231,6 +235,8 @@ pub struct nm_stats {
     pub precision_limited: u64,
     /// Wall-clock time of the run, in seconds. The only field that differs between equal runs.
     pub seconds: f64,
+    /// Further cage vertices that closed slits between a cage's own at the end.
+    pub closing_points: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -238,7 +244,7 @@ unsafe impl Versioned for nm_stats {
     const TYPE: &'static str = "nm_stats";
 }
 
-const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 12 * 8);
+const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 13 * 8);
 
 /// What nm_mesh_validate found.
 #[allow(non_camel_case_types)]

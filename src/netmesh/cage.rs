@@ -24,7 +24,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// precision-limited.
     pub(super) fn new_cage(&mut self, site: CageSite, start: u32) -> Result<()> {
         let point = *self.delaunay.point(site.center);
-        let sphere = self.parameters.cage_scale * site.radius;
         let cage = self.hierarchy.create(
             site.center,
             point,
@@ -38,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut yielded = Vec::new();
         let turn = self.turn_of(cage);
         let directions = turned(&self.template, turn)?;
-        for x in cage_points(&directions, &point, sphere)? {
+        for x in cage_points(&directions, &point, self.sphere_radius(cage))? {
             if let Some(vertex) = self.insert_cage_vertex(cage, x, start)? {
                 start = self.delaunay.complex().incident(vertex);
                 if self.is_input(vertex) {
@@ -82,8 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.delaunay.find_cavity(home, &x, &mut self.scratch.cavity)?;
         self.collect_cavity_corners()?;
         let nearest = self.nearest_corner(&x);
-        let sphere = self.parameters.cage_scale * self.hierarchy.node(cage).radius;
-        if nearest < PACKING * self.parameters.delta * sphere {
+        if nearest < PACKING * self.parameters.delta * self.sphere_radius(cage) {
             self.limit_cage(cage);
             return Ok(None);
         }
@@ -103,12 +101,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(Some(vertex))
     }
 
+    /// The radius of the sphere that the vertices of the cage of `domain` are near.
+    pub(super) fn sphere_radius(&self, domain: u32) -> f64 {
+        self.parameters.cage_scale * self.hierarchy.node(domain).radius
+    }
+
     fn limit_cage(&mut self, cage: u32) {
         let center = self.hierarchy.node(cage).center;
         self.precision_limited[center as usize] = true;
     }
 
-    fn nearest_corner(&self, x: &[f64; D]) -> f64 {
+    pub(super) fn nearest_corner(&self, x: &[f64; D]) -> f64 {
         let gaps = self.scratch.corners.ids.iter().map(|&v| distance(x, self.delaunay.point(v)));
         gaps.fold(f64::INFINITY, f64::min)
     }

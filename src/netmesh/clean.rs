@@ -54,7 +54,7 @@ impl RefineList {
         self.flags.get(simplex as usize).is_some_and(|flags| flags & LIMITED != 0)
     }
 
-    fn limit(&mut self, simplex: u32) {
+    pub fn limit(&mut self, simplex: u32) {
         self.flags[simplex as usize] |= LIMITED;
     }
 }
@@ -63,18 +63,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// CLEAN: refines until no cell is bad that doubles can mend.
     pub(super) fn clean(&mut self) -> Result<()> {
         while let Some(simplex) = self.refine.pop() {
-            if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
-                self.refine_corner(simplex)?;
-                self.queue_again(simplex)?;
+            if !self.delaunay.complex().is_live(simplex) {
+                continue;
             }
+            if self.is_bad(simplex) {
+                self.refine_corner(simplex)?;
+            } else if let Some(domain) = self.open_domain(simplex) {
+                self.close_slit(simplex, domain)?;
+            }
+            self.queue_again(simplex)?;
         }
         Ok(())
     }
 
     /// An input that was yielded to may lie on the D-ball within rounding and leave the simplex.
     fn queue_again(&mut self, simplex: u32) -> Fallible<()> {
-        if self.delaunay.complex().is_live(simplex) && self.is_bad(simplex) {
-            self.refine.push(simplex)?;
+        if self.delaunay.complex().is_live(simplex) {
+            self.examine(simplex)?;
         }
         Ok(())
     }

@@ -2,11 +2,13 @@
 //! `net` (SELECTROUND and NET), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
-//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `steiner` (where
+//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (cells at
+//! the cages), `steiner` (where
 //! a Steiner point goes), `svr` (§3, the baseline).
 
 mod cage;
 mod clean;
+mod close;
 mod domains;
 mod encroach;
 mod finish;
@@ -86,6 +88,7 @@ fn mesh<const D: usize>(
         if mesher.parameters.output == Output::WellSpaced {
             mesher.finish_mesh()?;
         }
+        mesher.close_cages()?;
     }
     mesher.into_triangulation(begun)
 }
@@ -99,6 +102,8 @@ struct Mesher<'a, 'b, const D: usize> {
     location: Location,
     refine: RefineList,
     crowded: Crowded,
+    /// Whether cells answer for all their corners (`close`).
+    closing: bool,
     /// Vertex -> distance to its nearest neighbour in the mesh.
     nearest: Vec<f64>,
     /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
@@ -196,6 +201,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             location,
             refine: RefineList::default(),
             crowded: Crowded::default(),
+            closing: false,
             nearest: filled(count, f64::INFINITY)?,
             farthest: filled(count, 0.0)?,
             precision_limited: filled(count, false)?,

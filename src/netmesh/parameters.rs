@@ -6,6 +6,9 @@ use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 /// Largest value of [`Parameters::corner_restriction`].
 const CORNER_RESTRICTION: f64 = 0.85;
 
+/// A cage closes if its domain's inputs are within this fraction of its sphere's radius.
+const SURROUNDED: f64 = 0.8;
+
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -58,7 +61,7 @@ impl Parameters {
             threads: options.threads,
             quality_bound: number("quality_bound", options.quality_bound, bound, lowest, highest)?,
             epsilon: number("epsilon", options.epsilon, 0.5, 0.05, 0.6)?,
-            delta: number("delta", options.delta, pick(dim, [0.5, 0.5, 0.8, 1.0]), 0.1, 1.0)?,
+            delta: number("delta", options.delta, pick(dim, [0.8, 1.0, 1.0, 1.0]), 0.1, 1.0)?,
             gamma: number("gamma", options.gamma, 0.1, 0.01, 0.25)?,
             yield_radius: number("yield_radius", options.yield_radius, yield_radius, 0.05, 1.0)?,
             encroachment: number("encroachment", options.encroachment, 1.0, 1.0, 4.0)?,
@@ -86,6 +89,13 @@ impl Parameters {
     /// The hull of a delta-net of the unit sphere holds the ball of this radius.
     pub(super) fn hull_radius(&self) -> f64 {
         1.0 - 0.5 * self.delta * self.delta
+    }
+
+    /// Whether the cells of a domain (index 0: the root) get their quality over all corners at the
+    /// end, not only over those within the corner restriction: its cage must surround its inputs.
+    /// The root's always does.
+    pub fn closes(&self, domain: u32) -> bool {
+        domain == 0 || self.epsilon <= SURROUNDED * self.cage_scale
     }
 
     /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half

@@ -62,8 +62,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn examine(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_bad(simplex) {
+    pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
+        if self.is_bad(simplex) || self.open_domain(simplex).is_some() {
             self.refine.push(simplex)?;
         }
         Ok(())
@@ -80,7 +80,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Criterion::VoronoiAspect => self.worst_cell(simplex, radius).is_some(),
             Criterion::RadiusEdge => self.has_short_edge(simplex, radius),
         };
-        bad_cell || (!self.hierarchy.is_single() && self.has_bad_cage(simplex))
+        bad_cell
+            || self
+                .parent_of_bad_cage(simplex, |mesher, parent| {
+                    mesher.is_well_inside(simplex, parent)
+                })
+                .is_some()
     }
 
     /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2.
@@ -126,39 +131,54 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
     pub(super) fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
-        let node = self.hierarchy.node(domain);
-        let sphere = self.parameters.cage_scale * node.radius;
-        let distance = self.delaunay.corner_distance(simplex, &node.point);
-        distance.is_some_and(|gap| gap < self.parameters.corner_restriction() * sphere)
+        let reach = self.parameters.corner_restriction() * self.sphere_radius(domain);
+        let distance = self.delaunay.corner_distance(simplex, &self.hierarchy.node(domain).point);
+        distance.is_some_and(|gap| gap < reach)
     }
 
-    /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`.
-    fn has_bad_cage(&mut self, simplex: u32) -> bool {
-        let mut domains = [NONE; MAX_DIM + 1];
-        for (domain, &vertex) in domains.iter_mut().zip(self.delaunay.complex().vertices(simplex)) {
-            *domain = self.hierarchy.domain_of(vertex);
+    /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`: the parent
+    /// of one whose union cell the corner makes bad, where it `counts` for the parent.
+    pub(super) fn parent_of_bad_cage(
+        &mut self,
+        simplex: u32,
+        counts: impl Fn(&Self, u32) -> bool,
+    ) -> Option<u32> {
+        if self.hierarchy.is_single() {
+            return None;
         }
+        let mut domains = self.domains_of(simplex);
         let domains = &mut domains[..=D];
         while domains.iter().any(|&domain| domain != domains[0]) {
             let radius = |domain: u32| self.hierarchy.node(domain).radius;
             let cage = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
             let cage = cage.expect("a simplex has vertices");
             let parent = self.hierarchy.parent(cage);
-            if self.is_bad_cage_corner(simplex, cage, parent) {
-                return true;
+            if self.is_beyond_cage_bound(simplex, cage)
+                && some(parent).is_some()
+                && counts(self, parent)
+            {
+                return Some(parent);
             }
             domains.iter_mut().filter(|d| **d == cage).for_each(|d| *d = parent);
         }
-        false
+        None
     }
 
-    fn is_bad_cage_corner(&self, simplex: u32, cage: u32, parent: u32) -> bool {
+    /// The domains of the vertices of `simplex`, in their order.
+    pub(super) fn domains_of(&mut self, simplex: u32) -> [u32; MAX_DIM + 1] {
+        let mut domains = [NONE; MAX_DIM + 1];
+        for (domain, &vertex) in domains.iter_mut().zip(self.delaunay.complex().vertices(simplex)) {
+            *domain = self.hierarchy.domain_of(vertex);
+        }
+        domains
+    }
+
+    /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
+    fn is_beyond_cage_bound(&self, simplex: u32, cage: u32) -> bool {
         let node = self.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
         let farthest = self.parameters.aspect_bound() * in_radius;
         let distance = self.delaunay.corner_distance(simplex, &node.point);
         distance.is_some_and(|gap| gap > farthest)
-            && some(parent).is_some()
-            && self.is_well_inside(simplex, parent)
     }
 }

@@ -99,7 +99,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The ends of the shortest edge of `simplex`, and its length.
-    fn shortest_edge(&self, simplex: u32) -> (u32, u32, f64) {
+    pub(super) fn shortest_edge(&self, simplex: u32) -> (u32, u32, f64) {
         let vertices = self.delaunay.complex().vertices(simplex);
         let mut shortest = (vertices[0], vertices[1], f64::INFINITY);
         for (at, &a) in vertices.iter().enumerate() {

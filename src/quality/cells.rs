@@ -24,6 +24,8 @@ pub(crate) struct Cells {
     pub cage_nearest: Vec<Length>,
     /// Domain -> out-radius of the union cell, over the corners that count in the parent.
     pub cage_farthest: Vec<Length>,
+    /// Domain -> the same over all corners.
+    pub cage_farthest_anywhere: Vec<Length>,
     /// False if simplices span absurdly many domains, and the cage radii were given up.
     pub cages_complete: bool,
 }
@@ -35,6 +37,8 @@ pub(crate) struct SimplexCell {
     pub radius_edge: f64,
     /// Whether the circumcentre counts in the domain of each of the vertices.
     pub counts: bool,
+    /// The domain of all vertices, [`NONE`] if they are of several.
+    pub domain: u32,
 }
 
 impl Cells {
@@ -60,7 +64,7 @@ impl Cells {
             }
             let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
             let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
-            visit(&SimplexCell { simplex, radius_edge, counts });
+            visit(&SimplexCell { simplex, radius_edge, counts, domain: star.common_label() });
         }
         Ok(cells)
     }
@@ -82,6 +86,12 @@ impl Cells {
         2.0 * self.cage_farthest[domain].ratio(twice_inner)
     }
 
+    /// The same over all corners.
+    pub fn cage_aspect_anywhere(&self, domain: usize, radius: f64) -> f64 {
+        let twice_inner = self.cage_nearest[domain].plus(Length::new(radius));
+        2.0 * self.cage_farthest_anywhere[domain].ratio(twice_inner)
+    }
+
     fn empty(vertices: usize, domains: usize) -> Fallible<Self> {
         Ok(Self {
             nearest: filled(vertices, Length::INFINITE)?,
@@ -89,6 +99,7 @@ impl Cells {
             farthest_anywhere: filled(vertices, Length::ZERO)?,
             cage_nearest: filled(domains, Length::INFINITE)?,
             cage_farthest: filled(domains, Length::ZERO)?,
+            cage_farthest_anywhere: filled(domains, Length::ZERO)?,
             cages_complete: true,
         })
     }
@@ -152,9 +163,10 @@ impl Cells {
                 self.cage_nearest[index] = self.cage_nearest[index].min(distance);
             }
         }
+        let corner = star.corner.as_ref();
+        let reach = corner.map_or(Length::INFINITE, |c| c.distance(star.points, center));
+        self.cage_farthest_anywhere[index] = self.cage_farthest_anywhere[index].max(reach);
         if star.counts_in(tree.parent(domain)) {
-            let corner = star.corner.as_ref();
-            let reach = corner.map_or(Length::INFINITE, |c| c.distance(star.points, center));
             self.cage_farthest[index] = self.cage_farthest[index].max(reach);
         }
     }
@@ -172,6 +184,11 @@ struct Star<'a, const D: usize> {
 impl<const D: usize> Star<'_, D> {
     fn label(&self, vertex: u32) -> u32 {
         self.view.mesh.vertex_domains[vertex as usize]
+    }
+
+    fn common_label(&self) -> u32 {
+        let label = self.label(self.vertices[0]);
+        if self.vertices.iter().all(|&v| self.label(v) == label) { label } else { NONE }
     }
 
     /// Whether the corner counts for cells of `domain`. That of a flat simplex always does.

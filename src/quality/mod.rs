@@ -19,21 +19,22 @@ use view::View;
 /// The quality of a mesh.
 ///
 /// The aspect of a Voronoi cell is its out-radius (distance to the farthest corner) over its
-/// in-radius (half the distance to the nearest vertex); it is at least 1. A corner counts in a
-/// domain of radius r if it is within `corner_restriction() * cage_scale * r` of the domain's centre
-/// (min(0.85, 1 - delta^2 / 2) of the cage sphere's radius): corners beyond are the cage's business. Without domains
-/// (plain Delaunay) every corner counts. A figure over no cells at all is 0. Infinity stands for
-/// ratios beyond the doubles and for flat simplices.
+/// in-radius (half the distance to the nearest vertex); it is at least 1. The cells of a hierarchical
+/// mesh are those of Definition 4: of the vertices that are in no living cage, and the union cells of
+/// the cages. While the mesh grows, corners count in a domain of radius r only within
+/// `corner_restriction() * cage_scale * r` of its centre; `worst_aspect` and its like say what that
+/// leaves, the figures "anywhere" are over all corners. Without domains (plain Delaunay) every corner
+/// counts. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles and for
+/// flat simplices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quality {
     /// Largest number of Delaunay neighbours of a vertex.
     pub max_degree: u32,
-    /// Worst Voronoi aspect of the cells that a run bounds by tau: those of vertices that are
-    /// neither in a living cage, on the hull, nor precision-limited, over the corners that count
-    /// in the vertex's domain.
+    /// Worst Voronoi aspect of the vertices that are neither in a living cage, on the hull, nor
+    /// precision-limited, over the corners that count in the vertex's domain.
     pub worst_aspect: f64,
-    /// Worst Voronoi aspect of all cells off the hull (cages and precision-limited ones too), over
-    /// all corners.
+    /// Worst aspect of all cells off the hull, vertices' and cages', precision-limited ones too, over
+    /// all corners. What tau bounds, but for precision-limited cells.
     pub worst_aspect_anywhere: f64,
     /// Mean of the aspects of which `worst_aspect` is the largest.
     pub mean_aspect: f64,
@@ -121,10 +122,14 @@ impl SimplexMeasures {
 
 fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hull: &[bool]) {
     let (mut sum, mut count) = (0.0, 0u64);
-    for v in (0..on_hull.len()).filter(|&v| !on_hull[v]) {
+    for (i, domain) in mesh.domains.iter().enumerate().skip(1) {
+        let anywhere = cells.cage_aspect_anywhere(i, domain.radius);
+        quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
+    }
+    for v in (0..on_hull.len()).filter(|&v| !on_hull[v] && mesh.cage_of[v] == NONE) {
         let anywhere = cells.aspect_anywhere(v);
         quality.worst_aspect_anywhere = quality.worst_aspect_anywhere.max(anywhere);
-        if mesh.cage_of[v] == NONE && !mesh.precision_limited[v] {
+        if !mesh.precision_limited[v] {
             let aspect = cells.aspect(v);
             quality.worst_aspect = quality.worst_aspect.max(aspect);
             sum += aspect;

@@ -1,4 +1,6 @@
-//! Level 3: tau-quality (Definition 4), with the corners restricted as DESIGN section 5 says.
+//! Level 3: tau-quality (Definition 4): over all corners where the cage of a domain surrounds its
+//! inputs ([`crate::netmesh::parameters::Parameters::closes`]), otherwise over those within the corner
+//! restriction.
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
@@ -22,7 +24,7 @@ pub(super) fn survey<const D: usize>(
 ) -> Fallible<Cells> {
     let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
     Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
-        if per_simplex && cell.counts {
+        if per_simplex && is_promised(view, cell) {
             check_simplex(view, cell, findings);
         }
     })
@@ -48,6 +50,17 @@ fn is_bounded<const D: usize>(view: View<'_, D>, v: usize) -> bool {
     view.mesh.cage_of[v] == NONE && !view.mesh.precision_limited[v]
 }
 
+/// Whether the bound is promised for a simplex: in a domain that is closed for every one, in others
+/// for those away from cages whose corner counts.
+fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
+    let vertices = view.simplex(cell.simplex);
+    let is_limited = |&v: &u32| view.mesh.precision_limited[v as usize];
+    let closed = cell.domain != NONE && view.mesh.parameters.closes(cell.domain);
+    !vertices.iter().any(is_limited)
+        && (closed
+            || cell.counts && vertices.iter().all(|&v| view.mesh.cage_of[v as usize] == NONE))
+}
+
 fn bound<const D: usize>(view: View<'_, D>) -> f64 {
     view.mesh.parameters.quality_bound * (1.0 + SLACK)
 }
@@ -58,7 +71,8 @@ fn check_vertex<const D: usize>(
     v: usize,
     findings: &mut Findings,
 ) {
-    let aspect = cells.aspect(v);
+    let closed = view.mesh.parameters.closes(view.mesh.vertex_domains[v]);
+    let aspect = if closed { cells.aspect_anywhere(v) } else { cells.aspect(v) };
     findings.check(aspect <= bound(view), || {
         let (label, limit) = (view.mesh.vertex_domains[v], view.mesh.parameters.quality_bound);
         let message = message!("the cell of vertex {v} has aspect {aspect}, the bound is {limit}");
@@ -74,7 +88,10 @@ fn check_cages<const D: usize>(
     let limited = precision_limited_cages(view.mesh)?;
     let cages = view.mesh.domains.iter().enumerate().skip(1);
     for (i, domain) in cages.filter(|&(i, _)| !limited[i]) {
-        let aspect = cells.cage_aspect(i, domain.radius);
+        let aspect = match view.mesh.parameters.closes(domain.parent) {
+            true => cells.cage_aspect_anywhere(i, domain.radius),
+            false => cells.cage_aspect(i, domain.radius),
+        };
         findings.check(aspect <= bound(view), || {
             let limit = view.mesh.parameters.quality_bound;
             let message =
@@ -87,9 +104,6 @@ fn check_cages<const D: usize>(
 
 fn check_simplex<const D: usize>(view: View<'_, D>, cell: &SimplexCell, findings: &mut Findings) {
     let s = cell.simplex;
-    if !view.simplex(s).iter().all(|&v| is_bounded(view, v as usize)) {
-        return;
-    }
     findings.check(cell.radius_edge <= bound(view), || {
         let (ratio, limit) = (cell.radius_edge, view.mesh.parameters.quality_bound);
         let message =

@@ -10,12 +10,17 @@
 //!   balls, cages are not encroached (Definition 2), and cells have the promised quality
 //!   (Definition 4), precision-limited ones apart.
 //!
-//! Quality conventions at level 3: a cell in domain Omega counts the corners within
-//! `corner_restriction() * cage_scale * r` of Omega's centre, the union cell of a cage those that
-//! count in its parent; [`crate::quality`] has the measures. A vertex marked as precision-limited
-//! is exempt, and so is a cage whose centre or one of whose vertices is. With the criterion
-//! `RadiusEdge` the bound holds for each simplex whose vertices are all neither in a cage nor
-//! exempt, and whose corner counts in the domain of each; union cells are not bounded then.
+//! Quality conventions at level 3: Definition 4 holds over all corners in a domain whose cage
+//! surrounds its inputs ([`Parameters::closes`]: the root, and unless `cage_scale` is hardly larger
+//! than `epsilon` every domain). In others a cell counts the corners within `corner_restriction() *
+//! cage_scale * r` of the domain's centre. The union cell of a cage counts as cells of its parent do;
+//! [`crate::quality`] has the measures. A vertex marked as precision-limited is exempt, and so is a
+//! cage whose centre or one of whose vertices is. With the criterion `RadiusEdge` the bound holds
+//! for each simplex without an exempt vertex whose vertices are all of one such domain; otherwise for
+//! each whose vertices are in no cage and whose corner counts in the domain of each; union cells are
+//! not bounded then.
+//!
+//! [`Parameters::closes`]: crate::netmesh::parameters::Parameters::closes
 
 mod arrays;
 mod aspect;

@@ -1,0 +1,147 @@
+//! Closing the cages, once all inputs are in. While the mesh grows, a cell answers only for its
+//! corners inside the hull of its domain's cage (`quality`): refinement up to the cage would destroy
+//! it. That leaves slits, cells that look out between the vertices of a coarse cage. Now every corner
+//! counts: one near the cage sphere or beyond it goes in as a further cage vertex, at the nearest
+//! point of the sphere, and one well inside as a Steiner point. Then Definition 4 holds as it stands,
+//! over all corners.
+//!
+//! It ends as Ruppert's refinement of a domain with a smooth boundary does ("A Delaunay refinement
+//! algorithm for quality 2-dimensional mesh generation", 1995). Inputs keep away from the sphere
+//! (Definition 2), Steiner points by [`NEAR`] times their insertion radius. A corner beyond the sphere
+//! sees it through a cap that no vertex is in, so its projection is at least as far from all vertices
+//! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
+//! not cover, [`SPACING`] ends; no run that we made came to that.
+
+use super::domains::ROOT;
+use super::{Mesher, some};
+use crate::error::Result;
+use crate::memory::Fallible;
+use crate::mesh::NONE;
+use crate::numerics::norm;
+use crate::options::Criterion;
+
+/// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
+const NEAR: f64 = 0.5;
+
+/// A further cage vertex keeps this distance from others, relative to the sphere's radius.
+const SPACING: f64 = 1.0 / 64.0;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Refines until no cell is bad over all its corners.
+    pub(super) fn close_cages(&mut self) -> Result<()> {
+        self.closing = true;
+        for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+            self.watch.tick(1)?;
+            if self.delaunay.complex().is_live(simplex) {
+                self.examine(simplex)?;
+            }
+        }
+        self.clean()
+    }
+
+    /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
+    pub(super) fn open_domain(&mut self, simplex: u32) -> Option<u32> {
+        let radius = self.delaunay.ball(simplex)?.radius;
+        if !self.closing || self.refine.is_limited(simplex) {
+            return None;
+        }
+        let open = match self.parameters.criterion {
+            Criterion::VoronoiAspect => self.domain_of_open_cell(simplex, radius),
+            Criterion::RadiusEdge => self.domain_of_short_edge(simplex, radius),
+        };
+        open.or_else(|| self.parent_of_bad_cage(simplex, |_, _| true))
+            .filter(|&domain| self.parameters.closes(domain))
+    }
+
+    /// The domain of the vertex with the worst cell, if that is bad.
+    fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+        let mut least = 2.0 * radius / self.parameters.quality_bound;
+        let mut worst = None;
+        for &vertex in self.delaunay.complex().vertices(simplex) {
+            let nearest = self.nearest[vertex as usize];
+            if nearest < least && self.hierarchy.cage_of(vertex) == NONE {
+                least = nearest;
+                worst = Some(vertex);
+            }
+        }
+        worst.map(|vertex| self.hierarchy.domain_of(vertex))
+    }
+
+    /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
+    /// several domains, the corner is that of a cage's union cell.
+    fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+        let shortest_allowed = radius / self.parameters.quality_bound;
+        if self.shortest_edge(simplex).2 >= shortest_allowed {
+            return None;
+        }
+        let domains = self.domains_of(simplex);
+        domains[1..=D].iter().all(|&domain| domain == domains[0]).then_some(domains[0])
+    }
+
+    /// Inserts a point that narrows the slit in the cage of `domain` that the corner of `simplex`
+    /// slips through.
+    pub(super) fn close_slit(&mut self, simplex: u32, domain: u32) -> Result<()> {
+        if self.is_clear_of_cage(simplex, domain)? {
+            return self.refine_corner(simplex);
+        }
+        match self.projected_corner(simplex, domain) {
+            Some(x) if self.finds_room(simplex, domain, &x)? => self.join_at(domain, x),
+            _ => {
+                self.refine.limit(simplex);
+                Ok(())
+            }
+        }
+    }
+
+    /// Whether the corner of `simplex` is inside the cage sphere by a part of its radius, and all
+    /// that it would be next to is inside the domain.
+    fn is_clear_of_cage(&mut self, simplex: u32, domain: u32) -> Fallible<bool> {
+        let center = self.hierarchy.node(domain).point;
+        let Some(gap) = self.delaunay.corner_distance(simplex, &center) else { return Ok(false) };
+        let radius = self.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius);
+        let depth = self.sphere_radius(domain) - gap;
+        let clear = depth > NEAR * radius;
+        let Some(corner) = self.delaunay.corner(simplex).filter(|_| clear) else {
+            return Ok(false);
+        };
+        self.delaunay.find_cavity(simplex, &corner, &mut self.scratch.cavity)?;
+        let conflicts = &self.scratch.cavity.simplices;
+        let is_inside = |&vertex: &u32| {
+            some(vertex).is_some_and(|v| self.hierarchy.contains(domain, self.delaunay.point(v)))
+        };
+        let complex = self.delaunay.complex();
+        // The hull of the root's cage is the hull of the mesh.
+        Ok(match domain {
+            ROOT => !conflicts.iter().any(|&conflict| complex.is_infinite(conflict)),
+            _ => conflicts.iter().all(|&conflict| complex.vertices(conflict).iter().all(is_inside)),
+        })
+    }
+
+    /// The point of the cage sphere nearest to the corner of `simplex`.
+    fn projected_corner(&self, simplex: u32, domain: u32) -> Option<[f64; D]> {
+        let corner = self.delaunay.corner(simplex)?;
+        let center = &self.hierarchy.node(domain).point;
+        let offset: [f64; D] = std::array::from_fn(|axis| corner[axis] - center[axis]);
+        let stretch = self.sphere_radius(domain) / norm(&offset);
+        let x: [f64; D] = std::array::from_fn(|axis| center[axis] + stretch * offset[axis]);
+        x.iter().all(|x| x.is_finite()).then_some(x)
+    }
+
+    /// Finds the cavity of `x` and tells whether `x` is far enough from its corners.
+    fn finds_room(&mut self, near: u32, domain: u32, x: &[f64; D]) -> Fallible<bool> {
+        let Some(start) = self.delaunay.locate(near, x) else { return Ok(false) };
+        self.delaunay.find_cavity(start, x, &mut self.scratch.cavity)?;
+        self.collect_cavity_corners()?;
+        Ok(self.nearest_corner(x) >= SPACING * self.sphere_radius(domain))
+    }
+
+    /// Inserts `x`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    fn join_at(&mut self, domain: u32, x: [f64; D]) -> Result<()> {
+        self.enter(&x)?;
+        let vertex = self.add_vertex(x)?;
+        self.hierarchy.set_domain(vertex, domain);
+        self.hierarchy.join_cage(vertex, domain)?;
+        self.stats.closing_points += 1;
+        self.insert_into_cavity(vertex)
+    }
+}

@@ -650,7 +650,8 @@ typedef struct nm_options {
     double epsilon;
     /**
      * Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-     * at the cage and more vertices. In [0.1, 1], default 0.8 in 2D, 1 above.
+     * at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D,
+     * 4D, more.
      */
     double delta;
     /**

@@ -66,7 +66,8 @@ pub struct nm_options {
     /// makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
     pub epsilon: f64,
     /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-    /// at the cage and more vertices. In [0.1, 1], default 0.8 in 2D, 1 above.
+    /// at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D,
+    /// 4D, more.
     pub delta: f64,
     /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
     /// nearest vertex. In [0.01, 0.25], default 0.1.

@@ -43,6 +43,10 @@ impl RefineList {
         enqueue(&mut self.queue, simplex)
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.queue.is_empty()
+    }
+
     fn pop(&mut self) -> Option<u32> {
         let simplex = self.queue.pop_front()?;
         self.flags[simplex as usize] &= !QUEUED;

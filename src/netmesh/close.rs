@@ -27,16 +27,23 @@ const NEAR: f64 = 0.5;
 const SPACING: f64 = 1.0 / 64.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Refines until no cell is bad over all its corners.
+    /// Refines until no cell is bad over all its corners. Insertions examine what they change; but a
+    /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
+    /// when its clearance falls: hence until a look at all simplices finds nothing.
     pub(super) fn close_cages(&mut self) -> Result<()> {
         self.closing = true;
-        for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
-            self.watch.tick(1)?;
-            if self.delaunay.complex().is_live(simplex) {
-                self.examine(simplex)?;
+        loop {
+            for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+                self.watch.tick(1)?;
+                if self.delaunay.complex().is_live(simplex) {
+                    self.examine(simplex)?;
+                }
             }
+            if self.refine.is_empty() {
+                return Ok(());
+            }
+            self.clean()?;
         }
-        self.clean()
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
@@ -49,8 +56,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Criterion::VoronoiAspect => self.domain_of_open_cell(simplex, radius),
             Criterion::RadiusEdge => self.domain_of_short_edge(simplex, radius),
         };
-        open.or_else(|| self.parent_of_bad_cage(simplex, |_, _| true))
-            .filter(|&domain| self.parameters.closes(domain))
+        open.filter(|&domain| self.parameters.closes(domain)).or_else(|| {
+            self.parent_of_bad_cage(simplex, |mesher, parent| mesher.parameters.closes(parent))
+        })
     }
 
     /// The domain of the vertex with the worst cell, if that is bad.

@@ -1,9 +1,10 @@
 //! Measures of meshes whose figures are known or can be had by trying everything.
 
 use super::meshes::{BY_HAND, Case, by_hand, pairs, plain, random_points, run};
-use netmesh::numerics::Circumball;
+use netmesh::numerics::{Circumball, distance};
 use netmesh::options::{Algorithm, Options};
 use netmesh::quality::{Quality, measure};
+use netmesh::{Domain, NONE};
 
 #[test]
 fn a_lattice_of_regular_triangles() {
@@ -32,28 +33,38 @@ fn a_grid_of_cubes() {
     assert!((quality.worst_radius_edge - 3f64.sqrt() / 2.0).abs() < 1e-12);
 }
 
-/// The figure over all cells off the hull by the numerics' circumballs and all distances.
+/// The figure over the cells off the hull, of vertices and of cages, by the numerics' circumballs and
+/// all distances.
 fn worst_aspect_by_trying<const D: usize>(case: &Case) -> f64 {
     let mesh = &case.mesh;
     let point = |v: u32| <&[f64; D]>::try_from(mesh.point(v)).unwrap();
-    let mut nearest = vec![f64::INFINITY; mesh.kinds.len()];
-    for v in 0..mesh.kinds.len() as u32 {
-        for w in (0..mesh.kinds.len() as u32).filter(|&w| w != v) {
-            let squared: f64 = point(v).iter().zip(point(w)).map(|(a, b)| (a - b) * (a - b)).sum();
-            nearest[v as usize] = nearest[v as usize].min(squared.sqrt());
-        }
-    }
-    let mut farthest = vec![0.0f64; mesh.kinds.len()];
-    for s in 0..mesh.simplex_count() {
-        let points: Vec<&[f64; D]> = mesh.simplex(s).iter().map(|&v| point(v)).collect();
-        let radius = Circumball::<D>::new(&points).radius;
-        for &v in mesh.simplex(s) {
-            farthest[v as usize] = farthest[v as usize].max(radius);
-        }
-    }
-    // Exactly the root's cage is on the hull.
-    let cells = (0..mesh.kinds.len()).filter(|&v| mesh.cage_of[v] != 0);
-    cells.map(|v| 2.0 * farthest[v] / nearest[v]).fold(0.0, f64::max)
+    let vertices = 0..mesh.kinds.len() as u32;
+    let corners: Vec<(&[u32], [f64; D], f64)> = (0..mesh.simplex_count())
+        .map(|s| {
+            let points: Vec<&[f64; D]> = mesh.simplex(s).iter().map(|&v| point(v)).collect();
+            let ball = Circumball::<D>::new(&points);
+            (mesh.simplex(s), ball.center_point(points[usize::from(ball.anchor)]), ball.radius)
+        })
+        .collect();
+    let cell = |v: u32| {
+        let others = vertices.clone().filter(|&w| w != v);
+        let nearest = others.map(|w| distance(point(v), point(w))).fold(f64::INFINITY, f64::min);
+        let own = corners.iter().filter(|(simplex, ..)| simplex.contains(&v));
+        2.0 * own.map(|&(_, _, radius)| radius).fold(0.0, f64::max) / nearest
+    };
+    let cage = |domain: &Domain| {
+        let gap = |x: &[f64; D]| distance(x, point(domain.center));
+        let is_outside = |v: &u32| gap(point(*v)) >= domain.radius;
+        let outside = vertices.clone().filter(is_outside);
+        let nearest = outside.map(|v| gap(point(v))).fold(f64::INFINITY, f64::min);
+        let spanning = corners.iter().filter(|(simplex, ..)| {
+            simplex.iter().any(is_outside) && !simplex.iter().all(is_outside)
+        });
+        2.0 * spanning.map(|(_, corner, _)| gap(corner)).fold(0.0, f64::max)
+            / (nearest + domain.radius)
+    };
+    let cells = vertices.clone().filter(|&v| mesh.cage_of[v as usize] == NONE).map(cell);
+    cells.chain(mesh.domains[1..].iter().map(cage)).fold(0.0, f64::max)
 }
 
 #[test]

@@ -297,11 +297,28 @@ fn union_cells_of_bad_aspect() {
         }
         let quality = measure(mesh).unwrap();
         assert!(quality.worst_cage_aspect > quality.worst_aspect);
-        mesh.parameters.quality_bound = quality.worst_cage_aspect * 1.001;
+        mesh.parameters.quality_bound = quality.worst_aspect_anywhere * 1.001;
         assert_sound(&case);
         case.mesh.parameters.quality_bound = quality.worst_cage_aspect * 0.999;
         assert_violates(&case, Kind::CageAspect);
     }
+}
+
+/// Cells whose worst corner is beyond the corner restriction are bounded too.
+#[test]
+fn cells_that_look_out_between_the_vertices_of_a_cage() {
+    let mut found = 0;
+    for seed in 1..20 {
+        let mut case = run(&pairs::<3>(4, 1e-9, seed), &Options::default());
+        let quality = measure(&case.mesh).unwrap();
+        let inside = quality.worst_aspect.max(quality.worst_cage_aspect);
+        if quality.worst_aspect_anywhere > 1.01 * inside {
+            case.mesh.parameters.quality_bound = inside * 1.001;
+            assert_ne!(report(&case).violations, 0);
+            found += 1;
+        }
+    }
+    assert!(found > 3);
 }
 
 #[test]

@@ -81,7 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// YIELDINGINSERT of the Steiner point for `simplex`.
     pub(super) fn refine_corner(&mut self, simplex: u32) -> Result<()> {
-        let Some(SteinerPoint { point: x, radius }) = self.steiner_point(simplex) else {
+        let Some(SteinerPoint { point: x, radius, is_corner }) = self.steiner_point(simplex) else {
             self.refine.limit(simplex);
             return Ok(());
         };
@@ -89,11 +89,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
         if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {
+            self.stats.yields += 1;
             return self.insert_input(input);
         }
         self.collect_cavity_corners()?;
         let domain = self.enter(&x)?;
         let vertex = self.add_vertex(x)?;
+        match is_corner {
+            true => self.stats.far_corners += 1,
+            false => self.stats.off_centers += 1,
+        }
         self.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex)
     }

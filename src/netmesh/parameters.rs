@@ -25,6 +25,7 @@ pub struct Parameters {
     pub root_scale: f64,
     pub seed: u64,
     pub max_vertices: u64,
+    pub instruments: bool,
 }
 
 impl Parameters {
@@ -72,6 +73,7 @@ impl Parameters {
             )?,
             seed: options.seed,
             max_vertices,
+            instruments: options.instruments,
         })
     }
 }

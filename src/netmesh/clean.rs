@@ -43,7 +43,7 @@ impl RefineList {
         enqueue(&mut self.queue, simplex)
     }
 
-    fn pop(&mut self) -> Option<u32> {
+    pub fn pop(&mut self) -> Option<u32> {
         let simplex = self.queue.pop_front()?;
         self.flags[simplex as usize] &= !QUEUED;
         Some(simplex)

@@ -11,8 +11,16 @@ use std::time::Instant;
 /// The most vertices at which feature sizes are compared in the complete mesh.
 const FEATURE_PROBES: usize = 20_000;
 
-/// Insertions are observed as often as to observe about so many of inputs.
-const INSERTION_PROBES: usize = 2_000;
+/// So many insertions are observed, then as many of the double number, and so on.
+const INSERTION_PROBES: usize = 1 << 12;
+
+/// No further probe after so many simplices visited for all of them: a vertex of a finished mesh may
+/// have thousands of others between itself and the inputs.
+const WORK: u64 = 1 << 26;
+
+/// Probes are taken in so many sweeps over the vertices. Where work is cut off early, the rest are
+/// still inputs, Steiner points and vertices of cages alike.
+const SWEEPS: usize = 16;
 
 /// A vertex of a cage whose domain has one input yet, its centre.
 pub(super) struct Pending {
@@ -24,21 +32,32 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
     pub(super) fn measure_feature_size_constant(&mut self) -> Result<()> {
         let count = self.delaunay.point_count();
-        for vertex in (0..count as u32).step_by(stride(count, FEATURE_PROBES)) {
-            let mut omega = self.hierarchy.domain_of(vertex);
-            loop {
-                self.compare_feature_sizes(vertex, omega)?;
-                // The centre of a domain is a vertex of the enclosing one too.
-                if self.hierarchy.node(omega).center != vertex {
-                    break;
-                }
-                omega = self.hierarchy.parent(omega);
-                if omega == NONE {
-                    break;
-                }
+        let step = stride(count, FEATURE_PROBES);
+        let sweep = |first: usize| (first * step..count).step_by(SWEEPS * step);
+        self.instruments.search.work = 0;
+        for vertex in (0..SWEEPS).flat_map(sweep) {
+            if self.instruments.search.work > WORK {
+                break;
             }
+            self.compare_feature_sizes_at(vertex as u32)?;
         }
         Ok(())
+    }
+
+    /// In all domains that have `vertex`.
+    fn compare_feature_sizes_at(&mut self, vertex: u32) -> Result<()> {
+        let mut omega = self.hierarchy.domain_of(vertex);
+        loop {
+            self.compare_feature_sizes(vertex, omega)?;
+            // The centre of a domain is a vertex of the enclosing one too.
+            if self.hierarchy.node(omega).center != vertex {
+                return Ok(());
+            }
+            omega = self.hierarchy.parent(omega);
+            if omega == NONE {
+                return Ok(());
+            }
+        }
     }
 
     fn compare_feature_sizes(&mut self, vertex: u32, omega: u32) -> Result<()> {
@@ -55,8 +74,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let is_cage_vertex = self.hierarchy.cage_of(vertex) != NONE;
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();
         let inserted = self.delaunay.point_count() - self.location.remaining();
-        let is_probe = inserted % stride(self.inputs, INSERTION_PROBES) == 0;
-        if !settles && !is_probe {
+        let rarity = (inserted / INSERTION_PROBES + 1).next_power_of_two();
+        let is_probe = inserted % rarity == 0;
+        if !(settles || is_probe) || self.instruments.search.work > WORK {
             return Ok(());
         }
         let begun = Instant::now();

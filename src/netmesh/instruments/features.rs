@@ -35,6 +35,8 @@ pub(super) struct Search {
     seen: VertexSet,
     children: VertexSet,
     star: Vec<u32>,
+    /// Simplices visited in all searches.
+    pub work: u64,
 }
 
 impl Search {
@@ -168,6 +170,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         child: Option<u32>,
     ) -> Fallible<()> {
         self.delaunay.star(vertex, &mut search.star)?;
+        search.work += search.star.len() as u64;
         for at in 0..search.star.len() {
             for index in 0..=D {
                 let neighbor = self.delaunay.complex().vertices(search.star[at])[index];

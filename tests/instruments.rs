@@ -318,10 +318,10 @@ fn counters(stats: &Stats) -> Stats {
 #[test]
 fn instruments_change_nothing_and_stay_off_unless_asked_for() {
     for options in kinds_of_runs() {
-        for points in [nested(3, 60), pairs(3, 24)] {
-            let off = run(3, &points, &options);
-            let on = run(3, &points, &Options { instruments: true, ..options.clone() });
-            let again = run(3, &points, &Options { instruments: true, ..options.clone() });
+        for (dim, points) in [(2, nested(2, 60)), (2, pairs(2, 60)), (3, uniform(3, 120))] {
+            let off = run(dim, &points, &options);
+            let on = run(dim, &points, &Options { instruments: true, ..options.clone() });
+            let again = run(dim, &points, &Options { instruments: true, ..options.clone() });
             assert_eq!(timeless(&on.stats), timeless(&again.stats));
             assert_eq!(counters(&off.stats), timeless(&off.stats), "measured without a wish");
             assert_eq!(counters(&off.stats), counters(&on.stats));

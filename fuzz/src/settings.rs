@@ -27,12 +27,12 @@ impl Settings {
                 1..4 => Algorithm::Delaunay,
                 _ => Algorithm::Netmesh,
             },
+            instruments: choice >> 7 == 1,
             ..Options::default()
         };
         if bytes.once_in(16) {
             options.ordering = NetOrdering::DeterministicNet;
         }
-        options.instruments = bytes.once_in(8);
         options.threads = bytes.below(4) as u32;
         options.seed = u64::from(bytes.byte());
         let most = MAX_VERTICES[(dim - 2).min(2)];

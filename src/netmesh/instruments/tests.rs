@@ -33,7 +33,7 @@ fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: u32) -> Vec<u3
     let inserted: Vec<u32> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
     let mut members = inserted;
     members.retain(|&v| mesher.hierarchy.domain_of(v) == omega);
-    for domain in 0..mesher.hierarchy.len() {
+    for domain in 1..mesher.hierarchy.len() {
         if mesher.hierarchy.node(domain).alive && mesher.hierarchy.parent(domain) == omega {
             members.push(mesher.hierarchy.node(domain).center);
         }
@@ -132,6 +132,20 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
     }
 }
 
+/// Every vertex in every domain, the centres of children as well.
+fn check_feature_sizes<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
+    for omega in 0..mesher.hierarchy.len() {
+        if !mesher.hierarchy.node(omega).alive {
+            continue;
+        }
+        for vertex in members(mesher, omega) {
+            let expected = feature_sizes(mesher, vertex, omega);
+            let found = mesher.feature_sizes(vertex, omega).unwrap();
+            assert_eq!(found, Some(expected), "{vertex} in {omega}");
+        }
+    }
+}
+
 fn check<const D: usize>(n: usize) {
     let inputs = Inputs::new(D, n, &points(D, n), 0).unwrap();
     let options = Options { instruments: true, ..Options::default() };
@@ -147,6 +161,7 @@ fn check<const D: usize>(n: usize) {
             }
         }
     }
+    check_feature_sizes(&mut mesher);
     let Seen { inputs, corners, off_centers, cages } = seen;
     assert!(inputs > 20 && corners.min(off_centers).min(cages) > 3, "{D}D: {seen:?}");
 }

@@ -80,9 +80,9 @@ fn center<const D: usize>(corners: &[&[f64; D]]) -> [f64; D] {
         rows.swap(column, pivot);
         for other in (0..D).filter(|&other| other != column) {
             let factor = rows[other][column] / rows[column][column];
-            for at in column..=D {
-                let subtracted = factor * rows[column][at];
-                rows[other][at] -= subtracted;
+            let own = rows[column].clone();
+            for (x, subtracted) in rows[other].iter_mut().zip(&own) {
+                *x -= factor * subtracted;
             }
         }
     }

@@ -869,8 +869,8 @@ typedef struct nm_stats {
      */
     uint64_t precision_limited;
     /**
-     * Wall-clock time of the run, in seconds, without that of what is measured at its end. The only
-     * field that differs between equal runs.
+     * Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
+     * that differs between equal runs.
      */
     double seconds;
     /**

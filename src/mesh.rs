@@ -50,7 +50,7 @@ pub struct Stats {
     pub exact_fallbacks: u64,
     /// Vertices whose cell is out of reach of the bound in double precision.
     pub precision_limited: u64,
-    /// Without the time of what is measured at the end.
+    /// Without the time that [`Options::instruments`] takes.
     pub seconds: f64,
     /// Nets or samples taken in all rounds.
     pub passes: u64,

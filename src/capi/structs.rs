@@ -236,8 +236,8 @@ pub struct nm_stats {
     pub exact_fallbacks: u64,
     /// As nm_quality.precision_limited.
     pub precision_limited: u64,
-    /// Wall-clock time of the run, in seconds, without that of what is measured at its end. The only
-    /// field that differs between equal runs.
+    /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
+    /// that differs between equal runs.
     pub seconds: f64,
     /// Nets or samples taken in all rounds: rounds, and one more for each time that a round had not
     /// halved the inputs of every home.

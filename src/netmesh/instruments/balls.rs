@@ -2,7 +2,7 @@
 
 use super::stride;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::TryGrow;
 use crate::netmesh::Mesher;
 
 /// The most points at which the ply is counted.
@@ -83,14 +83,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Every so many-th live finite simplex, at most `most`.
-    fn probes(&self, most: usize) -> Fallible<Vec<u32>> {
+    fn probes(&mut self, most: usize) -> Result<Vec<u32>> {
         let complex = self.delaunay.complex();
-        let is_finite = |&s: &u32| complex.is_live(s) && !complex.is_infinite(s);
-        let finite = || (0..complex.simplex_bound() as u32).filter(is_finite);
-        let step = stride(finite().count(), most);
+        let bound = complex.simplex_bound() as u32;
+        let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
+        let mut count = 0;
+        for simplex in 0..bound {
+            self.watch.tick(1)?;
+            count += usize::from(is_finite(simplex));
+        }
+        let step = stride(count, most);
         let mut probes = Vec::new();
-        for simplex in finite().step_by(step) {
-            probes.try_push(simplex)?;
+        for (at, simplex) in (0..bound).filter(|&s| is_finite(s)).enumerate() {
+            self.watch.tick(1)?;
+            if at % step == 0 {
+                probes.try_push(simplex)?;
+            }
         }
         Ok(probes)
     }

@@ -11,7 +11,7 @@ use std::time::Instant;
 /// The most vertices at which feature sizes are compared in the complete mesh.
 const FEATURE_PROBES: usize = 20_000;
 
-/// So many insertions are observed, then as many of the double number, and so on.
+/// So many insertions are all observed, then half as many of each doubling.
 const INSERTION_PROBES: usize = 1 << 12;
 
 /// No further probe after so many simplices visited for all of them: a vertex of a finished mesh may

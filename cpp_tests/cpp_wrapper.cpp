@@ -66,10 +66,11 @@ void options_and_moves() {
     const PointSet points = generate("gaussian", 3, 5000);  // some tenths of a second: progress is seen
     netmesh::mesh first(3, points.coordinates.data(), points.size());
     int reports = 0;
-    first.run(netmesh::options().output(NM_OUTPUT_WELL_SPACED).quality_bound(5).seed(7).progress(
+    first.run(netmesh::options().output(NM_OUTPUT_WELL_SPACED).quality_bound(5).seed(7).instruments(true).progress(
         [&](const nm_progress&) { return ++reports, true; }));
     CHECK_EQUAL(first.counts().domains, 1u);
     CHECK(reports > 0);
+    CHECK(first.stats().max_ply > 0);
     const auto simplices = first.simplices();
     netmesh::mesh second = std::move(first);
     CHECK(second.simplices() == simplices);

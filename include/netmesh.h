@@ -697,6 +697,15 @@ typedef struct nm_options {
      * Handed to progress as it is; the library never looks at it. Default NULL.
      */
     void *user_data;
+    /**
+     * 1: measure the second part of nm_stats as well (from ply_probes on), which takes about as long
+     * again as the run, in 4D and more several times as long; the mesh is the same. Default 0.
+     */
+    uint32_t instruments;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
 } nm_options;
 
 /**
@@ -808,7 +817,7 @@ typedef struct nm_quality {
 } nm_quality;
 
 /**
- * What the last nm_run did.
+ * What the last nm_run did. "Definition" and "Theorem" are those of the paper.
  */
 typedef struct nm_stats {
     /**
@@ -865,13 +874,85 @@ typedef struct nm_stats {
      */
     uint64_t precision_limited;
     /**
-     * Wall-clock time of the run, in seconds. The only field that differs between equal runs.
+     * Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
+     * that differs between equal runs.
      */
     double seconds;
     /**
-     * Further cage vertices that closed slits between a cage's own at the end.
+     * Nets or samples taken in all rounds: rounds, and one more for each time that a round had not
+     * halved the inputs of every home.
+     */
+    uint64_t passes;
+    /**
+     * The largest, over the rounds, of the most inputs in one home after the round over that before;
+     * at most 1/2. 0 without rounds (NM_ALGORITHM_SVR).
+     */
+    double worst_halving;
+    /**
+     * Points inserted in the whole run for cages, those included whose cage was released later.
+     * input_vertices, cage_points, far_corners and off_centers add up to the vertices.
+     */
+    uint64_t cage_points;
+    /**
+     * Steiner points at a Voronoi corner (circumcentres).
+     */
+    uint64_t far_corners;
+    /**
+     * Steiner points on the way to a Voronoi corner.
+     */
+    uint64_t off_centers;
+    /**
+     * How often an input near a Steiner or cage point went in instead of it.
+     */
+    uint64_t yields;
+    /**
+     * Those of cage_points that closed slits between the vertices of a cage at the end.
      */
     uint64_t closing_points;
+    /**
+     * From here on 0 unless nm_options.instruments asked for it, and maxima over samples
+     * (docs/limitations.md). Points at which the ply was counted: Voronoi corners, all of them
+     * where there are few.
+     */
+    uint64_t ply_probes;
+    /**
+     * The largest number of D-balls (circumballs of simplices) with one probe point strictly inside:
+     * k of Definition 1.
+     */
+    uint64_t max_ply;
+    /**
+     * The mean of these numbers.
+     */
+    double mean_ply;
+    /**
+     * The largest number of other D-balls that meet one D-ball (Theorem 4).
+     */
+    uint64_t max_ball_intersections;
+    /**
+     * The mean of these numbers.
+     */
+    double mean_ball_intersections;
+    /**
+     * K of Definition 7: the largest feature size of the inputs over that of the mesh, in the same
+     * domain and at a vertex of it. The feature size of a set at a point (Definition 5) is the
+     * distance to its second nearest member. Domains with fewer than two inputs do not count.
+     * 0 for NM_ALGORITHM_DELAUNAY, as are the three constants below.
+     */
+    double feature_size_constant;
+    /**
+     * K'_I of Definition 8: the same ratio for a vertex that has just been inserted, with the inputs
+     * and the mesh of that moment; here for inputs, ...
+     */
+    double insertion_constant_input;
+    /**
+     * ... K'_S, for Steiner points, ...
+     */
+    double insertion_constant_corner;
+    /**
+     * ... and K'_C, for vertices of cages (also inputs that a cage point yielded to). With only the
+     * centre of its domain inserted, the input that the cage is made for counts too.
+     */
+    double insertion_constant_cage;
 } nm_stats;
 
 /**

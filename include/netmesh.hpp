@@ -118,6 +118,7 @@ struct options {
     options &root_scale(double value) { values.root_scale = value; return *this; }
     options &seed(std::uint64_t value) { values.seed = value; return *this; }
     options &max_vertices(std::uint64_t value) { values.max_vertices = value; return *this; }
+    options &instruments(bool value) { values.instruments = value ? 1 : 0; return *this; }
     options &progress(progress_function value) {
         on_progress = std::move(value);
         return *this;

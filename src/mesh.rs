@@ -46,13 +46,41 @@ pub struct Stats {
     pub cages_created: u64,
     pub cages_grown: u64,
     pub cages_released: u64,
-    /// Cage vertices that closed slits between others at the end.
-    pub closing_points: u64,
     /// In-ball and orientation tests that the floating-point filters did not decide.
     pub exact_fallbacks: u64,
     /// Vertices whose cell is out of reach of the bound in double precision.
     pub precision_limited: u64,
+    /// Without the time that [`Options::instruments`] takes.
     pub seconds: f64,
+    /// Nets or samples taken in all rounds.
+    pub passes: u64,
+    /// The largest, over the rounds, of the most inputs in one home after over before.
+    pub worst_halving: f64,
+    /// Points inserted over the whole run, those included whose cage was released later: of cages, ...
+    pub cage_points: u64,
+    /// ... Voronoi corners of bad cells or crowded homes, ...
+    pub far_corners: u64,
+    /// ... and points on the way to such a corner.
+    pub off_centers: u64,
+    /// How often an input went in instead of such a point.
+    pub yields: u64,
+    /// Those of `cage_points` that closed slits between the vertices of a cage at the end.
+    pub closing_points: u64,
+    /// What follows is measured if [`Options::instruments`] asks for it, and 0 if not. Probe points:
+    /// Voronoi corners.
+    pub ply_probes: u64,
+    /// D-balls that hold one probe point (Definition 1).
+    pub max_ply: u64,
+    pub mean_ply: f64,
+    /// D-balls that meet one D-ball (Theorem 4).
+    pub max_ball_intersections: u64,
+    pub mean_ball_intersections: f64,
+    /// K of Definition 7 as observed.
+    pub feature_size_constant: f64,
+    /// K'_I, K'_S and K'_C of Definition 8 as observed: for inputs, Steiner points, cage vertices.
+    pub insertion_constant_input: f64,
+    pub insertion_constant_corner: f64,
+    pub insertion_constant_cage: f64,
 }
 
 /// The caller's points: copied bits, exact duplicates counted once.

@@ -72,6 +72,9 @@ pub struct Options {
     /// Of [`NetOrdering::SampledNet`]; without effect on [`NetOrdering::DeterministicNet`].
     pub seed: u64,
     pub max_vertices: u64,
+    /// Measure the second part of [`crate::Stats`] too, which takes as long again or longer. The
+    /// mesh is the same.
+    pub instruments: bool,
 }
 
 impl Default for Options {
@@ -92,6 +95,7 @@ impl Default for Options {
             root_scale: 0.0,
             seed: 0,
             max_vertices: 0,
+            instruments: false,
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::exit_code;
 use clap::{Parser, ValueEnum};
 use netmesh::io::Format;
-use netmesh::{Algorithm, Criterion, Options, Output};
+use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -46,9 +46,15 @@ pub struct Arguments {
     #[arg(short, long)]
     pub quiet: bool,
 
-    /// Print what the run did as well: rounds, touches, cages, exact tests, parameters
+    /// Print what the run did as well: rounds, touches, cages, points by kind, exact tests, parameters,
+    /// and the constants of the paper's theorems as measured, which takes about as long again
     #[arg(long)]
     pub stats: bool,
+
+    /// Write counts, options, quality and statistics as a JSON object; what --stats measures is null
+    /// without it. "-" is standard output, in place of the summary
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
 
     #[command(flatten)]
     pub meshing: Meshing,
@@ -61,6 +67,10 @@ pub struct Meshing {
     /// netmesh, Sparse Voronoi Refinement (its baseline), or the input's Delaunay triangulation
     #[arg(long, value_enum, default_value_t = AlgorithmName::Netmesh)]
     pub algorithm: AlgorithmName,
+
+    /// How a round of inputs is chosen: by a seeded sample, or by nets without any random number
+    #[arg(long, value_enum, default_value_t = OrderingName::Sampled)]
+    pub ordering: OrderingName,
 
     /// The quality measure that --bound bounds
     #[arg(long, value_enum, default_value_t = CriterionName::Aspect)]
@@ -99,7 +109,8 @@ pub struct Meshing {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub root_scale: Option<f64>,
 
-    /// Seed of every random choice; the same seed makes the same mesh
+    /// Seed of every random choice; the same seed makes the same mesh. Without effect on
+    /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
 
@@ -117,6 +128,12 @@ pub enum AlgorithmName {
     Netmesh,
     Svr,
     Delaunay,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum OrderingName {
+    Sampled,
+    Deterministic,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -155,6 +172,7 @@ impl Arguments {
         Options {
             output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
             algorithm: meshing.algorithm.algorithm(),
+            ordering: meshing.ordering.ordering(),
             criterion: meshing.criterion.criterion(),
             threads: meshing.threads,
             quality_bound: meshing.bound.unwrap_or(0.0),
@@ -167,7 +185,7 @@ impl Arguments {
             root_scale: meshing.root_scale.unwrap_or(0.0),
             seed: meshing.seed,
             max_vertices: meshing.max_vertices.unwrap_or(0),
-            ..Options::default()
+            instruments: self.stats,
         }
     }
 }
@@ -178,6 +196,15 @@ impl AlgorithmName {
             Self::Netmesh => Algorithm::Netmesh,
             Self::Svr => Algorithm::Svr,
             Self::Delaunay => Algorithm::Delaunay,
+        }
+    }
+}
+
+impl OrderingName {
+    fn ordering(self) -> NetOrdering {
+        match self {
+            Self::Sampled => NetOrdering::SampledNet,
+            Self::Deterministic => NetOrdering::DeterministicNet,
         }
     }
 }
@@ -225,7 +252,8 @@ mod tests {
     fn every_option_reaches_the_library() {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
-            --encroachment 2 --cage-scale 0.5 --root-scale 3 --seed 7 --max-vertices 99 --threads 4";
+            --encroachment 2 --cage-scale 0.5 --root-scale 3 --seed 7 --max-vertices 99 --threads 4 \
+            --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
             algorithm: Algorithm::Delaunay,
@@ -241,7 +269,8 @@ mod tests {
             root_scale: 3.0,
             seed: 7,
             max_vertices: 99,
-            ..Options::default()
+            ordering: NetOrdering::DeterministicNet,
+            instruments: true,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
     }

@@ -5,9 +5,11 @@
 mod arguments;
 mod certificate;
 mod exit_code;
+mod json;
 mod numbers;
 mod output;
 mod progress;
+mod record;
 mod session;
 mod summary;
 

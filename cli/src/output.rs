@@ -3,6 +3,7 @@
 use crate::exit_code::{ExitCode, Failure};
 use netmesh::io::{self, Format};
 use netmesh::{Error, ErrorKind, Mesh};
+use std::fs;
 use std::io::Write;
 use std::path::Path;
 
@@ -39,6 +40,23 @@ pub fn require_format(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Fa
 
 pub fn write(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
     io::write_file(mesh, path, format).map_err(|error| failure(path, &error))
+}
+
+/// Writes a file of text: complete, or not at all. A device or a pipe is written into.
+pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    let refuse = |error: std::io::Error| {
+        let message = format!("{}: cannot write: {error}", path.display());
+        Failure::new(ExitCode::OutputNotWritable, message)
+    };
+    if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        return fs::write(path, text).map_err(refuse);
+    }
+    let temporary = path.with_file_name(format!(".netmesh-{}.json.tmp", std::process::id()));
+    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
+    if written.is_err() {
+        let _ = fs::remove_file(&temporary);
+    }
+    written.map_err(refuse)
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {

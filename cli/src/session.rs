@@ -5,14 +5,23 @@ use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
 use crate::output;
 use crate::progress::Bar;
+use crate::record;
 use crate::summary::{Summary, Times};
 use netmesh::{Mesh, Triangulation, io, quality};
 use std::io::Write;
+use std::path::Path;
 use std::time::Instant;
+
+/// What stands for standard output where a file may be named.
+const STANDARD_OUTPUT: &str = "-";
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(output) = &arguments.output {
         output::require_place(output)?;
+    }
+    if let Some(json) = arguments.json.as_deref().filter(|&path| path != Path::new(STANDARD_OUTPUT))
+    {
+        output::require_place(json)?;
     }
     let mut times = Times::default();
     let mut mesh = timed(&mut times.read, || read(arguments))?;
@@ -29,7 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         })?),
         false => None,
     };
-    if !arguments.quiet {
+    if !arguments.quiet || arguments.json.is_some() {
         let triangulation = triangulation_of(&mesh)?;
         let quality = timed(&mut times.measure, || quality::measure(triangulation))?;
         let summary = Summary {
@@ -40,9 +49,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             report: report.as_ref(),
             times: &times,
         };
-        print(&summary.text())?;
+        tell(&summary)?;
     }
     report.map_or(Ok(()), |report| certificate::require(&report))
+}
+
+/// The summary for people, the record for programs, or both.
+fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
+    match summary.arguments.json.as_deref() {
+        Some(path) if path == Path::new(STANDARD_OUTPUT) => return print(&record::json(summary)),
+        Some(path) => output::write_text(path, &record::json(summary))?,
+        None => {}
+    }
+    if summary.arguments.quiet { Ok(()) } else { print(&summary.text()) }
 }
 
 fn read(arguments: &Arguments) -> Result<Mesh, Failure> {

@@ -5,7 +5,7 @@ use crate::certificate;
 use crate::numbers::{counted, duration, grouped, measure};
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
-use netmesh::{Algorithm, Criterion, Inputs, Output, Triangulation, VertexKind};
+use netmesh::{Algorithm, Criterion, Inputs, NetOrdering, Output, Triangulation, VertexKind};
 use std::fmt::Write;
 
 /// Seconds that each step took; 0 for a step that was not asked for.
@@ -37,6 +37,7 @@ impl Summary<'_> {
         self.add_quality(&mut lines);
         if self.arguments.stats {
             self.add_stats(&mut lines);
+            self.add_instruments(&mut lines);
         }
         self.add_times(&mut lines);
         self.add_output(&mut lines);
@@ -71,13 +72,12 @@ impl Summary<'_> {
             Criterion::VoronoiAspect => "Voronoi aspect",
             Criterion::RadiusEdge => "radius-edge ratio",
         };
-        lines.add(
-            "task",
-            format!(
-                "{output}, {criterion} at most {}, seed {}",
-                parameters.quality_bound, parameters.seed
-            ),
-        );
+        let ordering = match parameters.ordering {
+            NetOrdering::SampledNet => format!("seed {}", parameters.seed),
+            NetOrdering::DeterministicNet => "deterministic nets".to_owned(),
+        };
+        let bound = parameters.quality_bound;
+        lines.add("task", format!("{output}, {criterion} at most {bound}, {ordering}"));
     }
 
     fn add_mesh(&self, lines: &mut Lines) {
@@ -147,8 +147,10 @@ impl Summary<'_> {
         lines.add(
             "run",
             format!(
-                "{}, {} ({:.1} per input, at most {} for one)",
+                "{} in {}, the worst leaving {} of the most inputs in one home; {} ({:.1} per input, at most {} for one)",
                 counted(stats.rounds, "round", "rounds"),
+                counted(stats.passes, "pass", "passes"),
+                measure(stats.worst_halving),
                 counted(stats.touches, "touch", "touches"),
                 stats.touches as f64 / self.inputs.distinct() as f64,
                 grouped(stats.max_touches),
@@ -167,6 +169,17 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
+                "points made: {} for cages ({} of them to close slits), {} corners, {} off-centres; an input instead {}",
+                grouped(stats.cage_points),
+                grouped(stats.closing_points),
+                grouped(stats.far_corners),
+                grouped(stats.off_centers),
+                counted(stats.yields, "time", "times"),
+            ),
+        );
+        lines.add(
+            "",
+            format!(
                 "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, root scale {}",
                 parameters.epsilon,
                 parameters.delta,
@@ -179,16 +192,49 @@ impl Summary<'_> {
         );
     }
 
+    /// The paper's constants.
+    fn add_instruments(&self, lines: &mut Lines) {
+        let stats = &self.triangulation.stats;
+        lines.add(
+            "constants",
+            format!(
+                "ply at most {}, mean {}, at {}; a D-ball meets at most {} others, mean {}",
+                grouped(stats.max_ply),
+                measure(stats.mean_ply),
+                counted(stats.ply_probes, "Voronoi corner", "Voronoi corners"),
+                grouped(stats.max_ball_intersections),
+                measure(stats.mean_ball_intersections),
+            ),
+        );
+        if self.triangulation.parameters.algorithm == Algorithm::Delaunay {
+            return;
+        }
+        lines.add(
+            "",
+            format!(
+                "feature size of the inputs over that of the mesh at most {}; at the insertion of inputs {}, Steiner points {}, cages {}",
+                measure(stats.feature_size_constant),
+                measure(stats.insertion_constant_input),
+                measure(stats.insertion_constant_corner),
+                measure(stats.insertion_constant_cage),
+            ),
+        );
+    }
+
     fn add_times(&self, lines: &mut Lines) {
         let times = self.times;
-        let speed = self.triangulation.vertex_count() as f64 / times.mesh.max(1e-9);
+        let mesh = self.triangulation.stats.seconds;
+        let speed = self.triangulation.vertex_count() as f64 / mesh.max(1e-9);
         let mut text = format!(
             "mesh {} ({} vertices/s), read {}, quality {}",
-            duration(times.mesh),
+            duration(mesh),
             grouped(speed as u64),
             duration(times.read),
             duration(times.measure),
         );
+        if self.arguments.stats {
+            let _ = write!(text, ", constants {}", duration((times.mesh - mesh).max(0.0)));
+        }
         if self.arguments.output.is_some() {
             let _ = write!(text, ", write {}", duration(times.write));
         }

@@ -2,6 +2,7 @@
 
 mod workbench;
 
+use serde_json::Value;
 use workbench::Workbench;
 
 /// Twenty points on a spiral, and the last one twice.
@@ -91,6 +92,11 @@ fn summary_tells_counts_quality_and_time() {
         "rounds",
         "touches",
         "epsilon 0.5",
+        "passes",
+        "off-centres",
+        "ply at most",
+        "feature size",
+        "constants",
     ] {
         assert!(outcome.stdout.contains(word), "no '{word}' in: {}", outcome.stdout);
     }
@@ -111,4 +117,77 @@ fn an_existing_output_is_replaced() {
     bench.write("mesh.off", "old");
     bench.run("points.xyz -q -o mesh.off").assert_success();
     assert!(bench.read("mesh.off").starts_with("OFF"));
+}
+
+/// What the library says of the spiral.
+fn spiral_mesh(options: &netmesh::Options) -> netmesh::Mesh {
+    let text = spiral(2);
+    let numbers = text.split_whitespace().map(|word| word.parse().expect("a number"));
+    let points: Vec<f64> = numbers.collect();
+    let mut mesh = netmesh::Mesh::new(2, 21, &points, 0).expect("good points");
+    mesh.run(options, None).expect("good options");
+    mesh
+}
+
+#[test]
+fn json_has_the_fields_of_the_structs() {
+    let bench = bench_with_spiral("json", 2);
+    bench.run("points.xyz -q --json a.json --validate --stats").assert_success();
+    assert_eq!(bench.files(), ["a.json", "points.xyz"]);
+    let json: Value = serde_json::from_str(&bench.read("a.json")).expect("it is JSON");
+    assert_eq!(json["input"], "points.xyz");
+    let options = netmesh::Options { instruments: true, ..netmesh::Options::default() };
+    let mesh = spiral_mesh(&options);
+    let result = mesh.triangulation().expect("a result");
+    let stats = &result.stats;
+    let counts = ["inputs", "duplicates", "vertices", "simplices", "domains", "dim"];
+    let expected = [21, 1, result.vertex_count(), result.simplex_count(), result.domains.len(), 2];
+    assert_eq!(counts.map(|name| json["counts"][name].as_u64()), expected.map(|n| Some(n as u64)));
+    assert_eq!(json["report"]["level"], 3);
+    assert_eq!(json["report"]["violations"], 0);
+    assert_eq!(json["options"]["epsilon"], 0.5);
+    assert_eq!(json["options"]["ordering"], "sampled");
+    assert_eq!(json["options"]["instruments"], true);
+    let quality = netmesh::quality::measure(result).expect("there is memory");
+    assert_eq!(json["quality"]["worst_aspect"], quality.worst_aspect);
+    assert_eq!(json["stats"]["off_centers"], stats.off_centers);
+    assert_eq!(json["stats"]["max_ply"], stats.max_ply);
+    assert_eq!(json["stats"]["insertion_constant_cage"], stats.insertion_constant_cage);
+    assert!(stats.max_ply > 0 && stats.insertion_constant_cage > 0.0);
+    // The header is the list of fields.
+    let header = include_str!("../../include/netmesh.h");
+    for (part, of) in [
+        ("counts", "nm_counts"),
+        ("options", "nm_options"),
+        ("quality", "nm_quality"),
+        ("stats", "nm_stats"),
+    ] {
+        let start = header.find(&format!("typedef struct {of} {{")).expect("the struct");
+        let end = start + header[start..].find(&format!("}} {of};")).expect("its end");
+        let fields = header[start..end].lines().filter(|line| !line.contains(" * "));
+        let fields = fields.filter_map(|line| line.strip_suffix(';'));
+        let mut names: Vec<_> =
+            fields.filter_map(|line| line.split([' ', '*']).next_back()).collect();
+        names.retain(|name| !["struct_size", "reserved", "progress", "user_data"].contains(name));
+        let mut written: Vec<_> = json[part].as_object().expect("an object").keys().collect();
+        names.sort_unstable();
+        written.sort_unstable();
+        assert!(names.len() > 5 && written == names, "{part}: {written:?}, {names:?}");
+    }
+}
+
+#[test]
+fn json_takes_the_place_of_the_summary() {
+    let bench = bench_with_spiral("json_stdout", 2);
+    let outcome = bench.run("points.xyz --json - --ordering deterministic");
+    outcome.assert_success();
+    let json: Value = serde_json::from_str(&outcome.stdout).expect("nothing but JSON");
+    assert_eq!(json["options"]["ordering"], "deterministic");
+    assert!(json["report"].is_null());
+    // Not measured without --stats.
+    assert!(json["stats"]["max_ply"].is_null() && json["stats"]["feature_size_constant"].is_null());
+    assert_eq!(bench.files(), ["points.xyz"]);
+    let both = bench.run("points.xyz --json a.json --ordering deterministic");
+    assert!(both.stdout.contains("deterministic nets"), "{}", both.stdout);
+    assert_eq!(bench.files(), ["a.json", "points.xyz"]);
 }

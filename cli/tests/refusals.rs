@@ -143,3 +143,13 @@ fn output_that_is_a_directory_is_refused() {
     bench.run("points.xyz -o .").assert_failure(8, &["directory"]);
     assert_eq!(bench.files(), ["points.xyz"]);
 }
+
+#[test]
+fn json_where_no_file_can_be_is_refused_before_the_work() {
+    let bench = bench_with("json_nowhere", SQUARE);
+    bench
+        .run("points.xyz -o mesh.off --json no/such/a.json")
+        .assert_failure(8, &["no/such/a.json"]);
+    bench.run("points.xyz -o mesh.off --json .").assert_failure(8, &["directory"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}

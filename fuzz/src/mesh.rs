@@ -83,7 +83,10 @@ fn check_certificate(mesh: &Mesh) {
     let limited = result.precision_limited.iter().filter(|&&marked| marked).count();
     let quality = measure(result).expect("there is memory");
     assert_eq!(quality.precision_limited, limited as u64);
-    assert_eq!(result.stats.precision_limited, limited as u64);
+    let stats = &result.stats;
+    assert_eq!(stats.precision_limited, limited as u64);
+    let made = stats.cage_points + stats.far_corners + stats.off_centers;
+    assert_eq!(stats.input_vertices + made, result.vertex_count() as u64);
     let inputs = bits(&mesh.inputs().distinct_points());
     assert!(bits(&result.points)[..inputs.len()] == inputs, "inputs changed");
 }

@@ -27,6 +27,7 @@ impl Settings {
                 1..4 => Algorithm::Delaunay,
                 _ => Algorithm::Netmesh,
             },
+            instruments: choice >> 7 == 1,
             ..Options::default()
         };
         if bytes.once_in(16) {

@@ -111,7 +111,22 @@ fn encode_stats(stats: &Stats) -> nm_stats {
         exact_fallbacks: stats.exact_fallbacks,
         precision_limited: stats.precision_limited,
         seconds: stats.seconds,
+        passes: stats.passes,
+        worst_halving: stats.worst_halving,
+        cage_points: stats.cage_points,
+        far_corners: stats.far_corners,
+        off_centers: stats.off_centers,
+        yields: stats.yields,
         closing_points: stats.closing_points,
+        ply_probes: stats.ply_probes,
+        max_ply: stats.max_ply,
+        mean_ply: stats.mean_ply,
+        max_ball_intersections: stats.max_ball_intersections,
+        mean_ball_intersections: stats.mean_ball_intersections,
+        feature_size_constant: stats.feature_size_constant,
+        insertion_constant_input: stats.insertion_constant_input,
+        insertion_constant_corner: stats.insertion_constant_corner,
+        insertion_constant_cage: stats.insertion_constant_cage,
     }
 }
 
@@ -195,12 +210,30 @@ mod tests {
             exact_fallbacks: 10,
             precision_limited: 11,
             seconds: 12.0,
-            closing_points: 13,
+            passes: 13,
+            worst_halving: 14.0,
+            cage_points: 15,
+            far_corners: 16,
+            off_centers: 17,
+            yields: 18,
+            closing_points: 19,
+            ply_probes: 20,
+            max_ply: 21,
+            mean_ply: 22.0,
+            max_ball_intersections: 23,
+            mean_ball_intersections: 24.0,
+            feature_size_constant: 25.0,
+            insertion_constant_input: 26.0,
+            insertion_constant_corner: 27.0,
+            insertion_constant_cage: 28.0,
         };
         // SAFETY: numbers without padding.
-        let words: [u64; 14] = unsafe { std::mem::transmute(encode_stats(&stats)) };
-        assert_eq!(words[1..12], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
-        assert_eq!((f64::from_bits(words[12]), words[13]), (12.0, 13));
+        let words: [u64; 29] = unsafe { std::mem::transmute(encode_stats(&stats)) };
+        for (at, &word) in words.iter().enumerate().skip(1) {
+            let is_double = [12, 14, 22].contains(&at) || at >= 24;
+            let expected = if is_double { (at as f64).to_bits() } else { at as u64 };
+            assert_eq!(word, expected, "word {at}");
+        }
     }
 
     #[test]

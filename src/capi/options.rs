@@ -7,7 +7,7 @@ use super::enums::{
 use super::handle::barrier;
 use super::memory::OutStruct;
 use super::structs::nm_options;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -63,6 +63,8 @@ pub(super) fn encode(options: &Options) -> nm_options {
         max_vertices: options.max_vertices,
         progress: None,
         user_data: null_mut(),
+        instruments: u32::from(options.instruments),
+        reserved: 0,
     }
 }
 
@@ -84,7 +86,21 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         root_scale: options.root_scale,
         seed: options.seed,
         max_vertices: options.max_vertices,
+        instruments: decode_instruments(options)?,
     })
+}
+
+/// The switch, and that the field after it is not in use.
+fn decode_instruments(options: &nm_options) -> Result<bool> {
+    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    if options.reserved != 0 {
+        return refuse(message!("options.reserved is {}; it must be 0", options.reserved));
+    }
+    match options.instruments {
+        0 => Ok(false),
+        1 => Ok(true),
+        other => refuse(message!("options.instruments is {other}; it must be 0 or 1")),
+    }
 }
 
 #[cfg(test)]
@@ -126,6 +142,7 @@ mod tests {
             root_scale: 10.0,
             seed: 11,
             max_vertices: 12,
+            instruments: true,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
@@ -159,10 +176,12 @@ mod tests {
     fn sizes_that_end_inside_a_field_are_refused() {
         let mut bytes = [0xee; 256];
         let word = size_of::<usize>();
-        let legal = [4, 8, 12, 16, 20]
-            .into_iter()
-            .chain((24..=104).step_by(8))
-            .chain([104 + word, 104 + 2 * word]);
+        let legal = [4, 8, 12, 16, 20].into_iter().chain((24..=104).step_by(8)).chain([
+            104 + word,
+            104 + 2 * word,
+            108 + 2 * word,
+            112 + 2 * word,
+        ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {
             let accepted = init(&mut bytes, size as u32) == nm_status::NM_OK;
@@ -190,6 +209,19 @@ mod tests {
         for (field, value, options) in bad {
             let message = decode(&options).unwrap_err().message().to_owned();
             assert!(message.starts_with(&format!("options.{field} is {value};")), "{message}");
+        }
+    }
+
+    #[test]
+    fn the_switch_is_checked_and_so_is_what_follows_it() {
+        let good = encode(&Options::default());
+        let refusals = [
+            (nm_options { instruments: 2, ..good }, "options.instruments is 2; it must be 0 or 1"),
+            (nm_options { reserved: 7, ..good }, "options.reserved is 7; it must be 0"),
+        ];
+        for (options, message) in refusals {
+            let error = decode(&options).unwrap_err();
+            assert_eq!((error.kind(), error.message()), (ErrorKind::InvalidArgument, message));
         }
     }
 }

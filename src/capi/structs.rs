@@ -94,6 +94,11 @@ pub struct nm_options {
     pub progress: nm_progress_fn,
     /// Handed to progress as it is; the library never looks at it. Default NULL.
     pub user_data: *mut c_void,
+    /// 1: measure the second part of nm_stats as well (from ply_probes on), which takes about as long
+    /// again as the run, in 4D and more several times as long; the mesh is the same. Default 0.
+    pub instruments: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -106,14 +111,16 @@ unsafe impl Versioned for nm_options {
             size_of::<u32>()
         } else if size < offset_of!(nm_options, progress) {
             size_of::<u64>()
-        } else {
+        } else if size < offset_of!(nm_options, instruments) {
             size_of::<usize>()
+        } else {
+            size_of::<u32>()
         };
         size % width != 0
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 6 * 4 + 10 * 8 + 2 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 10 * 8 + 2 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
@@ -202,7 +209,7 @@ unsafe impl Versioned for nm_quality {
 
 const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 7 * 8);
 
-/// What the last nm_run did.
+/// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -234,10 +241,52 @@ pub struct nm_stats {
     pub exact_fallbacks: u64,
     /// As nm_quality.precision_limited.
     pub precision_limited: u64,
-    /// Wall-clock time of the run, in seconds. The only field that differs between equal runs.
+    /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
+    /// that differs between equal runs.
     pub seconds: f64,
-    /// Further cage vertices that closed slits between a cage's own at the end.
+    /// Nets or samples taken in all rounds: rounds, and one more for each time that a round had not
+    /// halved the inputs of every home.
+    pub passes: u64,
+    /// The largest, over the rounds, of the most inputs in one home after the round over that before;
+    /// at most 1/2. 0 without rounds (NM_ALGORITHM_SVR).
+    pub worst_halving: f64,
+    /// Points inserted in the whole run for cages, those included whose cage was released later.
+    /// input_vertices, cage_points, far_corners and off_centers add up to the vertices.
+    pub cage_points: u64,
+    /// Steiner points at a Voronoi corner (circumcentres).
+    pub far_corners: u64,
+    /// Steiner points on the way to a Voronoi corner.
+    pub off_centers: u64,
+    /// How often an input near a Steiner or cage point went in instead of it.
+    pub yields: u64,
+    /// Those of cage_points that closed slits between the vertices of a cage at the end.
     pub closing_points: u64,
+    /// From here on 0 unless nm_options.instruments asked for it, and maxima over samples
+    /// (docs/limitations.md). Points at which the ply was counted: Voronoi corners, all of them
+    /// where there are few.
+    pub ply_probes: u64,
+    /// The largest number of D-balls (circumballs of simplices) with one probe point strictly inside:
+    /// k of Definition 1.
+    pub max_ply: u64,
+    /// The mean of these numbers.
+    pub mean_ply: f64,
+    /// The largest number of other D-balls that meet one D-ball (Theorem 4).
+    pub max_ball_intersections: u64,
+    /// The mean of these numbers.
+    pub mean_ball_intersections: f64,
+    /// K of Definition 7: the largest feature size of the inputs over that of the mesh, in the same
+    /// domain and at a vertex of it. The feature size of a set at a point (Definition 5) is the
+    /// distance to its second nearest member. Domains with fewer than two inputs do not count.
+    /// 0 for NM_ALGORITHM_DELAUNAY, as are the three constants below.
+    pub feature_size_constant: f64,
+    /// K'_I of Definition 8: the same ratio for a vertex that has just been inserted, with the inputs
+    /// and the mesh of that moment; here for inputs, ...
+    pub insertion_constant_input: f64,
+    /// ... K'_S, for Steiner points, ...
+    pub insertion_constant_corner: f64,
+    /// ... and K'_C, for vertices of cages (also inputs that a cage point yielded to). With only the
+    /// centre of its domain inserted, the input that the cage is made for counts too.
+    pub insertion_constant_cage: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -245,7 +294,7 @@ unsafe impl Versioned for nm_stats {
     const TYPE: &'static str = "nm_stats";
 }
 
-const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 13 * 8);
+const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 28 * 8);
 
 /// What nm_mesh_validate found.
 #[allow(non_camel_case_types)]

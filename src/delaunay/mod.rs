@@ -3,6 +3,7 @@
 //! so is star-shaped from the point and yields no flat simplex (DESIGN section 3).
 
 mod locate;
+mod overlap;
 #[cfg(test)]
 mod tests;
 

@@ -87,11 +87,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let vertex = match self.input_near(&x, self.parameters.gamma * nearest)? {
             Some(input) => {
+                self.stats.yields += 1;
                 self.find_cavity_of_input(input)?;
                 self.collect_cavity_corners()?;
                 input
             }
-            None => self.add_vertex(x)?,
+            None => {
+                self.stats.cage_points += 1;
+                self.add_vertex(x)?
+            }
         };
         let x = *self.delaunay.point(vertex);
         self.enter(&x)?;

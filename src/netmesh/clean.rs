@@ -47,7 +47,7 @@ impl RefineList {
         self.queue.is_empty()
     }
 
-    fn pop(&mut self) -> Option<u32> {
+    pub fn pop(&mut self) -> Option<u32> {
         let simplex = self.queue.pop_front()?;
         self.flags[simplex as usize] &= !QUEUED;
         Some(simplex)
@@ -90,7 +90,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// YIELDINGINSERT of the Steiner point for `simplex`.
     pub(super) fn refine_corner(&mut self, simplex: u32) -> Result<()> {
-        let Some(SteinerPoint { point: x, radius }) = self.steiner_point(simplex) else {
+        let Some(SteinerPoint { point: x, radius, is_corner }) = self.steiner_point(simplex) else {
             self.refine.limit(simplex);
             return Ok(());
         };
@@ -98,11 +98,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
         if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {
+            self.stats.yields += 1;
             return self.insert_input(input);
         }
         self.collect_cavity_corners()?;
         let domain = self.enter(&x)?;
         let vertex = self.add_vertex(x)?;
+        match is_corner {
+            true => self.stats.far_corners += 1,
+            false => self.stats.off_centers += 1,
+        }
         self.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex)
     }

@@ -149,6 +149,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let vertex = self.add_vertex(x)?;
         self.hierarchy.set_domain(vertex, domain);
         self.hierarchy.join_cage(vertex, domain)?;
+        self.stats.cage_points += 1;
         self.stats.closing_points += 1;
         self.insert_into_cavity(vertex)
     }

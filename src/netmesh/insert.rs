@@ -89,6 +89,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.refine.forget(created, self.delaunay.complex().simplex_bound())?;
         if self.parameters.algorithm != Algorithm::Delaunay {
             self.update_star(vertex)?;
+            if self.parameters.instruments {
+                self.observe_insertion(vertex)?;
+            }
         }
         if self.parameters.algorithm == Algorithm::Svr {
             self.queue_crowded()?;

@@ -2,9 +2,9 @@
 //! `net` (SELECTROUND and NET), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
-//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (cells at
-//! the cages), `steiner` (where
-//! a Steiner point goes), `svr` (§3, the baseline).
+//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close`
+//! (cells at the cages), `steiner` (where a Steiner point goes), `svr` (§3, the baseline).
+//! `instruments` measures what the theorems promise.
 
 mod cage;
 mod clean;
@@ -13,6 +13,7 @@ mod domains;
 mod encroach;
 mod finish;
 mod insert;
+mod instruments;
 mod location;
 mod net;
 mod output;
@@ -33,6 +34,7 @@ use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use clean::RefineList;
 use domains::Hierarchy;
+use instruments::Instruments;
 use location::Location;
 use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
@@ -118,6 +120,7 @@ struct Mesher<'a, 'b, const D: usize> {
     random: Pcg64Mcg,
     watch: Watch<'a, 'b>,
     stats: Stats,
+    instruments: Instruments,
     scratch: Scratch,
 }
 
@@ -209,6 +212,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             template: Vec::new(),
             watch,
             stats: Stats::default(),
+            instruments: Instruments::default(),
             scratch: Scratch::default(),
             parameters,
         };

@@ -17,6 +17,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.stats.exact_fallbacks = self.delaunay.exact_fallbacks();
         self.stats.touches = self.location.total_touches();
         self.stats.max_touches = u64::from(self.location.max_touches());
+        let begun = begun + self.measure_instruments()?;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices()?;
         let vertices = self.delaunay.point_count();

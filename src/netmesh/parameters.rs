@@ -28,6 +28,7 @@ pub struct Parameters {
     pub root_scale: f64,
     pub seed: u64,
     pub max_vertices: u64,
+    pub instruments: bool,
 }
 
 impl Parameters {
@@ -75,6 +76,7 @@ impl Parameters {
             )?,
             seed: options.seed,
             max_vertices,
+            instruments: options.instruments,
         })
     }
 }

@@ -8,9 +8,11 @@ use crate::options::Algorithm;
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn insert_rounds(&mut self) -> Result<()> {
         while self.location.remaining() > 0 {
-            let target = self.location.max_count() / 2;
-            self.insert_round(target)?;
+            let before = self.location.max_count();
+            self.insert_round(before / 2)?;
             self.stats.rounds += 1;
+            let left = f64::from(self.location.max_count()) / f64::from(before);
+            self.stats.worst_halving = self.stats.worst_halving.max(left);
         }
         Ok(())
     }
@@ -26,6 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 }
             }
             pass += 1;
+            self.stats.passes += 1;
         }
         Ok(())
     }

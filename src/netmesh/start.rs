@@ -39,6 +39,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertices.push(center);
         for x in sphere {
             vertices.push(self.add_vertex(x)?);
+            self.stats.cage_points += 1;
         }
         let basis = affine_basis::<D>(vertices.len(), |i| *self.delaunay.point(vertices[i]));
         assert!(basis.len() == D + 1, "the template spans the space");

@@ -12,6 +12,8 @@ use crate::options::Criterion;
 pub(super) struct SteinerPoint<const D: usize> {
     pub point: [f64; D],
     pub radius: f64,
+    /// Whether it is the corner itself, and no off-centre.
+    pub is_corner: bool,
 }
 
 /// How far an off-centre is from the vertex of a bad cell, relative to what the bound allows its
@@ -42,7 +44,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     fn sound_corner(&self, simplex: u32) -> Option<SteinerPoint<D>> {
         let radius = self.delaunay.ball(simplex)?.radius;
-        let corner = SteinerPoint { point: self.delaunay.corner(simplex)?, radius };
+        let point = self.delaunay.corner(simplex)?;
+        let corner = SteinerPoint { point, radius, is_corner: true };
         let vertices = self.delaunay.complex().vertices(simplex);
         (self.is_sound(simplex, &corner)
             && vertices.iter().all(|&vertex| self.is_at_its_radius(&corner, vertex)))
@@ -71,8 +74,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let allowed = 0.5 * self.parameters.quality_bound * self.nearest[vertex as usize];
         let radius = cell_reach::<D>() * allowed;
         let from = self.delaunay.point(vertex);
-        let off_center =
-            SteinerPoint { point: between(from, &corner.point, radius / corner.radius)?, radius };
+        let point = between(from, &corner.point, radius / corner.radius)?;
+        let off_center = SteinerPoint { point, radius, is_corner: false };
         (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, vertex))
             .then_some(off_center)
     }
@@ -93,7 +96,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let apex = length * (bound + (bound * bound - 0.25).sqrt());
         let height = edge_reach::<D>() * apex;
         let point = between(&middle, &corner.point, height / distance(&middle, &corner.point))?;
-        let off_center = SteinerPoint { point, radius: distance(&point, p) };
+        let radius = distance(&point, p);
+        let off_center = SteinerPoint { point, radius, is_corner: false };
         (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, b))
             .then_some(off_center)
     }

@@ -21,7 +21,8 @@ const MAX_VERTICES: u64 = 400;
 
 /// Whether a struct of `size` bytes, the size of no version, is one of an older version.
 fn is_legal(size: usize) -> bool {
-    let field = if size < offset_of!(nm_options, quality_bound) { 4 } else { 8 };
+    let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
+    let field = if doubles.contains(&size) { 8 } else { 4 };
     (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
 }
 
@@ -60,11 +61,12 @@ pub fn run(bytes: &mut Bytes<'_>, handle: Option<&mut Handle>) {
     }
 }
 
-/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one.
+/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one. One that
+/// has `progress` without `user_data` loses it.
 fn with_limit(struct_size: u32) -> u32 {
     let shortest = offset_of!(nm_options, progress);
     match struct_size as usize {
-        size if size < shortest && is_legal(size) => shortest as u32,
+        size if size <= offset_of!(nm_options, user_data) && is_legal(size) => shortest as u32,
         _ => struct_size,
     }
 }
@@ -133,6 +135,8 @@ impl Attempt {
             max_vertices: given.max_vertices,
             progress: Some(look),
             user_data: (&raw mut *watch).cast(),
+            instruments: u32::from(given.instruments),
+            reserved: 0,
         }
     }
 
@@ -159,7 +163,7 @@ impl Attempt {
         let known = [2, 3, 2, 2];
         let enums = self.wrong.is_none_or(|(field, value)| (0..known[field]).contains(&value));
         // A criterion that is not the settings' has other ranges, and a small struct lacks fields.
-        let whole = self.struct_size as usize >= SIZE;
+        let whole = self.struct_size as usize >= offset_of!(nm_options, instruments);
         enums && (self.settings.valid || self.wrong.is_some() || !whole) && !(self.cancels && whole)
     }
 }

@@ -1,0 +1,105 @@
+//! Ply (Definition 1) at Voronoi corners, and how many D-balls meet one D-ball (Theorem 4).
+
+use super::stride;
+use crate::error::Result;
+use crate::memory::TryGrow;
+use crate::netmesh::Mesher;
+
+/// The most points at which the ply is counted.
+const PLY_PROBES: usize = 20_000;
+
+/// The most D-balls whose intersections are counted.
+const MEETING_PROBES: usize = 2_000;
+
+/// The most simplices visited for the intersections of one D-ball.
+const MEETING_LIMIT: usize = 100_000;
+
+/// No further probe after so many simplices visited for all of them: from 5D on each has thousands.
+const WORK: u64 = 1 << 25;
+
+/// The largest of some counts, and their mean.
+#[derive(Default)]
+struct Tally {
+    counts: u64,
+    sum: u64,
+    max: u64,
+}
+
+impl Tally {
+    fn add(&mut self, count: u64) {
+        self.counts += 1;
+        self.sum += count;
+        self.max = self.max.max(count);
+    }
+
+    /// 0 of nothing.
+    fn mean(&self) -> f64 {
+        self.sum as f64 / self.counts.max(1) as f64
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The D-balls with a point inside are the finite simplices of its cavity.
+    pub(super) fn measure_ply(&mut self) -> Result<()> {
+        let mut ply = Tally::default();
+        let mut work = 0;
+        for simplex in self.probes(PLY_PROBES)? {
+            if work > WORK {
+                break;
+            }
+            let Some(corner) = self.delaunay.corner(simplex) else { continue };
+            // Rounding may have moved it out of its own D-ball.
+            let is_finite = corner.iter().all(|x| x.is_finite());
+            if !is_finite || !self.delaunay.in_conflict(simplex, &corner) {
+                continue;
+            }
+            self.delaunay.find_cavity(simplex, &corner, &mut self.scratch.cavity)?;
+            let cavity = &self.scratch.cavity.simplices;
+            ply.add(cavity.iter().filter(|&&s| self.delaunay.ball(s).is_some()).count() as u64);
+            work += cavity.len() as u64;
+            self.watch.tick(cavity.len() as u32)?;
+        }
+        self.stats.ply_probes = ply.counts;
+        self.stats.max_ply = ply.max;
+        self.stats.mean_ply = ply.mean();
+        Ok(())
+    }
+
+    pub(super) fn measure_intersections(&mut self) -> Result<()> {
+        let mut met = Tally::default();
+        let mut work = 0;
+        for simplex in self.probes(MEETING_PROBES)? {
+            if work > WORK {
+                break;
+            }
+            let found = &mut self.scratch.star;
+            met.add(self.delaunay.count_meeting(simplex, MEETING_LIMIT, found)?);
+            work += found.len() as u64;
+            self.watch.tick(found.len() as u32)?;
+        }
+        self.stats.max_ball_intersections = met.max;
+        self.stats.mean_ball_intersections = met.mean();
+        Ok(())
+    }
+
+    /// Every so many-th live finite simplex, at most `most`.
+    fn probes(&mut self, most: usize) -> Result<Vec<u32>> {
+        let complex = self.delaunay.complex();
+        let bound = complex.simplex_bound() as u32;
+        let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
+        let mut count = 0;
+        for simplex in 0..bound {
+            self.watch.tick(1)?;
+            count += usize::from(is_finite(simplex));
+        }
+        let step = stride(count, most);
+        let mut probes = Vec::new();
+        for (at, simplex) in (0..bound).filter(|&s| is_finite(s)).enumerate() {
+            self.watch.tick(1)?;
+            if at % step == 0 {
+                probes.try_push(simplex)?;
+            }
+        }
+        Ok(probes)
+    }
+}

@@ -1,0 +1,186 @@
+//! Feature sizes (Definition 5): f_S^Omega(x) is the distance from x to the second nearest point of
+//! S_Omega, x itself being the nearest if it is one of them.
+//!
+//! For a vertex v of M_Omega the vertices come in the order of their distance from v by a best-first
+//! search along Delaunay edges, since those within any distance of v are connected: the next nearest
+//! is a neighbour of a nearer one. A child of Omega counts as its centre alone (Definition 3). It is
+//! passed through at once, from its nearest vertex to all that have an edge to its cage: what is
+//! inside may be any number. (A vertex that is deep in a child and has a neighbour outside is
+//! followed only when the search comes to it from there.) Vertices outside Omega are followed, and do
+//! not count; none is wanted beyond the diameter of Omega's ball.
+
+use crate::error::Result;
+use crate::memory::Fallible;
+use crate::netmesh::domains::ROOT;
+use crate::netmesh::{Mesher, VertexSet, some};
+use crate::numerics::distance;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A search ends without an answer after so many vertices.
+const MOST_VISITED: usize = 4096;
+
+/// The feature sizes of the mesh and of the inputs in it; `None` of fewer than two points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct FeatureSizes {
+    pub mesh: Option<f64>,
+    pub inputs: Option<f64>,
+}
+
+/// The buffers of a search.
+#[derive(Default)]
+pub(super) struct Search {
+    /// Distances, as bits, of vertices to go on from, and of children's centres (`true`).
+    queue: BinaryHeap<Reverse<(u64, u32, bool)>>,
+    seen: VertexSet,
+    children: VertexSet,
+    star: Vec<u32>,
+    /// Simplices visited in all searches.
+    pub work: u64,
+}
+
+impl Search {
+    fn restart(&mut self, vertices: usize, domains: usize) -> Fallible<()> {
+        self.queue.clear();
+        self.seen.restart(vertices)?;
+        self.children.restart(domains)
+    }
+
+    fn push(&mut self, gap: f64, vertex: u32, is_center: bool) -> Fallible<()> {
+        if self.queue.len() == self.queue.capacity() {
+            self.queue.try_reserve(1)?;
+        }
+        self.queue.push(Reverse((gap.to_bits(), vertex, is_center)));
+        Ok(())
+    }
+
+    fn pop(&mut self) -> Option<(f64, u32, bool)> {
+        let Reverse((bits, vertex, is_center)) = self.queue.pop()?;
+        Some((f64::from_bits(bits), vertex, is_center))
+    }
+}
+
+/// Whether `id` was not in `set`, where it is now.
+fn is_new(set: &mut VertexSet, id: u32) -> Fallible<bool> {
+    let before = set.ids.len();
+    set.insert(id)?;
+    Ok(set.ids.len() > before)
+}
+
+/// The points of M_Omega met so far, nearest first.
+#[derive(Default)]
+struct Met {
+    points: u32,
+    inputs: u32,
+    sizes: FeatureSizes,
+}
+
+impl Met {
+    fn add(&mut self, gap: f64, is_input: bool) {
+        self.points += 1;
+        if self.points == 2 {
+            self.sizes.mesh = Some(gap);
+        }
+        if is_input {
+            self.inputs += 1;
+            if self.inputs == 2 {
+                self.sizes.inputs = Some(gap);
+            }
+        }
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs inserted so far.
+    /// `None` if the search became too long.
+    pub(super) fn feature_sizes(
+        &mut self,
+        vertex: u32,
+        omega: u32,
+    ) -> Result<Option<FeatureSizes>> {
+        let mut search = std::mem::take(&mut self.instruments.search);
+        let sizes = self.search_features(&mut search, vertex, omega);
+        self.instruments.search = search;
+        sizes
+    }
+
+    fn search_features(
+        &mut self,
+        search: &mut Search,
+        vertex: u32,
+        omega: u32,
+    ) -> Result<Option<FeatureSizes>> {
+        let x = *self.delaunay.point(vertex);
+        let diameter = match omega {
+            ROOT => f64::INFINITY,
+            _ => 2.0 * self.hierarchy.node(omega).radius,
+        };
+        search.restart(self.delaunay.point_count(), self.hierarchy.len() as usize)?;
+        search.seen.insert(vertex)?;
+        search.push(0.0, vertex, false)?;
+        let mut met = Met::default();
+        for _ in 0..MOST_VISITED {
+            self.watch.tick(16)?;
+            let Some((gap, at, is_center)) = search.pop() else { return Ok(Some(met.sizes)) };
+            if gap > diameter {
+                return Ok(Some(met.sizes));
+            }
+            if is_center || self.hierarchy.domain_of(at) == omega {
+                met.add(gap, self.is_input(at));
+                if met.sizes.inputs.is_some() {
+                    return Ok(Some(met.sizes));
+                }
+            }
+            if !is_center {
+                self.go_on_from(search, at, &x, omega)?;
+            }
+        }
+        Ok(None)
+    }
+
+    fn go_on_from(
+        &mut self,
+        search: &mut Search,
+        vertex: u32,
+        x: &[f64; D],
+        omega: u32,
+    ) -> Fallible<()> {
+        let child = self.hierarchy.child_towards(omega, vertex);
+        if let Some(child) = child {
+            if is_new(&mut search.children, child)? {
+                let node = self.hierarchy.node(child);
+                search.push(distance(x, &node.point), node.center, true)?;
+                for at in 0..self.hierarchy.node(child).cage.len() {
+                    let vertex = self.hierarchy.node(child).cage[at];
+                    search.seen.insert(vertex)?;
+                    self.push_neighbors(search, vertex, x, omega, Some(child))?;
+                }
+            }
+        }
+        self.push_neighbors(search, vertex, x, omega, child)
+    }
+
+    /// Queues the neighbours of `vertex`, except those in the `child` of `omega` that it is in.
+    fn push_neighbors(
+        &mut self,
+        search: &mut Search,
+        vertex: u32,
+        x: &[f64; D],
+        omega: u32,
+        child: Option<u32>,
+    ) -> Fallible<()> {
+        self.delaunay.star(vertex, &mut search.star)?;
+        search.work += search.star.len() as u64;
+        for at in 0..search.star.len() {
+            for index in 0..=D {
+                let neighbor = self.delaunay.complex().vertices(search.star[at])[index];
+                let skipped = some(neighbor).is_none()
+                    || child.is_some() && self.hierarchy.child_towards(omega, neighbor) == child;
+                if !skipped && is_new(&mut search.seen, neighbor)? {
+                    search.push(distance(x, self.delaunay.point(neighbor)), neighbor, false)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

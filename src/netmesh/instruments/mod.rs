@@ -1,0 +1,47 @@
+//! The constants of the paper's theorems as observed on the mesh at hand: ply and D-ball
+//! intersections (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of feature
+//! sizes (`features`). Only where the options ask for it; the mesh does not depend on it.
+
+mod balls;
+mod constants;
+mod features;
+#[cfg(test)]
+mod tests;
+
+use super::Mesher;
+use crate::error::Result;
+use crate::options::Algorithm;
+use constants::Pending;
+use features::Search;
+use std::time::{Duration, Instant};
+
+/// What the instruments remember during a run.
+#[derive(Default)]
+pub(super) struct Instruments {
+    search: Search,
+    /// Cage vertices to which only one input counts so far.
+    pending: Vec<Pending>,
+    /// The time that they took, which is not the run's.
+    spent: Duration,
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Measures the complete mesh, if that is asked for. Returns the time that all instruments took.
+    pub(super) fn measure_instruments(&mut self) -> Result<Duration> {
+        if !self.parameters.instruments {
+            return Ok(Duration::ZERO);
+        }
+        let begun = Instant::now();
+        self.measure_ply()?;
+        self.measure_intersections()?;
+        if self.parameters.algorithm != Algorithm::Delaunay {
+            self.measure_feature_size_constant()?;
+        }
+        Ok(std::mem::take(&mut self.instruments).spent + begun.elapsed())
+    }
+}
+
+/// Every how many-th of `count` things is a probe, so that there are at most `probes`.
+fn stride(count: usize, probes: usize) -> usize {
+    count.div_ceil(probes).max(1)
+}

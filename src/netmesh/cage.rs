@@ -108,7 +108,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.precision_limited[center as usize] = true;
     }
 
-    fn nearest_corner(&self, x: &[f64; D]) -> f64 {
+    pub(super) fn nearest_corner(&self, x: &[f64; D]) -> f64 {
         let gaps = self.scratch.corners.ids.iter().map(|&v| distance(x, self.delaunay.point(v)));
         gaps.fold(f64::INFINITY, f64::min)
     }

@@ -89,7 +89,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
         if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {
-            return self.insert_input(input);
+            let first = self.central_neighbor(input)?.unwrap_or(input);
+            return self.insert_input(first);
         }
         self.collect_cavity_corners()?;
         let domain = self.enter(&x)?;

@@ -1,11 +1,12 @@
 //! The paper's algorithm (§6), one file per operation: `start` (the root cage and first homes),
 //! `net` (SELECTROUND and NET), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
-//! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
+//! `central` (which input of a cluster goes in first), `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
 //! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `steiner` (where
 //! a Steiner point goes), `svr` (§3, the baseline).
 
 mod cage;
+mod central;
 mod clean;
 mod domains;
 mod encroach;
@@ -131,6 +132,8 @@ struct Scratch {
     /// Simplices, and their inputs' distances, near a cage that is wanted.
     near: Vec<u32>,
     gaps: Vec<Reverse<u64>>,
+    /// Distances, as bits, and inputs that may form a cluster.
+    cluster: Vec<(u64, u32)>,
 }
 
 /// A set of vertex ids that is emptied in constant time.

@@ -20,6 +20,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut pass = 0;
         while pass == 0 || self.location.max_count() > target {
             for input in self.select_round(pass, target)? {
+                if let Some(central) = self.central_neighbor(input)? {
+                    self.insert_input(central)?;
+                    self.clean()?;
+                }
                 self.insert_input(input)?;
                 if self.parameters.algorithm != Algorithm::Delaunay {
                     self.clean()?;

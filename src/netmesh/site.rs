@@ -26,13 +26,24 @@ const SLACK: f64 = 1.001;
 /// Subnormal distances are rounded to whole units of the smallest double.
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
+/// A cage's radius, and the number of uninserted inputs nearby that it holds.
+#[derive(Clone, Copy, Debug)]
+struct LastingRadius {
+    radius: f64,
+    inputs: usize,
+}
+
+/// Inputs that are a cluster, together with the vertex at the centre of their cage.
+const CLUSTER: usize = 3;
+
 /// How much more room than it needs a cage must have to be smaller than the refinement that it
-/// saves (docs/decisions.md): cages are cheap in 2D, dearer above, and dearer still where FINISHMESH
-/// fills the gap that they bridge.
-fn pays<const D: usize>(output: Output) -> f64 {
+/// saves (docs/decisions.md): cages are cheap in 2D, dearer above unless they hold a cluster, and
+/// dearer still where FINISHMESH fills the gap that they bridge.
+fn pays<const D: usize>(output: Output, inputs: usize) -> f64 {
     match (output, D) {
         (Output::WellSpaced, _) => 8.0,
         (Output::Hierarchical, 2) => 1.0,
+        (Output::Hierarchical, _) if inputs >= CLUSTER => 1.0,
         (Output::Hierarchical, _) => 2.0,
     }
 }
@@ -51,10 +62,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Some(child) => self.hierarchy.node(child).outside,
             None => self.nearest[center as usize],
         };
-        let most = self.radius_within(clearance) / pays::<D>(self.parameters.output);
+        let output = self.parameters.output;
+        let room = self.radius_within(clearance);
+        let most = room / pays::<D>(output, CLUSTER);
         let least = self.radius_for(gap).max(self.smallest_radius(center));
-        let radius = self.lasting_radius(center, child, least, most)?;
-        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+        let lasting = self.lasting_radius(center, child, least, most)?;
+        let lasting = lasting.filter(|cage| cage.radius <= room / pays::<D>(output, cage.inputs));
+        Ok(lasting.map(|LastingRadius { radius, .. }| CageSite { center, radius, parent }))
     }
 
     /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
@@ -63,10 +77,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn grown_site(&mut self, cage: u32, least: f64) -> Result<Option<CageSite>> {
         let node = self.hierarchy.node(cage);
         let (center, outside) = (node.center, node.outside);
-        let radius =
+        let lasting =
             self.lasting_radius(center, Some(cage), least, outside / self.outer_reach())?;
         let parent = self.hierarchy.parent(cage);
-        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+        Ok(lasting.map(|LastingRadius { radius, .. }| CageSite { center, radius, parent }))
     }
 
     /// The radius of a cage that has an input at distance `gap` from its centre well inside.
@@ -116,42 +130,45 @@ impl<const D: usize> Mesher<'_, '_, D> {
         child: Option<u32>,
         least: f64,
         most: f64,
-    ) -> Result<Option<f64>> {
+    ) -> Result<Option<LastingRadius>> {
         if least > most {
             return Ok(None);
         }
         let reach = self.outer_reach();
         let mut radius = least;
         let range = self.parameters.epsilon * least..reach * most;
+        let (gaps, mut inputs) = self.gaps_nearby(center, child, range)?;
         // A heap, since often a few of very many are looked at.
-        let mut gaps = BinaryHeap::from(self.gaps_nearby(center, child, range)?);
+        let mut gaps = BinaryHeap::from(gaps);
         while let Some(Reverse(bits)) = gaps.pop() {
             self.watch.tick(1)?;
             let gap = f64::from_bits(bits);
             if gap >= reach * radius || radius > most {
                 break;
             }
+            inputs += 1;
             if gap > self.parameters.epsilon * radius {
                 radius = self.radius_for(gap);
             }
         }
         self.scratch.gaps = gaps.into_vec();
-        Ok((radius <= most).then_some(radius))
+        Ok((radius <= most).then_some(LastingRadius { radius, inputs }))
     }
 
     /// The distances in `range` from `center` to the uninserted inputs whose homes are in the
     /// scratch cavity or next to the centre (or the cage of the `child` domain round it), as bits,
-    /// which are ordered as distances are.
+    /// which are ordered as distances are; and the number of those inputs that are nearer.
     fn gaps_nearby(
         &mut self,
         center: u32,
         child: Option<u32>,
         range: Range<f64>,
-    ) -> Result<Vec<Reverse<u64>>> {
+    ) -> Result<(Vec<Reverse<u64>>, usize)> {
         let mut gaps = std::mem::take(&mut self.scratch.gaps);
         gaps.clear();
+        let mut nearer = 0;
         if self.location.remaining() == 0 {
-            return Ok(gaps);
+            return Ok((gaps, nearer));
         }
         let near = &mut self.scratch.near;
         near.clear();
@@ -172,9 +189,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let gap = distance(self.delaunay.point(input), self.delaunay.point(center));
                 if range.contains(&gap) {
                     gaps.try_push(Reverse(gap.to_bits()))?;
+                } else if gap < range.start {
+                    nearer += 1;
                 }
             }
         }
-        Ok(gaps)
+        Ok((gaps, nearer))
     }
 }

@@ -15,9 +15,14 @@ pub(super) struct SteinerPoint<const D: usize> {
 }
 
 /// How far an off-centre is from the vertex of a bad cell, relative to what the bound allows its
-/// corners (docs/decisions.md has the figures).
+/// corners (docs/decisions.md has the figures). Times half the bound it is above 1: then no
+/// Steiner point is as near to a vertex as its nearest neighbour, and refinement ends.
 const fn cell_reach<const D: usize>() -> f64 {
-    if D == 2 { 1.2 } else { 1.1 }
+    match D {
+        2 => 1.2,
+        3 => 1.1,
+        _ => 0.9,
+    }
 }
 
 /// How far an off-centre is from the middle of a short edge, relative to the apex of the triangle

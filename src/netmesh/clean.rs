@@ -4,64 +4,8 @@
 use super::Mesher;
 use super::steiner::SteinerPoint;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, enqueue, expect};
+use crate::memory::Fallible;
 use crate::numerics::distance;
-use std::collections::VecDeque;
-
-const QUEUED: u8 = 1;
-const LIMITED: u8 = 2;
-
-/// REFINELIST: simplices that were bad when they were queued; whether they still are is tested
-/// when they come up, so an id that was reused meanwhile does no harm.
-#[derive(Default)]
-pub(super) struct RefineList {
-    queue: VecDeque<u32>,
-    flags: Vec<u8>,
-}
-
-impl RefineList {
-    /// Makes room for so many simplices if the system gives it.
-    pub fn expect(&mut self, simplices: usize) {
-        expect(&mut self.flags, simplices);
-    }
-
-    /// Forgets what was known of ids that new simplices have taken.
-    pub fn forget(&mut self, created: &[u32], bound: usize) -> Fallible<()> {
-        self.flags.cover(bound, 0)?;
-        for &simplex in created {
-            self.flags[simplex as usize] &= QUEUED;
-        }
-        Ok(())
-    }
-
-    pub fn push(&mut self, simplex: u32) -> Fallible<()> {
-        let flags = &mut self.flags[simplex as usize];
-        if *flags & QUEUED != 0 {
-            return Ok(());
-        }
-        *flags |= QUEUED;
-        enqueue(&mut self.queue, simplex)
-    }
-
-    pub fn is_empty(&self) -> bool {
-        self.queue.is_empty()
-    }
-
-    pub fn pop(&mut self) -> Option<u32> {
-        let simplex = self.queue.pop_front()?;
-        self.flags[simplex as usize] &= !QUEUED;
-        Some(simplex)
-    }
-
-    /// Whether the corner of `simplex` cannot be inserted for want of precision.
-    pub fn is_limited(&self, simplex: u32) -> bool {
-        self.flags.get(simplex as usize).is_some_and(|flags| flags & LIMITED != 0)
-    }
-
-    pub fn limit(&mut self, simplex: u32) {
-        self.flags[simplex as usize] |= LIMITED;
-    }
-}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// CLEAN: refines until no cell is bad that doubles can mend.

@@ -1,9 +1,11 @@
-//! Closing the cages, once all inputs are in. While the mesh grows, a cell answers only for its
-//! corners inside the hull of its domain's cage (`quality`): refinement up to the cage would destroy
-//! it. That leaves slits, cells that look out between the vertices of a coarse cage. Now every corner
-//! counts: one near the cage sphere or beyond it goes in as a further cage vertex, at the nearest
-//! point of the sphere, and one well inside as a Steiner point. Then Definition 4 holds as it stands,
-//! over all corners.
+//! The last refinement, once all inputs are in: to the bound that the caller asked for, over all
+//! corners of all cells.
+//!
+//! While the mesh grows its bound is looser, and a cell answers only for its corners inside the hull
+//! of its domain's cage (`quality`): refinement up to the cage would destroy it. That leaves slits,
+//! cells that look out between the vertices of a coarse cage. Now every corner counts: one near the
+//! cage sphere or beyond it goes in as a further cage vertex, at the nearest point of the sphere, and
+//! one well inside as a Steiner point. Then Definition 4 holds as it stands, over all corners.
 //!
 //! It ends as Ruppert's refinement of a domain with a smooth boundary does ("A Delaunay refinement
 //! algorithm for quality 2-dimensional mesh generation", 1995). Inputs keep away from the sphere
@@ -30,8 +32,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Refines until no cell is bad over all its corners. Insertions examine what they change; but a
     /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
     /// when its clearance falls: hence until a look at all simplices finds nothing.
-    pub(super) fn close_cages(&mut self) -> Result<()> {
+    pub(super) fn close(&mut self) -> Result<()> {
+        self.bound = self.parameters.quality_bound;
         self.closing = true;
+        self.refine.sort_by_length()?;
         loop {
             for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
                 self.watch.tick(1)?;
@@ -63,7 +67,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The domain of the vertex with the worst cell, if that is bad.
     fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let mut least = 2.0 * radius / self.parameters.quality_bound;
+        let mut least = 2.0 * radius / self.bound;
         let mut worst = None;
         for &vertex in self.delaunay.complex().vertices(simplex) {
             let nearest = self.nearest[vertex as usize];
@@ -78,7 +82,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
     /// several domains, the corner is that of a cage's union cell.
     fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let shortest_allowed = radius / self.parameters.quality_bound;
+        let shortest_allowed = radius / self.bound;
         if self.shortest_edge(simplex).2 >= shortest_allowed {
             return None;
         }

@@ -1,10 +1,10 @@
 //! The paper's algorithm (§6), one file per operation: `start` (the root cage and first homes),
 //! `net` (SELECTROUND and NET), `round` (the main loop), `insert` (INSERTINPUT, INSERT), `cage` (NEWCAGE,
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
-//! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN,
-//! YIELDINGINSERT), `quality` (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close`
-//! (cells at the cages), `steiner` (where a Steiner point goes), `svr` (§3, the baseline).
-//! `instruments` measures what the theorems promise.
+//! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN, YIELDINGINSERT), `refine` (REFINELIST), `quality`
+//! (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (the bound for all cells),
+//! `steiner` (where a Steiner point goes), `svr` (§3, the baseline). `instruments` measures what the
+//! theorems promise.
 
 mod cage;
 mod clean;
@@ -19,6 +19,7 @@ mod net;
 mod output;
 pub mod parameters;
 mod quality;
+mod refine;
 mod round;
 mod site;
 mod start;
@@ -32,12 +33,12 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{Fallible, TryGrow, expect, filled, with_room};
 use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
-use clean::RefineList;
 use domains::Hierarchy;
 use instruments::Instruments;
 use location::Location;
 use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
+use refine::RefineList;
 use std::cmp::Reverse;
 use std::time::Instant;
 use svr::Crowded;
@@ -90,7 +91,7 @@ fn mesh<const D: usize>(
         if mesher.parameters.output == Output::WellSpaced {
             mesher.finish_mesh()?;
         }
-        mesher.close_cages()?;
+        mesher.close()?;
     }
     mesher.into_triangulation(begun)
 }
@@ -104,6 +105,8 @@ struct Mesher<'a, 'b, const D: usize> {
     location: Location,
     refine: RefineList,
     crowded: Crowded,
+    /// The bound that refinement keeps at the time.
+    bound: f64,
     /// Whether cells answer for all their corners (`close`).
     closing: bool,
     /// Vertex -> distance to its nearest neighbour in the mesh.
@@ -202,8 +205,9 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             delaunay,
             hierarchy,
             location,
-            refine: RefineList::default(),
+            refine: RefineList::new()?,
             crowded: Crowded::default(),
+            bound: parameters.loose_bound(),
             closing: false,
             nearest: filled(count, f64::INFINITY)?,
             farthest: filled(count, 0.0)?,

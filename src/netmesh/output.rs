@@ -1,7 +1,7 @@
 //! From the state of a run to plain data: finite simplices and living domains, renumbered.
 
-use super::clean::RefineList;
 use super::domains::ROOT;
+use super::refine::RefineList;
 use super::{Mesher, Scratch};
 use crate::complex::INFINITE;
 use crate::error::Result;

@@ -9,6 +9,11 @@ const CORNER_RESTRICTION: f64 = 0.85;
 /// A cage closes if its domain's inputs are within this fraction of its sphere's radius.
 const SURROUNDED: f64 = 0.8;
 
+/// How much larger than the bound the quality of the mesh may be while inputs go in; and where the
+/// criterion is radius-edge (docs/decisions.md).
+const LOOSE: f64 = 3.0;
+const LOOSE_EDGES: f64 = 4.0;
+
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -93,20 +98,21 @@ impl Parameters {
         1.0 - 0.5 * self.delta * self.delta
     }
 
+    /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at the end:
+    /// with all inputs in their places it needs fewer points, and moves no input to a new home.
+    pub(super) fn loose_bound(&self) -> f64 {
+        let factor = match self.criterion {
+            Criterion::VoronoiAspect => LOOSE,
+            Criterion::RadiusEdge => LOOSE_EDGES,
+        };
+        factor * self.quality_bound
+    }
+
     /// Whether the cells of a domain (index 0: the root) get their quality over all corners at the
     /// end, not only over those within the corner restriction: its cage must surround its inputs.
     /// The root's always does.
     pub fn closes(&self, domain: u32) -> bool {
         domain == 0 || self.epsilon <= SURROUNDED * self.cage_scale
-    }
-
-    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
-    /// the aspect of its vertices' cells.
-    pub fn aspect_bound(&self) -> f64 {
-        match self.criterion {
-            Criterion::VoronoiAspect => self.quality_bound,
-            Criterion::RadiusEdge => 2.0 * self.quality_bound,
-        }
     }
 }
 

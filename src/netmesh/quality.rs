@@ -45,7 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
     /// edges there are what they were.
     pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
-        let reach = 2.0 * self.farthest[vertex as usize] / self.parameters.quality_bound;
+        let reach = 2.0 * self.farthest[vertex as usize] / self.bound;
         if self.parameters.criterion == Criterion::VoronoiAspect
             && self.nearest[vertex as usize] < reach
         {
@@ -64,9 +64,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
         if self.is_bad(simplex) || self.open_domain(simplex).is_some() {
-            self.refine.push(simplex)?;
+            self.queue(simplex)?;
         }
         Ok(())
+    }
+
+    /// Puts a live simplex on REFINELIST.
+    pub(super) fn queue(&mut self, simplex: u32) -> Fallible<()> {
+        let length = if self.refine.is_sorted() { self.shortest_edge(simplex).2 } else { 0.0 };
+        self.refine.push(simplex, length)
     }
 
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.
@@ -90,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2.
     pub(super) fn worst_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let mut least = 2.0 * radius / self.parameters.quality_bound;
+        let mut least = 2.0 * radius / self.bound;
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];
@@ -105,7 +111,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether an edge of `simplex` is too short for its radius.
     pub(super) fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
-        let shortest_allowed = radius / self.parameters.quality_bound;
+        let shortest_allowed = radius / self.bound;
         let vertices = self.delaunay.complex().vertices(simplex);
         if vertices.iter().all(|&v| self.nearest[v as usize] >= shortest_allowed) {
             return false;
@@ -173,11 +179,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         domains
     }
 
+    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half the
+    /// aspect of its vertices' cells.
+    fn aspect_bound(&self) -> f64 {
+        match self.parameters.criterion {
+            Criterion::VoronoiAspect => self.bound,
+            Criterion::RadiusEdge => 2.0 * self.bound,
+        }
+    }
+
     /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
     fn is_beyond_cage_bound(&self, simplex: u32, cage: u32) -> bool {
         let node = self.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
-        let farthest = self.parameters.aspect_bound() * in_radius;
+        let farthest = self.aspect_bound() * in_radius;
         let distance = self.delaunay.corner_distance(simplex, &node.point);
         distance.is_some_and(|gap| gap > farthest)
     }

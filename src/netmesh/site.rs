@@ -26,16 +26,9 @@ const SLACK: f64 = 1.001;
 /// Subnormal distances are rounded to whole units of the smallest double.
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
-/// How much more room than it needs a cage must have to be smaller than the refinement that it
-/// saves (docs/decisions.md): cages are cheap in 2D, dearer above, and dearer still where FINISHMESH
-/// fills the gap that they bridge.
-fn pays<const D: usize>(output: Output) -> f64 {
-    match (output, D) {
-        (Output::WellSpaced, _) => 8.0,
-        (Output::Hierarchical, 2) => 1.0,
-        (Output::Hierarchical, _) => 2.0,
-    }
-}
+/// How much more room than it needs a cage must have in a mesh that FINISHMESH completes: that fills
+/// the gap which the cage bridges, and the cage's vertices are then too many (docs/decisions.md).
+const ROOM_IF_FINISHED: f64 = 128.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
@@ -51,7 +44,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Some(child) => self.hierarchy.node(child).outside,
             None => self.nearest[center as usize],
         };
-        let most = self.radius_within(clearance) / pays::<D>(self.parameters.output);
+        let most = self.radius_within(clearance) / self.spare_room();
         let least = self.radius_for(gap).max(self.smallest_radius(center));
         let radius = self.lasting_radius(center, child, least, most)?;
         Ok(radius.map(|radius| CageSite { center, radius, parent }))
@@ -67,6 +60,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.lasting_radius(center, Some(cage), least, outside / self.outer_reach())?;
         let parent = self.hierarchy.parent(cage);
         Ok(radius.map(|radius| CageSite { center, radius, parent }))
+    }
+
+    fn spare_room(&self) -> f64 {
+        match self.parameters.output {
+            Output::WellSpaced => ROOM_IF_FINISHED,
+            Output::Hierarchical => 1.0,
+        }
     }
 
     /// The radius of a cage that has an input at distance `gap` from its centre well inside.

@@ -17,16 +17,21 @@ pub(super) struct SteinerPoint<const D: usize> {
 }
 
 /// How far an off-centre is from the vertex of a bad cell, relative to what the bound allows its
-/// corners (docs/decisions.md has the figures).
+/// corners (docs/decisions.md has the figures). Times half the bound it is above 1: then no
+/// Steiner point is as near to a vertex as its nearest neighbour, and refinement ends.
 const fn cell_reach<const D: usize>() -> f64 {
-    if D == 2 { 1.2 } else { 1.1 }
+    match D {
+        2 => 1.2,
+        3 => 1.1,
+        _ => 0.9,
+    }
 }
 
 /// How far an off-centre is from the middle of a short edge, relative to the apex of the triangle
 /// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex than
 /// the bound times the edge.
 const fn edge_reach<const D: usize>() -> f64 {
-    if D == 2 { 0.9 } else { 0.6 }
+    if D == 2 { 0.95 } else { 0.6 }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -71,7 +76,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
         let vertex = self.worst_cell(simplex, corner.radius)?;
-        let allowed = 0.5 * self.parameters.quality_bound * self.nearest[vertex as usize];
+        let allowed = 0.5 * self.bound * self.nearest[vertex as usize];
         let radius = cell_reach::<D>() * allowed;
         let from = self.delaunay.point(vertex);
         let point = between(from, &corner.point, radius / corner.radius)?;
@@ -92,7 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (a, b, length) = self.shortest_edge(simplex);
         let (p, q) = (self.delaunay.point(a), self.delaunay.point(b));
         let middle = std::array::from_fn(|axis| p[axis] + 0.5 * (q[axis] - p[axis]));
-        let bound = self.parameters.quality_bound;
+        let bound = self.bound;
         let apex = length * (bound + (bound * bound - 0.25).sqrt());
         let height = edge_reach::<D>() * apex;
         let point = between(&middle, &corner.point, height / distance(&middle, &corner.point))?;

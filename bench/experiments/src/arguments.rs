@@ -12,7 +12,7 @@ Runs the experiments (all, without names) and prints their tables' verdicts.
   --tiny              seconds, for the tests: the figures mean nothing
   --jobs N            runs at a time where nothing is timed (2)
   --peers FILE        the program of CMake's target experiment_peers
-  --triangle PY FILE  a Python with the module triangle, and triangle.py
+  --triangle PY FILE  a Python with the module triangle, and refine_with_triangle.py
   --scratch FOLDER    where peers read and write (the system's folder for temporary files)
   --output FOLDER     where tables (.csv) and plots (.svg) go
   --document FILE     where the sections go; OUTPUT's name is the link to tables and plots";
@@ -54,7 +54,8 @@ impl Arguments {
                 "--jobs" => {
                     let value = next()?;
                     let jobs = value.parse().ok().filter(|&jobs| jobs > 0);
-                    arguments.jobs = jobs.ok_or(format!("--jobs is {value}; it must be at least 1"))?;
+                    arguments.jobs =
+                        jobs.ok_or(format!("--jobs is {value}; it must be at least 1"))?;
                 }
                 "--peers" => arguments.peers = Some(next()?.into()),
                 "--triangle" => arguments.triangle = Some((next()?.into(), next()?.into())),

@@ -49,7 +49,10 @@ pub fn meshers(dim: usize) -> &'static [Peer] {
 }
 
 pub enum PeerOutcome {
-    Done { mesh: Simplicial, seconds: f64 },
+    Done {
+        mesh: Simplicial,
+        seconds: f64,
+    },
     /// "crashed", "timeout", "failed": a cell of a table.
     Failed(String),
     /// The program is not there.
@@ -80,10 +83,12 @@ impl Peers {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         let Some(mut command) = self.command(peer) else { return PeerOutcome::Absent };
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let file = |kind: &str| self.scratch.join(format!("{}-{number}.{kind}", std::process::id()));
+        let file =
+            |kind: &str| self.scratch.join(format!("{}-{number}.{kind}", std::process::id()));
         let (input, output) = (file("points"), file("mesh"));
         let bytes: Vec<u8> = points.coordinates.iter().flat_map(|x| x.to_le_bytes()).collect();
-        std::fs::write(&input, bytes).unwrap_or_else(|error| panic!("{}: {error}", input.display()));
+        std::fs::write(&input, bytes)
+            .unwrap_or_else(|error| panic!("{}: {error}", input.display()));
         command.arg(points.dim.to_string()).arg(bound.to_string()).arg(MEMORY_MIB.to_string());
         command.arg(&input).arg(&output).stdin(Stdio::null()).stdout(Stdio::null());
         command.stderr(Stdio::null());
@@ -159,8 +164,14 @@ fn parse(dim: usize, bytes: &[u8]) -> Option<PeerOutcome> {
     }
     let mesh = Simplicial {
         dim,
-        points: points.chunks_exact(8).map(|x| f64::from_le_bytes(x.try_into().expect("8"))).collect(),
-        simplices: ids.chunks_exact(4).map(|v| u32::from_le_bytes(v.try_into().expect("4"))).collect(),
+        points: points
+            .chunks_exact(8)
+            .map(|x| f64::from_le_bytes(x.try_into().expect("8")))
+            .collect(),
+        simplices: ids
+            .chunks_exact(4)
+            .map(|v| u32::from_le_bytes(v.try_into().expect("4")))
+            .collect(),
     };
     mesh.simplices.iter().all(|&v| (v as usize) < vertices).then_some(())?;
     Some(PeerOutcome::Done { mesh, seconds })

@@ -82,8 +82,17 @@ pub fn in_parallel<T: Send, R: Send>(
 /// The most memory that the process has held so far, in bytes; nothing where the system does not
 /// say so. [`forget_peak`] starts anew.
 pub fn peak_memory() -> Option<u64> {
+    process_status("VmHWM:")
+}
+
+/// The memory that the process holds now, in bytes.
+pub fn held_memory() -> Option<u64> {
+    process_status("VmRSS:")
+}
+
+fn process_status(name: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
+    let line = status.lines().find(|line| line.starts_with(name))?;
     let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(1024 * kib)
 }
@@ -123,8 +132,14 @@ mod tests {
     #[test]
     fn variants_take_turns() {
         let order = std::cell::RefCell::new(Vec::new());
-        let mut a = || { order.borrow_mut().push('a'); 1.0 };
-        let mut b = || { order.borrow_mut().push('b'); 2.0 };
+        let mut a = || {
+            order.borrow_mut().push('a');
+            1.0
+        };
+        let mut b = || {
+            order.borrow_mut().push('b');
+            2.0
+        };
         assert_eq!(median_seconds(2, &mut [&mut a, &mut b]), [1.0, 2.0]);
         assert_eq!(order.into_inner(), ['a', 'b', 'a', 'b']);
     }

@@ -69,7 +69,8 @@ impl Simplicial {
         let edges: Vec<Vec<f64>> =
             (1..=d).map(|i| point(i).iter().zip(point(0)).map(|(x, o)| x - o).collect()).collect();
         let Some(center) = solve(&edges) else { return f64::INFINITY };
-        let square = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum::<f64>();
+        let square =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum::<f64>();
         let mut shortest = f64::INFINITY;
         for i in 0..=d {
             for j in 0..i {
@@ -92,9 +93,8 @@ fn solve(edges: &[Vec<f64>]) -> Option<Vec<f64>> {
         })
         .collect();
     for column in 0..d {
-        let pivot = (column..d).max_by(|&a, &b| {
-            rows[a][column].abs().total_cmp(&rows[b][column].abs())
-        })?;
+        let pivot =
+            (column..d).max_by(|&a, &b| rows[a][column].abs().total_cmp(&rows[b][column].abs()))?;
         rows.swap(column, pivot);
         let pivot_row = rows[column].clone();
         if pivot_row[column] == 0.0 {

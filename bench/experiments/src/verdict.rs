@@ -56,12 +56,8 @@ impl Verdict {
             return Self::not_measured(claim, &target, "too few sizes");
         }
         let (low, high) = extremes(values);
-        let measured = format!(
-            "{} to {} ({:.0} %)",
-            number(low),
-            number(high),
-            100.0 * variation(values)
-        );
+        let measured =
+            format!("{} to {} ({:.0} %)", number(low), number(high), 100.0 * variation(values));
         Self::new(claim, target, measured, variation(values) <= tolerance)
     }
 
@@ -71,7 +67,9 @@ impl Verdict {
 }
 
 fn extremes(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
+    values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
 }
 
 /// By what fraction the largest value exceeds the smallest.

@@ -131,7 +131,19 @@ fn measure(context: &Context, case: &Case, mesher: Mesher) -> Result<(Figures, f
 fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new(
         "sizes",
-        &["input", "dim", "n", "bound", "mesher", "m/n", "inside/n", "simplices", "worst", "note", "seconds"],
+        &[
+            "input",
+            "dim",
+            "n",
+            "bound",
+            "mesher",
+            "m/n",
+            "inside/n",
+            "simplices",
+            "worst",
+            "note",
+            "seconds",
+        ],
     );
     for Entry { case, mesher, result } in entries {
         let Case { input, dim, n, .. } = case;
@@ -147,7 +159,11 @@ fn table(entries: &[Entry]) -> Table {
                 number(figures.inside as f64 / *n as f64),
                 figures.simplices,
                 number(figures.worst_radius_edge),
-                if figures.lost == 0 { "".to_string() } else { format!("inputs merged: {}", figures.lost) },
+                if figures.lost == 0 {
+                    "".to_string()
+                } else {
+                    format!("inputs merged: {}", figures.lost)
+                },
                 number(*seconds),
             ],
             Err(why) => row![input, dim, n, bound, name, "-", "-", "-", "-", why, "-"],
@@ -173,7 +189,9 @@ fn size_verdicts(entries: &[Entry]) -> Vec<Verdict> {
         }
         seen.push(key);
         let (mut total, mut inside) = (f64::NAN, f64::NAN);
-        for other in entries.iter().filter(|e| (e.case.input, e.case.dim, e.case.bound, e.mesher) == key) {
+        for other in
+            entries.iter().filter(|e| (e.case.input, e.case.dim, e.case.bound, e.mesher) == key)
+        {
             let ours = find(entries, &other.case, Mesher::Netmesh);
             if let (Some(ours), Some(theirs)) = (ours, find(entries, &other.case, entry.mesher)) {
                 total = total.max(ours.vertices as f64 / theirs.vertices as f64);
@@ -200,7 +218,9 @@ fn bound_verdicts(entries: &[Entry]) -> Vec<Verdict> {
         let worst = entries
             .iter()
             .filter(|e| (e.case.dim, e.case.bound, e.mesher) == (dim, bound, Mesher::Netmesh))
-            .filter_map(|e| e.result.as_ref().ok().map(|(figures, _)| figures.worst_radius_edge / bound))
+            .filter_map(|e| {
+                e.result.as_ref().ok().map(|(figures, _)| figures.worst_radius_edge / bound)
+            })
             .fold(f64::NAN, f64::max);
         let name = if bound == SQRT_2 { "1.414" } else { "2.0" };
         let claim = format!("netmesh, {dim}D, {name}: largest ratio of any simplex over the bound");
@@ -226,9 +246,12 @@ fn plot(entries: &[Entry]) -> Plot {
     let largest = entries.iter().map(|entry| entry.case.n).max().unwrap_or(0);
     let panel = |dim: usize, bound: f64, caption: &str| {
         let mut series: Vec<Series> = Vec::new();
-        for entry in entries.iter().filter(|e| (e.case.dim, e.case.bound, e.case.n) == (dim, bound, largest)) {
+        for entry in
+            entries.iter().filter(|e| (e.case.dim, e.case.bound, e.case.n) == (dim, bound, largest))
+        {
             let Ok((figures, _)) = &entry.result else { continue };
-            let place = inputs::NAMES.iter().position(|&name| name == entry.case.input).unwrap_or(0);
+            let place =
+                inputs::NAMES.iter().position(|&name| name == entry.case.input).unwrap_or(0);
             let point = ((place + 1) as f64, figures.vertices as f64 / largest as f64);
             match series.iter_mut().find(|s| s.name == entry.mesher.name()) {
                 Some(found) => found.points.push(point),

@@ -92,11 +92,13 @@ impl Kind {
     fn exponents(self, context: &Context) -> Vec<f64> {
         let all: &[f64] = match self {
             Kind::Clusters => &[
-                1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0, 90.0,
+                1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0,
+                90.0,
             ],
-            Kind::Pairs => {
-                &[4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 24.0, 28.0, 32.0, 36.0, 40.0, 44.0]
-            }
+            Kind::Pairs => &[
+                4.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 24.0, 28.0, 32.0, 36.0, 40.0,
+                44.0,
+            ],
             Kind::Chain => &[0.02, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 1.9],
         };
         let step = context.pick(4, 1, 1);
@@ -155,7 +157,18 @@ pub fn run(context: &Context) -> Report {
     });
     let mut table = Table::new(
         "spread",
-        &["input", "dim", "method", "log2 exponent", "log2 gap", "log2 spread", "n", "runs", "m/n", "touches/n"],
+        &[
+            "input",
+            "dim",
+            "method",
+            "log2 exponent",
+            "log2 gap",
+            "log2 spread",
+            "n",
+            "runs",
+            "m/n",
+            "touches/n",
+        ],
     );
     for kind in Kind::ALL {
         let mut panels = [Vec::new(), Vec::new()];
@@ -224,7 +237,9 @@ fn tasks(context: &Context) -> Vec<(Kind, usize, Method)> {
     for dim in [4, 3, 2] {
         for kind in Kind::ALL {
             tasks.push((kind, dim, Method::Svr));
-            tasks.extend((1..=seeds(context, dim)).map(|seed| (kind, dim, Method::Netmesh { seed })));
+            tasks.extend(
+                (1..=seeds(context, dim)).map(|seed| (kind, dim, Method::Netmesh { seed })),
+            );
             let peers = peers::meshers(dim).iter().copied().filter(|&peer| context.peers.has(peer));
             tasks.extend(peers.map(|peer| (kind, dim, Method::Peer(peer))));
         }
@@ -269,7 +284,9 @@ fn cell(context: &Context, kind: Kind, dim: usize, method: Method, exponent: f64
 
 fn of_run(points: &Points, outcome: Outcome) -> Cell {
     match &outcome {
-        Outcome::Done(mesh) => mesh.triangulation().map_or(Cell::Note("-".to_string()), |mesh| size(points, mesh)),
+        Outcome::Done(mesh) => {
+            mesh.triangulation().map_or(Cell::Note("-".to_string()), |mesh| size(points, mesh))
+        }
         Outcome::Stopped(why) => Cell::Note(why.to_string()),
     }
 }
@@ -370,7 +387,8 @@ fn panel(
             Kind::Clusters => setting.log_spread,
             _ => setting.exponent,
         };
-        let points: Vec<(f64, f64)> = values(settings, curve, touches).map(|(s, y)| (x(s), y)).collect();
+        let points: Vec<(f64, f64)> =
+            values(settings, curve, touches).map(|(s, y)| (x(s), y)).collect();
         (!points.is_empty()).then(|| Series::new(curve.name, points))
     });
     Panel {
@@ -407,14 +425,22 @@ fn verdicts(kind: Kind, dim: usize, settings: &[Setting], averaged: &[Averaged])
         for (touches, words) in [(false, "vertices"), (true, "touches")] {
             let points: Vec<(f64, f64)> =
                 values(settings, curve, touches).map(|(s, y)| (s.log_spread, y)).collect();
-            let claim = format!("{}, {dim}D: SVR's {words} are linear in log spread (R^2 of a line)", kind.name());
+            let claim = format!(
+                "{}, {dim}D: SVR's {words} are linear in log spread (R^2 of a line)",
+                kind.name()
+            );
             verdicts.push(Verdict::at_least(&claim, fit_line(&points).determination, 0.98));
         }
     }
     verdicts
 }
 
-fn plateau_verdicts(kind: Kind, dim: usize, settings: &[Setting], curve: &Averaged) -> Vec<Verdict> {
+fn plateau_verdicts(
+    kind: Kind,
+    dim: usize,
+    settings: &[Setting],
+    curve: &Averaged,
+) -> Vec<Verdict> {
     const PLATEAU: f64 = 12.0;
     let mut verdicts = Vec::new();
     for (touches, words) in [(false, "m/n"), (true, "touches/n")] {
@@ -432,14 +458,19 @@ fn plateau_verdicts(kind: Kind, dim: usize, settings: &[Setting], curve: &Averag
         if !touches {
             let hump = all.iter().filter(|p| (2.0..=10.0).contains(&p.0)).map(|p| p.1);
             let claim = format!("{place}: largest m/n between gap 2^2 and 2^10 over the plateau");
-            verdicts.push(Verdict::at_most(&claim, hump.fold(0.0, f64::max) / median(&plateau), 1.5));
+            verdicts.push(Verdict::at_most(
+                &claim,
+                hump.fold(0.0, f64::max) / median(&plateau),
+                1.5,
+            ));
         }
     }
     verdicts
 }
 
 fn chain_verdicts(dim: usize, settings: &[Setting], curve: &Averaged) -> Vec<Verdict> {
-    let sizes: Vec<(f64, f64)> = values(settings, curve, false).map(|(s, y)| (s.exponent, y)).collect();
+    let sizes: Vec<(f64, f64)> =
+        values(settings, curve, false).map(|(s, y)| (s.exponent, y)).collect();
     let line = fit_line(&sizes);
     let claim = format!(
         "chain, {dim}D: m/n is a line in log pacing, {} + {} log2 pacing (R^2)",

@@ -154,9 +154,8 @@ mod tests {
     #[test]
     fn equal_factors_are_equal_lengths() {
         let range = Range::covering(Scale::Log, [1.0, 1e4].into_iter());
-        let steps: Vec<f64> = (0..4)
-            .map(|i| range.place(10f64.powi(i + 1)) - range.place(10f64.powi(i)))
-            .collect();
+        let steps: Vec<f64> =
+            (0..4).map(|i| range.place(10f64.powi(i + 1)) - range.place(10f64.powi(i))).collect();
         assert!(steps.iter().all(|step| (step - steps[0]).abs() < 1e-12), "{steps:?}");
         assert!(range.place(1.0) > 0.0 && range.place(1e4) < 1.0);
     }

@@ -38,7 +38,13 @@ pub fn write(plot: &Plot) -> String {
     for (look, (name, (x, line))) in names.iter().zip(&keys).enumerate() {
         let y = TOP + HEIGHT + BOTTOM + line * LEGEND_LINE + 6.0;
         write_curve(&mut out, &[(*x, y), (x + 24.0, y)], look);
-        let _ = writeln!(out, "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>", x + KEY, y + 4.0, escaped(name));
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+            x + KEY,
+            y + 4.0,
+            escaped(name)
+        );
     }
     out + "</svg>\n"
 }
@@ -110,7 +116,8 @@ fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
 
 fn text(out: &mut String, x: f64, y: f64, anchor: &str, words: &str) {
     let words = escaped(words);
-    let _ = writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>");
+    let _ =
+        writeln!(out, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>");
 }
 
 fn grid_line(out: &mut String, path: &str, numbered: bool) {

@@ -1,6 +1,6 @@
 """Triangle as a peer, through the PyPI module `triangle`, with its published method (off-centres).
 
-triangle.py triangle 2 BOUND MEMORY_MIB INPUT OUTPUT: the points in a box of three times their
+refine_with_triangle.py triangle 2 BOUND MEMORY_MIB INPUT OUTPUT: the points in a box of three times their
 bounding box, every triangle of circumradius / shortest edge at most BOUND; formats as in main.cpp.
 """
 

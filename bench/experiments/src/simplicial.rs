@@ -62,19 +62,20 @@ impl Simplicial {
         wanted.iter().filter(|point| !vertices.contains(*point)).count()
     }
 
-    /// Circumradius over shortest edge; infinite for a flat simplex.
+    /// Circumradius over shortest edge; infinite for a flat simplex. Lengths are relative to the
+    /// largest difference of coordinates, since the squares of the inputs' may leave the doubles.
     fn radius_edge(&self, simplex: &[u32]) -> f64 {
         let d = self.dim;
         let point = |i: usize| &self.points[simplex[i] as usize * d..][..d];
+        let edge = |i: usize, j: usize| point(i).iter().zip(point(j)).map(|(x, y)| x - y);
+        let unit = (1..=d).flat_map(|i| edge(i, 0)).fold(0.0, |most: f64, x| most.max(x.abs()));
         let edges: Vec<Vec<f64>> =
-            (1..=d).map(|i| point(i).iter().zip(point(0)).map(|(x, o)| x - o).collect()).collect();
+            (1..=d).map(|i| edge(i, 0).map(|x| x / unit).collect()).collect();
         let Some(center) = solve(&edges) else { return f64::INFINITY };
-        let square =
-            |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum::<f64>();
         let mut shortest = f64::INFINITY;
         for i in 0..=d {
             for j in 0..i {
-                shortest = shortest.min(square(point(i), point(j)));
+                shortest = edge(i, j).map(|x| (x / unit).powi(2)).sum::<f64>().min(shortest);
             }
         }
         (center.iter().map(|x| x * x).sum::<f64>() / shortest).sqrt()
@@ -129,6 +130,11 @@ mod tests {
         let mesh = two_triangles();
         assert!((mesh.radius_edge(&[0, 1, 2]) - 1.0 / 3f64.sqrt()).abs() < 1e-15);
         assert!((mesh.radius_edge(&[0, 3, 1]) - 0.5f64.sqrt()).abs() < 1e-15);
+        for scale in [1e-200, 1e200] {
+            let points = mesh.points.iter().map(|x| scale * x).collect();
+            let scaled = Simplicial { points, ..mesh.clone() };
+            assert!((scaled.radius_edge(&[0, 1, 2]) - 1.0 / 3f64.sqrt()).abs() < 1e-15);
+        }
         let flat = Simplicial { points: vec![0.0, 0.0, 1.0, 1.0, 2.0, 2.0], ..mesh };
         assert_eq!(flat.radius_edge(&[0, 1, 2]), f64::INFINITY);
     }

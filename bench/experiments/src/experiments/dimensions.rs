@@ -93,6 +93,7 @@ fn measure(context: &Context, case: &Case) -> Result<Figures, String> {
     };
     let peak = runner::peak_memory();
     let result = mesh.triangulation().ok_or("-")?;
+    eprintln!("  {}, {}D, {}: {:.2} s", case.input, case.dim, case.n, result.stats.seconds);
     Ok(Figures {
         vertices: result.vertex_count(),
         simplices: result.simplex_count(),

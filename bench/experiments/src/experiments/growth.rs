@@ -145,6 +145,7 @@ fn measure(context: &Context, input: &'static str, dim: usize, n: usize) -> Vec<
         variants.iter_mut().map(|variant| variant as &mut dyn FnMut() -> f64).collect();
     let seconds = median_seconds(turns, &mut calls);
     drop(variants);
+    eprintln!("  {input}, {dim}D, {n}: {:.2} s", seconds[0]);
     let mut entries = Vec::new();
     for ((&ordering, result), seconds) in orderings.iter().zip(results).zip(seconds) {
         let curve = Curve { input, dim, ordering };

@@ -260,7 +260,7 @@ fn plot(entries: &[Entry]) -> Plot {
         }
         Panel {
             caption: caption.to_string(),
-            x: Axis::linear("1 uniform, 2 gaussian, 3 clusters, 4 sphere"),
+            x: Axis::named(&inputs::NAMES),
             y: Axis::linear("m / n"),
             series,
         }

@@ -10,15 +10,40 @@ pub enum Scale {
 pub struct Axis {
     pub label: String,
     pub scale: Scale,
+    /// What stands at 1, 2, ... instead of numbers; curves have no lines then.
+    pub names: Vec<&'static str>,
 }
 
 impl Axis {
     pub fn log(label: &str) -> Self {
-        Self { label: label.to_string(), scale: Scale::Log }
+        Self { label: label.to_string(), scale: Scale::Log, names: Vec::new() }
     }
 
     pub fn linear(label: &str) -> Self {
-        Self { label: label.to_string(), scale: Scale::Linear }
+        Self { label: label.to_string(), scale: Scale::Linear, names: Vec::new() }
+    }
+
+    pub fn named(names: &[&'static str]) -> Self {
+        Self { label: String::new(), scale: Scale::Linear, names: names.to_vec() }
+    }
+
+    /// Covers the values; the names, where the axis has these.
+    pub fn range(&self, values: impl Iterator<Item = f64>) -> Range {
+        match self.names.len() {
+            0 => Range::covering(self.scale, values),
+            count => Range { scale: Scale::Linear, low: 0.4, high: count as f64 + 0.6 },
+        }
+    }
+
+    pub fn ticks(&self, range: &Range) -> Vec<Tick> {
+        if self.names.is_empty() {
+            return range.ticks();
+        }
+        let tick = |(i, name): (usize, &&str)| Tick {
+            value: (i + 1) as f64,
+            label: Some(name.to_string()),
+        };
+        self.names.iter().enumerate().map(tick).collect()
     }
 }
 
@@ -40,7 +65,7 @@ pub struct Tick {
 impl Range {
     /// Covers the values with some room; a linear axis starts at 0. A log axis needs positive
     /// values. No values at all answer 1 to 10.
-    pub fn covering(scale: Scale, values: impl Iterator<Item = f64>) -> Self {
+    fn covering(scale: Scale, values: impl Iterator<Item = f64>) -> Self {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for value in values {
             assert!(scale == Scale::Linear || value > 0.0, "{value} on a log axis");
@@ -68,7 +93,7 @@ impl Range {
         }
     }
 
-    pub fn ticks(&self) -> Vec<Tick> {
+    fn ticks(&self) -> Vec<Tick> {
         match self.scale {
             Scale::Linear => self.linear_ticks(),
             Scale::Log => self.log_ticks(),
@@ -165,6 +190,16 @@ mod tests {
         let range = Range::covering(Scale::Linear, [20.0, 95.0].into_iter());
         assert_eq!(labels(range), ["0", "20", "40", "60", "80"]);
         assert_eq!(range.place(0.0), 0.0);
+    }
+
+    #[test]
+    fn names_stand_at_whole_numbers() {
+        let axis = Axis::named(&["a", "b", "c"]);
+        let range = axis.range([7.0].into_iter());
+        let ticks: Vec<(f64, String)> =
+            axis.ticks(&range).into_iter().map(|t| (t.value, t.label.unwrap())).collect();
+        assert_eq!(ticks, [(1.0, "a".to_string()), (2.0, "b".to_string()), (3.0, "c".to_string())]);
+        assert!((range.place(2.0) - 0.5).abs() < 1e-12 && range.place(3.0) < 1.0);
     }
 
     #[test]

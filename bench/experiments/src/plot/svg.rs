@@ -1,6 +1,5 @@
 //! Writing a plot.
 
-use super::axis::Range;
 use super::{Panel, Plot, Series};
 use std::fmt::Write;
 
@@ -37,7 +36,8 @@ pub fn write(plot: &Plot) -> String {
     }
     for (look, (name, (x, line))) in names.iter().zip(&keys).enumerate() {
         let y = TOP + HEIGHT + BOTTOM + line * LEGEND_LINE + 6.0;
-        write_curve(&mut out, &[(*x, y), (x + 24.0, y)], look);
+        write_line(&mut out, &[(*x, y), (x + 24.0, y)], look);
+        write_markers(&mut out, &[(x + 12.0, y)], look);
         let _ = writeln!(
             out,
             "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
@@ -77,8 +77,8 @@ fn legend_places(names: &[String], width: f64) -> Vec<(f64, f64)> {
 
 fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
     let all = || panel.series.iter().flat_map(|series| &series.points);
-    let x = Range::covering(panel.x.scale, all().map(|p| p.0));
-    let y = Range::covering(panel.y.scale, all().map(|p| p.1));
+    let x = panel.x.range(all().map(|p| p.0));
+    let y = panel.y.range(all().map(|p| p.1));
     let place = |p: &(f64, f64)| (left + WIDTH * x.place(p.0), TOP + HEIGHT * (1.0 - y.place(p.1)));
     let middle = left + WIDTH / 2.0;
     text(out, middle, TOP - 12.0, "middle", &panel.caption);
@@ -90,14 +90,14 @@ fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
          transform=\"rotate(-90 {label_x:.1} {label_y:.1})\">{}</text>",
         escaped(&panel.y.label)
     );
-    for tick in x.ticks() {
+    for tick in panel.x.ticks(&x) {
         let at = left + WIDTH * x.place(tick.value);
         grid_line(out, &format!("M{at:.1} {TOP:.1}v{HEIGHT:.1}"), tick.label.is_some());
         if let Some(label) = tick.label {
             text(out, at, TOP + HEIGHT + 16.0, "middle", &label);
         }
     }
-    for tick in y.ticks() {
+    for tick in panel.y.ticks(&y) {
         let at = TOP + HEIGHT * (1.0 - y.place(tick.value));
         grid_line(out, &format!("M{left:.1} {at:.1}h{WIDTH:.1}"), tick.label.is_some());
         if let Some(label) = tick.label {
@@ -110,7 +110,11 @@ fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
     );
     for Series { name, points } in &panel.series {
         let look = names.iter().position(|other| other == name).unwrap_or(0);
-        write_curve(out, &points.iter().map(place).collect::<Vec<_>>(), look);
+        let places: Vec<(f64, f64)> = points.iter().map(place).collect();
+        if panel.x.names.is_empty() {
+            write_line(out, &places, look);
+        }
+        write_markers(out, &places, look);
     }
 }
 
@@ -125,15 +129,22 @@ fn grid_line(out: &mut String, path: &str, numbered: bool) {
     let _ = writeln!(out, "<path stroke=\"{color}\" stroke-width=\"0.8\" d=\"{path}\"/>");
 }
 
-fn write_curve(out: &mut String, places: &[(f64, f64)], look: usize) {
-    let color = COLORS[look % COLORS.len()];
+fn color(look: usize) -> &'static str {
+    COLORS[look % COLORS.len()]
+}
+
+fn write_line(out: &mut String, places: &[(f64, f64)], look: usize) {
+    let color = color(look);
     let dashes = if look % 2 == 1 { " stroke-dasharray=\"6 3\"" } else { "" };
     let _ = write!(out, "<path fill=\"none\" stroke=\"{color}\" stroke-width=\"1.8\"{dashes} d=\"");
     for (i, (x, y)) in places.iter().enumerate() {
         let _ = write!(out, "{}{x:.1} {y:.1}", if i == 0 { "M" } else { "L" });
     }
     *out += "\"/>\n";
-    let _ = write!(out, "<path fill=\"{color}\" d=\"");
+}
+
+fn write_markers(out: &mut String, places: &[(f64, f64)], look: usize) {
+    let _ = write!(out, "<path fill=\"{}\" d=\"", color(look));
     for (x, y) in places {
         *out += &marker(look, *x, *y);
     }
@@ -186,6 +197,16 @@ mod tests {
         }
         assert!(svg.contains(">a &amp; b<") && svg.contains(">c &lt; d<"));
         assert!(svg.contains(">10k<") && svg.contains(">m/n<") && svg.contains(">right<"));
+    }
+
+    #[test]
+    fn names_have_no_lines_between_them() {
+        let mut plot = plot();
+        let lines = |svg: String| svg.matches("fill=\"none\" stroke=\"#0072b2\"").count();
+        assert_eq!(lines(plot.svg()), 3);
+        plot.panels[1].x = Axis::named(&["one", "two"]);
+        assert!(plot.svg().contains(">two<"));
+        assert_eq!(lines(plot.svg()), 2);
     }
 
     /// A legend entry once, and a curve in each panel: five points, at equal steps.

@@ -58,14 +58,17 @@ pub fn gaussian(dim: usize, n: usize, seed: u64) -> Points {
     filled(dim, n, |_| (0..dim).map(|_| random.gaussian()).collect())
 }
 
-/// 32 normal distributions of deviation 2^-8 about uniform centres, in turn.
+/// Normal distributions of 100 points about uniform centres, in turn. Their deviation is 2^-6 of the
+/// centres' typical distance: larger n is more of the same.
 pub fn gaussian_clusters(dim: usize, n: usize, seed: u64) -> Points {
-    const CLUSTERS: usize = 32;
-    let centers = uniform(dim, CLUSTERS, seed ^ 0x5eed);
+    const POINTS: usize = 100;
+    let clusters = n.div_ceil(POINTS);
+    let deviation = 2f64.powi(-6) * (clusters as f64).powf(-1.0 / dim as f64);
+    let centers = uniform(dim, clusters, seed ^ 0x5eed);
     let mut random = Random::new(seed);
     filled(dim, n, |i| {
-        let center = &centers.coordinates[i % CLUSTERS * dim..][..dim];
-        center.iter().map(|x| x + random.gaussian() * 2f64.powi(-8)).collect()
+        let center = &centers.coordinates[i % clusters * dim..][..dim];
+        center.iter().map(|x| x + random.gaussian() * deviation).collect()
     })
 }
 

@@ -135,6 +135,9 @@ mod tests {
         assert_eq!(Verdict::flat("", &falling, 0.25).answer, Answer::Missed);
         assert_eq!(Verdict::flat("", &rising[..3], 0.25).answer, Answer::Met);
         assert_eq!(Verdict::flat("", &rising[..1], 0.25).answer, Answer::NotMeasured);
+        assert_eq!(Verdict::flat("", &[-5.0, 4.0], 0.25).answer, Answer::Missed);
+        assert_eq!(Verdict::flat("", &[-5.0, -5.0], 0.25).answer, Answer::Missed);
+        assert_eq!(Verdict::flat("", &[1.0, f64::NAN], 0.25).answer, Answer::Missed);
     }
 
     #[test]

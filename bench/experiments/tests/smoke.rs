@@ -7,10 +7,13 @@ use std::process::Command;
 const HEADERS: [(&str, &str); 7] = [
     ("spread", "input,dim,method,log2 exponent,log2 gap,log2 spread,n,runs,m/n,touches/n"),
     ("growth", "input,dim,n,ordering,m/n,touches/(n log2 n),rounds,log2 n + 2,max degree,"),
-    ("finishing", "dim,log2 distance,n,m hierarchical,m finished,"),
+    ("finishing", "input,dim,log2 exponent,n,m hierarchical,m finished,"),
     ("skew_lines", "method,n,vertices,tetrahedra,tetrahedra/n,(n/2 - 1)^2,seconds"),
     ("sizes", "input,dim,n,bound,mesher,m/n,inside/n,simplices,worst,note,seconds"),
-    ("dimensions", "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate"),
+    (
+        "dimensions",
+        "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate,certificate seconds",
+    ),
     ("closing", "input,dim,n,m/n,counted,anywhere,closing points,closing/n"),
 ];
 

@@ -82,8 +82,8 @@ pub fn run(context: &Context) -> Report {
 
 fn text() -> String {
     "Law: O(n log n) touches, O(log n) rounds, bounded degree and ply at all times, O(n log n + m) time. \
-     Uniform inputs in the unit cube, and clusters: 32 normal distributions of deviation 2^-8. Default \
-     options, hierarchical; \"sampled\" is the default ordering, \"deterministic\" the net of Theorem 3, \
+     Uniform inputs in the unit cube, and clusters: normal distributions of 100 points each, \
+     2^-6 as wide as they are apart. Default options, hierarchical; \"sampled\" is the default ordering, \"deterministic\" the net of Theorem 3, \
      up to 100,000 inputs (10,000 in 4D). Runs take turns, one at a time; seconds are medians of \
      `turns` runs. Degrees are measured on meshes of up to 4 million simplices. \"Constant\" means here \
      that the power law through the curve has an exponent of at most 0.1."

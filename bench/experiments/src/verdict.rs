@@ -56,6 +56,11 @@ impl Verdict {
             return Self::not_measured(claim, &target, "too few sizes");
         }
         let (low, high) = extremes(values);
+        // Differences of times may be anything: no constant is near such values.
+        if !(low > 0.0 && high.is_finite()) {
+            let measured = format!("{} to {}", number(low), number(high));
+            return Self::new(claim, target, measured, false);
+        }
         let measured =
             format!("{} to {} ({:.0} %)", number(low), number(high), 100.0 * variation(values));
         Self::new(claim, target, measured, variation(values) <= tolerance)
@@ -66,10 +71,13 @@ impl Verdict {
     }
 }
 
+/// NaN if any value is.
 fn extremes(values: &[f64]) -> (f64, f64) {
-    values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)))
+    if values.iter().any(|v| v.is_nan()) {
+        return (f64::NAN, f64::NAN);
+    }
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    (low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
 }
 
 /// By what fraction the largest value exceeds the smallest.

@@ -72,7 +72,7 @@ fn cases(context: &Context) -> Vec<Case> {
     ];
     let surface = [(5, 100, 500), (6, 50, 100)];
     let of = |input: &'static str| {
-        move |(dim, quick, full)| Case { input, dim, n: context.pick(40, quick, full) }
+        move |(dim, quick, full)| Case { input, dim, n: context.pick(8, quick, full) }
     };
     let mut cases: Vec<Case> = uniform.into_iter().map(of("uniform")).collect();
     cases.extend(surface.into_iter().map(of("surface")));

@@ -155,7 +155,7 @@ fn seeds(context: &Context, kind: Kind, dim: usize) -> u64 {
 const SVR_VERTICES: u64 = 500_000;
 
 fn svr_limit(context: &Context) -> Duration {
-    Duration::from_secs(context.pick(1, 4, 8))
+    Duration::from_millis(context.pick(200, 4_000, 8_000))
 }
 
 /// The long ones first.

@@ -22,7 +22,13 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 fn main() -> ExitCode {
-    let arguments = match Arguments::parse(std::env::args().skip(1)) {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if let [option, input, dim, n] = words.as_slice() {
+        if option == "--memory-of" {
+            return print_memory(input, dim, n);
+        }
+    }
+    let arguments = match Arguments::parse(words.into_iter()) {
         Ok(arguments) => arguments,
         Err(message) => {
             eprintln!("{message}\n\n{}", arguments::USAGE);
@@ -35,6 +41,18 @@ fn main() -> ExitCode {
             eprintln!("{error}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// How the experiment `dimensions` calls this program for a run in a process of its own.
+fn print_memory(input: &str, dim: &str, n: &str) -> ExitCode {
+    let (Ok(dim), Ok(n)) = (dim.parse(), n.parse()) else { return ExitCode::from(2) };
+    match experiments::added_memory(input, dim, n) {
+        Some(bytes) => {
+            println!("{bytes}");
+            ExitCode::SUCCESS
+        }
+        None => ExitCode::FAILURE,
     }
 }
 

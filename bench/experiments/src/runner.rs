@@ -80,27 +80,12 @@ pub fn in_parallel<T: Send, R: Send>(
 }
 
 /// The most memory that the process has held so far, in bytes; nothing where the system does not
-/// say so. [`forget_peak`] starts anew.
+/// say so.
 pub fn peak_memory() -> Option<u64> {
-    process_status("VmHWM:")
-}
-
-/// The memory that the process holds now, in bytes.
-pub fn held_memory() -> Option<u64> {
-    process_status("VmRSS:")
-}
-
-fn process_status(name: &str) -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with(name))?;
+    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
     let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
     Some(1024 * kib)
-}
-
-/// Afterwards [`peak_memory`] answers for what follows, on top of what is held now.
-pub fn forget_peak() {
-    // Where this is refused the peak is that of the whole process: too much, never too little.
-    let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
 #[cfg(test)]

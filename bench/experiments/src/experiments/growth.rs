@@ -104,9 +104,9 @@ fn turns(context: &Context, dim: usize, n: usize) -> usize {
     let work = n * [1, 4, 40][dim - 2];
     match work {
         _ if context.pick(true, false, false) => 1,
-        0..=50_000 => 9,
-        50_001..=400_000 => 5,
-        400_001..=1_200_000 => 3,
+        0..=40_000 => 9,
+        40_001..=150_000 => 5,
+        150_001..=500_000 => 3,
         _ => 1,
     }
 }

@@ -8,6 +8,8 @@ mod sizes;
 mod skew_lines;
 mod spread;
 
+pub use dimensions::added_memory;
+
 use crate::peers::Peers;
 use crate::report::Report;
 

@@ -148,7 +148,7 @@ fn seeds(context: &Context, kind: Kind, dim: usize) -> u64 {
         (Kind::Chain, _) => context.pick(1, 1, 3),
         (_, 2) => context.pick(1, 4, 8),
         (_, 3) => context.pick(1, 2, 4),
-        _ => context.pick(1, 1, 3),
+        _ => context.pick(1, 1, 2),
     }
 }
 

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Builds and runs the experiments: the paper's theorems as measured curves, beside SVR and other
+# meshers. All of them take less than 20 minutes on two cores.
+#
+#   bench/experiments/run.sh [--write] [--quick] [names...]
+#
+# --write puts tables and plots into docs/experiments/ and the document into docs/experiments.md;
+# without it they are left under target/experiments. names: spread, growth, finishing, skew_lines,
+# sizes, dimensions, closing. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
+# many runs go on at a time where nothing is timed (2).
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+root="$(cd "$here/../.." && pwd)"
+readonly target="${CARGO_TARGET_DIR:-$root/target}"
+readonly build="${NETMESH_BUILD:-$target/cmake}" jobs="${NETMESH_JOBS:-2}"
+readonly work="$target/experiments" venv="$target/experiments/venv"
+# shellcheck source=scripts/common.sh
+. "$root/scripts/common.sh"
+
+write=no
+if [ "${1:-}" = --write ]; then
+  write=yes
+  shift
+fi
+
+# Triangle is not free software: its module stays in a virtual environment of its own.
+has_triangle() {
+  [ -x "$venv/bin/python" ] && "$venv/bin/python" -c 'import triangle' 2>/dev/null
+}
+
+install_triangle() {
+  has python3 && python3 -m venv "$venv" &&
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check triangle
+}
+
+build_peers() {
+  has cmake || return 1
+  [ -f "$build/CMakeCache.txt" ] ||
+    cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_CARGO_TARGET_DIR="$target" || return 1
+  cmake --build "$build" --target experiment_peers --parallel "$jobs"
+}
+
+need_cargo
+cargo build --release --locked --manifest-path "$root/Cargo.toml" --package netmesh-experiments >&2
+
+options=(--jobs "$jobs" --scratch "$work/scratch")
+if build_peers >&2; then
+  options+=(--peers "$build/bench/experiments/peers/experiment_peers")
+else
+  echo "TetGen and CGAL are left out: their program cannot be built here" >&2
+fi
+if has_triangle || { install_triangle && has_triangle; } >&2; then
+  options+=(--triangle "$venv/bin/python" "$here/peers/refine_with_triangle.py")
+else
+  echo "Triangle is left out: no python3 that can have the PyPI module triangle" >&2
+fi
+if [ "$write" = yes ]; then
+  options+=(--output "$root/docs/experiments" --document "$root/docs/experiments.md")
+else
+  options+=(--output "$work/results" --document "$work/results.md")
+fi
+"$target/release/experiments" "${options[@]}" "$@"

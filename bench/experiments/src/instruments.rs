@@ -1,8 +1,7 @@
-//! Where the core's instruments plug in: ply and the paper's constants of a run. Without them the
-//! columns show "-" and the verdicts say that nothing was measured.
+//! Ply and the D-balls that meet, as the core's instruments measure them.
 
 use crate::inputs::Points;
-use netmesh::{Options, Stats};
+use netmesh::{Mesh, Options};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Instruments {
@@ -13,13 +12,19 @@ pub struct Instruments {
 }
 
 /// What the instruments say of the run with `options`: a run of its own, since they take time.
-pub fn measure(_points: &Points, _options: &Options) -> Instruments {
-    Instruments::default()
-}
-
-/// Vertices that closing the slits beside cages costs.
-pub fn closing_points(_stats: &Stats) -> Option<u64> {
-    None
+/// Nothing if it fails.
+pub fn measure(points: &Points, options: &Options) -> Instruments {
+    let options = Options { instruments: true, ..options.clone() };
+    let run = || {
+        let mut mesh = Mesh::new(points.dim, points.len(), &points.coordinates, 0).ok()?;
+        mesh.run(&options, None).ok()?;
+        let stats = &mesh.triangulation()?.stats;
+        Some(Instruments {
+            max_ply: Some(stats.max_ply as f64),
+            max_ball_intersections: Some(stats.max_ball_intersections as f64),
+        })
+    };
+    run().unwrap_or_default()
 }
 
 /// "-" for what was not measured.

@@ -125,5 +125,5 @@ fn nested_clusters_in_4d() {
 fn pairs() {
     check_pairs(2, 500, &[6.0, 7.0, 8.0, 9.0, 10.0]);
     check_pairs(3, 60, &[5.0, 6.0, 7.0, 8.0]);
-    check_pairs(4, 30, &[4.0, 5.0, 6.0]);
+    check_pairs(4, 120, &[4.0, 5.0, 6.0]);
 }

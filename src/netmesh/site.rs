@@ -45,6 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             None => self.nearest[center as usize],
         };
         let most = self.radius_within(clearance) / self.spare_room();
+        let most = most.min(self.room_inside(parent, center));
         let least = self.radius_for(gap).max(self.smallest_radius(center));
         let radius = self.lasting_radius(center, child, least, most)?;
         Ok(radius.map(|radius| CageSite { center, radius, parent }))
@@ -54,11 +55,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest outside
     /// vertex's distance d tells whether the new cage is un-encroached.)
     pub(super) fn grown_site(&mut self, cage: u32, least: f64) -> Result<Option<CageSite>> {
+        let parent = self.hierarchy.parent(cage);
         let node = self.hierarchy.node(cage);
         let (center, outside) = (node.center, node.outside);
-        let radius =
-            self.lasting_radius(center, Some(cage), least, outside / self.outer_reach())?;
-        let parent = self.hierarchy.parent(cage);
+        let most = (outside / self.outer_reach()).min(self.room_inside(parent, center));
+        let radius = self.lasting_radius(center, Some(cage), least, most)?;
         Ok(radius.map(|radius| CageSite { center, radius, parent }))
     }
 
@@ -77,6 +78,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The largest radius of a cage with the nearest vertex outside at distance `clearance`.
     fn radius_within(&self, clearance: f64) -> f64 {
         (clearance - ROUNDING) / self.outer_reach()
+    }
+
+    /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With epsilon
+    /// at most 0.5 the clearance asks for less.
+    fn room_inside(&self, parent: u32, center: u32) -> f64 {
+        let radius = self.hierarchy.node(parent).radius;
+        let gap = self.hierarchy.distance_to_center(parent, self.delaunay.point(center));
+        radius * (1.0 - 1e-9) - gap
     }
 
     /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a

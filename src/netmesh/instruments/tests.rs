@@ -151,6 +151,8 @@ fn check<const D: usize>(n: usize) {
     let options = Options { instruments: true, ..Options::default() };
     let parameters = Parameters::resolve(D, &options).unwrap();
     let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
+    // The bound of the end, so that there is something to refine.
+    mesher.bound = mesher.parameters.quality_bound;
     mesher.start_netmesh().unwrap();
     let mut seen = Seen::default();
     while mesher.location.remaining() > 0 {

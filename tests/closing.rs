@@ -153,3 +153,10 @@ fn cages_within_their_inputs() {
         }
     }
 }
+
+/// A cage round a vertex of another cage could stick out of its parent (two of two seeds).
+#[test]
+fn domains_stay_inside_their_parents() {
+    let options = Options { epsilon: 0.6, ..Options::default() };
+    run(2, &Random::new(1).uniform(2, 10_000), &options);
+}

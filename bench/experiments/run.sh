@@ -35,8 +35,8 @@ install_triangle() {
 
 build_peers() {
   has cmake || return 1
-  [ -f "$build/CMakeCache.txt" ] ||
-    cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_CARGO_TARGET_DIR="$target" || return 1
+  # Also where there is a build: a target that it does not know yet would not be found.
+  cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_CARGO_TARGET_DIR="$target" || return 1
   cmake --build "$build" --target experiment_peers --parallel "$jobs"
 }
 

@@ -238,11 +238,11 @@ enum nm_phase
      */
     NM_PHASE_PREPARE = 0,
     /**
-     * Inserting the inputs, with refinement.
+     * Inserting the inputs, with the refinement that their order asks for.
      */
     NM_PHASE_INSERT = 1,
     /**
-     * Turning the hierarchy into a well-spaced mesh.
+     * Turning the hierarchy into a well-spaced mesh if asked for, and the refinement to the bound.
      */
     NM_PHASE_FINISH = 2,
     /**

@@ -1,6 +1,6 @@
 //! What a run reports while it works.
 
-use netmesh::{Mesh, Options, Phase, Progress};
+use netmesh::{Mesh, Options, Output, Phase, Progress};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 
@@ -10,13 +10,16 @@ fn uniform_mesh(dim: usize, n: usize) -> Mesh {
     Mesh::new(dim, n, &points, 0).unwrap()
 }
 
-/// Reports that are consistent with each other, of a hierarchical run of `n` inputs.
+/// Reports that are consistent with each other: nothing falls, and it begins and ends as it should.
 fn reports_of(mesh: &mut Mesh, options: &Options) -> Vec<Progress> {
-    let n = mesh.inputs().distinct() as f64;
     let mut reports: Vec<Progress> = Vec::new();
     let mut callback = |report: &Progress| {
-        assert_eq!(report.fraction, report.inputs_inserted as f64 / n);
-        assert!(reports.last().is_none_or(|last| last.fraction <= report.fraction));
+        assert!((0.0..=1.0).contains(&report.fraction));
+        if let Some(last) = reports.last() {
+            assert!(last.fraction <= report.fraction, "{last:?} {report:?}");
+            assert!(last.phase as u32 <= report.phase as u32, "{last:?} {report:?}");
+            assert!(last.inputs_inserted <= report.inputs_inserted, "{last:?} {report:?}");
+        }
         reports.push(*report);
         true
     };
@@ -27,10 +30,22 @@ fn reports_of(mesh: &mut Mesh, options: &Options) -> Vec<Progress> {
     reports
 }
 
+/// The share of the run that is insertion, and then what is left.
 #[test]
-fn progress_grows_with_the_inputs_that_are_vertices() {
-    let reports = reports_of(&mut uniform_mesh(2, 100_000), &Options::default());
-    assert!(reports.iter().filter(|report| report.phase == Phase::Insert).count() > 2);
+fn progress_grows_with_the_inputs_and_then_with_the_refinement() {
+    let runs = [(Output::Hierarchical, 0.6, 0.6), (Output::WellSpaced, 0.3, 0.7)];
+    for (output, insert, close) in runs {
+        let mut mesh = uniform_mesh(2, 100_000);
+        let n = mesh.inputs().distinct() as f64;
+        let reports = reports_of(&mut mesh, &Options { output, ..Options::default() });
+        let of = |phase| reports.iter().filter(move |report| report.phase == phase);
+        assert!(of(Phase::Insert).count() > 2 && of(Phase::Finish).count() > 2, "{output:?}");
+        for report in of(Phase::Insert) {
+            assert_eq!(report.fraction, insert * report.inputs_inserted as f64 / n);
+        }
+        let last = of(Phase::Finish).next_back().unwrap();
+        assert!(last.fraction > close + 0.1, "{output:?}: stuck at {last:?}");
+    }
 }
 
 /// While the outer cage is made, at most its centre is an input that is a vertex. When it is done

@@ -129,9 +129,9 @@ pub enum nm_criterion {
 pub enum nm_phase {
     /// Checks, scaling, the first simplices.
     NM_PHASE_PREPARE = 0,
-    /// Inserting the inputs, with refinement.
+    /// Inserting the inputs, with the refinement that their order asks for.
     NM_PHASE_INSERT = 1,
-    /// Turning the hierarchy into a well-spaced mesh.
+    /// Turning the hierarchy into a well-spaced mesh if asked for, and the refinement to the bound.
     NM_PHASE_FINISH = 2,
     /// Building the arrays that the getters read.
     NM_PHASE_EXPORT = 3,

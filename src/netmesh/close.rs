@@ -20,7 +20,7 @@ use crate::error::Result;
 use crate::memory::Fallible;
 use crate::mesh::NONE;
 use crate::numerics::norm;
-use crate::options::Criterion;
+use crate::options::{Criterion, Phase};
 
 /// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
 const NEAR: f64 = 0.5;
@@ -35,6 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn close(&mut self) -> Result<()> {
         self.bound = self.parameters.quality_bound;
         self.closing = true;
+        self.phase = Phase::Finish;
         self.refine.sort_by_length()?;
         loop {
             for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {

@@ -7,6 +7,7 @@ use crate::options::Phase;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn finish_mesh(&mut self) -> Result<()> {
+        self.phase = Phase::Finish;
         let mut domain = ROOT + 1;
         // Growing appends the larger cage, whose turn comes later.
         while domain < self.hierarchy.len() {
@@ -20,6 +21,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             domain += 1;
         }
-        self.report_progress(Phase::Finish)
+        self.report_progress()
     }
 }

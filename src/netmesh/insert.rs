@@ -7,7 +7,7 @@ use super::{Mesher, Scratch, some};
 use crate::error::Result;
 use crate::memory::{Fallible, TryGrow};
 use crate::numerics::distance;
-use crate::options::{Algorithm, Phase};
+use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
@@ -97,7 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.queue_crowded()?;
         }
         if self.watch.is_due(work) {
-            self.report_progress(Phase::Insert)?;
+            self.report_progress()?;
         }
         Ok(())
     }

@@ -105,6 +105,7 @@ struct Mesher<'a, 'b, const D: usize> {
     location: Location,
     refine: RefineList,
     crowded: Crowded,
+    phase: Phase,
     /// The bound that refinement keeps at the time.
     bound: f64,
     /// Whether cells answer for all their corners (`close`).
@@ -207,6 +208,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             location,
             refine: RefineList::new()?,
             crowded: Crowded::default(),
+            phase: Phase::Insert,
             bound: parameters.loose_bound(),
             closing: false,
             nearest: filled(count, f64::INFINITY)?,
@@ -271,24 +273,36 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         Ok(self.delaunay.add_point(x)?)
     }
 
-    fn report_progress(&mut self, phase: Phase) -> Result<()> {
+    fn report_progress(&mut self) -> Result<()> {
         let inserted = self.inputs - self.location.remaining();
-        let done = inserted as f64 / self.inputs as f64;
-        let fraction = match self.parameters.output {
-            Output::Hierarchical => done,
-            Output::WellSpaced => 0.5 * done + 0.5 * self.finished_fraction(phase),
-        };
         let vertices = self.delaunay.point_count() - self.location.remaining();
         let simplices = self.delaunay.complex().simplex_count();
-        self.watch.report(phase, fraction, [inserted as u64, vertices as u64, simplices as u64])
+        let counts = [inserted as u64, vertices as u64, simplices as u64];
+        self.watch.report(self.phase, self.done(), counts)
     }
 
-    fn finished_fraction(&self, phase: Phase) -> f64 {
-        if phase != Phase::Finish {
-            return 0.0;
+    /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that
+    /// need no more refinement, by their usual shares of the time.
+    fn done(&self) -> f64 {
+        let [insert, finish] = match (self.parameters.algorithm, self.parameters.output) {
+            (Algorithm::Delaunay, _) => [1.0, 0.0],
+            (_, Output::Hierarchical) => [0.6, 0.0],
+            (_, Output::WellSpaced) => [0.3, 0.4],
+        };
+        match self.phase {
+            Phase::Prepare | Phase::Insert => {
+                let inserted = self.inputs - self.location.remaining();
+                insert * inserted as f64 / self.inputs as f64
+            }
+            Phase::Finish if self.closing => {
+                insert + finish + (1.0 - insert - finish) * self.refine.done()
+            }
+            Phase::Finish => {
+                let released = self.stats.cages_released as f64;
+                insert + finish * released / f64::from(self.hierarchy.len())
+            }
+            Phase::Export => 1.0,
         }
-        let released = self.stats.cages_released as f64;
-        released / f64::from(self.hierarchy.len())
     }
 }
 

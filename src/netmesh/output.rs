@@ -12,7 +12,8 @@ use std::time::Instant;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn into_triangulation(mut self, begun: Instant) -> Result<Triangulation> {
-        self.report_progress(Phase::Export)?;
+        self.phase = Phase::Export;
+        self.report_progress()?;
         let precision_limited = self.limited_vertices()?;
         self.stats.exact_fallbacks = self.delaunay.exact_fallbacks();
         self.stats.touches = self.location.total_touches();
@@ -62,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// takes a while, and the caller may want to cancel.
     fn free_what_is_done(&mut self) -> Result<()> {
         self.delaunay.forget_balls();
-        self.report_progress(Phase::Export)?;
+        self.report_progress()?;
         self.refine = RefineList::default();
         self.scratch = Scratch::default();
         self.nearest = Vec::new();

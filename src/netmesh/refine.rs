@@ -23,6 +23,9 @@ pub(super) struct RefineList {
     /// Bit b of word w: whether bucket 64 w + b may have simplices.
     occupied: Vec<u64>,
     flags: Vec<u8>,
+    /// How often simplices were queued and came up since the order changed.
+    pushed: u64,
+    popped: u64,
 }
 
 impl RefineList {
@@ -35,6 +38,7 @@ impl RefineList {
     /// From now on the simplex with the shortest edge comes first. The list must be empty.
     pub fn sort_by_length(&mut self) -> Fallible<()> {
         debug_assert!(self.is_empty());
+        (self.pushed, self.popped) = (0, 0);
         self.make_buckets(BUCKETS)
     }
 
@@ -74,7 +78,13 @@ impl RefineList {
         *flags |= QUEUED;
         let bucket = (length.to_bits() >> KEPT_BITS) as usize & (self.buckets.len() - 1);
         self.occupied[bucket / 64] |= 1 << (bucket % 64);
+        self.pushed += 1;
         enqueue(&mut self.buckets[bucket], simplex)
+    }
+
+    /// The part of what was ever queued since the order changed that has come up.
+    pub fn done(&self) -> f64 {
+        self.popped as f64 / self.pushed.max(1) as f64
     }
 
     pub fn is_empty(&self) -> bool {
@@ -88,6 +98,7 @@ impl RefineList {
             match self.buckets[64 * word + bit as usize].pop_front() {
                 Some(simplex) => {
                     self.flags[simplex as usize] &= !QUEUED;
+                    self.popped += 1;
                     return Some(simplex);
                 }
                 None => self.occupied[word] &= !(1 << bit),
@@ -133,7 +144,7 @@ mod tests {
         assert_eq!(pop_all(&mut list), [5, 1, 3, 0, 4, 2]);
         list.push(7, 2.0).unwrap();
         list.push(6, 1.0).unwrap();
-        assert_eq!(list.pop(), Some(6));
+        assert_eq!((list.done(), list.pop()), (0.75, Some(6)));
         list.push(6, 1e-9).unwrap();
         assert_eq!(pop_all(&mut list), [6, 7]);
     }

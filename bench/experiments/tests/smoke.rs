@@ -7,7 +7,7 @@ use std::process::Command;
 const HEADERS: [(&str, &str); 7] = [
     ("spread", "input,dim,method,log2 exponent,log2 gap,log2 spread,n,runs,m/n,touches/n"),
     ("growth", "input,dim,n,ordering,m/n,touches/(n log2 n),rounds,log2 n + 2,max degree,"),
-    ("finishing", "input,dim,log2 exponent,n,m hierarchical,m finished,"),
+    ("finishing", "input,dim,pairs or exponent,n,m hierarchical,m finished,"),
     ("skew_lines", "method,n,vertices,tetrahedra,tetrahedra/n,(n/2 - 1)^2,seconds"),
     ("sizes", "input,dim,n,bound,mesher,m/n,inside/n,simplices,worst,note,seconds"),
     (

@@ -2,7 +2,7 @@
 
 use super::Context;
 use crate::inputs::{self, Points};
-use crate::instruments::{self, Instruments};
+use crate::instruments::Instruments;
 use crate::plot::{Axis, Panel, Plot, Series};
 use crate::report::Report;
 use crate::row;
@@ -154,8 +154,9 @@ fn measure(context: &Context, input: &'static str, dim: usize, n: usize) -> Vec<
     entries
 }
 
+/// The time for the instruments is not in the run's seconds.
 fn options(ordering: NetOrdering) -> Options {
-    Options { ordering, ..Options::default() }
+    Options { ordering, instruments: true, ..Options::default() }
 }
 
 fn entry(curve: Curve, mesh: &Mesh, points: &Points, seconds: f64, turns: usize) -> Entry {
@@ -169,11 +170,7 @@ fn entry(curve: Curve, mesh: &Mesh, points: &Points, seconds: f64, turns: usize)
         touches: result.stats.touches,
         rounds: result.stats.rounds,
         max_degree: quality.map(|quality| quality.max_degree),
-        instruments: if is_measured {
-            instruments::measure(points, &options(curve.ordering))
-        } else {
-            Instruments::default()
-        },
+        instruments: Instruments::of(&result.stats),
         seconds,
         turns,
     }
@@ -216,9 +213,9 @@ fn table(entries: &[Entry]) -> Table {
             number(e.touches()),
             e.rounds,
             number((e.n as f64).log2() + 2.0),
-            instruments::cell(e.max_degree, |degree| degree.to_string()),
-            instruments::cell(e.instruments.max_ply, number),
-            instruments::cell(e.instruments.max_ball_intersections, number),
+            e.max_degree.map_or("-".to_string(), |degree| degree.to_string()),
+            number(e.instruments.max_ply),
+            number(e.instruments.max_ball_intersections),
             number(e.seconds),
             number(e.time()),
             e.turns,
@@ -250,7 +247,7 @@ fn verdicts(entries: &[Entry]) -> Vec<Verdict> {
             found.iter().map(|e| e.rounds as f64 - (e.n as f64).log2()).fold(f64::MIN, f64::max);
         verdicts.push(Verdict::at_most(&claim("rounds - log2 n"), excess, 2.0));
         verdicts.push(constant(&claim("largest degree"), &found, |e| e.max_degree.map(f64::from)));
-        verdicts.push(constant(&claim("largest ply"), &found, |e| e.instruments.max_ply));
+        verdicts.push(constant(&claim("largest ply"), &found, |e| Some(e.instruments.max_ply)));
         let times: Vec<f64> = found.iter().map(|e| e.time()).collect();
         verdicts.push(Verdict::flat(&claim("time/(n log2 n + m)"), &times, 0.35));
     }

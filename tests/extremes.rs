@@ -77,6 +77,15 @@ fn subnormal_coordinates() {
     });
 }
 
+/// An input 10.2 units from a centre, which rounds to 10, was taken for one inside the 10 units that its
+/// cage allows (found by the breakers).
+#[test]
+fn distances_that_round_to_the_limit() {
+    let units = [[1, 4, 0, 3], [1, 5, 4, 3], [9, 1, 6, 8]];
+    let points: Vec<f64> = units.as_flattened().iter().map(|&unit| f64::from_bits(unit)).collect();
+    certify("three smallest subnormals", 4, &points, Output::Hierarchical);
+}
+
 fn one_ulp_pairs(dim: usize, random: &mut Random) -> Vec<f64> {
     let mut points: Vec<f64> = random.uniform(dim, 8).iter().map(|x| x + 1.0).collect();
     let mut twins = points.clone();

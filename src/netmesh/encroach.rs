@@ -8,6 +8,10 @@ use crate::memory::Fallible;
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
 pub(super) const LEVELS: usize = 3;
+
+/// Subnormal distances are rounded to whole units: one that is not above a limit may still be.
+const SMALLEST: f64 = f64::from_bits(1);
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The innermost domain that holds `x`, over the climbs from U(x).
     pub(super) fn containing_domain(&mut self, x: &[f64; D]) -> u32 {
@@ -44,7 +48,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return None;
             }
             let reach = self.parameters.epsilon * self.hierarchy.node(domain).radius;
-            if self.hierarchy.distance_to_center(domain, x) > reach {
+            if self.hierarchy.distance_to_center(domain, x) + SMALLEST > reach {
                 return Some(domain);
             }
             domain = self.hierarchy.parent(domain);

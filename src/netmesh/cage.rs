@@ -97,12 +97,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.add_vertex(x)?
             }
         };
+        self.insert_into_cage(cage, vertex)?;
+        Ok(Some(vertex))
+    }
+
+    /// Inserts `vertex`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    pub(super) fn insert_into_cage(&mut self, domain: u32, vertex: u32) -> Result<()> {
         let x = *self.delaunay.point(vertex);
         self.enter(&x)?;
-        self.hierarchy.set_domain(vertex, cage);
-        self.hierarchy.join_cage(vertex, cage)?;
-        self.insert_into_cavity(vertex)?;
-        Ok(Some(vertex))
+        self.hierarchy.set_domain(vertex, domain);
+        self.hierarchy.join_cage(vertex, domain)?;
+        self.insert_into_cavity(vertex)
     }
 
     /// The radius of the sphere that the vertices of the cage of `domain` are near.

@@ -24,7 +24,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// An input that was yielded to may lie on the D-ball within rounding and leave the simplex.
+    /// An input that was yielded to may lie on the D-ball within rounding, and a further cage vertex
+    /// beyond it: they leave the simplex.
     fn queue_again(&mut self, simplex: u32) -> Fallible<()> {
         if self.delaunay.complex().is_live(simplex) {
             self.examine(simplex)?;

@@ -12,7 +12,7 @@
 //! (Definition 2), Steiner points by [`NEAR`] times their insertion radius. A corner beyond the sphere
 //! sees it through a cap that no vertex is in, so its projection is at least as far from all vertices
 //! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
-//! not cover, [`SPACING`] ends; no run that we made came to that.
+//! not cover, [`SPACING`] ends; no run with default options came to that.
 
 use super::domains::ROOT;
 use super::{Mesher, some};
@@ -68,23 +68,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The domain of the vertex with the worst cell, if that is bad.
     fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let mut least = 2.0 * radius / self.bound;
-        let mut worst = None;
-        for &vertex in self.delaunay.complex().vertices(simplex) {
-            let nearest = self.nearest[vertex as usize];
-            if nearest < least && self.hierarchy.cage_of(vertex) == NONE {
-                least = nearest;
-                worst = Some(vertex);
-            }
-        }
+        let is_cell = |mesher: &mut Self, vertex| mesher.hierarchy.cage_of(vertex) == NONE;
+        let worst = self.worst_cell(simplex, radius, is_cell);
         worst.map(|vertex| self.hierarchy.domain_of(vertex))
     }
 
     /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
     /// several domains, the corner is that of a cage's union cell.
     fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let shortest_allowed = radius / self.bound;
-        if self.shortest_edge(simplex).2 >= shortest_allowed {
+        if !self.is_short(simplex, radius) {
             return None;
         }
         let domains = self.domains_of(simplex);
@@ -150,12 +142,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Inserts `x`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
     fn join_at(&mut self, domain: u32, x: [f64; D]) -> Result<()> {
-        self.enter(&x)?;
-        let vertex = self.add_vertex(x)?;
-        self.hierarchy.set_domain(vertex, domain);
-        self.hierarchy.join_cage(vertex, domain)?;
         self.stats.cage_points += 1;
         self.stats.closing_points += 1;
-        self.insert_into_cavity(vertex)
+        let vertex = self.add_vertex(x)?;
+        self.insert_into_cage(domain, vertex)
     }
 }

@@ -4,12 +4,11 @@
 //!
 //! Corner restriction: for a vertex of Omega only corners within `corner_restriction` of the cage
 //! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
-//! Without it CLEAN inserts points beside the cages and destroys them.
+//! Without it CLEAN inserts points beside the cages and destroys them. `close` lifts it at the end.
 
 use super::{Mesher, some};
 use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
-use crate::numerics::distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -70,7 +69,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Puts a live simplex on REFINELIST.
-    pub(super) fn queue(&mut self, simplex: u32) -> Fallible<()> {
+    fn queue(&mut self, simplex: u32) -> Fallible<()> {
         let length = if self.refine.is_sorted() { self.shortest_edge(simplex).2 } else { 0.0 };
         self.refine.push(simplex, length)
     }
@@ -83,7 +82,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return false;
         }
         let bad_cell = match self.parameters.criterion {
-            Criterion::VoronoiAspect => self.worst_cell(simplex, radius).is_some(),
+            Criterion::VoronoiAspect => self.worst_inner_cell(simplex, radius).is_some(),
             Criterion::RadiusEdge => self.has_short_edge(simplex, radius),
         };
         bad_cell
@@ -94,14 +93,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 .is_some()
     }
 
-    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2.
-    pub(super) fn worst_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+    /// The worst cell among those that the corner of `simplex` counts for.
+    pub(super) fn worst_inner_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+        self.worst_cell(simplex, radius, |mesher, vertex| mesher.counts_for(simplex, vertex))
+    }
+
+    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2, among
+    /// those that it `counts` for.
+    pub(super) fn worst_cell(
+        &mut self,
+        simplex: u32,
+        radius: f64,
+        counts: impl Fn(&mut Self, u32) -> bool,
+    ) -> Option<u32> {
         let mut least = 2.0 * radius / self.bound;
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];
             let nearest = self.nearest[vertex as usize];
-            if nearest < least && self.counts_for(simplex, vertex) {
+            if nearest < least && counts(self, vertex) {
                 least = nearest;
                 worst = Some(vertex);
             }
@@ -109,21 +119,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
         worst
     }
 
-    /// Whether an edge of `simplex` is too short for its radius.
+    /// Whether an edge of `simplex` is too short for its radius, and its corner counts for all its
+    /// vertices.
     pub(super) fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
-        let shortest_allowed = radius / self.bound;
-        let vertices = self.delaunay.complex().vertices(simplex);
-        if vertices.iter().all(|&v| self.nearest[v as usize] >= shortest_allowed) {
-            return false;
-        }
-        let point = |i: usize| self.delaunay.point(vertices[i]);
-        let is_short = |i: usize, j: usize| distance(point(i), point(j)) < shortest_allowed;
-        let short = (0..=D).any(|i| (0..i).any(|j| is_short(i, j)));
-        short
+        self.is_short(simplex, radius)
             && (0..=D).all(|index| {
                 let vertex = self.delaunay.complex().vertices(simplex)[index];
                 self.counts_for(simplex, vertex)
             })
+    }
+
+    /// Whether an edge of `simplex` is too short for its radius.
+    pub(super) fn is_short(&self, simplex: u32, radius: f64) -> bool {
+        let shortest_allowed = radius / self.bound;
+        let vertices = self.delaunay.complex().vertices(simplex);
+        vertices.iter().any(|&v| self.nearest[v as usize] < shortest_allowed)
+            && self.shortest_edge(simplex).2 < shortest_allowed
     }
 
     /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.

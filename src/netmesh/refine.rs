@@ -88,7 +88,7 @@ impl RefineList {
     }
 
     pub fn is_empty(&self) -> bool {
-        self.buckets.iter().all(VecDeque::is_empty)
+        self.popped == self.pushed
     }
 
     pub fn pop(&mut self) -> Option<u32> {

@@ -75,7 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         simplex: u32,
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
-        let vertex = self.worst_cell(simplex, corner.radius)?;
+        let vertex = self.worst_inner_cell(simplex, corner.radius)?;
         let allowed = 0.5 * self.bound * self.nearest[vertex as usize];
         let radius = cell_reach::<D>() * allowed;
         let from = self.delaunay.point(vertex);

@@ -219,6 +219,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// cages.
     pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) -> Fallible<()> {
         for &neighbor in neighbors {
+            if self.hierarchy.is_alike(&[vertex, neighbor]) {
+                continue;
+            }
             let mut inner = self.hierarchy.domain_of(vertex);
             let mut other = self.hierarchy.domain_of(neighbor);
             while inner != other {

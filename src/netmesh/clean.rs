@@ -60,6 +60,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The uninserted input nearest to `x` within `reach`, among the homes in the scratch cavity
     /// (the cavity of `x`).
     pub(super) fn input_near(&mut self, x: &[f64; D], reach: f64) -> Result<Option<u32>> {
+        if self.location.remaining() == 0 {
+            return Ok(None);
+        }
         let mut best = None;
         let mut best_gap = reach;
         for at in 0..self.scratch.cavity.simplices.len() {

@@ -143,6 +143,17 @@ impl<const D: usize> Hierarchy<D> {
         domain
     }
 
+    /// Whether inserted vertices are known to be of one domain, without a climb: all have the same
+    /// label, or there is only one domain.
+    #[inline]
+    pub fn is_alike(&self, vertices: &[u32]) -> bool {
+        self.is_single() || {
+            let label = |vertex: u32| self.labels[vertex as usize];
+            let first = label(vertices[0]);
+            vertices[1..].iter().all(|&vertex| label(vertex) == first)
+        }
+    }
+
     pub fn set_domain(&mut self, vertex: u32, domain: u32) {
         self.labels[vertex as usize] = domain;
     }

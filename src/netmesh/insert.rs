@@ -20,14 +20,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.find_cavity_of_input(input)?;
         match self.parameters.algorithm {
-            Algorithm::Netmesh => {}
+            Algorithm::Netmesh => self.collect_cavity_corners()?,
             Algorithm::Svr => {
+                self.collect_cavity_corners()?;
                 self.hierarchy.set_domain(input, ROOT);
                 return self.insert_into_cavity(input);
             }
             Algorithm::Delaunay => return self.insert_into_cavity(input),
         }
-        self.collect_cavity_corners()?;
         let x = *self.delaunay.point(input);
         for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
@@ -79,8 +79,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity and whose domain
-    /// is set, to the Voronoi diagram; updates homes, distances and the refine list.
+    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity, its corners
+    /// collected, and whose domain is set, to the Voronoi diagram; updates homes, distances and the
+    /// refine list.
     pub(super) fn insert_into_cavity(&mut self, vertex: u32) -> Result<()> {
         let Scratch { cavity, created, .. } = &mut self.scratch;
         let work = 4 * cavity.boundary.len() as u32;
@@ -102,17 +103,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in.
+    /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in. Its
+    /// neighbours are the corners of its cavity: no vertex is inside that, for all keep a star.
     fn update_star(&mut self, vertex: u32) -> Fallible<()> {
-        let Scratch { created, corners, .. } = &mut self.scratch;
-        corners.restart(self.delaunay.point_count())?;
-        for &simplex in created.iter() {
-            for &corner in self.delaunay.complex().vertices(simplex) {
-                if some(corner).is_some() && corner != vertex {
-                    corners.insert(corner)?;
-                }
-            }
-        }
         let mut nearest = f64::INFINITY;
         let neighbors = std::mem::take(&mut self.scratch.corners.ids);
         let x = *self.delaunay.point(vertex);

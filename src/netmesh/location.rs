@@ -123,6 +123,9 @@ impl Location {
         watch: &mut Watch<'_, '_>,
     ) -> Result<()> {
         self.cover(delaunay.complex().simplex_bound())?;
+        if self.remaining == 0 {
+            return Ok(());
+        }
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let mut input = std::mem::replace(&mut self.heads[simplex as usize], NONE);
             if input == NONE {

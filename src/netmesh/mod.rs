@@ -3,6 +3,7 @@
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN, YIELDINGINSERT), `refine` (REFINELIST), `quality`
 //! (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (the bound for all cells),
+//! `order` (locality of inputs),
 //! `steiner` (where a Steiner point goes), `svr` (§3, the baseline). `instruments` measures what the
 //! theorems promise.
 
@@ -16,6 +17,7 @@ mod insert;
 mod instruments;
 mod location;
 mod net;
+mod order;
 mod output;
 pub mod parameters;
 mod quality;
@@ -36,6 +38,7 @@ use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use domains::Hierarchy;
 use instruments::Instruments;
 use location::Location;
+use order::by_locality;
 use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 use refine::RefineList;
@@ -96,8 +99,8 @@ fn mesh<const D: usize>(
     mesher.into_triangulation(begun)
 }
 
-/// The state of a run. Vertices `0..inputs` are the distinct inputs, inserted or not; Steiner and
-/// cage vertices follow in the order of their insertion.
+/// The state of a run. Vertices `0..inputs` are the distinct inputs in an order of locality, inserted
+/// or not; Steiner and cage vertices follow in the order of their insertion.
 struct Mesher<'a, 'b, const D: usize> {
     parameters: Parameters,
     delaunay: Delaunay<D>,
@@ -118,6 +121,8 @@ struct Mesher<'a, 'b, const D: usize> {
     precision_limited: Vec<bool>,
     /// Number of distinct inputs.
     inputs: usize,
+    /// Vertex -> distinct input.
+    order: Vec<u32>,
     /// Directions of the cage's vertices from its centre.
     template: Vec<[f64; D]>,
     /// Not used by a deterministic ordering.
@@ -190,10 +195,11 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         if count as u64 > parameters.max_vertices {
             return Err(limit(parameters.max_vertices, count));
         }
+        let order = by_locality::<D>(inputs, &mut watch)?;
         let mut points: Vec<[f64; D]> = with_room(count)?;
-        for v in 0..count {
+        for &input in &order {
             watch.tick(1)?;
-            points.push(inputs.distinct_point(v).try_into().expect("dim is D"));
+            points.push(inputs.distinct_point(input as usize).try_into().expect("dim is D"));
         }
         let delaunay = Delaunay::new(points)?;
         watch.look()?;
@@ -215,6 +221,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             farthest: filled(count, 0.0)?,
             precision_limited: filled(count, false)?,
             inputs: count,
+            order,
             template: Vec::new(),
             watch,
             stats: Stats::default(),

@@ -27,12 +27,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             NONE => NONE,
             domain => ids[domain as usize],
         };
+        let places = self.places()?;
         let mut points = with_room(vertices * D)?;
         let mut cage_of = with_room(vertices)?;
         let mut vertex_domains = with_room(vertices)?;
         let mut kinds = with_room(vertices)?;
-        for vertex in 0..vertices as u32 {
+        let mut limited = with_room(vertices)?;
+        for vertex in places.into_iter().chain(self.inputs as u32..vertices as u32) {
             self.watch.tick(1)?;
+            limited.push(precision_limited[vertex as usize]);
             points.extend_from_slice(self.delaunay.point(vertex));
             let cage = renumbered(self.hierarchy.cage_of(vertex));
             cage_of.push(cage);
@@ -42,7 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             });
             kinds.push(self.kind(vertex, cage));
         }
-        self.count_vertices(&kinds, &precision_limited);
+        self.count_vertices(&kinds, &limited);
         self.stats.seconds = begun.elapsed().as_secs_f64();
         Ok(Triangulation {
             dim: D,
@@ -53,7 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             vertex_domains,
             cage_of,
             domains,
-            precision_limited,
+            precision_limited: limited,
             parameters: self.parameters,
             stats: self.stats,
         })
@@ -68,6 +71,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.scratch = Scratch::default();
         self.nearest = Vec::new();
         Ok(())
+    }
+
+    /// The vertex of the result that `vertex` is.
+    fn output_id(&self, vertex: u32) -> u32 {
+        self.order.get(vertex as usize).copied().unwrap_or(vertex)
+    }
+
+    /// Distinct input -> vertex.
+    fn places(&mut self) -> Result<Vec<u32>> {
+        let mut places = filled(self.inputs, NONE)?;
+        for (vertex, &input) in self.order.iter().enumerate() {
+            self.watch.tick(1)?;
+            places[input as usize] = vertex as u32;
+        }
+        Ok(places)
     }
 
     fn finite_simplices(&mut self) -> Result<(Vec<u32>, Vec<u32>)> {
@@ -86,7 +104,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut neighbors = with_room(count as usize * (D + 1))?;
         for simplex in (0..bound as u32).filter(|&s| is_finite(s)) {
             self.watch.tick(1)?;
-            simplices.extend_from_slice(complex.vertices(simplex));
+            simplices.extend(complex.vertices(simplex).iter().map(|&v| self.output_id(v)));
             neighbors.extend(complex.neighbors(simplex).iter().map(|&n| ids[n as usize]));
         }
         debug_assert!(!simplices.contains(&INFINITE));
@@ -115,7 +133,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 parent => ids[parent as usize],
             };
             let node = self.hierarchy.node(domain);
-            domains.push(Domain { center: node.center, parent, radius: node.radius });
+            let center = self.output_id(node.center);
+            domains.push(Domain { center, parent, radius: node.radius });
         }
         Ok((domains, ids))
     }

@@ -28,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Queues the bad ones among the simplices at `vertex`.
+    /// Queues the bad ones among the simplices at `vertex`, one of a cage that is examined.
     pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
         self.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
@@ -42,14 +42,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
-    /// edges there are what they were.
+    /// edges there are what they were, and so is all that other cells depend on.
     pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
-        let reach = 2.0 * self.farthest[vertex as usize] / self.bound;
-        if self.parameters.criterion == Criterion::VoronoiAspect
-            && self.nearest[vertex as usize] < reach
+        let nearest = self.nearest[vertex as usize];
+        if self.parameters.criterion == Criterion::RadiusEdge
+            || nearest >= self.nearest_allowed(self.farthest[vertex as usize])
         {
-            self.examine_star(vertex)?;
+            return Ok(());
         }
+        self.delaunay.star(vertex, &mut self.scratch.star)?;
+        let mut farthest = 0.0f64;
+        for at in 0..self.scratch.star.len() {
+            let simplex = self.scratch.star[at];
+            let Some(radius) = self.delaunay.ball(simplex).map(|ball| ball.radius) else { continue };
+            farthest = farthest.max(radius);
+            if nearest < self.nearest_allowed(radius) {
+                self.examine(simplex)?;
+            }
+        }
+        self.farthest[vertex as usize] = farthest;
         Ok(())
     }
 
@@ -62,10 +73,31 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_bad(simplex) || self.open_domain(simplex).is_some() {
+        if self.is_suspect(simplex)
+            && (self.is_bad(simplex) || self.open_domain(simplex).is_some())
+        {
             self.queue(simplex)?;
         }
         Ok(())
+    }
+
+    /// Whether a live simplex has what all bad ones have, and few others: a vertex too near to
+    /// another one for the radius, or vertices of several domains.
+    fn is_suspect(&self, simplex: u32) -> bool {
+        let Some(ball) = self.delaunay.ball(simplex) else { return false };
+        let allowed = self.nearest_allowed(ball.radius);
+        let vertices = self.delaunay.complex().vertices(simplex);
+        vertices.iter().any(|&vertex| self.nearest[vertex as usize] < allowed)
+            || !self.hierarchy.is_alike(vertices)
+    }
+
+    /// A vertex nearer than this to its nearest neighbour makes a simplex of the given radius bad.
+    #[inline]
+    fn nearest_allowed(&self, radius: f64) -> f64 {
+        match self.parameters.criterion {
+            Criterion::VoronoiAspect => 2.0 * radius / self.bound,
+            Criterion::RadiusEdge => radius / self.bound,
+        }
     }
 
     /// Puts a live simplex on REFINELIST.
@@ -106,7 +138,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         radius: f64,
         counts: impl Fn(&mut Self, u32) -> bool,
     ) -> Option<u32> {
-        let mut least = 2.0 * radius / self.bound;
+        let mut least = self.nearest_allowed(radius);
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];
@@ -131,7 +163,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether an edge of `simplex` is too short for its radius.
     pub(super) fn is_short(&self, simplex: u32, radius: f64) -> bool {
-        let shortest_allowed = radius / self.bound;
+        let shortest_allowed = self.nearest_allowed(radius);
         let vertices = self.delaunay.complex().vertices(simplex);
         vertices.iter().any(|&v| self.nearest[v as usize] < shortest_allowed)
             && self.shortest_edge(simplex).2 < shortest_allowed
@@ -160,7 +192,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         simplex: u32,
         counts: impl Fn(&Self, u32) -> bool,
     ) -> Option<u32> {
-        if self.hierarchy.is_single() {
+        if self.hierarchy.is_alike(self.delaunay.complex().vertices(simplex)) {
             return None;
         }
         let mut domains = self.domains_of(simplex);

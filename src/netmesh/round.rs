@@ -21,7 +21,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn insert_round(&mut self, target: u32) -> Result<()> {
         let mut pass = 0;
         while pass == 0 || self.location.max_count() > target {
-            for input in self.select_round(pass, target)? {
+            let mut selected = self.select_round(pass, target)?;
+            // Ids are in an order of locality.
+            selected.sort_unstable();
+            for input in selected {
                 self.insert_input(input)?;
                 if self.parameters.algorithm != Algorithm::Delaunay {
                     self.clean()?;

@@ -25,6 +25,12 @@ use crate::options::{Criterion, Phase};
 /// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
 const NEAR: f64 = 0.5;
 
+/// Simplices of a tile, of a mesh that has more than a small one. What is refined at a time then stays
+/// in the cache, which halves the time of large meshes; the order by length is kept in tiles only,
+/// which costs up to 1 % more vertices, and 3 % around close pairs (docs/decisions.md).
+const TILE: usize = 1 << 11;
+const SMALL: usize = 1 << 14;
+
 /// A further cage vertex keeps this distance from others, relative to the sphere's radius.
 const SPACING: f64 = 1.0 / 64.0;
 
@@ -36,19 +42,34 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.bound = self.parameters.quality_bound;
         self.closing = true;
         self.phase = Phase::Finish;
+        if self.delaunay.complex().simplex_count() > SMALL {
+            self.arrange_simplices()?;
+        }
         self.refine.sort_by_length()?;
-        loop {
-            for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+        while self.close_tiles()? {}
+        Ok(())
+    }
+
+    /// A look at all simplices, tile by tile; whether one was bad.
+    fn close_tiles(&mut self) -> Result<bool> {
+        let count = self.delaunay.complex().simplex_bound();
+        let tile = if count > SMALL { TILE } else { count };
+        let mut was_bad = false;
+        let mut end = 0;
+        while end < self.delaunay.complex().simplex_bound() {
+            let begin = end;
+            end = (begin + tile).min(self.delaunay.complex().simplex_bound());
+            for simplex in begin as u32..end as u32 {
                 self.watch.tick(1)?;
                 if self.delaunay.complex().is_live(simplex) {
                     self.examine(simplex)?;
                 }
             }
-            if self.refine.is_empty() {
-                return Ok(());
-            }
+            was_bad |= !self.refine.is_empty();
             self.clean()?;
+            self.closed = (end as f64 / count as f64).min(1.0);
         }
+        Ok(was_bad)
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.

@@ -8,19 +8,29 @@ use crate::options::Phase;
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn finish_mesh(&mut self) -> Result<()> {
         self.phase = Phase::Finish;
-        let mut domain = ROOT + 1;
-        // Growing appends the larger cage, whose turn comes later.
-        while domain < self.hierarchy.len() {
-            if self.hierarchy.node(domain).alive {
-                let node = self.hierarchy.node(domain);
-                let near = node.cage.first().copied().unwrap_or(node.center);
-                let start = self.delaunay.complex().incident(near);
-                let radius = node.radius / self.parameters.epsilon;
-                self.grow_cage(domain, radius, start)?;
-                self.clean()?;
+        let first = ROOT + 1..self.hierarchy.len();
+        let mut first_grown = first.end;
+        for domain in first {
+            self.dissolve(domain)?;
+            // The larger cages in its place come next: they are where the mesh is in the cache.
+            while first_grown < self.hierarchy.len() {
+                first_grown += 1;
+                self.dissolve(first_grown - 1)?;
             }
-            domain += 1;
         }
         self.report_progress()
+    }
+
+    /// GROWCAGE and CLEAN, unless another cage has taken this one in.
+    fn dissolve(&mut self, domain: u32) -> Result<()> {
+        let node = self.hierarchy.node(domain);
+        if !node.alive {
+            return Ok(());
+        }
+        let near = node.cage.first().copied().unwrap_or(node.center);
+        let start = self.delaunay.complex().incident(near);
+        let radius = node.radius / self.parameters.epsilon;
+        self.grow_cage(domain, radius, start)?;
+        self.clean()
     }
 }

@@ -3,10 +3,11 @@
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN, YIELDINGINSERT), `refine` (REFINELIST), `quality`
 //! (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (the bound for all cells),
-//! `order` (locality of inputs),
+//! `order` and `arrange` (locality of inputs and simplices),
 //! `steiner` (where a Steiner point goes), `svr` (§3, the baseline). `instruments` measures what the
 //! theorems promise.
 
+mod arrange;
 mod cage;
 mod clean;
 mod close;
@@ -111,8 +112,9 @@ struct Mesher<'a, 'b, const D: usize> {
     phase: Phase,
     /// The bound that refinement keeps at the time.
     bound: f64,
-    /// Whether cells answer for all their corners (`close`).
+    /// Whether cells answer for all their corners, and the part of the mesh where they do (`close`).
     closing: bool,
+    closed: f64,
     /// Vertex -> distance to its nearest neighbour in the mesh.
     nearest: Vec<f64>,
     /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
@@ -217,6 +219,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             phase: Phase::Insert,
             bound: parameters.loose_bound(),
             closing: false,
+            closed: 0.0,
             nearest: filled(count, f64::INFINITY)?,
             farthest: filled(count, 0.0)?,
             precision_limited: filled(count, false)?,
@@ -302,7 +305,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
                 insert * inserted as f64 / self.inputs as f64
             }
             Phase::Finish if self.closing => {
-                insert + finish + (1.0 - insert - finish) * self.refine.done()
+                insert + finish + (1.0 - insert - finish) * self.closed
             }
             Phase::Finish => {
                 let released = self.stats.cages_released as f64;

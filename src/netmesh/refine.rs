@@ -5,6 +5,7 @@
 //! At the end, when many are bad at once, the one with the shortest edge comes first (as in Shewchuk,
 //! "Triangle", 1996): points are then placed outward from where the mesh is fine, at the spacing that
 //! the bound asks for there. Edges are told apart by powers of sqrt 2, which is as good as sorting.
+//! The list then has the simplices of one tile at a time (`close`).
 
 use crate::memory::{Fallible, TryGrow, enqueue, expect, with_room};
 use std::collections::VecDeque;
@@ -23,9 +24,8 @@ pub(super) struct RefineList {
     /// Bit b of word w: whether bucket 64 w + b may have simplices.
     occupied: Vec<u64>,
     flags: Vec<u8>,
-    /// How often simplices were queued and came up since the order changed.
-    pushed: u64,
-    popped: u64,
+    /// Number of simplices queued.
+    waiting: usize,
 }
 
 impl RefineList {
@@ -38,8 +38,16 @@ impl RefineList {
     /// From now on the simplex with the shortest edge comes first. The list must be empty.
     pub fn sort_by_length(&mut self) -> Fallible<()> {
         debug_assert!(self.is_empty());
-        (self.pushed, self.popped) = (0, 0);
         self.make_buckets(BUCKETS)
+    }
+
+    /// After simplices got the ids of their places in `order`. The list must be empty.
+    pub fn renumber(&mut self, order: &[u32]) -> Fallible<()> {
+        debug_assert!(self.is_empty());
+        let mut flags = with_room(self.flags.capacity())?;
+        flags.extend(order.iter().map(|&old| self.flags[old as usize]));
+        self.flags = flags;
+        Ok(())
     }
 
     fn make_buckets(&mut self, count: usize) -> Fallible<()> {
@@ -78,17 +86,12 @@ impl RefineList {
         *flags |= QUEUED;
         let bucket = (length.to_bits() >> KEPT_BITS) as usize & (self.buckets.len() - 1);
         self.occupied[bucket / 64] |= 1 << (bucket % 64);
-        self.pushed += 1;
+        self.waiting += 1;
         enqueue(&mut self.buckets[bucket], simplex)
     }
 
-    /// The part of what was ever queued since the order changed that has come up.
-    pub fn done(&self) -> f64 {
-        self.popped as f64 / self.pushed.max(1) as f64
-    }
-
     pub fn is_empty(&self) -> bool {
-        self.popped == self.pushed
+        self.waiting == 0
     }
 
     pub fn pop(&mut self) -> Option<u32> {
@@ -98,7 +101,7 @@ impl RefineList {
             match self.buckets[64 * word + bit as usize].pop_front() {
                 Some(simplex) => {
                     self.flags[simplex as usize] &= !QUEUED;
-                    self.popped += 1;
+                    self.waiting -= 1;
                     return Some(simplex);
                 }
                 None => self.occupied[word] &= !(1 << bit),

@@ -1,0 +1,86 @@
+//! Locality: simplices that are near each other in the complex get ids near each other. `tick` is
+//! called once a simplex, for the caller to watch the time or to give up.
+
+use super::Complex;
+use crate::error::Result;
+use crate::memory::{TryGrow, filled, with_room};
+use crate::mesh::NONE;
+
+impl<const D: usize> Complex<D> {
+    /// The live simplices by the vertex below `anchors` that has the smallest id among their own or,
+    /// where they have none, among those of the simplices that are fewest steps away. At least one
+    /// vertex must be below `anchors`. O(simplices + anchors).
+    pub fn order_by_anchor(
+        &self,
+        anchors: usize,
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<Vec<u32>> {
+        let mut owners = filled(self.simplex_bound(), NONE)?;
+        let mut reached = with_room(self.simplex_count())?;
+        for simplex in 0..self.simplex_bound() as u32 {
+            tick()?;
+            let least = self.vertices(simplex).iter().copied().min().unwrap_or(NONE);
+            if (least as usize) < anchors && self.is_live(simplex) {
+                owners[simplex as usize] = least;
+                reached.try_push(simplex)?;
+            }
+        }
+        let mut next = 0;
+        while next < reached.len() {
+            tick()?;
+            let simplex = reached[next];
+            next += 1;
+            for &neighbor in self.neighbors(simplex) {
+                if owners[neighbor as usize] == NONE {
+                    owners[neighbor as usize] = owners[simplex as usize];
+                    reached.try_push(neighbor)?;
+                }
+            }
+        }
+        let mut starts = filled(anchors + 1, 0u32)?;
+        for &simplex in &reached {
+            starts[owners[simplex as usize] as usize + 1] += 1;
+        }
+        for at in 1..starts.len() {
+            starts[at] += starts[at - 1];
+        }
+        let mut order = filled(reached.len(), NONE)?;
+        for &simplex in &reached {
+            tick()?;
+            let at = &mut starts[owners[simplex as usize] as usize];
+            order[*at as usize] = simplex;
+            *at += 1;
+        }
+        Ok(order)
+    }
+
+    /// Gives the live simplices the ids of their places in `order`, which names each once, and
+    /// forgets the dead ones. The complex is useless after an error.
+    pub fn renumber(&mut self, order: &[u32], mut tick: impl FnMut() -> Result<()>) -> Result<()> {
+        debug_assert!(order.len() == self.simplex_count());
+        let mut ids = filled(self.simplex_bound(), NONE)?;
+        for (new, &old) in order.iter().enumerate() {
+            ids[old as usize] = new as u32;
+        }
+        let mut vertices = with_room(self.vertices.capacity())?;
+        for &old in order {
+            tick()?;
+            vertices.extend_from_slice(self.vertices(old));
+        }
+        self.vertices = vertices;
+        let mut neighbors = with_room(self.neighbors.capacity())?;
+        for &old in order {
+            tick()?;
+            neighbors.extend(self.neighbors(old).iter().map(|&n| ids[n as usize]));
+        }
+        self.neighbors = neighbors;
+        for incident in self.incident.iter_mut().filter(|simplex| **simplex != NONE) {
+            *incident = ids[*incident as usize];
+        }
+        self.free.clear();
+        self.marks.truncate(order.len());
+        self.marks.fill(0);
+        self.epoch = 0;
+        Ok(())
+    }
+}

@@ -5,7 +5,7 @@
 //! oriented alike: replacing a vertex of one by a point on the same side keeps the orientation, so
 //! a cavity is retriangulated without one orientation test.
 
-mod renumber;
+mod locality;
 mod star;
 
 use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};

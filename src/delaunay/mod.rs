@@ -8,8 +8,7 @@ mod overlap;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, expect, make_room, with_room};
+use crate::memory::{Fallible, TryGrow, expect, make_room};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
@@ -250,24 +249,6 @@ impl<const D: usize> Delaunay<D> {
             }
         };
         self.balls[simplex as usize] = ball;
-    }
-
-    /// Renumbers the simplices by [`Complex::order_by_anchor`], which it returns. The complex is useless
-    /// after an error.
-    pub fn arrange(
-        &mut self,
-        anchors: usize,
-        mut tick: impl FnMut() -> Result<()>,
-    ) -> Result<Vec<u32>> {
-        let order = self.complex.order_by_anchor(anchors, &mut tick)?;
-        let mut balls = with_room(self.balls.capacity())?;
-        for &old in &order {
-            tick()?;
-            balls.push(self.balls[old as usize]);
-        }
-        self.balls = balls;
-        self.complex.renumber(&order, tick)?;
-        Ok(order)
     }
 
     /// Frees the D-balls: nothing is inserted or located any more.

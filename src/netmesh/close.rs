@@ -42,33 +42,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.bound = self.parameters.quality_bound;
         self.closing = true;
         self.phase = Phase::Finish;
-        if self.delaunay.complex().simplex_count() > SMALL {
-            self.arrange_simplices()?;
-        }
         self.refine.sort_by_length()?;
-        while self.close_tiles()? {}
+        let watch = &mut self.watch;
+        let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
+        let tile = if order.len() > SMALL { TILE } else { SMALL };
+        for (at, tile) in order.chunks(tile).enumerate() {
+            self.close_simplices(tile.iter().copied())?;
+            self.closed = (at * TILE) as f64 / order.len() as f64;
+        }
+        while self.close_simplices(0..self.delaunay.complex().simplex_bound() as u32)? {}
         Ok(())
     }
 
-    /// A look at all simplices, tile by tile; whether one was bad.
-    fn close_tiles(&mut self) -> Result<bool> {
-        let count = self.delaunay.complex().simplex_bound();
-        let tile = if count > SMALL { TILE } else { count };
-        let mut was_bad = false;
-        let mut end = 0;
-        while end < self.delaunay.complex().simplex_bound() {
-            let begin = end;
-            end = (begin + tile).min(self.delaunay.complex().simplex_bound());
-            for simplex in begin as u32..end as u32 {
-                self.watch.tick(1)?;
-                if self.delaunay.complex().is_live(simplex) {
-                    self.examine(simplex)?;
-                }
+    /// Mends those of some simplices that are bad, with all that gets bad by it; whether any was.
+    fn close_simplices(&mut self, simplices: impl IntoIterator<Item = u32>) -> Result<bool> {
+        for simplex in simplices {
+            self.watch.tick(1)?;
+            if self.delaunay.complex().is_live(simplex) {
+                self.examine(simplex)?;
             }
-            was_bad |= !self.refine.is_empty();
-            self.clean()?;
-            self.closed = (end as f64 / count as f64).min(1.0);
         }
+        let was_bad = !self.refine.is_empty();
+        self.clean()?;
         Ok(was_bad)
     }
 

@@ -98,13 +98,6 @@ impl Location {
         expect(&mut self.counts, simplices);
     }
 
-    /// Once all inputs are inserted: no simplex is a home.
-    pub fn forget_homes(&mut self) {
-        debug_assert!(self.remaining == 0);
-        self.heads.clear();
-        self.counts.clear();
-    }
-
     /// An input that was inserted before inputs got homes.
     pub fn dismiss_homeless(&mut self) {
         self.remaining -= 1;

@@ -3,11 +3,10 @@
 //! GROWCAGE, RELEASECAGE), `site` (MEDIALITY and the cages' radii),
 //! `encroach` (INENCROACH, OUTENCROACH), `clean` (CLEAN, YIELDINGINSERT), `refine` (REFINELIST), `quality`
 //! (Definition 4 as the refinement tests it), `finish` (FINISHMESH), `close` (the bound for all cells),
-//! `order` and `arrange` (locality of inputs and simplices),
+//! `order` (locality of inputs),
 //! `steiner` (where a Steiner point goes), `svr` (§3, the baseline). `instruments` measures what the
 //! theorems promise.
 
-mod arrange;
 mod cage;
 mod clean;
 mod close;

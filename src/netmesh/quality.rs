@@ -54,7 +54,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
             let simplex = self.scratch.star[at];
-            let Some(radius) = self.delaunay.ball(simplex).map(|ball| ball.radius) else { continue };
+            let Some(radius) = self.delaunay.ball(simplex).map(|ball| ball.radius) else {
+                continue;
+            };
             farthest = farthest.max(radius);
             if nearest < self.nearest_allowed(radius) {
                 self.examine(simplex)?;
@@ -73,8 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_suspect(simplex)
-            && (self.is_bad(simplex) || self.open_domain(simplex).is_some())
+        if self.is_suspect(simplex) && (self.is_bad(simplex) || self.open_domain(simplex).is_some())
         {
             self.queue(simplex)?;
         }

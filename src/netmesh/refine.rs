@@ -41,15 +41,6 @@ impl RefineList {
         self.make_buckets(BUCKETS)
     }
 
-    /// After simplices got the ids of their places in `order`. The list must be empty.
-    pub fn renumber(&mut self, order: &[u32]) -> Fallible<()> {
-        debug_assert!(self.is_empty());
-        let mut flags = with_room(self.flags.capacity())?;
-        flags.extend(order.iter().map(|&old| self.flags[old as usize]));
-        self.flags = flags;
-        Ok(())
-    }
-
     fn make_buckets(&mut self, count: usize) -> Fallible<()> {
         let mut buckets = with_room(count)?;
         buckets.extend((0..count).map(|_| VecDeque::new()));
@@ -147,8 +138,9 @@ mod tests {
         assert_eq!(pop_all(&mut list), [5, 1, 3, 0, 4, 2]);
         list.push(7, 2.0).unwrap();
         list.push(6, 1.0).unwrap();
-        assert_eq!((list.done(), list.pop()), (0.75, Some(6)));
+        assert_eq!(list.pop(), Some(6));
         list.push(6, 1e-9).unwrap();
         assert_eq!(pop_all(&mut list), [6, 7]);
+        assert!(list.is_empty());
     }
 }

@@ -1,5 +1,4 @@
-//! Locality: simplices that are near each other in the complex get ids near each other. `tick` is
-//! called once a simplex, for the caller to watch the time or to give up.
+//! An order of locality: simplices that are near each other in the complex come near each other.
 
 use super::Complex;
 use crate::error::Result;
@@ -7,9 +6,10 @@ use crate::memory::{TryGrow, filled, with_room};
 use crate::mesh::NONE;
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices by the vertex below `anchors` that has the smallest id among their own or,
+    /// The live simplices, by the vertex below `anchors` that has the smallest id among their own or,
     /// where they have none, among those of the simplices that are fewest steps away. At least one
-    /// vertex must be below `anchors`. O(simplices + anchors).
+    /// vertex must be below `anchors`. `tick` is called for every simplex, so that the caller can watch the
+    /// time or give up. O(simplices + anchors).
     pub fn order_by_anchor(
         &self,
         anchors: usize,
@@ -52,35 +52,5 @@ impl<const D: usize> Complex<D> {
             *at += 1;
         }
         Ok(order)
-    }
-
-    /// Gives the live simplices the ids of their places in `order`, which names each once, and
-    /// forgets the dead ones. The complex is useless after an error.
-    pub fn renumber(&mut self, order: &[u32], mut tick: impl FnMut() -> Result<()>) -> Result<()> {
-        debug_assert!(order.len() == self.simplex_count());
-        let mut ids = filled(self.simplex_bound(), NONE)?;
-        for (new, &old) in order.iter().enumerate() {
-            ids[old as usize] = new as u32;
-        }
-        let mut vertices = with_room(self.vertices.capacity())?;
-        for &old in order {
-            tick()?;
-            vertices.extend_from_slice(self.vertices(old));
-        }
-        self.vertices = vertices;
-        let mut neighbors = with_room(self.neighbors.capacity())?;
-        for &old in order {
-            tick()?;
-            neighbors.extend(self.neighbors(old).iter().map(|&n| ids[n as usize]));
-        }
-        self.neighbors = neighbors;
-        for incident in self.incident.iter_mut().filter(|simplex| **simplex != NONE) {
-            *incident = ids[*incident as usize];
-        }
-        self.free.clear();
-        self.marks.truncate(order.len());
-        self.marks.fill(0);
-        self.epoch = 0;
-        Ok(())
     }
 }

@@ -9,6 +9,7 @@
 
 mod affine;
 mod circumball;
+mod cramer;
 mod edges;
 mod exact;
 mod in_ball;

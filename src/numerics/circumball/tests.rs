@@ -1,0 +1,336 @@
+//! Decisions against exact signs, centres against exact rationals, and the limits of both.
+
+use super::*;
+use crate::numerics::testing::*;
+use crate::numerics::{Sign, in_ball, orientation};
+
+/// A positively oriented simplex of the family, if this draw is not flat.
+fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f64; D]>> {
+    let mut corners = points::<D>(family, D + 1, random);
+    match orientation(&references(&corners)) {
+        Sign::Positive => Some(corners),
+        Sign::Negative => {
+            corners.swap(0, 1);
+            Some(corners)
+        }
+        Sign::Zero => None,
+    }
+}
+
+/// Query points: of the family, a vertex moved by a few ulps, and a point almost on the sphere.
+fn queries<const D: usize>(
+    family: Family,
+    corners: &[[f64; D]],
+    center: &[f64; D],
+    random: &mut Random,
+) -> Vec<[f64; D]> {
+    let mut queries = points::<D>(family, 3, random);
+    let corner = corners[random.integer(0, D as i64) as usize];
+    queries.push(corner.map(|x| f64::from_bits(x.to_bits() ^ random.bits() & 3)));
+    queries.push(corner.map(|x| x * (1.0 + random.unit() * 1e-9)));
+    let turn = random.integer(0, D as i64 - 1) as usize;
+    queries.push(std::array::from_fn(|i| {
+        if i == turn { center[i] - (corner[i] - center[i]) } else { corner[i] }
+    }));
+    queries.retain(|q| q.iter().all(|x| x.is_finite()));
+    queries
+}
+
+/// Compares decisions with exact signs; returns how many tests there were of a family, and how
+/// many of them the filter decided.
+fn decisions<const D: usize>(family: Family, trials: usize) -> (usize, usize) {
+    let mut random = Random(family as u64 * 1000 + D as u64);
+    let (mut tested, mut decided) = (0, 0);
+    for _ in 0..trials {
+        let Some(corners) = simplex::<D>(family, &mut random) else { continue };
+        let simplex = references(&corners);
+        let ball = Circumball::new(&simplex);
+        let anchor = &corners[ball.anchor as usize];
+        for q in queries(family, &corners, &ball.center_point(anchor), &mut random) {
+            tested += 1;
+            let Some(inside) = ball.side(anchor, &q) else { continue };
+            decided += 1;
+            let expected = if inside { Sign::Positive } else { Sign::Negative };
+            assert_eq!(in_ball(&simplex, &q), expected, "{family:?} {corners:?} {q:?} {ball:?}");
+        }
+    }
+    (tested, decided)
+}
+
+fn side_agrees_with_exact_signs<const D: usize>() {
+    let mut total = 0;
+    for family in FAMILIES {
+        let (tested, decided) = decisions::<D>(family, 3600);
+        total += tested;
+        // The three queries of the family itself; those near the sphere may stay open.
+        if matches!(family, Family::Uniform | Family::FarCluster | Family::MixedScales) {
+            assert!(decided * 2 > tested, "{family:?} {decided} of {tested}");
+        }
+    }
+    assert!(total >= 200_000, "{total}");
+}
+
+#[test]
+fn side_agrees_with_exact_signs_in_2d() {
+    side_agrees_with_exact_signs::<2>();
+}
+
+#[test]
+fn side_agrees_with_exact_signs_in_3d() {
+    side_agrees_with_exact_signs::<3>();
+}
+
+#[test]
+fn side_agrees_with_exact_signs_in_4d() {
+    side_agrees_with_exact_signs::<4>();
+}
+
+#[test]
+fn side_agrees_with_exact_signs_in_5d() {
+    side_agrees_with_exact_signs::<5>();
+}
+
+#[test]
+fn side_agrees_with_exact_signs_in_6d() {
+    side_agrees_with_exact_signs::<6>();
+}
+
+fn error_bounds_hold<const D: usize>(trials: usize) {
+    for family in FAMILIES {
+        let mut random = Random(family as u64 * 1000 + 500 + D as u64);
+        for _ in 0..trials {
+            let Some(corners) = simplex::<D>(family, &mut random) else { continue };
+            let simplex = references(&corners);
+            let ball = Circumball::new(&simplex);
+            if ball.error == f64::INFINITY {
+                assert_eq!(ball.radius, f64::INFINITY);
+                continue;
+            }
+            let size = largest_magnitude(&ball.center);
+            let for_side = side_units(D) * norm(&ball.center);
+            assert!((for_side..=1e-9 * size).contains(&ball.error), "{ball:?}");
+            let (numerators, denominator) = circumcenter_oracle(&simplex, ball.anchor as usize);
+            let exponent = 1023 - i64::from(biased_exponent(ball.scale));
+            for (value, numerator) in ball.center.iter().zip(&numerators) {
+                let quotient = (numerator, &denominator);
+                let close = is_close(*value, ball.error - for_side, exponent, quotient);
+                assert!(close, "{family:?} {corners:?} {ball:?}");
+            }
+            let length = scale_by_power(norm(&ball.center), exponent);
+            let difference = (ball.radius - length).abs();
+            assert!(ball.radius == length || difference <= 1e-15 * length, "{ball:?}");
+        }
+    }
+}
+
+#[test]
+fn centres_are_within_their_error_bounds() {
+    error_bounds_hold::<2>(400);
+    error_bounds_hold::<3>(300);
+    error_bounds_hold::<4>(100);
+    error_bounds_hold::<6>(10);
+}
+
+#[test]
+fn far_points_are_outside_and_limits_are_undecided() {
+    let ball = Circumball::new(&[&[0.0, 0.0], &[1.0, 0.0], &[0.0, 1.0]]);
+    let anchor = [0.0, 0.0];
+    assert_eq!((ball.anchor, ball.radius), (0, 0.5f64.sqrt()));
+    assert_eq!(ball.center_point(&anchor), [0.5, 0.5]);
+    assert_eq!(ball.side(&anchor, &[1e200, 0.0]), Some(false));
+    assert_eq!(ball.side(&anchor, &[-1e200, 0.0]), Some(false));
+    assert_eq!(ball.side(&anchor, &[-f64::MAX, f64::MAX]), Some(false));
+    assert_eq!(ball.side(&anchor, &[1.0, 1.0]), None);
+    assert_eq!(ball.side(&anchor, &[1e-200, 1e-200]), Some(true));
+    assert_eq!(ball.side(&anchor, &[1e-300, 1e-300]), None);
+    let flat = Circumball::new(&[&[0.0, 0.0], &[1.0, 1.0], &[2.0, 2.0]]);
+    assert!(flat.error == f64::INFINITY && flat.radius == f64::INFINITY);
+    assert!(flat.center_point(&anchor)[0].is_nan());
+    assert_eq!(flat.side(&anchor, &[5.0, 1.0]), None);
+}
+
+#[test]
+fn generic_simplices_need_no_integers() {
+    fn check<const D: usize>() {
+        let mut random = Random(D as u64);
+        for _ in 0..100 {
+            let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+            for scale in [1.0, 2f64.powi(-600), 2f64.powi(600)] {
+                let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+                let simplex = references(&scaled);
+                assert!((0..=D).all(|anchor| Circumball::in_floats(&simplex, anchor).is_some()));
+            }
+        }
+    }
+    check::<2>();
+    check::<3>();
+    check::<5>();
+    // An edge 2^850 times longer than another.
+    let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 2f64.powi(850)]];
+    assert!(Circumball::in_floats(&references(&points), 0).is_some());
+}
+
+/// Centres that are wrong by all that `error` admits, and points that they are wrong about.
+#[test]
+fn what_the_error_leaves_open_is_undecided() {
+    for (sign, axis, exponent) in [(1.0, 0, 0), (-1.0, 0, 500), (1.0, 1, -500), (-1.0, 1, 0)] {
+        let along = |x: f64| -> [f64; 2] {
+            std::array::from_fn(|k| if k == axis { sign * x } else { 0.0 })
+        };
+        let side = |error: f64, distance: f64| {
+            let scale = 2f64.powi(1 - exponent);
+            let ball = Circumball { anchor: 0, scale, center: along(2.0), error, radius: 1.0 };
+            ball.side(&[0.0; 2], &along(distance).map(|x| x * 2f64.powi(exponent)))
+        };
+        // The true sphere ends up to `error` before or behind 2.
+        let error = 2f64.powi(-20);
+        for slip in [-0.99, 0.99] {
+            assert_eq!(side(error, 2.0 + slip * error), None);
+        }
+        assert_eq!(side(error, 2.0 - 1.01 * error), Some(true));
+        assert_eq!(side(error, 2.0 + 1.01 * error), Some(false));
+        // With the least error, what is allowed for roundings: 7 units of the centre's length.
+        let least = side_units(2) * 2.0;
+        for slip in [-12.0, 12.0] {
+            assert_eq!(side(least, 2.0 + slip * UNIT), None);
+            assert!(side(least, 2.0 + 1.4 * slip * UNIT).is_some());
+        }
+    }
+    assert_eq!([side_units(2), side_units(8)], [7.0 * UNIT, 13.0 * UNIT]);
+}
+
+/// Everyday simplices are solved at their first vertex, with an error as good as at any other.
+#[test]
+fn well_shaped_simplices_are_solved_at_once() {
+    fn check<const D: usize>() {
+        let mut random = Random(40 + D as u64);
+        for trial in 0..100 {
+            let scale = 2f64.powi(random.integer(-60, 60) as i32);
+            let corners: Vec<[f64; D]> = (0..=D)
+                .map(|i| {
+                    std::array::from_fn(|k| {
+                        scale * (f64::from(u8::from(i == k)) + 0.1 * random.unit())
+                    })
+                })
+                .collect();
+            let ball = Circumball::new(&references(&corners));
+            assert_eq!((ball.anchor, ball.scale), (0, PLAIN), "{trial}");
+            assert!(ball.error < 3000.0 * UNIT * ball.radius);
+            assert!(Circumball::by_cramer(&references(&corners), 0, 0.5).is_none());
+        }
+    }
+    check::<2>();
+    check::<3>();
+    check::<4>();
+}
+
+/// A short edge far from the first vertex: points about it need no exact arithmetic, however short
+/// the edge is.
+#[test]
+fn huge_balls_tell_the_points_of_a_tiny_cluster_apart() {
+    fn check<const D: usize>() {
+        let mut random = Random(60 + D as u64);
+        for depth in [4, 10, 20, 40, 80, 300] {
+            let (mut tested, mut decided) = (0, 0);
+            for _ in 0..50 {
+                let tiny = 2f64.powi(-depth);
+                let mut near = || -> [f64; D] { std::array::from_fn(|_| tiny * random.unit()) };
+                let (a, b, queries) = (near(), near(), [near(), near(), near()]);
+                let mut corners = points::<D>(Family::Uniform, D + 1, &mut random);
+                (corners[D - 1], corners[D]) = (a, b);
+                match orientation(&references(&corners)) {
+                    Sign::Negative => corners.swap(D - 1, D),
+                    Sign::Zero => continue,
+                    Sign::Positive => {}
+                }
+                let simplex = references(&corners);
+                let ball = Circumball::new(&simplex);
+                let anchor = ball.anchor as usize;
+                assert!(depth < 20 || anchor >= D - 1, "{ball:?}");
+                for q in queries {
+                    tested += 1;
+                    let Some(inside) = ball.side(&corners[anchor], &q) else { continue };
+                    decided += 1;
+                    assert_eq!(inside, in_ball(&simplex, &q) == Sign::Positive);
+                }
+            }
+            assert!(tested > 100 && decided * 100 >= tested * 99, "{depth} {decided} {tested}");
+        }
+    }
+    check::<2>();
+    check::<3>();
+    check::<4>();
+    check::<5>();
+}
+
+/// Balls of the same shape on both sides of the limits where scaling begins decide alike.
+#[test]
+fn scaled_balls_decide_like_plain_ones() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, 1.0]];
+    for exponent in [-700, -204, -196, -92, -88, 0, 88, 92, 196, 204, 400] {
+        let scale = 2f64.powi(exponent);
+        let scaled = corners.map(|p| p.map(|x| x * scale));
+        let ball = Circumball::new(&references(&scaled));
+        assert_eq!(ball.scale == PLAIN, exponent.abs() < 200, "{exponent}");
+        let anchor = &scaled[ball.anchor as usize];
+        let side = |q: [f64; 3]| ball.side(anchor, &q.map(|x| x * scale));
+        assert_eq!(side([0.5, 0.5, 0.5]), Some(true));
+        assert_eq!(side([1.5, 1.5, -1.0]), Some(false));
+        assert_eq!(side([-1e9, 0.0, 0.0]), Some(false));
+        assert_eq!(corners.map(side), [None; 4]);
+    }
+}
+
+#[test]
+fn the_anchor_is_on_the_shortest_edge() {
+    fn check<const D: usize>() {
+        let mut random = Random(D as u64);
+        for _ in 0..200 {
+            let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+            let length = |i: usize, j: usize| -> f64 {
+                (0..D).map(|k| (corners[i][k] - corners[j][k]).abs()).sum()
+            };
+            let edges = (0..D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
+            let shortest = edges.min_by(|a, b| length(a.0, a.1).total_cmp(&length(b.0, b.1)));
+            let tiny: Vec<_> = corners.iter().map(|p| p.map(|x| x * 2f64.powi(-600))).collect();
+            for corners in [&corners, &tiny] {
+                assert_eq!(shortest_edge(&references(corners)), shortest.expect("edges").0);
+            }
+        }
+    }
+    check::<2>();
+    check::<3>();
+    check::<8>();
+}
+
+#[test]
+fn scales_are_clamped_and_radii_limited() {
+    let mut random = Random(3);
+    for exponent in [-1015, -1005, -995, 995, 1005, 1015] {
+        let scale = 2f64.powi(exponent);
+        let corners = points::<2>(Family::Uniform, 3, &mut random);
+        let unscaled = Circumball::new(&references(&corners));
+        let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+        let ball = Circumball::new(&references(&scaled));
+        assert!((2f64.powi(-1000)..=2f64.powi(1000)).contains(&ball.scale));
+        let expected = unscaled.radius * scale;
+        assert!((ball.radius / expected - 1.0).abs() < 1e-8, "{exponent}");
+    }
+    // A radius of about 2^1500.
+    let arc = [[0.0, 0.0], [2f64.powi(500), 0.0], [2f64.powi(501), 2f64.powi(-500)]];
+    assert_eq!(Circumball::new(&references(&arc)).error, f64::INFINITY);
+    // Of about 2^989, where the solution overflows in units of the longest edge, 2^-40.
+    let (w, h) = (2f64.powi(-40), 2f64.powi(-1030) * 2f64.powi(-40));
+    let ball = Circumball::new(&references(&[[0.0, 0.0], [w, h], [-w, h]]));
+    assert!(ball.error < 1e-9 && (ball.radius / 2f64.powi(989) - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn huge_balls_at_the_end_of_the_range_are_sound() {
+    let (a, b, c) = ([-f64::MAX, 0.0], [f64::MAX, 0.0], [0.0, f64::MAX]);
+    let ball = Circumball::new(&[&a, &b, &c]);
+    assert!((ball.radius / f64::MAX - 1.0).abs() < 1e-15);
+    let anchor = [a, b, c][ball.anchor as usize];
+    assert_eq!(ball.side(&anchor, &[0.0, -0.9 * f64::MAX]), Some(true));
+    assert_ne!(ball.side(&anchor, &[f64::MAX, -f64::MAX]), Some(true));
+}

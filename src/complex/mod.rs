@@ -166,13 +166,21 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// Starts a search: afterwards no simplex is marked. The two marks are independent.
-    pub fn begin_marks(&mut self) {
+    /// Starts a search: afterwards no simplex is marked. The two marks are independent. Returns what
+    /// [`Self::has_marks_of`] knows the search by.
+    pub fn begin_marks(&mut self) -> u32 {
         if self.epoch >= u32::MAX - 2 {
             self.marks.fill(0);
             self.epoch = 0;
         }
         self.epoch += 2;
+        self.epoch
+    }
+
+    /// Whether no other search began since the one that got this number.
+    #[inline]
+    pub fn has_marks_of(&self, search: u32) -> bool {
+        self.epoch == search
     }
 
     #[inline]

@@ -24,6 +24,8 @@ pub(crate) struct Cavity {
     pub boundary: Vec<Facet>,
     /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
     pub starts: Vec<u32>,
+    /// The search that marked `simplices`.
+    search: u32,
 }
 
 /// The D-ball of a finite simplex, with the vertex that its centre is relative to at hand.
@@ -189,7 +191,7 @@ impl<const D: usize> Delaunay<D> {
         cavity.simplices.clear();
         cavity.boundary.clear();
         cavity.starts.clear();
-        self.complex.begin_marks();
+        cavity.search = self.complex.begin_marks();
         self.complex.mark_inside(start);
         cavity.simplices.try_push(start)?;
         let mut next = 0;
@@ -199,17 +201,18 @@ impl<const D: usize> Delaunay<D> {
             cavity.starts.try_push(cavity.boundary.len() as u32)?;
             for index in 0..=D {
                 let beyond = self.complex.neighbors(simplex)[index];
+                if self.complex.is_inside(beyond) {
+                    continue;
+                }
                 if !self.complex.is_marked(beyond) {
                     if self.in_conflict(beyond, q) {
                         self.complex.mark_inside(beyond);
                         cavity.simplices.try_push(beyond)?;
-                    } else {
-                        self.complex.mark_outside(beyond);
+                        continue;
                     }
+                    self.complex.mark_outside(beyond);
                 }
-                if !self.complex.is_inside(beyond) {
-                    cavity.boundary.try_push(Facet { simplex, index: index as u32, beyond })?;
-                }
+                cavity.boundary.try_push(Facet { simplex, index: index as u32, beyond })?;
             }
         }
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
@@ -222,9 +225,11 @@ impl<const D: usize> Delaunay<D> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
         make_room(created, cavity.boundary.len())?;
-        self.complex.begin_marks();
-        for &simplex in &cavity.simplices {
-            self.complex.mark_inside(simplex);
+        if !self.complex.has_marks_of(cavity.search) {
+            self.complex.begin_marks();
+            for &simplex in &cavity.simplices {
+                self.complex.mark_inside(simplex);
+            }
         }
         self.complex.retriangulate(vertex, &cavity.simplices, &cavity.boundary, created);
         self.cover_balls()?;

@@ -23,34 +23,37 @@ pub(super) struct Node<const D: usize> {
     pub cage: Vec<u32>,
 }
 
+#[derive(Clone, Copy)]
+struct Place {
+    /// A domain that [`Hierarchy::find`] resolves to the innermost one; [`NONE`] if not inserted.
+    label: u32,
+    /// The domain whose cage the vertex was made for.
+    cage: u32,
+}
+
+impl Place {
+    const NOWHERE: Self = Self { label: NONE, cage: NONE };
+}
+
 pub(super) struct Hierarchy<const D: usize> {
     nodes: Vec<Node<D>>,
-    /// Vertex -> a domain that [`Self::find`] resolves to the innermost one; [`NONE`] if not inserted.
-    labels: Vec<u32>,
-    /// Vertex -> the domain whose cage it was made for.
-    cages: Vec<u32>,
+    /// Vertex -> where it is.
+    places: Vec<Place>,
     alive: usize,
 }
 
 impl<const D: usize> Hierarchy<D> {
     pub fn new(vertices: usize) -> Fallible<Self> {
-        Ok(Self {
-            nodes: Vec::new(),
-            labels: filled(vertices, NONE)?,
-            cages: filled(vertices, NONE)?,
-            alive: 0,
-        })
+        Ok(Self { nodes: Vec::new(), places: filled(vertices, Place::NOWHERE)?, alive: 0 })
     }
 
     /// Makes room for so many vertices if the system gives it.
     pub fn expect(&mut self, vertices: usize) {
-        expect(&mut self.labels, vertices);
-        expect(&mut self.cages, vertices);
+        expect(&mut self.places, vertices);
     }
 
     pub fn add_vertex(&mut self) -> Fallible<()> {
-        self.labels.try_push(NONE)?;
-        self.cages.try_push(NONE)
+        self.places.try_push(Place::NOWHERE)
     }
 
     /// Number of domains ever created; ids are below it.
@@ -138,8 +141,8 @@ impl<const D: usize> Hierarchy<D> {
     /// The innermost domain of an inserted vertex.
     #[inline]
     pub fn domain_of(&mut self, vertex: u32) -> u32 {
-        let domain = self.find(self.labels[vertex as usize]);
-        self.labels[vertex as usize] = domain;
+        let domain = self.find(self.places[vertex as usize].label);
+        self.places[vertex as usize].label = domain;
         domain
     }
 
@@ -148,26 +151,26 @@ impl<const D: usize> Hierarchy<D> {
     #[inline]
     pub fn is_alike(&self, vertices: &[u32]) -> bool {
         self.is_single() || {
-            let label = |vertex: u32| self.labels[vertex as usize];
+            let label = |vertex: u32| self.places[vertex as usize].label;
             let first = label(vertices[0]);
             vertices[1..].iter().all(|&vertex| label(vertex) == first)
         }
     }
 
     pub fn set_domain(&mut self, vertex: u32, domain: u32) {
-        self.labels[vertex as usize] = domain;
+        self.places[vertex as usize].label = domain;
     }
 
     /// Makes `vertex` part of the cage of `domain`.
     pub fn join_cage(&mut self, vertex: u32, domain: u32) -> Fallible<()> {
-        self.cages[vertex as usize] = domain;
+        self.places[vertex as usize].cage = domain;
         self.node_mut(domain).cage.try_push(vertex)
     }
 
     /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.
     #[inline]
     pub fn cage_of(&self, vertex: u32) -> u32 {
-        match self.cages[vertex as usize] {
+        match self.places[vertex as usize].cage {
             NONE => NONE,
             cage if self.node(cage).alive => cage,
             _ => NONE,

@@ -18,6 +18,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.hierarchy.is_single() {
             return ROOT;
         }
+        if self.hierarchy.is_alike(&self.scratch.corners.ids) {
+            let domain = self.hierarchy.domain_of(self.scratch.corners.ids[0]);
+            return self.hierarchy.climb_to(domain, x);
+        }
         let mut innermost = ROOT;
         for at in 0..self.scratch.corners.ids.len() {
             let from = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
@@ -61,6 +65,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn enter(&mut self, x: &[f64; D]) -> Fallible<u32> {
         if self.hierarchy.is_single() {
             return Ok(ROOT);
+        }
+        if self.hierarchy.is_alike(&self.scratch.corners.ids) {
+            let domain = self.hierarchy.domain_of(self.scratch.corners.ids[0]);
+            if self.hierarchy.contains(domain, x) {
+                return Ok(domain);
+            }
         }
         let reach = self.parameters.encroachment / self.parameters.epsilon;
         for at in 0..self.scratch.corners.ids.len() {

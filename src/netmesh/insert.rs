@@ -114,12 +114,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for &neighbor in &neighbors {
             let gap = distance(&x, self.delaunay.point(neighbor));
             nearest = nearest.min(gap);
-            if gap < self.nearest[neighbor as usize] {
-                self.nearest[neighbor as usize] = gap;
+            if gap < self.cells[neighbor as usize].nearest {
+                self.cells[neighbor as usize].nearest = gap;
                 nearer.try_push(neighbor)?;
             }
         }
-        self.nearest[vertex as usize] = nearest;
+        self.cells[vertex as usize].nearest = nearest;
         if !self.hierarchy.is_single() {
             self.update_clearances(vertex, &neighbors)?;
         }
@@ -144,7 +144,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .filter(|&&other| some(other).is_some() && other != vertex)
             .map(|&other| distance(x, self.delaunay.point(other)))
             .fold(f64::INFINITY, f64::min);
-        self.nearest[vertex as usize] = nearest;
-        self.farthest[vertex as usize] = f64::INFINITY;
+        self.cells[vertex as usize].nearest = nearest;
+        self.cells[vertex as usize].farthest = f64::INFINITY;
     }
 }

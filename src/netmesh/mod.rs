@@ -114,10 +114,8 @@ struct Mesher<'a, 'b, const D: usize> {
     /// Whether cells answer for all their corners, and the part of the mesh where they do (`close`).
     closing: bool,
     closed: f64,
-    /// Vertex -> distance to its nearest neighbour in the mesh.
-    nearest: Vec<f64>,
-    /// Vertex -> no smaller than the radius of any D-ball at it, that is its farthest corner.
-    farthest: Vec<f64>,
+    /// Vertex -> the extent of its Voronoi cell.
+    cells: Vec<Cell>,
     /// Vertices next to which doubles ran out when a cage was wanted.
     precision_limited: Vec<bool>,
     /// Number of distinct inputs.
@@ -132,6 +130,19 @@ struct Mesher<'a, 'b, const D: usize> {
     stats: Stats,
     instruments: Instruments,
     scratch: Scratch,
+}
+
+/// The extent of a vertex's Voronoi cell.
+#[derive(Clone, Copy)]
+struct Cell {
+    /// The distance to the nearest neighbour in the mesh.
+    nearest: f64,
+    /// No smaller than the radius of any D-ball at the vertex, that is its farthest corner.
+    farthest: f64,
+}
+
+impl Cell {
+    const NEW: Self = Self { nearest: f64::INFINITY, farthest: 0.0 };
 }
 
 /// Buffers that every insertion uses again.
@@ -219,8 +230,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             bound: parameters.loose_bound(),
             closing: false,
             closed: 0.0,
-            nearest: filled(count, f64::INFINITY)?,
-            farthest: filled(count, 0.0)?,
+            cells: filled(count, Cell::NEW)?,
             precision_limited: filled(count, false)?,
             inputs: count,
             order,
@@ -253,8 +263,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         self.location.expect(simplices);
         self.refine.expect(simplices);
         self.hierarchy.expect(vertices);
-        expect(&mut self.nearest, vertices);
-        expect(&mut self.farthest, vertices);
+        expect(&mut self.cells, vertices);
         expect(&mut self.precision_limited, vertices);
     }
 
@@ -276,8 +285,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             return Err(limit(self.parameters.max_vertices, count + 1));
         }
         self.hierarchy.add_vertex()?;
-        self.nearest.try_push(f64::INFINITY)?;
-        self.farthest.try_push(0.0)?;
+        self.cells.try_push(Cell::NEW)?;
         self.precision_limited.try_push(false)?;
         Ok(self.delaunay.add_point(x)?)
     }

@@ -69,7 +69,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()?;
         self.refine = RefineList::default();
         self.scratch = Scratch::default();
-        self.nearest = Vec::new();
+        self.cells = Vec::new();
         Ok(())
     }
 
@@ -154,8 +154,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
         let mut limited = std::mem::take(&mut self.precision_limited);
-        for (limited, &nearest) in limited.iter_mut().zip(&self.nearest) {
-            *limited |= nearest < SUBNORMAL;
+        for (limited, cell) in limited.iter_mut().zip(&self.cells) {
+            *limited |= cell.nearest < SUBNORMAL;
         }
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
             self.watch.tick(1)?;

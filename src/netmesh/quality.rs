@@ -17,13 +17,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn examine_created(&mut self) -> Fallible<()> {
         for at in 0..self.scratch.created.len() {
             let simplex = self.scratch.created[at];
-            if let Some(ball) = self.delaunay.ball(simplex) {
-                for &vertex in self.delaunay.complex().vertices(simplex) {
-                    let farthest = &mut self.farthest[vertex as usize];
-                    *farthest = farthest.max(ball.radius);
-                }
+            let Some(ball) = self.delaunay.ball(simplex) else { continue };
+            let allowed = self.nearest_allowed(ball.radius);
+            let vertices = self.delaunay.complex().vertices(simplex);
+            let mut is_suspect = !self.hierarchy.is_alike(vertices);
+            for &vertex in vertices {
+                let cell = &mut self.cells[vertex as usize];
+                cell.farthest = cell.farthest.max(ball.radius);
+                is_suspect |= cell.nearest < allowed;
             }
-            self.examine(simplex)?;
+            if is_suspect {
+                self.examine_suspect(simplex)?;
+            }
         }
         Ok(())
     }
@@ -37,16 +42,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
             farthest = farthest.max(self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius));
             self.examine(simplex)?;
         }
-        self.farthest[vertex as usize] = farthest;
+        self.cells[vertex as usize].farthest = farthest;
         Ok(())
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
     /// edges there are what they were, and so is all that other cells depend on.
     pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
-        let nearest = self.nearest[vertex as usize];
+        let nearest = self.cells[vertex as usize].nearest;
         if self.parameters.criterion == Criterion::RadiusEdge
-            || nearest >= self.nearest_allowed(self.farthest[vertex as usize])
+            || nearest >= self.nearest_allowed(self.cells[vertex as usize].farthest)
         {
             return Ok(());
         }
@@ -62,7 +67,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.examine(simplex)?;
             }
         }
-        self.farthest[vertex as usize] = farthest;
+        self.cells[vertex as usize].farthest = farthest;
         Ok(())
     }
 
@@ -75,8 +80,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_suspect(simplex) && (self.is_bad(simplex) || self.open_domain(simplex).is_some())
-        {
+        if self.is_suspect(simplex) { self.examine_suspect(simplex) } else { Ok(()) }
+    }
+
+    fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
+        if self.is_bad(simplex) || self.open_domain(simplex).is_some() {
             self.queue(simplex)?;
         }
         Ok(())
@@ -88,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let allowed = self.nearest_allowed(ball.radius);
         let vertices = self.delaunay.complex().vertices(simplex);
-        vertices.iter().any(|&vertex| self.nearest[vertex as usize] < allowed)
+        vertices.iter().any(|&vertex| self.cells[vertex as usize].nearest < allowed)
             || !self.hierarchy.is_alike(vertices)
     }
 
@@ -143,7 +151,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];
-            let nearest = self.nearest[vertex as usize];
+            let nearest = self.cells[vertex as usize].nearest;
             if nearest < least && counts(self, vertex) {
                 least = nearest;
                 worst = Some(vertex);
@@ -166,7 +174,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn is_short(&self, simplex: u32, radius: f64) -> bool {
         let shortest_allowed = self.nearest_allowed(radius);
         let vertices = self.delaunay.complex().vertices(simplex);
-        vertices.iter().any(|&v| self.nearest[v as usize] < shortest_allowed)
+        vertices.iter().any(|&v| self.cells[v as usize].nearest < shortest_allowed)
             && self.shortest_edge(simplex).2 < shortest_allowed
     }
 

@@ -42,7 +42,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let child = self.hierarchy.child_towards(parent, center);
         let clearance = match child {
             Some(child) => self.hierarchy.node(child).outside,
-            None => self.nearest[center as usize],
+            None => self.cells[center as usize].nearest,
         };
         let most = self.radius_within(clearance) / self.spare_room();
         let most = most.min(self.room_inside(parent, center));

@@ -76,7 +76,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
         let vertex = self.worst_inner_cell(simplex, corner.radius)?;
-        let allowed = 0.5 * self.bound * self.nearest[vertex as usize];
+        let allowed = 0.5 * self.bound * self.cells[vertex as usize].nearest;
         let radius = cell_reach::<D>() * allowed;
         let from = self.delaunay.point(vertex);
         let point = between(from, &corner.point, radius / corner.radius)?;

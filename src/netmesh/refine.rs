@@ -23,6 +23,8 @@ pub(super) struct RefineList {
     buckets: Vec<VecDeque<u32>>,
     /// Bit b of word w: whether bucket 64 w + b may have simplices.
     occupied: Vec<u64>,
+    /// No word before this one has a bit.
+    first: usize,
     flags: Vec<u8>,
     /// Number of simplices queued.
     waiting: usize,
@@ -46,6 +48,7 @@ impl RefineList {
         buckets.extend((0..count).map(|_| VecDeque::new()));
         self.buckets = buckets;
         self.occupied.clear();
+        self.first = 0;
         self.occupied.cover(count.div_ceil(64), 0)
     }
 
@@ -77,6 +80,7 @@ impl RefineList {
         *flags |= QUEUED;
         let bucket = (length.to_bits() >> KEPT_BITS) as usize & (self.buckets.len() - 1);
         self.occupied[bucket / 64] |= 1 << (bucket % 64);
+        self.first = self.first.min(bucket / 64);
         self.waiting += 1;
         enqueue(&mut self.buckets[bucket], simplex)
     }
@@ -87,7 +91,11 @@ impl RefineList {
 
     pub fn pop(&mut self) -> Option<u32> {
         loop {
-            let word = self.occupied.iter().position(|&word| word != 0)?;
+            let word = self.first;
+            if *self.occupied.get(word)? == 0 {
+                self.first += 1;
+                continue;
+            }
             let bit = self.occupied[word].trailing_zeros();
             match self.buckets[64 * word + bit as usize].pop_front() {
                 Some(simplex) => {

@@ -6,9 +6,12 @@ use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
 
+/// Homes with this times 1 / eps inputs or fewer give them all. That is no more than a net for eps often
+/// has, and is had for nothing.
+const EXHAUSTED: u32 = 4;
+
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of every home's inputs for eps = 2^-pass / (2 D). Homes with 1 / eps inputs or fewer
-    /// are exhausted.
+    /// The net of every home's inputs for eps = 2^-pass / (2 D). Small homes are exhausted.
     pub(super) fn select_nets(&mut self, pass: u32) -> Result<Vec<u32>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;
@@ -16,8 +19,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut selected = Vec::new();
         for home in 0..self.delaunay.complex().simplex_bound() as u32 {
             self.watch.tick(1)?;
-            let threshold = self.location.count(home).div_ceil(share);
-            if threshold == 0 {
+            let count = self.location.count(home);
+            if count == 0 {
                 continue;
             }
             inputs.clear();
@@ -25,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.watch.tick(1)?;
                 inputs.try_push(input)?;
             }
-            if threshold == 1 {
+            if count <= EXHAUSTED * share {
                 selected.try_extend(&inputs)?;
                 continue;
             }
@@ -36,7 +39,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let finite = self.delaunay.finite_near(home);
             let corners = self.delaunay.complex().vertices(finite);
             let anchors = collected(corners.iter().map(|&v| *self.delaunay.point(v)))?;
-            for &i in net.choose(&anchors, &points, threshold, &mut self.watch)? {
+            for &i in net.choose(&anchors, &points, count.div_ceil(share), &mut self.watch)? {
                 selected.try_push(inputs[i as usize])?;
             }
         }

@@ -174,8 +174,9 @@ impl<const D: usize> Net<D> {
             let within = &self.inside[facet.simplex as usize];
             let beyond = &self.inside[facet.beyond as usize];
             let work = within.len() + beyond.len();
+            // The point itself is on the sphere, which only exact arithmetic could tell.
             merge(within, beyond, &mut list, |i| {
-                self.delaunay.in_conflict(created, &points[i as usize])
+                i != point && self.delaunay.in_conflict(created, &points[i as usize])
             })?;
             list.retain(|&i| i != point);
             self.inside[created as usize] = list;

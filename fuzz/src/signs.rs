@@ -109,7 +109,7 @@ fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
     }
     let simplex = &references(points)[..=D];
     let ball = Circumball::new(simplex);
-    let anchor = simplex[usize::from(ball.anchor)];
+    let anchor = simplex[ball.anchor as usize];
     for corner in simplex {
         assert_eq!(ball.side(anchor, corner), None, "{corner:?} of {points:?}");
     }

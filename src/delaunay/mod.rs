@@ -28,28 +28,19 @@ pub(crate) struct Cavity {
     search: u32,
 }
 
-/// The D-ball of a finite simplex, with the vertex that its centre is relative to at hand.
-#[derive(Clone, Copy)]
-struct DBall<const D: usize> {
-    circumball: Circumball<D>,
-    /// [`NONE`] for an infinite simplex, which has no D-ball.
-    anchor: u32,
-}
-
-impl<const D: usize> DBall<D> {
-    const NONE: Self = Self { circumball: Circumball::UNUSABLE, anchor: NONE };
-}
-
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
     /// All points that have an id, inserted or not.
     points: Vec<[f64; D]>,
-    /// By simplex; that of a dead one is stale.
-    balls: Vec<DBall<D>>,
+    /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
+    /// which is [`NONE`] for an infinite simplex: that has no D-ball.
+    balls: Vec<Circumball<D>>,
     exact_fallbacks: Cell<u64>,
 }
 
 impl<const D: usize> Delaunay<D> {
+    const NO_BALL: Circumball<D> = Circumball { anchor: NONE, ..Circumball::UNUSABLE };
+
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
     pub fn new(points: Vec<[f64; D]>) -> Fallible<Self> {
         Ok(Self {
@@ -125,13 +116,13 @@ impl<const D: usize> Delaunay<D> {
     #[inline]
     pub fn ball(&self, simplex: u32) -> Option<&Circumball<D>> {
         let ball = &self.balls[simplex as usize];
-        (ball.anchor != NONE).then_some(&ball.circumball)
+        (ball.anchor != NONE).then_some(ball)
     }
 
     #[inline]
     fn ball_and_anchor(&self, simplex: u32) -> Option<(&Circumball<D>, &[f64; D])> {
         let ball = &self.balls[simplex as usize];
-        (ball.anchor != NONE).then(|| (&ball.circumball, self.point(ball.anchor)))
+        (ball.anchor != NONE).then(|| (ball, self.point(ball.anchor)))
     }
 
     /// The corner of the Voronoi diagram dual to `simplex`, rounded; not finite if out of range.
@@ -143,7 +134,7 @@ impl<const D: usize> Delaunay<D> {
     /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of range.
     pub fn corner_distance(&self, simplex: u32, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
-        let unit = 1.0 / ball.scale;
+        let unit = ball.unit();
         let offset: [f64; D] =
             std::array::from_fn(|axis| (anchor[axis] - x[axis]) + ball.center[axis] * unit);
         Some(norm(&offset))
@@ -241,19 +232,18 @@ impl<const D: usize> Delaunay<D> {
 
     /// Makes the array of D-balls as long as that of the simplices.
     fn cover_balls(&mut self) -> Fallible<()> {
-        self.balls.cover(self.complex.simplex_bound(), DBall::NONE)
+        self.balls.cover(self.complex.simplex_bound(), Self::NO_BALL)
     }
 
     fn compute_ball(&mut self, simplex: u32) {
         let vertices = self.complex.vertices(simplex);
-        let ball = match vertices.contains(&INFINITE) {
-            true => DBall::NONE,
+        self.balls[simplex as usize] = match vertices.contains(&INFINITE) {
+            true => Self::NO_BALL,
             false => {
-                let circumball = Circumball::new(&self.corner_points(vertices)[..=D]);
-                DBall { circumball, anchor: vertices[circumball.anchor as usize] }
+                let ball = Circumball::new(&self.corner_points(vertices)[..=D]);
+                Circumball { anchor: vertices[ball.anchor as usize], ..ball }
             }
         };
-        self.balls[simplex as usize] = ball;
     }
 
     /// Frees the D-balls: nothing is inserted or located any more.

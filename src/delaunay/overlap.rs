@@ -49,7 +49,7 @@ impl<const D: usize> Delaunay<D> {
         else {
             return false;
         };
-        let (unit_a, unit_b) = (1.0 / a.scale, 1.0 / b.scale);
+        let (unit_a, unit_b) = (a.unit(), b.unit());
         let offset: [f64; D] = std::array::from_fn(|axis| {
             (to[axis] - from[axis]) + (b.center[axis] * unit_b - a.center[axis] * unit_a)
         });

@@ -71,9 +71,33 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     }
 }
 
+/// The order of locality has every live simplex once: by its least vertex where all vertices are
+/// anchors, and by the steps from the star of the only one where that is vertex 0.
+fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
+    let complex = delaunay.complex();
+    let live = live_simplices(delaunay);
+    let all = complex.order_by_anchor(delaunay.point_count(), || Ok(())).unwrap();
+    assert!(all.is_sorted_by_key(|&simplex| complex.vertices(simplex).iter().min()));
+    let by_steps = complex.order_by_anchor(1, || Ok(())).unwrap();
+    let mut steps = vec![usize::MAX; complex.simplex_bound()];
+    for &simplex in &by_steps {
+        let neighbors = complex.neighbors(simplex).iter();
+        let least = neighbors.map(|&neighbor| steps[neighbor as usize]).min().unwrap();
+        let is_at_anchor = complex.vertices(simplex).contains(&0);
+        steps[simplex as usize] = if is_at_anchor { 0 } else { least.saturating_add(1) };
+    }
+    assert!(by_steps.is_sorted_by_key(|&simplex| steps[simplex as usize]));
+    assert!(by_steps.iter().all(|&simplex| steps[simplex as usize] < usize::MAX));
+    for mut order in [all, by_steps] {
+        order.sort_unstable();
+        assert_eq!(order, live);
+    }
+}
+
 fn check<const D: usize>(points: &[[f64; D]]) -> Option<usize> {
     let delaunay = triangulate(points)?;
     assert_closed(&delaunay);
+    assert_order(&delaunay);
     assert_delaunay(&delaunay);
     let mut distinct: Vec<_> = points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
     distinct.sort();

@@ -13,15 +13,8 @@ mod tests;
 /// of two, so that tiny and huge simplices are told apart from their neighbours alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
-    /// Index in the simplex of the vertex that `center` is relative to. No two vertices are much
-    /// nearer to each other than both are to it: it is an endpoint of the shortest edge in the sum
-    /// norm, or the simplex is not [`FLAT`] at it.
-    pub anchor: u8,
-    /// A power of two, 2^-1000 to 2^1000: scaled units per real unit. It is 2 if the circumradius is
-    /// about 2^-`REACH` to 2^`REACH`: `center` is then twice the centre in real units.
-    pub scale: f64,
-    /// (circumcentre - anchor point) * scale. If the scale is not 2, the largest magnitude is in
-    /// [2, 4) unless the scale had to be clamped.
+    /// (circumcentre - anchor point) / unit. If the exponent is not -1, the largest magnitude is in
+    /// [2, 4) unless the exponent had to be clamped.
     pub center: [f64; D],
     /// No component of `center` is further from the exact one than this, less D + 5 units of roundoff
     /// of its length, which pay for [`Circumball::side`]; infinite if the centre cannot be used.
@@ -29,16 +22,23 @@ pub struct Circumball<const D: usize> {
     /// The circumradius in real units, within 1e-8 relatively if `error` is finite; infinite if it
     /// exceeds `f64::MAX`.
     pub radius: f64,
+    /// The vertex that `center` is relative to: its index in the simplex, in whose place the caller may
+    /// put a name of its own. No two vertices are much nearer to each other than both are to it: it is
+    /// an endpoint of the shortest edge in the sum norm, or the simplex is not [`FLAT`] at it.
+    pub anchor: u32,
+    /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
+    /// circumradius is about 2^-`REACH` to 2^`REACH`: `center` is then twice the centre in real units.
+    pub exponent: i16,
 }
 
 /// A centre whose largest component is not known better than this, relatively, is recomputed in
 /// integers.
 const ACCEPTED: f64 = 1e-9;
 
-/// Scale of the balls that [`Circumball::side`] need not scale.
-const PLAIN: f64 = 2.0;
+/// Exponent of the balls that [`Circumball::side`] need not scale.
+const PLAIN: i16 = -1;
 
-/// Exponents of centres with the scale [`PLAIN`].
+/// Exponents of centres with the unit 2^[`PLAIN`].
 const REACH: i32 = 200;
 
 /// How many times smaller than a box with its edges a simplex may be at its first vertex, for this
@@ -56,11 +56,11 @@ const fn side_units(dim: usize) -> f64 {
 impl<const D: usize> Circumball<D> {
     /// The ball of a flat simplex, or of one with a radius out of range: decides nothing.
     pub const UNUSABLE: Self = Self {
-        anchor: 0,
-        scale: PLAIN,
         center: [f64::NAN; D],
         error: f64::INFINITY,
         radius: f64::INFINITY,
+        anchor: 0,
+        exponent: PLAIN,
     };
 
     /// The circumball of `D + 1` finite, affinely independent points. For flat simplices and those
@@ -88,11 +88,11 @@ impl<const D: usize> Circumball<D> {
         let edges = edges(points, anchor);
         let Center { twice, diameter, error } = cramer::circumcenter(&edges, flatness)?;
         Some(Self {
-            anchor: anchor as u8,
-            scale: PLAIN,
             center: twice,
             error: error + side_units(D) * diameter,
             radius: 0.5 * diameter,
+            anchor: anchor as u32,
+            exponent: PLAIN,
         })
     }
 
@@ -157,15 +157,21 @@ impl<const D: usize> Circumball<D> {
     /// and no component of `half` beyond 2^32.
     fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64, radius: f64) -> Self {
         let shift = if k.abs() <= REACH { k } else { 0 };
-        let factor = PLAIN * power_of_two(shift);
+        let factor = 2.0 * power_of_two(shift);
         let center = half.map(|x| x * factor);
         Self {
-            anchor: anchor as u8,
-            scale: PLAIN * power_of_two(shift - k),
             center,
             error: error * factor + side_units(D) * norm(&center),
             radius,
+            anchor: anchor as u32,
+            exponent: PLAIN + (k - shift) as i16,
         }
+    }
+
+    /// Real units per unit of `center`.
+    #[inline]
+    pub fn unit(&self) -> f64 {
+        power_of_two(i32::from(self.exponent))
     }
 
     /// Whether `q` is strictly inside the ball, as far as floating-point arithmetic with an error
@@ -173,12 +179,12 @@ impl<const D: usize> Circumball<D> {
     /// undecided (ask [`in_ball`](super::in_ball)). `anchor_point` is the vertex that `anchor`
     /// names.
     ///
-    /// With w = (q - anchor) * scale / 2 and C the centre, inside is w.(w - C) < 0. All error terms
+    /// With w = (q - anchor) / unit / 2 and C the centre, inside is w.(w - C) < 0. All error terms
     /// are multiples of w, so points of a tiny cluster around the anchor are told apart even by a
     /// huge ball.
     #[inline]
     pub fn side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        if self.scale.to_bits() == PLAIN.to_bits() {
+        if self.exponent == PLAIN {
             let side = self.side_of(std::array::from_fn(|i| q[i] - anchor_point[i]));
             if side.is_some() {
                 return side;
@@ -191,7 +197,8 @@ impl<const D: usize> Circumball<D> {
     #[cold]
     #[inline(never)]
     fn rare_side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        let scaled = std::array::from_fn(|i| (q[i] - anchor_point[i]) * (0.5 * self.scale));
+        let scale = power_of_two(-1 - i32::from(self.exponent));
+        let scaled = std::array::from_fn(|i| (q[i] - anchor_point[i]) * scale);
         self.side_of(scaled).or_else(|| self.is_far(&scaled).then_some(false))
     }
 
@@ -223,16 +230,16 @@ impl<const D: usize> Circumball<D> {
     /// an outside point: no usable scaled centre exceeds 2^(`REACH` + 2).
     fn is_far(&self, w: &[f64; D]) -> bool {
         const FAR: f64 = power_of_two(500);
-        // Infinite differences of finite points are at least 2^1023: far unless the scale is tiny.
-        self.error < FAR && self.scale > 1.0 / FAR && w.iter().any(|x| x.abs() >= FAR)
+        // Infinite differences of finite points are at least 2^1023: far unless the unit is huge.
+        self.error < FAR && self.exponent < 500 && w.iter().any(|x| x.abs() >= FAR)
     }
 
     /// The circumcentre in real coordinates, rounded; not finite where it overflows or `error` is
     /// infinite, which the caller checks.
     #[inline]
     pub fn center_point(&self, anchor_point: &[f64; D]) -> [f64; D] {
-        let real = 1.0 / self.scale;
-        std::array::from_fn(|i| anchor_point[i] + self.center[i] * real)
+        let unit = self.unit();
+        std::array::from_fn(|i| anchor_point[i] + self.center[i] * unit)
     }
 }
 

@@ -110,7 +110,7 @@ fn error_bounds_hold<const D: usize>(trials: usize) {
             let for_side = side_units(D) * norm(&ball.center);
             assert!((for_side..=1e-9 * size).contains(&ball.error), "{ball:?}");
             let (numerators, denominator) = circumcenter_oracle(&simplex, ball.anchor as usize);
-            let exponent = 1023 - i64::from(biased_exponent(ball.scale));
+            let exponent = i64::from(ball.exponent);
             for (value, numerator) in ball.center.iter().zip(&numerators) {
                 let quotient = (numerator, &denominator);
                 let close = is_close(*value, ball.error - for_side, exponent, quotient);
@@ -178,9 +178,10 @@ fn what_the_error_leaves_open_is_undecided() {
             std::array::from_fn(|k| if k == axis { sign * x } else { 0.0 })
         };
         let side = |error: f64, distance: f64| {
-            let scale = 2f64.powi(1 - exponent);
-            let ball = Circumball { anchor: 0, scale, center: along(2.0), error, radius: 1.0 };
-            ball.side(&[0.0; 2], &along(distance).map(|x| x * 2f64.powi(exponent)))
+            let unit = exponent - 1;
+            let (center, radius) = (along(2.0), 1.0);
+            let ball = Circumball { center, error, radius, anchor: 0, exponent: unit };
+            ball.side(&[0.0; 2], &along(distance).map(|x| x * 2.0 * ball.unit()))
         };
         // The true sphere ends up to `error` before or behind 2.
         let error = 2f64.powi(-20);
@@ -214,7 +215,7 @@ fn well_shaped_simplices_are_solved_at_once() {
                 })
                 .collect();
             let ball = Circumball::new(&references(&corners));
-            assert_eq!((ball.anchor, ball.scale), (0, PLAIN), "{trial}");
+            assert_eq!((ball.anchor, ball.exponent), (0, PLAIN), "{trial}");
             assert!(ball.error < 3000.0 * UNIT * ball.radius);
             assert!(Circumball::by_cramer(&references(&corners), 0, 0.5).is_none());
         }
@@ -271,7 +272,7 @@ fn scaled_balls_decide_like_plain_ones() {
         let scale = 2f64.powi(exponent);
         let scaled = corners.map(|p| p.map(|x| x * scale));
         let ball = Circumball::new(&references(&scaled));
-        assert_eq!(ball.scale == PLAIN, exponent.abs() < 200, "{exponent}");
+        assert_eq!(ball.exponent == PLAIN, exponent.abs() < 200, "{exponent}");
         let anchor = &scaled[ball.anchor as usize];
         let side = |q: [f64; 3]| ball.side(anchor, &q.map(|x| x * scale));
         assert_eq!(side([0.5, 0.5, 0.5]), Some(true));
@@ -312,7 +313,7 @@ fn scales_are_clamped_and_radii_limited() {
         let unscaled = Circumball::new(&references(&corners));
         let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
         let ball = Circumball::new(&references(&scaled));
-        assert!((2f64.powi(-1000)..=2f64.powi(1000)).contains(&ball.scale));
+        assert!((-1000..=1000).contains(&ball.exponent));
         let expected = unscaled.radius * scale;
         assert!((ball.radius / expected - 1.0).abs() < 1e-8, "{exponent}");
     }

@@ -39,6 +39,7 @@ impl<const D: usize> Complex<D> {
         }
         let mut starts = filled(anchors + 1, 0u32)?;
         for &simplex in &reached {
+            tick()?;
             starts[owners[simplex as usize] as usize + 1] += 1;
         }
         for at in 1..starts.len() {

@@ -65,8 +65,10 @@ impl Location {
         self.homes[input as usize]
     }
 
+    /// Number of inputs of `simplex`.
     pub fn count(&self, simplex: u32) -> u32 {
-        self.counts[simplex as usize]
+        // Simplices made after the last input went in are not covered.
+        self.counts.get(simplex as usize).copied().unwrap_or(0)
     }
 
     pub fn inhabitants(&self, simplex: u32) -> Inhabitants<'_> {
@@ -122,10 +124,10 @@ impl Location {
         inserted: u32,
         watch: &mut Watch<'_, '_>,
     ) -> Result<()> {
-        self.cover(delaunay.complex().simplex_bound())?;
         if self.remaining == 0 {
             return Ok(());
         }
+        self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
             let mut input = std::mem::replace(&mut self.heads[simplex as usize], NONE);
             if input == NONE {

@@ -174,11 +174,10 @@ impl<const D: usize> Net<D> {
             let within = &self.inside[facet.simplex as usize];
             let beyond = &self.inside[facet.beyond as usize];
             let work = within.len() + beyond.len();
-            // The point itself is on the sphere, which only exact arithmetic could tell.
+            // The point itself is on the sphere: it leaves, and no exact arithmetic has to tell so.
             merge(within, beyond, &mut list, |i| {
                 i != point && self.delaunay.in_conflict(created, &points[i as usize])
             })?;
-            list.retain(|&i| i != point);
             self.inside[created as usize] = list;
             self.tests += work as u64;
             watch.tick(work as u32)?;

@@ -58,9 +58,9 @@ fn close_pairs(dim: usize, pairs: usize, gap: f64, random: &mut Random) -> Vec<f
     points
 }
 
-/// The mean over two seeds, in 4D one seed; the certificate must hold for each.
+/// The mean over two seeds; the certificate must hold for each.
 fn cost(dim: usize, points: impl Fn(&mut Random) -> Vec<f64>) -> Cost {
-    let seeds = if dim < 4 { 2 } else { 1 };
+    let seeds = 2;
     let mut mean = Cost { vertices: 0.0, touches: 0.0 };
     for seed in 1..=seeds {
         let points = points(&mut Random(Pcg64Mcg::new(u128::from(2 * seed + 77_777))));

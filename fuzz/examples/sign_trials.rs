@@ -163,7 +163,7 @@ fn decided<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> 
         return None;
     }
     let ball = Circumball::new(simplex);
-    let inside = ball.side(simplex[usize::from(ball.anchor)], q)?;
+    let inside = ball.side(simplex[ball.anchor as usize], q)?;
     Some(if inside { turn } else { turn.flip() })
 }
 

@@ -15,13 +15,15 @@ impl<const D: usize> Complex<D> {
         anchors: usize,
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Vec<u32>> {
-        let mut owners = filled(self.simplex_bound(), NONE)?;
+        // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
+        let mut owners = with_room(self.simplex_bound())?;
         let mut reached = with_room(self.simplex_count())?;
         for simplex in 0..self.simplex_bound() as u32 {
             tick()?;
             let least = self.vertices(simplex).iter().copied().min().unwrap_or(NONE);
-            if (least as usize) < anchors && self.is_live(simplex) {
-                owners[simplex as usize] = least;
+            let is_reached = (least as usize) < anchors && self.is_live(simplex);
+            owners.push(if is_reached { least } else { NONE });
+            if is_reached {
                 reached.try_push(simplex)?;
             }
         }
@@ -38,14 +40,15 @@ impl<const D: usize> Complex<D> {
             }
         }
         let mut starts = filled(anchors + 1, 0u32)?;
+        let mut order = with_room(reached.len())?;
         for &simplex in &reached {
             tick()?;
+            order.push(NONE);
             starts[owners[simplex as usize] as usize + 1] += 1;
         }
         for at in 1..starts.len() {
             starts[at] += starts[at - 1];
         }
-        let mut order = filled(reached.len(), NONE)?;
         for &simplex in &reached {
             tick()?;
             let at = &mut starts[owners[simplex as usize] as usize];

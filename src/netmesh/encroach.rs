@@ -18,8 +18,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.hierarchy.is_single() {
             return ROOT;
         }
-        if self.hierarchy.is_alike(&self.scratch.corners.ids) {
-            let domain = self.hierarchy.domain_of(self.scratch.corners.ids[0]);
+        if let Some(domain) = self.common_domain() {
             return self.hierarchy.climb_to(domain, x);
         }
         let mut innermost = ROOT;
@@ -31,6 +30,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         innermost
+    }
+
+    /// The domain of all of U(x), where that is known without a climb.
+    fn common_domain(&mut self) -> Option<u32> {
+        let corners = &self.scratch.corners.ids;
+        self.hierarchy.is_alike(corners).then(|| self.hierarchy.domain_of(corners[0]))
     }
 
     /// INENCROACH: the innermost domain that `input` encroaches from inside.
@@ -66,8 +71,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.hierarchy.is_single() {
             return Ok(ROOT);
         }
-        if self.hierarchy.is_alike(&self.scratch.corners.ids) {
-            let domain = self.hierarchy.domain_of(self.scratch.corners.ids[0]);
+        if let Some(domain) = self.common_domain() {
             if self.hierarchy.contains(domain, x) {
                 return Ok(domain);
             }

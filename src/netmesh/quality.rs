@@ -6,7 +6,7 @@
 //! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
 //! Without it CLEAN inserts points beside the cages and destroys them. `close` lifts it at the end.
 
-use super::{Mesher, some};
+use super::{Cell, Mesher, some};
 use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
 use crate::options::Criterion;
@@ -33,28 +33,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Queues the bad ones among the simplices at `vertex`, one of a cage that is examined.
+    /// Queues the bad ones among the simplices at `vertex`.
     pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
-        self.delaunay.star(vertex, &mut self.scratch.star)?;
-        let mut farthest = 0.0f64;
-        for at in 0..self.scratch.star.len() {
-            let simplex = self.scratch.star[at];
-            farthest = farthest.max(self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius));
-            self.examine(simplex)?;
-        }
-        self.cells[vertex as usize].farthest = farthest;
-        Ok(())
+        self.examine_corners(vertex, |_, _| true)
     }
 
-    /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
-    /// edges there are what they were, and so is all that other cells depend on.
-    pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
-        let nearest = self.cells[vertex as usize].nearest;
-        if self.parameters.criterion == Criterion::RadiusEdge
-            || nearest >= self.nearest_allowed(self.cells[vertex as usize].farthest)
-        {
-            return Ok(());
-        }
+    /// Measures the farthest corner of `vertex`, and queues the bad ones among the simplices there
+    /// whose radius `counts`.
+    fn examine_corners(
+        &mut self,
+        vertex: u32,
+        counts: impl Fn(&Self, f64) -> bool,
+    ) -> Fallible<()> {
         self.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
@@ -63,12 +53,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             };
             farthest = farthest.max(radius);
-            if nearest < self.nearest_allowed(radius) {
+            if counts(self, radius) {
                 self.examine(simplex)?;
             }
         }
         self.cells[vertex as usize].farthest = farthest;
         Ok(())
+    }
+
+    /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
+    /// edges there are what they were, and so is all that other cells depend on.
+    pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
+        let Cell { nearest, farthest } = self.cells[vertex as usize];
+        if self.parameters.criterion == Criterion::RadiusEdge
+            || nearest >= self.nearest_allowed(farthest)
+        {
+            return Ok(());
+        }
+        self.examine_corners(vertex, |mesher, radius| nearest < mesher.nearest_allowed(radius))
     }
 
     /// Queues the bad ones among the simplices round `cage`.

@@ -593,9 +593,9 @@ typedef struct nm_progress {
 } nm_progress;
 
 /**
- * Called by nm_run on the thread that called nm_run, about 20 times a second; a run that is over
- * sooner may not call it at all. progress: valid during the call. user_data: nm_options.user_data.
- * Nonzero cancels the run, which then answers NM_CANCELLED and leaves the mesh as it was.
+ * Called by nm_run on the thread that called nm_run, about 20 times a second and where a round or a
+ * stage ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the
+ * run, which then answers NM_CANCELLED and leaves the mesh as it was.
  *
  * It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
  * being run answers NM_STATE; other meshes may be used, and this one must not be freed.

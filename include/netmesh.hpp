@@ -91,9 +91,9 @@ Struct sized() noexcept {
 // The version of the library that is linked, "major.minor.patch".
 inline std::string version() { return nm_version(); }
 
-// Sees a run's progress on the thread that called run(), about 20 times a second (not at all in a
-// shorter run); false cancels the run, which then throws error(NM_CANCELLED). An exception cancels it
-// too and leaves run() itself.
+// Sees a run's progress on the thread that called run(), about 20 times a second and where a round
+// or a stage ends; false cancels the run, which then throws error(NM_CANCELLED). An exception cancels
+// it too and leaves run() itself.
 using progress_function = std::function<bool(const nm_progress &)>;
 
 // What a run shall do: nm_options and a progress function. Each setter answers *this.

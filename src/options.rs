@@ -121,5 +121,6 @@ pub struct Progress {
     pub simplices: u64,
 }
 
-/// Called about 20 times a second on the thread that runs; `false` cancels the run.
+/// Called about 20 times a second, and where a round or a stage ends, on the thread that runs;
+/// `false` cancels the run.
 pub type ProgressFn<'a> = dyn FnMut(&Progress) -> bool + 'a;

@@ -3,6 +3,7 @@
 use netmesh::{Mesh, Options, Output, Phase, Progress};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
+use std::time::{Duration, Instant};
 
 fn uniform_mesh(dim: usize, n: usize) -> Mesh {
     let mut random = Pcg64Mcg::new(1);
@@ -10,9 +11,11 @@ fn uniform_mesh(dim: usize, n: usize) -> Mesh {
     Mesh::new(dim, n, &points, 0).unwrap()
 }
 
-/// Reports that are consistent with each other: nothing falls, and it begins and ends as it should.
-fn reports_of(mesh: &mut Mesh, options: &Options) -> Vec<Progress> {
+/// Reports that are consistent with each other: nothing falls, and it begins and ends as it should;
+/// and when they came.
+fn reports_of(mesh: &mut Mesh, options: &Options) -> (Vec<Progress>, Vec<Instant>) {
     let mut reports: Vec<Progress> = Vec::new();
+    let mut times = Vec::new();
     let mut callback = |report: &Progress| {
         assert!((0.0..=1.0).contains(&report.fraction));
         if let Some(last) = reports.last() {
@@ -21,30 +24,42 @@ fn reports_of(mesh: &mut Mesh, options: &Options) -> Vec<Progress> {
             assert!(last.inputs_inserted <= report.inputs_inserted, "{last:?} {report:?}");
         }
         reports.push(*report);
+        times.push(Instant::now());
         true
     };
     mesh.run(options, Some(&mut callback)).unwrap();
     let (first, last) = (&reports[0], reports.last().unwrap());
     assert_eq!((first.phase, first.fraction), (Phase::Prepare, 0.0));
     assert_eq!((last.phase, last.fraction), (Phase::Export, 1.0));
-    reports
+    (reports, times)
 }
 
-/// The share of the run that is insertion, and then what is left.
+/// The shares of the run: insertion, in rounds that end with a report each, then FINISHMESH, and then
+/// the last refinement, which begins and ends with one. In between the clock decides.
 #[test]
 fn progress_grows_with_the_inputs_and_then_with_the_refinement() {
     let runs = [(Output::Hierarchical, 0.6, 0.6), (Output::WellSpaced, 0.3, 0.7)];
     for (output, insert, close) in runs {
-        let mut mesh = uniform_mesh(2, 100_000);
+        let mut mesh = uniform_mesh(3, 20_000);
         let n = mesh.inputs().distinct() as f64;
-        let reports = reports_of(&mut mesh, &Options { output, ..Options::default() });
-        let of = |phase| reports.iter().filter(move |report| report.phase == phase);
-        assert!(of(Phase::Insert).count() > 2 && of(Phase::Finish).count() > 2, "{output:?}");
-        for report in of(Phase::Insert) {
-            assert_eq!(report.fraction, insert * report.inputs_inserted as f64 / n);
+        let (reports, times) = reports_of(&mut mesh, &Options { output, ..Options::default() });
+        let rounds = mesh.triangulation().unwrap().stats.rounds;
+        let of = |phase| (0..reports.len()).filter(|&at| reports[at].phase == phase).collect();
+        let (inserting, finishing): (Vec<usize>, Vec<usize>) =
+            (of(Phase::Insert), of(Phase::Finish));
+        assert!(rounds > 2 && inserting.len() as u64 >= rounds, "{output:?}");
+        for &at in &inserting {
+            assert_eq!(reports[at].fraction, insert * reports[at].inputs_inserted as f64 / n);
         }
-        let last = of(Phase::Finish).next_back().unwrap();
-        assert!(last.fraction > close + 0.1, "{output:?}: stuck at {last:?}");
+        let closing = finishing.iter().position(|&at| reports[at].fraction >= close).unwrap();
+        let (first, last) = (finishing[closing], *finishing.last().unwrap());
+        assert_eq!(reports[first].fraction, close, "{output:?}");
+        assert!(reports[last].fraction > 1.0 - 1e-9, "{output:?}: {:?}", reports[last]);
+        let growing = (first..last).filter(|&at| reports[at].fraction < reports[at + 1].fraction);
+        assert!(
+            times[last] - times[first] < Duration::from_millis(200) || growing.count() > 3,
+            "{output:?}: silent while it refines"
+        );
     }
 }
 
@@ -53,7 +68,7 @@ fn progress_grows_with_the_inputs_and_then_with_the_refinement() {
 #[test]
 fn an_outer_cage_of_many_points_is_no_progress_of_the_inputs() {
     let mut mesh = uniform_mesh(4, 20);
-    let reports = reports_of(&mut mesh, &Options { delta: 0.3, ..Options::default() });
+    let (reports, _) = reports_of(&mut mesh, &Options { delta: 0.3, ..Options::default() });
     let cage = mesh.triangulation().unwrap().stats.cage_vertices;
     let too_early =
         |report: &&Progress| report.inputs_inserted > 1 && report.simplices < 4 * cage - 8;

@@ -41,7 +41,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn close(&mut self) -> Result<()> {
         self.bound = self.parameters.quality_bound;
         self.closing = true;
+        self.before_closing = self.delaunay.point_count();
         self.phase = Phase::Finish;
+        self.report_progress()?;
         self.refine.sort_by_length()?;
         let watch = &mut self.watch;
         let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
@@ -49,7 +51,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for (at, tile) in order.chunks(tile).enumerate() {
             self.close_simplices(tile.iter().copied())?;
             self.closed = (at * TILE) as f64 / order.len() as f64;
+            self.note_progress();
         }
+        self.closed = 1.0;
+        self.report_progress()?;
         while self.close_simplices(0..self.delaunay.complex().simplex_bound() as u32)? {}
         Ok(())
     }

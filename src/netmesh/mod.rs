@@ -80,7 +80,7 @@ fn mesh<const D: usize>(
     let begun = Instant::now();
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
-    watch.report(Phase::Prepare, 0.0, [0; 3])?;
+    watch.call()?;
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
     if mesher.parameters.algorithm == Algorithm::Delaunay {
         mesher.start_delaunay()?;
@@ -114,6 +114,8 @@ struct Mesher<'a, 'b, const D: usize> {
     /// Whether cells answer for all their corners, and the part of the mesh where they do (`close`).
     closing: bool,
     closed: f64,
+    /// Vertices when that began.
+    before_closing: usize,
     /// Vertex -> the extent of its Voronoi cell.
     cells: Vec<Cell>,
     /// Vertices next to which doubles ran out when a cage was wanted.
@@ -230,6 +232,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             bound: parameters.loose_bound(),
             closing: false,
             closed: 0.0,
+            before_closing: 0,
             cells: filled(count, Cell::NEW)?,
             precision_limited: filled(count, false)?,
             inputs: count,
@@ -291,11 +294,16 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     }
 
     fn report_progress(&mut self) -> Result<()> {
+        self.note_progress();
+        self.watch.call()
+    }
+
+    fn note_progress(&mut self) {
         let inserted = self.inputs - self.location.remaining();
         let vertices = self.delaunay.point_count() - self.location.remaining();
         let simplices = self.delaunay.complex().simplex_count();
         let counts = [inserted as u64, vertices as u64, simplices as u64];
-        self.watch.report(self.phase, self.done(), counts)
+        self.watch.note(self.phase, self.done(), counts);
     }
 
     /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that
@@ -312,7 +320,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
                 insert * inserted as f64 / self.inputs as f64
             }
             Phase::Finish if self.closing => {
-                insert + finish + (1.0 - insert - finish) * self.closed
+                insert + finish + (1.0 - insert - finish) * self.closed.max(self.usually_closed())
             }
             Phase::Finish => {
                 let released = self.stats.cages_released as f64;
@@ -320,6 +328,13 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             }
             Phase::Export => 1.0,
         }
+    }
+
+    /// What is bad in one place lets cells around it get bad, and most refinement may come at the first
+    /// place. Of a mesh that is not finished yet it makes one twice as large, usually.
+    fn usually_closed(&self) -> f64 {
+        let vertices = self.delaunay.point_count() as f64;
+        (vertices / self.before_closing as f64 - 1.0).min(0.9)
     }
 }
 

@@ -13,6 +13,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.stats.rounds += 1;
             let left = f64::from(self.location.max_count()) / f64::from(before);
             self.stats.worst_halving = self.stats.worst_halving.max(left);
+            self.report_progress()?;
         }
         Ok(())
     }

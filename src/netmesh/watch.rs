@@ -1,5 +1,6 @@
 //! Progress and cancellation: the clock is read every fraction of a millisecond, the caller is called
-//! 20 to 30 times a second, and a run that is cancelled or grows past its limit stops with an error.
+//! 20 to 30 times a second and where a round or a stage ends, and a run that is cancelled or grows
+//! past its limit stops with an error.
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
@@ -13,7 +14,7 @@ pub(super) struct Watch<'a, 'b> {
     callback: Option<&'a mut ProgressFn<'b>>,
     last: Instant,
     countdown: u32,
-    /// What the last report said, for places that cannot count.
+    /// What was noted last, for places that cannot count.
     progress: Progress,
 }
 
@@ -29,7 +30,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         Self { callback, last: Instant::now(), countdown: STRIDE, progress }
     }
 
-    /// Whether it is time to [`Self::report`], after so much more `work`.
+    /// Whether it is time to [`Self::call`], after so much more `work`.
     #[inline]
     pub fn is_due(&mut self, work: u32) -> bool {
         if work < self.countdown {
@@ -45,7 +46,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.callback.is_some() && self.last.elapsed() >= INTERVAL
     }
 
-    /// Reports what was reported last if it is time to, after so much more `work`.
+    /// Calls the caller if it is time to, after so much more `work`.
     ///
     /// # Errors
     /// `Cancelled` if the caller says so.
@@ -62,19 +63,19 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.tick(STRIDE)
     }
 
+    /// What the next call tells the caller; its fraction never falls.
+    pub fn note(&mut self, phase: Phase, fraction: f64, counts: [u64; 3]) {
+        let fraction = self.progress.fraction.max(fraction).min(1.0);
+        let [inputs_inserted, vertices, simplices] = counts;
+        self.progress = Progress { phase, fraction, inputs_inserted, vertices, simplices };
+    }
+
     /// Calls the caller.
     ///
     /// # Errors
     /// `Cancelled` if the caller says so.
-    pub fn report(&mut self, phase: Phase, fraction: f64, counts: [u64; 3]) -> Result<()> {
-        let fraction = self.progress.fraction.max(fraction).min(1.0);
-        let [inputs_inserted, vertices, simplices] = counts;
-        self.progress = Progress { phase, fraction, inputs_inserted, vertices, simplices };
-        self.call()
-    }
-
     #[cold]
-    fn call(&mut self) -> Result<()> {
+    pub fn call(&mut self) -> Result<()> {
         let progress = &self.progress;
         let go_on = self.callback.as_mut().is_none_or(|callback| callback(progress));
         // The caller's own time is not the run's.

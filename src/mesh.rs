@@ -3,11 +3,10 @@
 //! corrupt) every part of it.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Shortage, with_room};
+use crate::memory::{Shortage, filled, with_room};
 use crate::netmesh;
 use crate::netmesh::parameters::Parameters;
 use crate::options::{Options, ProgressFn};
-use rustc_hash::FxHashMap;
 
 /// No id: a hull facet's missing neighbour, the root's missing parent.
 pub const NONE: u32 = u32::MAX;
@@ -247,6 +246,7 @@ fn no_room(n: usize, dim: usize) -> Error {
 }
 
 /// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are equal.
+/// Expected O(n): an open hash table of ids, at most half full.
 fn identify_duplicates(
     dim: usize,
     coordinates: &[f64],
@@ -254,20 +254,41 @@ fn identify_duplicates(
 ) -> Result<Vec<u32>> {
     let n = coordinates.len() / dim;
     let mut first_input = with_room(n)?;
-    let mut seen: FxHashMap<[u64; MAX_DIM], u32> = FxHashMap::default();
-    seen.try_reserve(n).map_err(Shortage::from)?;
+    let mask = (2 * n).next_power_of_two() - 1;
+    let mut table: Vec<u32> = filled(mask + 1, NONE)?;
     for (i, point) in coordinates.chunks_exact(dim).enumerate() {
-        let mut key = [0; MAX_DIM];
-        for (k, x) in key.iter_mut().zip(point) {
-            *k = (x + 0.0).to_bits();
-        }
-        let vertex = *seen.entry(key).or_insert_with(|| {
-            first_input.push(i as u32);
-            first_input.len() as u32 - 1
-        });
+        let mut slot = hash(point) & mask;
+        let vertex = loop {
+            match table[slot] {
+                NONE => {
+                    table[slot] = first_input.len() as u32;
+                    first_input.push(i as u32);
+                    break table[slot];
+                }
+                vertex
+                    if coordinates[first_input[vertex as usize] as usize * dim..][..dim]
+                        == *point =>
+                {
+                    break vertex;
+                }
+                _ => slot = (slot + 1) & mask,
+            }
+        };
         vertices.push(vertex);
     }
     Ok(first_input)
+}
+
+/// The hash of a point, all its bits mixed as by Steele, Lea and Flood, "Fast splittable pseudorandom
+/// number generators", 2014. Adding zero makes a negative zero positive.
+fn hash(point: &[f64]) -> usize {
+    let mix = |hash: u64, x: &f64| {
+        let mixed = hash ^ (x + 0.0).to_bits();
+        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ mixed >> 31
+    };
+    point.iter().fold(0x9e37_79b9_7f4a_7c15, mix) as usize
 }
 
 /// Points, and after [`Mesh::run`] their mesh.
@@ -306,5 +327,49 @@ impl Mesh {
     /// The result of the last successful run.
     pub fn triangulation(&self) -> Option<&Triangulation> {
         self.triangulation.as_ref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashMap;
+
+    /// Points of a lattice with a few values an axis, both zeros and neighbouring doubles among them.
+    #[test]
+    fn duplicates_are_those_that_compare_equal() {
+        let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), -1.0, 5e-324, 1e308];
+        let mut state = 1u64;
+        let mut draw = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            values[(state >> 33) as usize % values.len()]
+        };
+        let points: Vec<f64> = (0..3 * 4000).map(|_| draw()).collect();
+        let inputs = Inputs::new(3, 4000, &points, 0).unwrap();
+        let mut known: HashMap<[u64; 3], u32> = HashMap::new();
+        for (i, point) in points.chunks_exact(3).enumerate() {
+            let key = std::array::from_fn(|axis| (point[axis] + 0.0).to_bits());
+            let next = known.len() as u32;
+            assert_eq!(inputs.vertices()[i], *known.entry(key).or_insert(next));
+        }
+        assert_eq!((inputs.distinct(), known.len()), (216, 216));
+        for (vertex, &first) in inputs.first_input.iter().enumerate() {
+            assert_eq!(inputs.vertices()[first as usize] as usize, vertex);
+            assert!(!inputs.vertices()[..first as usize].contains(&(vertex as u32)));
+        }
+    }
+
+    /// Regular inputs fill as many slots of a table as random ones: half full, (1 - exp(-1/2)) of it.
+    #[test]
+    fn hashes_of_lattices_are_spread() {
+        for scale in [1.0, 2f64.powi(-1000), 0.1, 2f64.powi(900)] {
+            let mut used = vec![false; 1 << 13];
+            for i in 0..1 << 12 {
+                let cell = [i % 16, i / 16 % 16, i / 256].map(|k| f64::from(k) * scale);
+                used[hash(&cell) % (1 << 13)] = true;
+            }
+            let filled = used.iter().filter(|&&used| used).count() as f64 / (1 << 13) as f64;
+            assert!((filled - 0.3935).abs() < 0.02, "{scale}: {filled}");
+        }
     }
 }

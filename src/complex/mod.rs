@@ -6,10 +6,12 @@
 //! a cavity is retriangulated without one orientation test.
 
 mod locality;
+mod ridges;
 mod star;
 
 use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};
 use crate::mesh::NONE;
+use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
 pub(crate) const INFINITE: u32 = NONE;
@@ -32,6 +34,7 @@ pub(crate) struct Complex<const D: usize> {
     incident: Vec<u32>,
     marks: Vec<u32>,
     epoch: u32,
+    ridges: Ridges,
     /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
     id_limit: usize,
 }
@@ -48,6 +51,7 @@ impl<const D: usize> Complex<D> {
             incident: filled(vertices, NONE)?,
             marks: Vec::new(),
             epoch: 0,
+            ridges: Ridges::default(),
             id_limit: NONE as usize,
         })
     }
@@ -133,6 +137,9 @@ impl<const D: usize> Complex<D> {
         if appended > self.id_limit.saturating_sub(self.marks.len()) {
             return Err(Shortage::Ids);
         }
+        if D <= MAX_TABLE_DIM {
+            self.ridges.reserve::<D>(created)?;
+        }
         make_room(&mut self.free, released)?;
         make_room(&mut self.marks, appended)?;
         make_room(&mut self.vertices, appended * Self::CORNERS)?;
@@ -216,8 +223,15 @@ impl<const D: usize> Complex<D> {
         for facet in boundary {
             created.push(self.cone(vertex, facet));
         }
-        for (facet, &simplex) in boundary.iter().zip(created.iter()) {
-            self.link_ridges(facet, simplex);
+        if D <= MAX_TABLE_DIM {
+            self.ridges.begin::<D>(boundary.len());
+            for (facet, &simplex) in boundary.iter().zip(created.iter()) {
+                self.link_by_table(facet.index as usize, simplex);
+            }
+        } else {
+            for (facet, &simplex) in boundary.iter().zip(created.iter()) {
+                self.link_by_pivots(facet, simplex);
+            }
         }
         self.incident[vertex as usize] = created[0];
         for &simplex in cavity {
@@ -246,9 +260,20 @@ impl<const D: usize> Complex<D> {
         simplex
     }
 
+    /// Links `simplex`, whose corner number `apex` is the new vertex, across each ridge of its facet
+    /// on the cavity to the simplex that has the ridge too, if that has come before.
+    fn link_by_table(&mut self, apex: usize, simplex: u32) {
+        for (ridge, index) in ridges_of::<D>(self.vertices(simplex), apex) {
+            if let Some(other) = self.ridges.pair(ridge, Side { simplex, index }) {
+                self.neighbors_mut(simplex)[index as usize] = other.simplex;
+                self.neighbors_mut(other.simplex)[other.index as usize] = simplex;
+            }
+        }
+    }
+
     /// Links `simplex` (the cone over `facet`) across each ridge of the facet by pivoting round
     /// the ridge through the cavity.
-    fn link_ridges(&mut self, facet: &Facet, simplex: u32) {
+    fn link_by_pivots(&mut self, facet: &Facet, simplex: u32) {
         for ridge in 0..Self::CORNERS {
             let at = simplex as usize * Self::CORNERS + ridge;
             if self.neighbors[at] != NONE {

@@ -1,0 +1,92 @@
+//! Which two simplices of a new cone share a ridge: a small hash table of the ridges round the cavity,
+//! each of which comes up twice. Pivoting round a ridge through the cavity does without a table, but
+//! how many steps that takes no processor can foresee.
+
+use crate::memory::{Fallible, TryGrow};
+
+/// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
+pub(super) const MAX_TABLE_DIM: usize = 5;
+
+/// No ridge: the vertices of one are different.
+const EMPTY: u128 = u128::MAX;
+
+/// Where a ridge was met: the simplex, and its corner that is neither on the ridge nor the apex.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side {
+    pub simplex: u32,
+    pub index: u32,
+}
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct Ridges {
+    ridges: Vec<u128>,
+    sides: Vec<Side>,
+    /// One less than the slots in use, and how far a hash is shifted to be one.
+    mask: usize,
+    shift: u32,
+}
+
+impl Ridges {
+    /// Makes room for the ridges between `facets` of dimension D - 1: D/2 of each.
+    pub fn reserve<const D: usize>(&mut self, facets: usize) -> Fallible<()> {
+        let slots = slots(D, facets);
+        self.ridges.cover(slots, EMPTY)?;
+        self.sides.cover(slots, Side { simplex: 0, index: 0 })
+    }
+
+    /// Empties the table for the ridges of so many `facets`, for which there is room.
+    pub fn begin<const D: usize>(&mut self, facets: usize) {
+        let slots = slots(D, facets);
+        self.ridges[..slots].fill(EMPTY);
+        self.mask = slots - 1;
+        self.shift = 64 - slots.trailing_zeros();
+    }
+
+    /// The side that came with `ridge` the first time; that time nothing.
+    #[inline]
+    pub fn pair(&mut self, ridge: u128, side: Side) -> Option<Side> {
+        let mut slot = (hash(ridge) >> self.shift) as usize;
+        loop {
+            if self.ridges[slot] == ridge {
+                return Some(self.sides[slot]);
+            }
+            if self.ridges[slot] == EMPTY {
+                self.ridges[slot] = ridge;
+                self.sides[slot] = side;
+                return None;
+            }
+            slot = (slot + 1) & self.mask;
+        }
+    }
+}
+
+/// At least twice as many as ridges.
+fn slots(dim: usize, facets: usize) -> usize {
+    (dim * facets).next_power_of_two().max(2)
+}
+
+#[inline]
+fn hash(ridge: u128) -> u64 {
+    let (high, low) = ((ridge >> 64) as u64, ridge as u64);
+    (high.wrapping_mul(0xd6e8_feb8_6659_fd93) ^ low).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+}
+
+/// The ridges of the facet opposite the corner `apex` of a simplex, each with the number of the facet's
+/// corner that it lacks. The order of the facet's vertices does not matter.
+#[inline]
+pub(super) fn ridges_of<const D: usize>(corners: &[u32], apex: usize) -> [(u128, u32); D] {
+    let mut facet: [u64; D] = std::array::from_fn(|i| {
+        let index = if i == apex { D } else { i };
+        u64::from(corners[index]) << 32 | index as u64
+    });
+    for i in 0..D {
+        for j in i + 1..D {
+            (facet[i], facet[j]) = (facet[i].min(facet[j]), facet[i].max(facet[j]));
+        }
+    }
+    std::array::from_fn(|lacking| {
+        let others = (0..D).filter(|&i| i != lacking);
+        let ridge = others.fold(0, |ridge, i| ridge << 32 | u128::from(facet[i] >> 32));
+        (ridge, facet[lacking] as u32)
+    })
+}

@@ -1,7 +1,8 @@
 //! The combinatorial complex: a triangulated sphere, that is a ball whose hull facets are joined to
 //! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
 //!
-//! Simplices are flat structures of arrays with `u32` ids and a LIFO free list. All simplices are
+//! A simplex is a record of `u32` ids: its vertices, the neighbours opposite them and its mark, which a
+//! search wants one after the other and finds in a cache line or two. Dead ones wait in a LIFO list. All simplices are
 //! oriented alike: replacing a vertex of one by a point on the same side keeps the orientation, so
 //! a cavity is retriangulated without one orientation test.
 
@@ -26,13 +27,11 @@ pub(crate) struct Facet {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Complex<const D: usize> {
-    vertices: Vec<u32>,
-    neighbors: Vec<u32>,
+    records: Vec<u32>,
     /// Dead simplices, reused last in first out.
     free: Vec<u32>,
     /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
     incident: Vec<u32>,
-    marks: Vec<u32>,
     epoch: u32,
     ridges: Ridges,
     /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
@@ -41,15 +40,16 @@ pub(crate) struct Complex<const D: usize> {
 
 impl<const D: usize> Complex<D> {
     const CORNERS: usize = D + 1;
+    /// Where a record's mark is, and its length.
+    const MARK: usize = 2 * Self::CORNERS;
+    const RECORD: usize = Self::MARK + 1;
 
     /// An empty complex that knows `vertices` ids, none of them inserted.
     pub fn new(vertices: usize) -> Fallible<Self> {
         Ok(Self {
-            vertices: Vec::new(),
-            neighbors: Vec::new(),
+            records: Vec::new(),
             free: Vec::new(),
             incident: filled(vertices, NONE)?,
-            marks: Vec::new(),
             epoch: 0,
             ridges: Ridges::default(),
             id_limit: NONE as usize,
@@ -58,35 +58,33 @@ impl<const D: usize> Complex<D> {
 
     /// Forgets all vertices and simplices, but keeps their room.
     pub fn clear(&mut self) {
-        self.vertices.clear();
-        self.neighbors.clear();
+        self.records.clear();
         self.free.clear();
         self.incident.clear();
-        self.marks.clear();
     }
 
     /// One past the largest simplex id ever used; arrays over simplices have this length.
     pub fn simplex_bound(&self) -> usize {
-        self.marks.len()
+        self.records.len() / Self::RECORD
     }
 
     /// Number of live simplices, infinite ones included.
     pub fn simplex_count(&self) -> usize {
-        self.marks.len() - self.free.len()
+        self.simplex_bound() - self.free.len()
     }
 
     #[inline]
     pub fn vertices(&self, simplex: u32) -> &[u32] {
-        &self.vertices[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+        &self.records[simplex as usize * Self::RECORD..][..Self::CORNERS]
     }
 
     #[inline]
     pub fn neighbors(&self, simplex: u32) -> &[u32] {
-        &self.neighbors[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+        &self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {
-        self.neighbors[simplex as usize * Self::CORNERS] != NONE
+        self.neighbors(simplex)[0] != NONE
     }
 
     pub fn is_infinite(&self, simplex: u32) -> bool {
@@ -111,7 +109,7 @@ impl<const D: usize> Complex<D> {
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
     pub fn begin(&mut self, corners: &[u32]) -> Fallible<()> {
-        assert!(self.marks.is_empty() && corners.len() == Self::CORNERS);
+        assert!(self.records.is_empty() && corners.len() == Self::CORNERS);
         self.reserve(D + 2, 0)?;
         let finite = self.allocate();
         self.vertices_mut(finite).copy_from_slice(corners);
@@ -134,23 +132,19 @@ impl<const D: usize> Complex<D> {
     /// has to ask for memory. The caller then makes at most so many.
     pub fn reserve(&mut self, created: usize, released: usize) -> Fallible<()> {
         let appended = created.saturating_sub(self.free.len());
-        if appended > self.id_limit.saturating_sub(self.marks.len()) {
+        if appended > self.id_limit.saturating_sub(self.simplex_bound()) {
             return Err(Shortage::Ids);
         }
         if D <= MAX_TABLE_DIM {
             self.ridges.reserve::<D>(created)?;
         }
         make_room(&mut self.free, released)?;
-        make_room(&mut self.marks, appended)?;
-        make_room(&mut self.vertices, appended * Self::CORNERS)?;
-        make_room(&mut self.neighbors, appended * Self::CORNERS)
+        make_room(&mut self.records, appended * Self::RECORD)
     }
 
     /// Makes room for so many simplices and vertices if the system gives it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
-        expect(&mut self.marks, simplices);
-        expect(&mut self.vertices, simplices * Self::CORNERS);
-        expect(&mut self.neighbors, simplices * Self::CORNERS);
+        expect(&mut self.records, simplices * Self::RECORD);
         expect(&mut self.incident, vertices);
     }
 
@@ -162,7 +156,7 @@ impl<const D: usize> Complex<D> {
 
     /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex each.
     fn link_all(&mut self) {
-        let count = self.marks.len() as u32;
+        let count = self.simplex_bound() as u32;
         for simplex in 0..count {
             for index in 0..Self::CORNERS {
                 let missing = self.vertices(simplex)[index];
@@ -177,11 +171,21 @@ impl<const D: usize> Complex<D> {
     /// [`Self::has_marks_of`] knows the search by.
     pub fn begin_marks(&mut self) -> u32 {
         if self.epoch >= u32::MAX - 2 {
-            self.marks.fill(0);
+            self.records.chunks_exact_mut(Self::RECORD).for_each(|record| record[Self::MARK] = 0);
             self.epoch = 0;
         }
         self.epoch += 2;
         self.epoch
+    }
+
+    #[inline]
+    fn mark(&self, simplex: u32) -> u32 {
+        self.records[simplex as usize * Self::RECORD + Self::MARK]
+    }
+
+    #[inline]
+    fn mark_mut(&mut self, simplex: u32) -> &mut u32 {
+        &mut self.records[simplex as usize * Self::RECORD + Self::MARK]
     }
 
     /// Whether no other search began since the one that got this number.
@@ -192,22 +196,22 @@ impl<const D: usize> Complex<D> {
 
     #[inline]
     pub fn mark_inside(&mut self, simplex: u32) {
-        self.marks[simplex as usize] = self.epoch;
+        *self.mark_mut(simplex) = self.epoch;
     }
 
     #[inline]
     pub fn mark_outside(&mut self, simplex: u32) {
-        self.marks[simplex as usize] = self.epoch + 1;
+        *self.mark_mut(simplex) = self.epoch + 1;
     }
 
     #[inline]
     pub fn is_inside(&self, simplex: u32) -> bool {
-        self.marks[simplex as usize] == self.epoch
+        self.mark(simplex) == self.epoch
     }
 
     #[inline]
     pub fn is_marked(&self, simplex: u32) -> bool {
-        self.marks[simplex as usize] >= self.epoch
+        self.mark(simplex) >= self.epoch
     }
 
     /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
@@ -243,18 +247,18 @@ impl<const D: usize> Complex<D> {
     /// simplex, though dead, points to it from then on: that is how a pivot finds it.
     fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
         let simplex = self.allocate();
-        let (from, index) = (facet.simplex as usize * Self::CORNERS, facet.index as usize);
-        let to = simplex as usize * Self::CORNERS;
-        self.vertices.copy_within(from..from + Self::CORNERS, to);
-        self.vertices[to + index] = vertex;
+        let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
+        let to = simplex as usize * Self::RECORD;
+        self.records.copy_within(from..from + Self::CORNERS, to);
+        self.records[to + index] = vertex;
         for i in (0..Self::CORNERS).filter(|&i| i != index) {
-            let corner = self.vertices[to + i];
+            let corner = self.records[to + i];
             if corner != INFINITE {
                 self.incident[corner as usize] = simplex;
             }
         }
-        self.neighbors[to + index] = facet.beyond;
-        self.neighbors[from + index] = simplex;
+        self.neighbors_mut(simplex)[index] = facet.beyond;
+        self.neighbors_mut(facet.simplex)[index] = simplex;
         let mirror = position(self.neighbors(facet.beyond), facet.simplex);
         self.neighbors_mut(facet.beyond)[mirror] = simplex;
         simplex
@@ -275,13 +279,12 @@ impl<const D: usize> Complex<D> {
     /// the ridge through the cavity.
     fn link_by_pivots(&mut self, facet: &Facet, simplex: u32) {
         for ridge in 0..Self::CORNERS {
-            let at = simplex as usize * Self::CORNERS + ridge;
-            if self.neighbors[at] != NONE {
+            if self.neighbors(simplex)[ridge] != NONE {
                 continue;
             }
             let (neighbor, index) = self.pivot(facet, ridge);
-            self.neighbors[at] = neighbor;
-            self.neighbors[neighbor as usize * Self::CORNERS + index] = simplex;
+            self.neighbors_mut(simplex)[ridge] = neighbor;
+            self.neighbors_mut(neighbor)[index] = simplex;
         }
     }
 
@@ -304,28 +307,28 @@ impl<const D: usize> Complex<D> {
 
     fn allocate(&mut self) -> u32 {
         if let Some(simplex) = self.free.pop() {
-            self.marks[simplex as usize] = 0;
             self.neighbors_mut(simplex).fill(NONE);
+            *self.mark_mut(simplex) = 0;
             return simplex;
         }
-        let simplex = self.marks.len() as u32;
-        self.vertices.resize(self.vertices.len() + Self::CORNERS, NONE);
-        self.neighbors.resize(self.neighbors.len() + Self::CORNERS, NONE);
-        self.marks.push(0);
+        let simplex = self.simplex_bound() as u32;
+        self.records.resize(self.records.len() + Self::MARK, NONE);
+        self.records.push(0);
         simplex
     }
 
     fn release(&mut self, simplex: u32) {
-        self.neighbors[simplex as usize * Self::CORNERS] = NONE;
+        self.neighbors_mut(simplex)[0] = NONE;
         self.free.push(simplex);
     }
 
     fn vertices_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.vertices[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+        &mut self.records[simplex as usize * Self::RECORD..][..Self::CORNERS]
     }
 
+    #[inline]
     fn neighbors_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.neighbors[simplex as usize * Self::CORNERS..][..Self::CORNERS]
+        &mut self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
     }
 }
 

@@ -154,6 +154,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     #[cold]
+    #[inline(never)]
     fn in_ball_exactly(&self, simplex: u32, q: &[f64; D]) -> bool {
         self.exact_fallbacks.set(self.exact_fallbacks.get() + 1);
         let corners = self.corner_points(self.complex.vertices(simplex));
@@ -161,6 +162,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
+    #[inline(never)]
     fn beyond_hull(&self, simplex: u32, q: &[f64; D]) -> bool {
         let vertices = self.complex.vertices(simplex);
         let infinite = crate::complex::position(vertices, INFINITE);

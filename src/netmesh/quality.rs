@@ -23,7 +23,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let mut is_suspect = !self.hierarchy.is_alike(vertices);
             for &vertex in vertices {
                 let cell = &mut self.cells[vertex as usize];
-                cell.farthest = cell.farthest.max(ball.radius);
+                if ball.radius > cell.farthest {
+                    cell.farthest = ball.radius;
+                }
                 is_suspect |= cell.nearest < allowed;
             }
             if is_suspect {
@@ -86,7 +88,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_bad(simplex) || self.open_domain(simplex).is_some() {
+        // At the end what is bad is open as well, and that is told from fewer figures.
+        if self.open_domain(simplex).is_some() || self.is_bad(simplex) {
             self.queue(simplex)?;
         }
         Ok(())

@@ -5,7 +5,8 @@
 //! 2004.
 
 use super::Mesher;
-use crate::numerics::distance;
+use crate::mesh::MAX_DIM;
+use crate::numerics::{distance, shortest_distance};
 use crate::options::Criterion;
 
 /// A point for the mesh and the radius of a ball about it that no vertex is in.
@@ -110,16 +111,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The ends of the shortest edge of `simplex`, and its length.
     pub(super) fn shortest_edge(&self, simplex: u32) -> (u32, u32, f64) {
         let vertices = self.delaunay.complex().vertices(simplex);
-        let mut shortest = (vertices[0], vertices[1], f64::INFINITY);
-        for (at, &a) in vertices.iter().enumerate() {
-            for &b in &vertices[..at] {
-                let length = distance(self.delaunay.point(a), self.delaunay.point(b));
-                if length < shortest.2 {
-                    shortest = (a, b, length);
-                }
-            }
+        let mut points = [self.delaunay.point(vertices[0]); MAX_DIM + 1];
+        for (point, &vertex) in points.iter_mut().zip(vertices) {
+            *point = self.delaunay.point(vertex);
         }
-        shortest
+        let (a, b, length) = shortest_distance(&points[..=D]);
+        (vertices[a], vertices[b], length)
     }
 }
 

@@ -33,6 +33,6 @@ pub use circumball::Circumball;
 pub(crate) use edges::{Column, Edges};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use in_ball::in_ball;
-pub use length::{distance, norm};
+pub use length::{distance, norm, shortest_distance};
 pub use orientation::{orientation, orientation_filtered};
 pub use sign::Sign;

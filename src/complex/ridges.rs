@@ -90,3 +90,60 @@ pub(super) fn ridges_of<const D: usize>(corners: &[u32], apex: usize) -> [(u128,
         (ridge, facet[lacking] as u32)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cone of a vertex over the surface of a simplex, its corners in orders that differ: each
+    /// ridge is met by two of the cone's simplices, and named alike by both.
+    fn ridges_come_in_pairs<const D: usize>() {
+        let apex = 1000;
+        let surface: Vec<u32> = (0..=D as u32).map(|i| (7 * i + 3) % 11).collect();
+        let mut table = Ridges::default();
+        table.reserve::<D>(D + 1).unwrap();
+        for _ in 0..2 {
+            table.begin::<D>(D + 1);
+            let mut pairs = 0;
+            for lacking in 0..=D {
+                let mut corners: Vec<u32> =
+                    (0..=D).map(|i| if i == lacking { apex } else { surface[i] }).collect();
+                corners.rotate_left(lacking * 3 % (D + 1));
+                corners.swap(0, lacking);
+                let at = corners.iter().position(|&corner| corner == apex).unwrap();
+                for (ridge, index) in ridges_of::<D>(&corners, at) {
+                    let side = Side { simplex: lacking as u32, index };
+                    let Some(other) = table.pair(ridge, side) else { continue };
+                    pairs += 1;
+                    // Each side lacks the vertex that the other simplex has not.
+                    assert_eq!(corners[index as usize], surface[other.simplex as usize]);
+                    assert!(other.simplex < side.simplex);
+                }
+            }
+            assert_eq!(pairs, D * (D + 1) / 2);
+        }
+    }
+
+    #[test]
+    fn ridges_come_in_pairs_in_every_dimension() {
+        ridges_come_in_pairs::<2>();
+        ridges_come_in_pairs::<3>();
+        ridges_come_in_pairs::<4>();
+        ridges_come_in_pairs::<5>();
+    }
+
+    /// Ridges of one slot stand behind each other.
+    #[test]
+    fn ridges_with_one_hash_are_told_apart() {
+        let mut table = Ridges::default();
+        table.reserve::<2>(64).unwrap();
+        table.begin::<2>(64);
+        table.shift = 63;
+        for round in 0..2 {
+            for simplex in 0..60 {
+                let known = table.pair(u128::from(simplex) << 32 | 5, Side { simplex, index: 1 });
+                assert_eq!(known.map(|side| side.simplex), (round == 1).then_some(simplex));
+            }
+        }
+    }
+}

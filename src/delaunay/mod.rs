@@ -39,7 +39,7 @@ pub(crate) struct Delaunay<const D: usize> {
 }
 
 impl<const D: usize> Delaunay<D> {
-    const NO_BALL: Circumball<D> = Circumball { anchor: NONE, ..Circumball::UNUSABLE };
+    const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(NONE);
 
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
     pub fn new(points: Vec<[f64; D]>) -> Fallible<Self> {
@@ -243,7 +243,7 @@ impl<const D: usize> Delaunay<D> {
             true => Self::NO_BALL,
             false => {
                 let ball = Circumball::new(&self.corner_points(vertices)[..=D]);
-                Circumball { anchor: vertices[ball.anchor as usize], ..ball }
+                ball.anchored(vertices[ball.anchor as usize])
             }
         };
     }

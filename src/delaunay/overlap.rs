@@ -53,6 +53,6 @@ impl<const D: usize> Delaunay<D> {
         let offset: [f64; D] = std::array::from_fn(|axis| {
             (to[axis] - from[axis]) + (b.center[axis] * unit_b - a.center[axis] * unit_a)
         });
-        norm(&offset) < a.radius + b.radius
+        norm(&offset) < a.radius() + b.radius()
     }
 }

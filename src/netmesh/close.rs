@@ -80,7 +80,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
     pub(super) fn open_domain(&mut self, simplex: u32) -> Option<u32> {
-        let radius = self.delaunay.ball(simplex)?.radius;
+        let radius = self.delaunay.ball(simplex)?.radius();
         if !self.closing || self.refine.is_limited(simplex) {
             return None;
         }
@@ -130,7 +130,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn is_clear_of_cage(&mut self, simplex: u32, domain: u32) -> Fallible<bool> {
         let center = self.hierarchy.node(domain).point;
         let Some(gap) = self.delaunay.corner_distance(simplex, &center) else { return Ok(false) };
-        let radius = self.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius);
+        let radius = self.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius());
         let depth = self.sphere_radius(domain) - gap;
         let clear = depth > NEAR * radius;
         let Some(corner) = self.delaunay.corner(simplex).filter(|_| clear) else {

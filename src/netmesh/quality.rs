@@ -18,13 +18,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for at in 0..self.scratch.created.len() {
             let simplex = self.scratch.created[at];
             let Some(ball) = self.delaunay.ball(simplex) else { continue };
-            let allowed = self.nearest_allowed(ball.radius);
+            let radius = ball.radius();
+            let allowed = self.nearest_allowed(radius);
             let vertices = self.delaunay.complex().vertices(simplex);
             let mut is_suspect = !self.hierarchy.is_alike(vertices);
             for &vertex in vertices {
                 let cell = &mut self.cells[vertex as usize];
-                if ball.radius > cell.farthest {
-                    cell.farthest = ball.radius;
+                if radius > cell.farthest {
+                    cell.farthest = radius;
                 }
                 is_suspect |= cell.nearest < allowed;
             }
@@ -51,7 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
             let simplex = self.scratch.star[at];
-            let Some(radius) = self.delaunay.ball(simplex).map(|ball| ball.radius) else {
+            let Some(radius) = self.delaunay.ball(simplex).map(|ball| ball.radius()) else {
                 continue;
             };
             farthest = farthest.max(radius);
@@ -99,7 +100,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// another one for the radius, or vertices of several domains.
     fn is_suspect(&self, simplex: u32) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let allowed = self.nearest_allowed(ball.radius);
+        let allowed = self.nearest_allowed(ball.radius());
         let vertices = self.delaunay.complex().vertices(simplex);
         vertices.iter().any(|&vertex| self.cells[vertex as usize].nearest < allowed)
             || !self.hierarchy.is_alike(vertices)
@@ -123,7 +124,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.
     pub(super) fn is_bad(&mut self, simplex: u32) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let radius = ball.radius;
+        let radius = ball.radius();
         if self.refine.is_limited(simplex) {
             return false;
         }

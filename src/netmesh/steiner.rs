@@ -49,7 +49,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn sound_corner(&self, simplex: u32) -> Option<SteinerPoint<D>> {
-        let radius = self.delaunay.ball(simplex)?.radius;
+        let radius = self.delaunay.ball(simplex)?.radius();
         let point = self.delaunay.corner(simplex)?;
         let corner = SteinerPoint { point, radius, is_corner: true };
         let vertices = self.delaunay.complex().vertices(simplex);

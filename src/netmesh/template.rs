@@ -98,7 +98,7 @@ fn greedy_net<const D: usize>(
 
 /// The simplex with the largest D-ball; among equals within rounding the first.
 fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> Fallible<(u32, f64)> {
-    let radius = |simplex: u32| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius);
+    let radius = |simplex: u32| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
     let mut sorted = copied(star)?;
     sorted.sort_unstable();
     Ok(sorted.iter().fold((0, 0.0), |best, &simplex| match radius(simplex) {

@@ -5,30 +5,24 @@ use super::exact::circumcenter_exact;
 use super::length::{largest_magnitude, norm};
 use super::power::{TINY, UNIT, biased_exponent, power_of_two, scale_by_power};
 use super::solve::solve;
+use std::ops::RangeInclusive;
 
 #[cfg(test)]
 mod tests;
 
 /// The circumball of a simplex, its centre relative to one of the vertices and scaled by a power
-/// of two, so that tiny and huge simplices are told apart from their neighbours alike.
+/// of two, so that tiny and huge simplices are told apart from their neighbours alike. Half a cache
+/// line in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
     /// (circumcentre - anchor point) / unit. If the exponent is not -1, the largest magnitude is in
-    /// [2, 4) unless the exponent had to be clamped.
+    /// [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot be used.
     pub center: [f64; D],
-    /// No component of `center` is further from the exact one than this, less D + 5 units of roundoff
-    /// of its length, which pay for [`Circumball::side`]; infinite if the centre cannot be used.
-    pub error: f64,
-    /// The circumradius in real units, within 1e-8 relatively if `error` is finite; infinite if it
-    /// exceeds `f64::MAX`.
-    pub radius: f64,
     /// The vertex that `center` is relative to: its index in the simplex, in whose place the caller may
     /// put a name of its own. No two vertices are much nearer to each other than both are to it: it is
     /// an endpoint of the shortest edge in the sum norm, or the simplex is not [`FLAT`] at it.
     pub anchor: u32,
-    /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
-    /// circumradius is about 2^-`REACH` to 2^`REACH`: `center` is then twice the centre in real units.
-    pub exponent: i16,
+    precision: Precision,
 }
 
 /// A centre whose largest component is not known better than this, relatively, is recomputed in
@@ -38,8 +32,9 @@ const ACCEPTED: f64 = 1e-9;
 /// Exponent of the balls that [`Circumball::side`] need not scale.
 const PLAIN: i16 = -1;
 
-/// Exponents of centres with the unit 2^[`PLAIN`].
-const REACH: i32 = 200;
+/// Exponents of centres with the unit 2^[`PLAIN`]: their errors, 2^-51 to 2^-29 of them, are normal
+/// numbers of single precision.
+const REACH: RangeInclusive<i32> = -70..=100;
 
 /// How many times smaller than a box with its edges a simplex may be at its first vertex, for this
 /// to be the anchor: a loss of as many bits for points near another vertex.
@@ -55,13 +50,8 @@ const fn side_units(dim: usize) -> f64 {
 
 impl<const D: usize> Circumball<D> {
     /// The ball of a flat simplex, or of one with a radius out of range: decides nothing.
-    pub const UNUSABLE: Self = Self {
-        center: [f64::NAN; D],
-        error: f64::INFINITY,
-        radius: f64::INFINITY,
-        anchor: 0,
-        exponent: PLAIN,
-    };
+    pub const UNUSABLE: Self =
+        Self { center: [f64::INFINITY; D], anchor: 0, precision: Precision::NONE };
 
     /// The circumball of `D + 1` finite, affinely independent points. For flat simplices and those
     /// with a radius beyond 2^1030 the error and the radius are infinite and nothing is decided.
@@ -87,13 +77,11 @@ impl<const D: usize> Circumball<D> {
         }
         let edges = edges(points, anchor);
         let Center { twice, diameter, error } = cramer::circumcenter(&edges, flatness)?;
-        Some(Self {
-            center: twice,
-            error: error + side_units(D) * diameter,
-            radius: 0.5 * diameter,
-            anchor: anchor as u32,
-            exponent: PLAIN,
-        })
+        if !(ORDINARY.0..ORDINARY.1).contains(&diameter) {
+            return None;
+        }
+        let precision = Precision::plain(error + side_units(D) * diameter);
+        Some(Self { center: twice, anchor: anchor as u32, precision })
     }
 
     /// The ball relative to an endpoint of the shortest edge.
@@ -134,8 +122,7 @@ impl<const D: usize> Circumball<D> {
         }
         let scale = power_of_two(-own);
         let center = solution.map(|x| x * scale);
-        let radius = square(&center).sqrt() * power_of_two(k);
-        Some(Self::scaled(anchor, center, k, error * scale, radius))
+        Some(Self::scaled(anchor, center, k, error * scale))
     }
 
     /// The ball from the exact rational centre.
@@ -149,29 +136,54 @@ impl<const D: usize> Circumball<D> {
         let k = exact.exponent.clamp(-999, 999);
         let center = exact.center.map(|x| scale_by_power(x, exact.exponent - k));
         let error = 2.0 * UNIT * largest_magnitude(&center) + 2.0 * f64::from_bits(1);
-        let radius = scale_by_power(norm(&exact.center), exact.exponent);
-        Self::scaled(anchor, center, k as i32, error, radius)
+        Self::scaled(anchor, center, k as i32, error)
     }
 
     /// The ball with the centre `half` * 2^k, every component known up to `error` * 2^k, for |k| < 1000
     /// and no component of `half` beyond 2^32.
-    fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64, radius: f64) -> Self {
-        let shift = if k.abs() <= REACH { k } else { 0 };
+    fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64) -> Self {
+        let shift = if REACH.contains(&k) { k } else { 0 };
         let factor = 2.0 * power_of_two(shift);
         let center = half.map(|x| x * factor);
-        Self {
-            center,
-            error: error * factor + side_units(D) * norm(&center),
-            radius,
-            anchor: anchor as u32,
-            exponent: PLAIN + (k - shift) as i16,
-        }
+        let error = error * factor + side_units(D) * norm(&center);
+        let precision = Precision::new(error, PLAIN + (k - shift) as i16);
+        Self { center, anchor: anchor as u32, precision }
+    }
+
+    /// The same ball; `anchor` names its anchor.
+    #[inline]
+    pub const fn anchored(self, anchor: u32) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// No component of `center` is further from the exact one than this, less D + 5 units of roundoff
+    /// of its length, which pay for [`Self::side`]; infinite if the centre cannot be used.
+    #[inline]
+    pub fn error(&self) -> f64 {
+        self.precision.error()
+    }
+
+    /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
+    /// circumradius is about 2^-70 to 2^100 ([`REACH`]): `center` is then twice the centre in real units.
+    #[inline]
+    pub fn exponent(&self) -> i16 {
+        self.precision.exponent()
     }
 
     /// Real units per unit of `center`.
     #[inline]
     pub fn unit(&self) -> f64 {
-        power_of_two(i32::from(self.exponent))
+        power_of_two(i32::from(self.exponent()))
+    }
+
+    /// The circumradius in real units, within 1e-8 relatively if `error` is finite; infinite if it
+    /// exceeds `f64::MAX`.
+    #[inline]
+    pub fn radius(&self) -> f64 {
+        match self.precision.is_plain() {
+            true => 0.5 * square(&self.center).sqrt(),
+            false => scale_by_power(norm(&self.center), i64::from(self.exponent())),
+        }
     }
 
     /// Whether `q` is strictly inside the ball, as far as floating-point arithmetic with an error
@@ -184,8 +196,9 @@ impl<const D: usize> Circumball<D> {
     /// huge ball.
     #[inline]
     pub fn side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        if self.exponent == PLAIN {
-            let side = self.side_of(std::array::from_fn(|i| q[i] - anchor_point[i]));
+        if self.precision.is_plain() {
+            let w = std::array::from_fn(|i| q[i] - anchor_point[i]);
+            let side = self.side_of(w, self.precision.plain_error());
             if side.is_some() {
                 return side;
             }
@@ -197,12 +210,12 @@ impl<const D: usize> Circumball<D> {
     #[cold]
     #[inline(never)]
     fn rare_side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
-        let scale = power_of_two(-1 - i32::from(self.exponent));
+        let scale = power_of_two(-1 - i32::from(self.exponent()));
         let scaled = std::array::from_fn(|i| (q[i] - anchor_point[i]) * scale);
-        self.side_of(scaled).or_else(|| self.is_far(&scaled).then_some(false))
+        self.side_of(scaled, self.error()).or_else(|| self.is_far(&scaled).then_some(false))
     }
 
-    /// The side of w, scaled.
+    /// The side of w, scaled, where the ball's error is `error`.
     ///
     /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
     /// error of C makes of it, error |w|_1, the computed p is wrong by at most
@@ -217,21 +230,21 @@ impl<const D: usize> Circumball<D> {
     /// infinite: an infinite p with a finite bound is right, as p is less than the square of a
     /// length that overflows only far away.
     #[inline(always)]
-    fn side_of(&self, w: [f64; D]) -> Option<bool> {
+    fn side_of(&self, w: [f64; D], error: f64) -> Option<bool> {
         let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));
         let power = terms[1..].iter().fold(terms[0], |power, x| power + x);
         let sum = w[1..].iter().fold(w[0].abs(), |sum, x| sum + x.abs());
         // Not so if anything is NaN.
-        let is_decided = power.abs() > self.error * sum + TINY;
+        let is_decided = power.abs() > error * sum + TINY;
         is_decided.then_some(power < 0.0)
     }
 
     /// Whether a point is so far from the anchor that its square may have overflowed, which makes it
-    /// an outside point: no usable scaled centre exceeds 2^(`REACH` + 2).
+    /// an outside point: no usable scaled centre exceeds 2^102.
     fn is_far(&self, w: &[f64; D]) -> bool {
         const FAR: f64 = power_of_two(500);
         // Infinite differences of finite points are at least 2^1023: far unless the unit is huge.
-        self.error < FAR && self.exponent < 500 && w.iter().any(|x| x.abs() >= FAR)
+        self.error() < FAR && self.exponent() < 500 && w.iter().any(|x| x.abs() >= FAR)
     }
 
     /// The circumcentre in real coordinates, rounded; not finite where it overflows or `error` is
@@ -240,6 +253,60 @@ impl<const D: usize> Circumball<D> {
     pub fn center_point(&self, anchor_point: &[f64; D]) -> [f64; D] {
         let unit = self.unit();
         std::array::from_fn(|i| anchor_point[i] + self.center[i] * unit)
+    }
+}
+
+/// Diameters of balls with the unit 2^[`PLAIN`].
+const ORDINARY: (f64, f64) = (power_of_two(*REACH.start()), power_of_two(*REACH.end()));
+
+/// An error bound and an exponent in four bytes: a positive number of single precision with the
+/// exponent, less [`PLAIN`], in place of its last bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Precision(u32);
+
+impl Precision {
+    const EXPONENT_BITS: u32 = 11;
+    const EXPONENT: u32 = (1 << Self::EXPONENT_BITS) - 1;
+
+    /// The infinite error.
+    const NONE: Self = Self(f32::INFINITY.to_bits());
+
+    /// The error is rounded up, by 2^-11 of itself at most (of 2^-126 if it is less). For exponents
+    /// from -1000 to 1000.
+    #[inline]
+    fn new(error: f64, exponent: i16) -> Self {
+        let nearest = (error as f32).to_bits() & !Self::EXPONENT;
+        let above = (nearest + Self::EXPONENT + 1).min(Self::NONE.0);
+        Self(above | (exponent - PLAIN) as u32 & Self::EXPONENT)
+    }
+
+    /// As [`Self::new`] with the plain exponent, for an error below 2^127.
+    #[inline]
+    fn plain(error: f64) -> Self {
+        debug_assert!(error < power_of_two(127));
+        Self(((error as f32).to_bits() | Self::EXPONENT) + 1)
+    }
+
+    #[inline]
+    fn is_plain(self) -> bool {
+        self.0 & Self::EXPONENT == 0
+    }
+
+    /// The error if the exponent is plain.
+    #[inline]
+    fn plain_error(self) -> f64 {
+        f64::from(f32::from_bits(self.0))
+    }
+
+    #[inline]
+    fn error(self) -> f64 {
+        f64::from(f32::from_bits(self.0 & !Self::EXPONENT))
+    }
+
+    #[inline]
+    fn exponent(self) -> i16 {
+        let unused = 32 - Self::EXPONENT_BITS;
+        PLAIN + ((self.0 << unused) as i32 >> unused) as i16
     }
 }
 

@@ -40,7 +40,7 @@ fn mesh_run(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("run");
     // A run takes a good part of a second: few samples, and as many runs in each.
     group.sampling_mode(SamplingMode::Flat).sample_size(15);
-    group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(8));
+    group.warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(10));
     for case in cases() {
         // Only for what the filter leaves: the certificate takes longer than the run.
         let certified = LazyCell::new(|| require_certificate(&run(&case, fresh(&case))));

@@ -2,33 +2,32 @@
 // and CGAL take turns in one process; the ratio of each turn is robust against a machine whose speed
 // drifts, its median against a disturbed turn.
 //
-//   cgal_ratio                              uniform 100,000 in 2D and 3D, 10,000 in 4D, 5 turns
-//   cgal_ratio <dim> <n> <turns> [uniform | gaussian | sphere | grid | ...]
-#include <algorithm>
+//   cmake --build <build> --target cgal_ratio, then <build>/bench/
+//   cgal_ratio                              uniform, gaussian, clusters, sphere: 100,000 in 2D and
+//                                           3D, 10,000 in 4D, 3 turns; ends with all medians
+//   cgal_ratio <dim> <n> <turns> [uniform | gaussian | clusters | sphere | grid | ...]
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "cgal_insert.hpp"
-#include "inputs.hpp"
+#include "clusters.hpp"
 #include "netmesh.h"
+#include "ratio.hpp"
 
 namespace {
 
-void require(nm_status status, const char* call) {
-    if (status == NM_OK) return;
-    char message[512];
-    nm_last_error(message, sizeof message);
-    std::fprintf(stderr, "%s: %s: %s\n", call, nm_status_name(status), message);
-    std::exit(1);
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
+struct Medians {
+    std::string distribution;
+    unsigned dim = 0;
+    std::size_t n = 0;
+    std::size_t vertices = 0;
+    double ours = 0.0;
+    double theirs = 0.0;
+    double ratio = 0.0;
+};
 
 CgalTiming cgal_insert(unsigned dim, const std::vector<double>& points) {
     const std::size_t n = points.size() / dim;
@@ -37,13 +36,14 @@ CgalTiming cgal_insert(unsigned dim, const std::vector<double>& points) {
                       : cgal_insert_4(points.data(), n);
 }
 
-void compare(unsigned dim, std::size_t n, int turns, const std::string& distribution) {
-    const PointSet input = generate(distribution, dim, n);
+Medians compare(unsigned dim, std::size_t n, int turns, const std::string& distribution) {
+    const PointSet input = ratio_input(distribution, dim, n);
     nm_mesh* mesh = nullptr;
     require(nm_mesh_create(dim, n, input.coordinates.data(), 0, &mesh), "nm_mesh_create");
     std::printf("%s %zu, %uD\n", distribution.c_str(), n, dim);
     std::printf("%6s %10s %10s %10s %8s\n", "turn", "vertices", "nm_run s", "CGAL s", "ratio");
     std::vector<double> ours, theirs, ratios;
+    std::size_t vertex_count = 0;
     for (int turn = 1; turn <= turns; ++turn) {
         require(nm_run(mesh, nullptr), "nm_run");
         nm_stats stats{};
@@ -54,9 +54,9 @@ void compare(unsigned dim, std::size_t n, int turns, const std::string& distribu
         std::vector<double> vertices(needed);
         require(nm_mesh_get_points(mesh, vertices.data(), needed, nullptr), "nm_mesh_get_points");
         const CgalTiming cgal = cgal_insert(dim, vertices);
-        if (cgal.vertices != needed / dim) {
-            std::fprintf(stderr, "CGAL has %zu vertices of %zu\n", cgal.vertices,
-                         static_cast<std::size_t>(needed / dim));
+        vertex_count = static_cast<std::size_t>(needed / dim);
+        if (cgal.vertices != vertex_count) {
+            std::fprintf(stderr, "CGAL has %zu vertices of %zu\n", cgal.vertices, vertex_count);
             std::exit(1);
         }
         ours.push_back(stats.seconds);
@@ -66,17 +66,31 @@ void compare(unsigned dim, std::size_t n, int turns, const std::string& distribu
                     ratios.back());
         std::fflush(stdout);
     }
-    std::printf("%6s %10s %10.3f %10.3f %8.2f\n\n", "median", "", median(ours), median(theirs), median(ratios));
     nm_mesh_free(mesh);
+    const Medians medians{distribution, dim, n, vertex_count, median(ours), median(theirs), median(ratios)};
+    std::printf("%6s %10s %10.3f %10.3f %8.2f\n\n", "median", "", medians.ours, medians.theirs, medians.ratio);
+    return medians;
+}
+
+void compare_all() {
+    std::vector<Medians> all;
+    for (unsigned dim = 2; dim <= 4; ++dim) {
+        for (const char* distribution : {"uniform", "gaussian", "clusters", "sphere"}) {
+            all.push_back(compare(dim, dim == 4 ? 10000 : 100000, 3, distribution));
+        }
+    }
+    std::printf("%4s %-10s %8s %10s %10s %10s %8s\n", "dim", "input", "n", "vertices", "nm_run s", "CGAL s", "ratio");
+    for (const Medians& row : all) {
+        std::printf("%3uD %-10s %8zu %10zu %10.3f %10.3f %8.2f\n", row.dim, row.distribution.c_str(), row.n,
+                    row.vertices, row.ours, row.theirs, row.ratio);
+    }
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
     if (count == 1) {
-        compare(2, 100000, 5, "uniform");
-        compare(3, 100000, 5, "uniform");
-        compare(4, 10000, 5, "uniform");
+        compare_all();
         return 0;
     }
     const auto dim = static_cast<unsigned>(count > 1 ? std::atoi(arguments[1]) : 0);

@@ -51,7 +51,7 @@ impl Family {
             (Family::Pairs, 2) => {
                 context.pick(&[3, 6], &[12, 120, 1200], &[12, 40, 120, 400, 1200, 4000])
             }
-            (Family::Pairs, _) => context.pick(&[2, 4], &[5, 50, 300], &[5, 15, 50, 150, 600]),
+            (Family::Pairs, _) => context.pick(&[2, 4], &[5, 50, 300], &[5, 15, 50, 150, 620]),
             (Family::CloserPairs, _) => {
                 context.pick(&[8, 12], &[4, 8, 12, 24, 40], &[4, 6, 8, 10, 12, 16, 24, 32, 40])
             }

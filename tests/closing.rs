@@ -119,7 +119,7 @@ fn worst_radius_edge(mesh: &Triangulation) -> f64 {
 
 fn radius_in<const D: usize>(points: &[&[f64]]) -> f64 {
     let points: Vec<&[f64; D]> = points.iter().map(|&p| p.try_into().unwrap()).collect();
-    netmesh::numerics::Circumball::new(&points).radius
+    netmesh::numerics::Circumball::new(&points).radius()
 }
 
 #[test]

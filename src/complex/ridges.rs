@@ -7,9 +7,6 @@ use crate::memory::{Fallible, TryGrow};
 /// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
 pub(super) const MAX_TABLE_DIM: usize = 5;
 
-/// No ridge: the vertices of one are different.
-const EMPTY: u128 = u128::MAX;
-
 /// Where a ridge was met: the simplex, and its corner that is neither on the ridge nor the apex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
@@ -17,10 +14,22 @@ pub(super) struct Side {
     pub index: u32,
 }
 
+#[derive(Clone, Copy, Debug)]
+struct Slot {
+    ridge: u128,
+    side: Side,
+    /// The cone that it is of; those of earlier cones are free.
+    cone: u32,
+}
+
+impl Slot {
+    const FREE: Self = Self { ridge: 0, side: Side { simplex: 0, index: 0 }, cone: 0 };
+}
+
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ridges {
-    ridges: Vec<u128>,
-    sides: Vec<Side>,
+    slots: Vec<Slot>,
+    cone: u32,
     /// One less than the slots in use, and how far a hash is shifted to be one.
     mask: usize,
     shift: u32,
@@ -29,15 +38,17 @@ pub(super) struct Ridges {
 impl Ridges {
     /// Makes room for the ridges between `facets` of dimension D - 1: D/2 of each.
     pub fn reserve<const D: usize>(&mut self, facets: usize) -> Fallible<()> {
-        let slots = slots(D, facets);
-        self.ridges.cover(slots, EMPTY)?;
-        self.sides.cover(slots, Side { simplex: 0, index: 0 })
+        self.slots.cover(slots(D, facets), Slot::FREE)
     }
 
     /// Empties the table for the ridges of so many `facets`, for which there is room.
     pub fn begin<const D: usize>(&mut self, facets: usize) {
+        if self.cone == u32::MAX {
+            self.slots.fill(Slot::FREE);
+            self.cone = 0;
+        }
+        self.cone += 1;
         let slots = slots(D, facets);
-        self.ridges[..slots].fill(EMPTY);
         self.mask = slots - 1;
         self.shift = 64 - slots.trailing_zeros();
     }
@@ -45,17 +56,17 @@ impl Ridges {
     /// The side that came with `ridge` the first time; that time nothing.
     #[inline]
     pub fn pair(&mut self, ridge: u128, side: Side) -> Option<Side> {
-        let mut slot = (hash(ridge) >> self.shift) as usize;
+        let mut at = (hash(ridge) >> self.shift) as usize;
         loop {
-            if self.ridges[slot] == ridge {
-                return Some(self.sides[slot]);
-            }
-            if self.ridges[slot] == EMPTY {
-                self.ridges[slot] = ridge;
-                self.sides[slot] = side;
+            let slot = &mut self.slots[at];
+            if slot.cone != self.cone {
+                *slot = Slot { ridge, side, cone: self.cone };
                 return None;
             }
-            slot = (slot + 1) & self.mask;
+            if slot.ridge == ridge {
+                return Some(slot.side);
+            }
+            at = (at + 1) & self.mask;
         }
     }
 }
@@ -143,6 +154,19 @@ mod tests {
             for simplex in 0..60 {
                 let known = table.pair(u128::from(simplex) << 32 | 5, Side { simplex, index: 1 });
                 assert_eq!(known.map(|side| side.simplex), (round == 1).then_some(simplex));
+            }
+        }
+    }
+    /// What earlier cones left is free, also when their numbers start again.
+    #[test]
+    fn every_cone_begins_with_an_empty_table() {
+        let mut table = Ridges::default();
+        table.reserve::<3>(4).unwrap();
+        for cone in [0, u32::MAX, 1] {
+            table.cone = cone;
+            table.begin::<3>(4);
+            for ridge in 0..6 {
+                assert!(table.pair(ridge, Side { simplex: 1, index: 0 }).is_none());
             }
         }
     }

@@ -43,7 +43,7 @@ fn worst_aspect_by_trying<const D: usize>(case: &Case) -> f64 {
         .map(|s| {
             let points: Vec<&[f64; D]> = mesh.simplex(s).iter().map(|&v| point(v)).collect();
             let ball = Circumball::<D>::new(&points);
-            (mesh.simplex(s), ball.center_point(points[ball.anchor as usize]), ball.radius)
+            (mesh.simplex(s), ball.center_point(points[ball.anchor as usize]), ball.radius())
         })
         .collect();
     let cell = |v: u32| {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the experiments: the paper's theorems as measured curves, beside SVR and other
-# meshers. All of them are meant to take 20 minutes on two cores; the last full run took 24, on a machine
+# meshers. All of them are meant to take 20 minutes on two cores; the last full run took 27, on a machine
 # with other work to do.
 #
 #   bench/experiments/run.sh [--write] [--quick] [names...]

@@ -2,9 +2,9 @@
 //! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
 //!
 //! A simplex is a record of `u32` ids: its vertices, the neighbours opposite them and its mark, which a
-//! search wants one after the other and finds in a cache line or two. Dead ones wait in a LIFO list. All simplices are
-//! oriented alike: replacing a vertex of one by a point on the same side keeps the orientation, so
-//! a cavity is retriangulated without one orientation test.
+//! search wants one after the other and finds in a cache line or two. Dead ones wait in a LIFO list.
+//! All simplices are oriented alike: replacing a vertex of one by a point on the same side keeps the
+//! orientation, so a cavity is retriangulated without one orientation test.
 
 mod locality;
 mod ridges;

@@ -3,3 +3,5 @@
 
 pub mod cases;
 pub mod inputs;
+#[path = "../../experiments/src/random.rs"]
+mod random;

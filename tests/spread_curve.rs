@@ -124,6 +124,6 @@ fn nested_clusters_in_4d() {
 #[test]
 fn pairs() {
     check_pairs(2, 500, &[6.0, 7.0, 8.0, 9.0, 10.0]);
-    check_pairs(3, 120, &[5.0, 5.5, 6.0, 7.0, 8.0]);
+    check_pairs(3, 250, &[5.0, 5.5, 6.0, 7.0, 8.0]);
     check_pairs(4, 120, &[4.0, 5.0, 6.0]);
 }

@@ -10,8 +10,14 @@ impl<const D: usize> Delaunay<D> {
     /// vertex already. A visibility walk in a Delaunay triangulation cannot cycle except among
     /// cospherical simplices; a counted bound and a scan of all simplices cover those.
     pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
+        self.locate_and_count(start, q, &mut 0)
+    }
+
+    /// As [`Self::locate`]; adds the D-balls that `q` was tested against to `tests`.
+    pub fn locate_and_count(&self, start: u32, q: &[f64; D], tests: &mut u32) -> Option<u32> {
         let mut current = self.finite_near(start);
         for _ in 0..self.complex.simplex_count() {
+            *tests += 1;
             if self.in_conflict(current, q) {
                 return Some(current);
             }
@@ -22,7 +28,9 @@ impl<const D: usize> Delaunay<D> {
             }
         }
         (0..self.complex.simplex_bound() as u32)
-            .find(|&simplex| self.complex.is_live(simplex) && self.in_conflict(simplex, q))
+            .filter(|&simplex| self.complex.is_live(simplex))
+            .inspect(|_| *tests += 1)
+            .find(|&simplex| self.in_conflict(simplex, q))
     }
 
     /// `start`, or the finite neighbour of an infinite one.

@@ -153,6 +153,16 @@ impl<const D: usize> Delaunay<D> {
         }
     }
 
+    /// About the power of `q` to the D-ball of `simplex`, the lower the further inside; infinite or
+    /// NaN for an infinite simplex and out of range.
+    #[inline]
+    pub fn power(&self, simplex: u32, q: &[f64; D]) -> f64 {
+        match self.ball_and_anchor(simplex) {
+            Some((ball, anchor)) => ball.power(anchor, q),
+            None => f64::INFINITY,
+        }
+    }
+
     #[cold]
     #[inline(never)]
     fn in_ball_exactly(&self, simplex: u32, q: &[f64; D]) -> bool {

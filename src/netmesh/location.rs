@@ -75,6 +75,11 @@ impl Location {
         Inhabitants { next: &self.next, current: self.heads[simplex as usize] }
     }
 
+    /// Touches of `input` so far.
+    pub fn touches_mut(&mut self, input: u32) -> &mut u32 {
+        &mut self.touches[input as usize]
+    }
+
     pub fn total_touches(&self) -> u64 {
         self.touches.iter().map(|&t| u64::from(t)).sum()
     }
@@ -135,7 +140,7 @@ impl Location {
             }
             self.counts[simplex as usize] = 0;
             let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
-            let mut guess = own.start.min(created.len() - 1);
+            let mut guess = created[own.start.min(created.len() - 1)];
             while input != NONE {
                 watch.tick(4)?;
                 let next = self.next[input as usize];
@@ -143,8 +148,8 @@ impl Location {
                     self.homes[input as usize] = NONE;
                     self.remaining -= 1;
                 } else {
-                    guess = self.find_home(delaunay, created, guess, input);
-                    self.settle(input, created[guess]);
+                    guess = self.find_home(delaunay, inserted, created, guess, input);
+                    self.settle(input, guess);
                 }
                 input = next;
             }
@@ -152,22 +157,119 @@ impl Location {
         Ok(())
     }
 
-    /// Position in `created` of a D-ball that holds `input`, tried outward from `guess`.
+    /// The simplex of the star of `apex` whose D-ball holds `input`, from `guess`, one of them. Their
+    /// centres are the corners of the Voronoi cell of `apex`, and the power of `input` to the balls is
+    /// linear on it: a walk along the cell's edges on which it falls ends where it is least. Where
+    /// rounding ends the walk before, or the cell is not bounded, all balls are tried.
     fn find_home<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
+        apex: u32,
         created: &[u32],
-        guess: usize,
+        guess: u32,
         input: u32,
-    ) -> usize {
+    ) -> u32 {
         let q = delaunay.point(input);
-        let (before, after) = created.split_at(guess);
-        for (tried, &simplex) in after.iter().chain(before).enumerate() {
-            if delaunay.in_conflict(simplex, q) {
-                self.touches[input as usize] += tried as u32 + 1;
-                return (guess + tried) % created.len();
+        let touches = &mut self.touches[input as usize];
+        let mut holds = |simplex| {
+            *touches += 1;
+            delaunay.in_conflict(simplex, q)
+        };
+        if holds(guess) {
+            return guess;
+        }
+        let complex = delaunay.complex();
+        let (mut previous, mut current) = (guess, guess);
+        let mut power = delaunay.power(guess, q);
+        'walk: loop {
+            let across = complex.neighbors(current).iter().zip(complex.vertices(current));
+            for (&neighbor, &opposite) in across {
+                if opposite == apex || neighbor == previous {
+                    continue;
+                }
+                if holds(neighbor) {
+                    return neighbor;
+                }
+                let lower = delaunay.power(neighbor, q);
+                if lower < power {
+                    (previous, current, power) = (current, neighbor, lower);
+                    continue 'walk;
+                }
+            }
+            break;
+        }
+        let found = created.iter().copied().find(|&simplex| holds(simplex));
+        found.expect("a D-ball of the new vertex's star holds every input of the cavity")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::Random;
+
+    /// Inserts the corners of a large simplex and then `points` in their order, each at its home.
+    /// Returns the touches of all, and how often an input got a new home.
+    fn insert_all<const D: usize>(points: &[[f64; D]]) -> (u64, u64) {
+        let count = points.len() as u32;
+        let mut all = points.to_vec();
+        all.push([-10.0; D]);
+        for axis in 0..D {
+            let mut corner = [-10.0; D];
+            corner[axis] = 40.0 * D as f64;
+            all.push(corner);
+        }
+        let corners: Vec<u32> = (count..=count + D as u32).collect();
+        let mut delaunay = Delaunay::new(all).unwrap();
+        delaunay.begin(&corners).unwrap();
+        let mut location = Location::new(points.len()).unwrap();
+        location.cover(delaunay.complex().simplex_bound()).unwrap();
+        let first = delaunay.finite_near(delaunay.complex().incident(count));
+        (0..count).for_each(|input| location.settle(input, first));
+        let mut watch = Watch::new(None);
+        let (mut cavity, mut created, mut moves) = (Cavity::default(), Vec::new(), 0);
+        for input in 0..count {
+            let q = *delaunay.point(input);
+            delaunay.find_cavity(location.home(input), &q, &mut cavity).unwrap();
+            let homes: Vec<u32> = (0..count).map(|other| location.home(other)).collect();
+            delaunay.insert(input, &cavity, &mut created).unwrap();
+            location.rehome(&delaunay, &cavity, &created, input, &mut watch).unwrap();
+            for other in input + 1..count {
+                let home = location.home(other);
+                assert!(delaunay.complex().is_live(home));
+                assert!(delaunay.in_conflict(home, delaunay.point(other)));
+                moves += u64::from(cavity.simplices.contains(&homes[other as usize]));
             }
         }
-        unreachable!("a D-ball of the new vertex's star holds every input of the cavity")
+        assert_eq!(location.remaining(), 0);
+        (location.total_touches(), moves)
+    }
+
+    fn check_walks<const D: usize>(most: f64) {
+        let mut random = Random(5 + D as u64);
+        let points: Vec<[f64; D]> =
+            (0..400).map(|_| std::array::from_fn(|_| random.unit())).collect();
+        let (touches, moves) = insert_all(&points);
+        let tests = touches as f64 / moves as f64;
+        assert!((1.0..most).contains(&tests), "{tests} D-balls tested for a home in {D}D");
+    }
+
+    #[test]
+    fn homes_are_found_in_few_steps() {
+        check_walks::<2>(1.6);
+        check_walks::<3>(2.1);
+        check_walks::<4>(2.8);
+        check_walks::<5>(3.5);
+    }
+
+    #[test]
+    fn homes_are_found_where_powers_overflow_or_vanish() {
+        let mut random = Random(3);
+        let mut nested = Vec::new();
+        for level in 0..40 {
+            let size = 2f64.powi(-25 * level);
+            nested.push([size * random.unit(), size * random.unit(), size * random.unit()]);
+        }
+        insert_all(&nested);
     }
 }

@@ -98,7 +98,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.location.dismiss_homeless();
             } else {
                 let q = *self.delaunay.point(input);
-                home = self.delaunay.locate(home, &q).expect("inputs are distinct");
+                let touches = self.location.touches_mut(input);
+                let found = self.delaunay.locate_and_count(home, &q, touches);
+                home = found.expect("inputs are distinct");
                 self.location.settle(input, home);
             }
         }

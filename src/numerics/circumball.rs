@@ -239,6 +239,16 @@ impl<const D: usize> Circumball<D> {
         is_decided.then_some(power < 0.0)
     }
 
+    /// About the power of `q` to the ball, in real units; may be infinite or NaN.
+    #[inline]
+    pub fn power(&self, anchor_point: &[f64; D], q: &[f64; D]) -> f64 {
+        let double = 2.0 * self.unit();
+        (0..D).fold(0.0, |power, i| {
+            let w = q[i] - anchor_point[i];
+            power + w * (w - self.center[i] * double)
+        })
+    }
+
     /// Whether a point is so far from the anchor that its square may have overflowed, which makes it
     /// an outside point: no usable scaled centre exceeds 2^102.
     fn is_far(&self, w: &[f64; D]) -> bool {

@@ -24,7 +24,7 @@ mod solve;
 mod window;
 
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 #[cfg(test)]
 mod timing;
 

@@ -364,3 +364,32 @@ fn errors_are_rounded_up() {
     }
     assert_eq!([size_of::<Circumball<2>>(), size_of::<Circumball<3>>()], [24, 32]);
 }
+
+/// On points of small integers, times a power of two that is another unit than the usual one, or not.
+#[test]
+fn powers_are_those_of_the_real_ball() {
+    for exponent in [0, -400, 400] {
+        let scale = power_of_two(exponent);
+        let mut random = Random(8);
+        let mut tested = 0;
+        for _ in 0..200 {
+            let mut point =
+                || -> [f64; 3] { std::array::from_fn(|_| random.integer(-50, 50) as f64 * scale) };
+            let corners = [point(), point(), point(), point()];
+            let (q, ball) = (point(), Circumball::new(&references(&corners)));
+            if !(ball.radius() < 200.0 * scale) {
+                continue;
+            }
+            let anchor = &corners[ball.anchor as usize];
+            let center = ball.center_point(anchor);
+            let squares = |x: &[f64; 3]| -> f64 {
+                x.iter().zip(&center).map(|(x, c)| (x - c) / scale * ((x - c) / scale)).sum()
+            };
+            let expected = squares(&q) - squares(anchor);
+            let difference = ball.power(anchor, &q) / scale / scale - expected;
+            assert!(difference.abs() < 1e-8, "{corners:?} {q:?}: off by {difference}");
+            tested += 1;
+        }
+        assert!(tested > 100, "{tested}");
+    }
+}

@@ -144,11 +144,11 @@ fn text(context: &Context) -> String {
 
 fn seeds(context: &Context, kind: Kind, dim: usize) -> u64 {
     match (kind, dim) {
-        (Kind::Chain, 4) => 1,
-        (Kind::Chain, _) => context.pick(1, 1, 3),
+        (Kind::Chain, 4) => context.pick(1, 1, 3),
+        (Kind::Chain, _) => context.pick(1, 1, 8),
         (_, 2) => context.pick(1, 4, 8),
         (_, 3) => context.pick(1, 2, 4),
-        _ => context.pick(1, 1, 2),
+        _ => context.pick(1, 1, 4),
     }
 }
 

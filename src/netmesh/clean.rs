@@ -2,6 +2,7 @@
 //! nearest to it in its D-ball instead.
 
 use super::Mesher;
+use super::refine::Entry;
 use super::steiner::SteinerPoint;
 use crate::error::Result;
 use crate::memory::Fallible;
@@ -10,7 +11,8 @@ use crate::numerics::distance;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// CLEAN: refines until no cell is bad that doubles can mend.
     pub(super) fn clean(&mut self) -> Result<()> {
-        while let Some(simplex) = self.refine.pop() {
+        while let Some(entry) = self.refine.pop() {
+            let simplex = entry.simplex;
             if !self.delaunay.complex().is_live(simplex) {
                 continue;
             }
@@ -19,16 +21,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
             } else if let Some(domain) = self.open_domain(simplex) {
                 self.close_slit(simplex, domain)?;
             }
-            self.queue_again(simplex)?;
+            self.queue_again(entry)?;
         }
         Ok(())
     }
 
     /// An input that was yielded to may lie on the D-ball within rounding, and a further cage vertex
     /// beyond it: they leave the simplex.
-    fn queue_again(&mut self, simplex: u32) -> Fallible<()> {
-        if self.delaunay.complex().is_live(simplex) {
-            self.examine(simplex)?;
+    fn queue_again(&mut self, entry: Entry) -> Fallible<()> {
+        if self.refine.is_current(entry) && self.delaunay.complex().is_live(entry.simplex) {
+            self.examine(entry.simplex)?;
         }
         Ok(())
     }

@@ -1,5 +1,7 @@
-//! REFINELIST (§6.4): simplices that were bad when they were queued. Whether they still are is tested
-//! when they come up, so an id that was reused meanwhile does no harm.
+//! REFINELIST (§6.4): simplices that were bad when they were queued. Most are gone when their turn comes,
+//! for the points that mend one cell mend others beside it, and their ids are soon taken by new
+//! simplices: entries tell the one from the other by a generation. Whether a simplex that is still
+//! there is bad is tested when it comes up.
 //!
 //! While inputs go in, CLEAN runs after every insertion, the list is short, and first in is first out.
 //! At the end, when many are bad at once, the one with the shortest edge comes first (as in Shewchuk,
@@ -13,6 +15,16 @@ use std::collections::VecDeque;
 const QUEUED: u8 = 1;
 const LIMITED: u8 = 2;
 
+/// The other bits of a simplex's byte count the simplices that had its id. After 64 an entry may be
+/// taken for one of its successor, which does no harm.
+const GENERATION: u8 = 4;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Entry {
+    pub simplex: u32,
+    generation: u8,
+}
+
 /// Lengths with the same exponent and first bit of the mantissa are in one bucket.
 const KEPT_BITS: u32 = 51;
 const BUCKETS: usize = 1 << (63 - KEPT_BITS);
@@ -20,7 +32,7 @@ const BUCKETS: usize = 1 << (63 - KEPT_BITS);
 #[derive(Default)]
 pub(super) struct RefineList {
     /// First in, first out, in each bucket; one bucket while order does not matter.
-    buckets: Vec<VecDeque<u32>>,
+    buckets: Vec<VecDeque<Entry>>,
     /// Bit b of word w: whether bucket 64 w + b may have simplices.
     occupied: Vec<u64>,
     /// No word before this one has a bit.
@@ -66,7 +78,8 @@ impl RefineList {
     pub fn forget(&mut self, created: &[u32], bound: usize) -> Fallible<()> {
         self.flags.cover(bound, 0)?;
         for &simplex in created {
-            self.flags[simplex as usize] &= QUEUED;
+            let flags = &mut self.flags[simplex as usize];
+            *flags = generation(*flags).wrapping_add(GENERATION);
         }
         Ok(())
     }
@@ -82,14 +95,16 @@ impl RefineList {
         self.occupied[bucket / 64] |= 1 << (bucket % 64);
         self.first = self.first.min(bucket / 64);
         self.waiting += 1;
-        enqueue(&mut self.buckets[bucket], simplex)
+        let entry = Entry { simplex, generation: generation(*flags) };
+        enqueue(&mut self.buckets[bucket], entry)
     }
 
     pub fn is_empty(&self) -> bool {
         self.waiting == 0
     }
 
-    pub fn pop(&mut self) -> Option<u32> {
+    /// The next simplex that is live, or was not replaced since it died.
+    pub fn pop(&mut self) -> Option<Entry> {
         loop {
             let word = self.first;
             if *self.occupied.get(word)? == 0 {
@@ -98,14 +113,21 @@ impl RefineList {
             }
             let bit = self.occupied[word].trailing_zeros();
             match self.buckets[64 * word + bit as usize].pop_front() {
-                Some(simplex) => {
-                    self.flags[simplex as usize] &= !QUEUED;
+                Some(entry) => {
                     self.waiting -= 1;
-                    return Some(simplex);
+                    if self.is_current(entry) {
+                        self.flags[entry.simplex as usize] &= !QUEUED;
+                        return Some(entry);
+                    }
                 }
                 None => self.occupied[word] &= !(1 << bit),
             }
         }
+    }
+
+    /// Whether no new simplex has taken the id since `entry` was queued.
+    pub fn is_current(&self, entry: Entry) -> bool {
+        generation(self.flags[entry.simplex as usize]) == entry.generation
     }
 
     /// Whether the corner of `simplex` cannot be inserted for want of precision.
@@ -118,12 +140,16 @@ impl RefineList {
     }
 }
 
+fn generation(flags: u8) -> u8 {
+    flags & !(GENERATION - 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn pop_all(list: &mut RefineList) -> Vec<u32> {
-        std::iter::from_fn(|| list.pop()).collect()
+        std::iter::from_fn(|| list.pop()).map(|entry| entry.simplex).collect()
     }
 
     #[test]
@@ -146,9 +172,30 @@ mod tests {
         assert_eq!(pop_all(&mut list), [5, 1, 3, 0, 4, 2]);
         list.push(7, 2.0).unwrap();
         list.push(6, 1.0).unwrap();
-        assert_eq!(list.pop(), Some(6));
+        assert_eq!(list.pop().unwrap().simplex, 6);
         list.push(6, 1e-9).unwrap();
         assert_eq!(pop_all(&mut list), [6, 7]);
         assert!(list.is_empty());
+    }
+
+    #[test]
+    fn an_entry_ends_with_its_simplex() {
+        let mut list = RefineList::new().unwrap();
+        list.forget(&[], 4).unwrap();
+        (0..4).for_each(|simplex| list.push(simplex, 1.0).unwrap());
+        let first = list.pop().unwrap();
+        assert!(first.simplex == 0 && list.is_current(first));
+        list.limit(2);
+        list.forget(&[0, 2, 3], 4).unwrap();
+        assert!(!list.is_current(first) && !list.is_limited(2));
+        // The new 3 is queued on its own account, and once.
+        list.push(3, 1.0).unwrap();
+        list.push(3, 1.0).unwrap();
+        assert_eq!(pop_all(&mut list), [1, 3]);
+        assert!(list.is_empty());
+        (0..64).for_each(|_| list.forget(&[0], 4).unwrap());
+        assert!(!list.is_limited(0) && !list.is_limited(1));
+        list.push(0, 1.0).unwrap();
+        assert_eq!(pop_all(&mut list), [0]);
     }
 }

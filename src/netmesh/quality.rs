@@ -115,10 +115,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Puts a live simplex on REFINELIST.
+    /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.
     fn queue(&mut self, simplex: u32) -> Fallible<()> {
-        let length = if self.refine.is_sorted() { self.shortest_edge(simplex).2 } else { 0.0 };
+        let length = match self.parameters.criterion {
+            _ if !self.refine.is_sorted() => 0.0,
+            Criterion::VoronoiAspect => self.nearest_of(simplex),
+            Criterion::RadiusEdge => self.shortest_edge(simplex).2,
+        };
         self.refine.push(simplex, length)
+    }
+
+    /// The nearest distance of a vertex of `simplex`: no edge is shorter.
+    fn nearest_of(&self, simplex: u32) -> f64 {
+        let vertices = self.delaunay.complex().vertices(simplex).iter();
+        vertices.map(|&vertex| self.cells[vertex as usize].nearest).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.

@@ -5,9 +5,10 @@
 //!
 //! While inputs go in, CLEAN runs after every insertion, the list is short, and first in is first out.
 //! At the end, when many are bad at once, the one with the shortest edge comes first (as in Shewchuk,
-//! "Triangle", 1996): points are then placed outward from where the mesh is fine, at the spacing that
-//! the bound asks for there. Edges are told apart by powers of sqrt 2, which is as good as sorting.
-//! The list then has the simplices of one tile at a time (`close`).
+//! "Triangle", 1996), or with the vertex that has the smallest cell: points are then placed outward
+//! from where the mesh is fine, at the spacing that the bound asks for there. Lengths are told apart by
+//! powers of sqrt 2, which is as good as sorting. The list then has the simplices of one tile at a time
+//! (`close`).
 
 use crate::memory::{Fallible, TryGrow, enqueue, expect, with_room};
 use std::collections::VecDeque;
@@ -49,7 +50,7 @@ impl RefineList {
         Ok(list)
     }
 
-    /// From now on the simplex with the shortest edge comes first. The list must be empty.
+    /// From now on the simplex with the smallest length comes first. The list must be empty.
     pub fn sort_by_length(&mut self) -> Fallible<()> {
         debug_assert!(self.is_empty());
         self.make_buckets(BUCKETS)
@@ -84,7 +85,7 @@ impl RefineList {
         Ok(())
     }
 
-    /// Queues `simplex`, whose shortest edge has the given `length`, unless it is queued.
+    /// Queues `simplex`, which has the given `length`, unless it is queued.
     pub fn push(&mut self, simplex: u32, length: f64) -> Fallible<()> {
         let flags = &mut self.flags[simplex as usize];
         if *flags & QUEUED != 0 {

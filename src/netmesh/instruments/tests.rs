@@ -109,7 +109,8 @@ fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: u32) {
 
 /// CLEAN, a step at a time.
 fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
-    while let Some(simplex) = mesher.refine.pop() {
+    while let Some(entry) = mesher.refine.pop() {
+        let simplex = entry.simplex;
         if !mesher.delaunay.complex().is_live(simplex) || !mesher.is_bad(simplex) {
             continue;
         }

@@ -6,9 +6,9 @@
 //! While inputs go in, CLEAN runs after every insertion, the list is short, and first in is first out.
 //! At the end, when many are bad at once, the one with the shortest edge comes first (as in Shewchuk,
 //! "Triangle", 1996), or with the vertex that has the smallest cell: points are then placed outward
-//! from where the mesh is fine, at the spacing that the bound asks for there. Lengths are told apart by
-//! powers of sqrt 2, which is as good as sorting. The list then has the simplices of one tile at a time
-//! (`close`).
+//! from where the mesh is fine, at the spacing that the bound asks for there. Lengths are told apart in
+//! eight steps between powers of two, which is as good as sorting. The list then has the simplices of
+//! one tile at a time (`close`).
 
 use crate::memory::{Fallible, TryGrow, enqueue, expect, with_room};
 use std::collections::VecDeque;
@@ -26,8 +26,8 @@ pub(super) struct Entry {
     generation: u8,
 }
 
-/// Lengths with the same exponent and first bit of the mantissa are in one bucket.
-const KEPT_BITS: u32 = 51;
+/// Lengths with the same exponent and first three bits of the mantissa are in one bucket.
+const KEPT_BITS: u32 = 49;
 const BUCKETS: usize = 1 << (63 - KEPT_BITS);
 
 #[derive(Default)]

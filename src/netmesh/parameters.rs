@@ -12,7 +12,7 @@ const SURROUNDED: f64 = 0.8;
 /// How much larger than the bound the quality of the mesh may be while inputs go in; and where the
 /// criterion is radius-edge (docs/decisions.md).
 const LOOSE: f64 = 3.0;
-const LOOSE_EDGES: f64 = 10.0;
+const LOOSE_EDGES: f64 = 4.5;
 
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]

@@ -32,7 +32,7 @@ const fn cell_reach<const D: usize>() -> f64 {
 /// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex than
 /// the bound times the edge.
 const fn edge_reach<const D: usize>() -> f64 {
-    if D == 2 { 0.92 } else { 0.6 }
+    if D == 2 { 0.97 } else { 0.6 }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {

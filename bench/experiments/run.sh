@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds and runs the experiments: the paper's theorems as measured curves, beside SVR and other
-# meshers. All of them are meant to take 20 minutes on two cores; the last full run took 27, on a machine
-# with other work to do.
+# meshers. All of them are meant to take 20 minutes: the last full run took 16 with NETMESH_JOBS=4 on four
+# cores, the one before 27 with 2, on a machine with other work to do.
 #
 #   bench/experiments/run.sh [--write] [--quick] [names...]
 #

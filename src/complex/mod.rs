@@ -7,11 +7,13 @@
 //! orientation, so a cavity is retriangulated without one orientation test.
 
 mod locality;
+mod part;
 mod ridges;
 mod star;
 
 use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};
 use crate::mesh::NONE;
+pub(crate) use part::{Cuts, Names};
 use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.

@@ -40,6 +40,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         };
         self.delaunay.find_cavity(simplex, &x, &mut self.scratch.cavity)?;
+        if self.is_part && !self.stays_in_part(&x) {
+            self.refine.limit(simplex);
+            return Ok(());
+        }
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
         if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {

@@ -46,21 +46,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()?;
         self.refine.sort_by_length()?;
         if self.delaunay.complex().simplex_count() > SMALL {
-            self.close_tiles()?;
+            self.close_parts()?;
+            let watch = &mut self.watch;
+            let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
+            self.close_tiles(Some(&order))?;
         }
         while self.close_simplices(0..self.delaunay.complex().simplex_bound() as u32)? {}
         self.closed = 1.0;
         self.report_progress()
     }
 
-    /// A first look, one tile after the other.
-    fn close_tiles(&mut self) -> Result<()> {
-        let watch = &mut self.watch;
-        let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
-        for (at, tile) in order.chunks(TILE).enumerate() {
-            self.close_simplices(tile.iter().copied())?;
-            self.closed = (at * TILE) as f64 / order.len() as f64;
-            self.note_progress();
+    /// A first look, one tile of the `order` after the other, or of that of the ids.
+    pub(super) fn close_tiles(&mut self, order: Option<&[u32]>) -> Result<()> {
+        let bound = order.map_or(self.delaunay.complex().simplex_bound(), <[u32]>::len);
+        for first in (0..bound).step_by(TILE) {
+            let places = first..bound.min(first + TILE);
+            match order {
+                Some(order) => self.close_simplices(order[places].iter().copied())?,
+                None => self.close_simplices(places.start as u32..places.end as u32)?,
+            };
         }
         Ok(())
     }
@@ -116,7 +120,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.is_clear_of_cage(simplex, domain)? {
             return self.refine_corner(simplex);
         }
-        match self.projected_corner(simplex, domain) {
+        match self.projected_corner(simplex, domain).filter(|_| !self.is_part) {
             Some(x) if self.finds_room(simplex, domain, &x)? => self.join_at(domain, x),
             _ => {
                 self.refine.limit(simplex);
@@ -138,6 +142,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         };
         self.delaunay.find_cavity(simplex, &corner, &mut self.scratch.cavity)?;
         let conflicts = &self.scratch.cavity.simplices;
+        if self.is_part && conflicts.iter().any(|&conflict| self.refine.is_frozen(conflict)) {
+            return Ok(false);
+        }
         let is_inside = |&vertex: &u32| {
             some(vertex).is_some_and(|v| self.hierarchy.contains(domain, self.delaunay.point(v)))
         };

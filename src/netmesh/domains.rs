@@ -2,6 +2,7 @@
 //! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
 //! a release. Concentric chains of domains are legal.
 
+use crate::error::Result;
 use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
@@ -155,6 +156,51 @@ impl<const D: usize> Hierarchy<D> {
             let first = label(vertices[0]);
             vertices[1..].iter().all(|&vertex| label(vertex) == first)
         }
+    }
+
+    /// Makes every inserted vertex know its domain without a climb.
+    pub fn resolve(&mut self, mut tick: impl FnMut() -> Result<()>) -> Result<()> {
+        for vertex in 0..self.places.len() as u32 {
+            tick()?;
+            if self.places[vertex as usize].label != NONE {
+                self.domain_of(vertex);
+            }
+        }
+        Ok(())
+    }
+
+    /// A hierarchy for some inserted vertices: their domains, and the root, without a tree and without
+    /// cages' vertices; and the names that the domains have here. Vertices of cages are still told
+    /// from others. After [`Self::resolve`].
+    pub fn part(&self, vertices: &[u32]) -> Fallible<(Self, Vec<u32>)> {
+        let mut names = with_room(1 + vertices.len())?;
+        names.push(ROOT);
+        for &vertex in vertices {
+            let label = self.places[vertex as usize].label;
+            if names[names.len() - 1] != label {
+                names.push(label);
+            }
+        }
+        names.sort_unstable();
+        names.dedup();
+        let mut part = Self { nodes: with_room(names.len())?, places: with_room(vertices.len())?, alive: names.len() };
+        for &name in &names {
+            let node = self.node(name);
+            let (parent, cage) = (NONE, Vec::new());
+            part.nodes.push(Node { parent, cage, ..*node });
+        }
+        for &vertex in vertices {
+            let label = names.binary_search(&self.places[vertex as usize].label);
+            let label = label.expect("the domains of all vertices are there") as u32;
+            let cage = if self.cage_of(vertex) == NONE { NONE } else { ROOT };
+            part.places.push(Place { label, cage });
+        }
+        Ok((part, names))
+    }
+
+    /// The label of an inserted vertex after [`Self::resolve`].
+    pub fn label(&self, vertex: u32) -> u32 {
+        self.places[vertex as usize].label
     }
 
     pub fn set_domain(&mut self, vertex: u32, domain: u32) {

@@ -20,6 +20,7 @@ mod net;
 mod order;
 mod output;
 pub mod parameters;
+mod parts;
 mod quality;
 mod refine;
 mod round;
@@ -114,6 +115,8 @@ struct Mesher<'a, 'b, const D: usize> {
     /// Whether cells answer for all their corners, and the part of the mesh where they do (`close`).
     closing: bool,
     closed: f64,
+    /// Whether this is a part of the mesh (`parts`).
+    is_part: bool,
     /// Vertices when that began.
     before_closing: usize,
     /// Vertex -> the extent of its Voronoi cell.
@@ -231,6 +234,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             phase: Phase::Insert,
             bound: parameters.loose_bound(),
             closing: false,
+            is_part: false,
             closed: 0.0,
             before_closing: 0,
             cells: filled(count, Cell::NEW)?,
@@ -294,7 +298,9 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     }
 
     fn report_progress(&mut self) -> Result<()> {
-        self.note_progress();
+        if !self.is_part {
+            self.note_progress();
+        }
         self.watch.call()
     }
 

@@ -12,6 +12,7 @@ use std::collections::VecDeque;
 
 const QUEUED: u8 = 1;
 const LIMITED: u8 = 2;
+const FROZEN: u8 = 4;
 
 /// Lengths with the same exponent and first bit of the mantissa are in one bucket.
 const KEPT_BITS: u32 = 51;
@@ -108,13 +109,22 @@ impl RefineList {
         }
     }
 
-    /// Whether the corner of `simplex` cannot be inserted for want of precision.
+    /// Whether the corner of `simplex` cannot be inserted, for want of precision or here.
     pub fn is_limited(&self, simplex: u32) -> bool {
-        self.flags.get(simplex as usize).is_some_and(|flags| flags & LIMITED != 0)
+        self.flags.get(simplex as usize).is_some_and(|flags| flags & (LIMITED | FROZEN) != 0)
     }
 
     pub fn limit(&mut self, simplex: u32) {
         self.flags[simplex as usize] |= LIMITED;
+    }
+
+    /// Whether `simplex` must stay.
+    pub fn is_frozen(&self, simplex: u32) -> bool {
+        self.flags[simplex as usize] & FROZEN != 0
+    }
+
+    pub fn freeze(&mut self, simplex: u32) {
+        self.flags[simplex as usize] |= FROZEN;
     }
 }
 

@@ -4,9 +4,10 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-const INTERVAL: Duration = Duration::from_millis(30);
+pub(super) const INTERVAL: Duration = Duration::from_millis(30);
 /// Work between two looks at the clock, in units of some 100 ns: a fraction of a millisecond.
 const STRIDE: u32 = 2048;
 
@@ -14,6 +15,8 @@ pub(super) struct Watch<'a, 'b> {
     callback: Option<&'a mut ProgressFn<'b>>,
     last: Instant,
     countdown: u32,
+    /// What another thread stops the work by.
+    stop: Option<&'a AtomicBool>,
     /// What was noted last, for places that cannot count.
     progress: Progress,
 }
@@ -27,7 +30,12 @@ impl<'a, 'b> Watch<'a, 'b> {
             vertices: 0,
             simplices: 0,
         };
-        Self { callback, last: Instant::now(), countdown: STRIDE, progress }
+        Self { callback, last: Instant::now(), countdown: STRIDE, stop: None, progress }
+    }
+
+    /// For a thread that has no caller to call, and goes on until told to `stop`.
+    pub fn until(stop: &'a AtomicBool) -> Self {
+        Self { stop: Some(stop), ..Self::new(None) }
     }
 
     /// Whether it is time to [`Self::call`], after so much more `work`.
@@ -44,6 +52,7 @@ impl<'a, 'b> Watch<'a, 'b> {
     fn is_time(&mut self) -> bool {
         self.countdown = STRIDE;
         self.callback.is_some() && self.last.elapsed() >= INTERVAL
+            || self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
     /// Calls the caller if it is time to, after so much more `work`.
@@ -80,7 +89,8 @@ impl<'a, 'b> Watch<'a, 'b> {
         let go_on = self.callback.as_mut().is_none_or(|callback| callback(progress));
         // The caller's own time is not the run's.
         self.last = Instant::now();
-        if !go_on {
+        let is_stopped = self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        if !go_on || is_stopped {
             return Err(Error::new(
                 ErrorKind::Cancelled,
                 "the progress function cancelled the run",

@@ -345,3 +345,10 @@ fn instruments_change_nothing_and_stay_off_unless_asked_for() {
         }
     }
 }
+
+/// Of two inputs one is at the centre of the outer cage; the other is located once, and goes in.
+#[test]
+fn the_first_location_of_an_input_is_a_touch() {
+    let stats = run(2, &[0.0, 0.0, 1.0, 0.5], &Options::default()).stats;
+    assert!(stats.touches >= 1 && stats.max_touches == stats.touches, "{stats:?}");
+}

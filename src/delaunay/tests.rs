@@ -217,3 +217,20 @@ fn too_many_simplices_are_refused() {
         assert_eq!(delaunay.insert(vertex, &cavity, &mut created), expected);
     }
 }
+
+#[test]
+fn location_counts_the_balls_it_tests() {
+    let points = [[0.0, 0.0], [8.0, 0.0], [0.0, 8.0], [-8.0, -8.0], [30.0, -30.0], [60.0, -64.0]];
+    let delaunay = triangulate(&points).unwrap();
+    let q = [-3.0, -3.0];
+    let mut tests = 0;
+    let found = delaunay.locate_and_count(delaunay.complex().incident(3), &q, &mut tests).unwrap();
+    assert!(tests >= 1);
+    let mut again = 10;
+    assert_eq!(delaunay.locate_and_count(found, &q, &mut again), Some(found));
+    assert_eq!(again, 11);
+    let far = delaunay.complex().incident(5);
+    let mut walked = 0;
+    delaunay.locate_and_count(far, &q, &mut walked).unwrap();
+    assert!(walked > 1, "{walked}");
+}

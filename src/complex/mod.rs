@@ -10,7 +10,7 @@ mod locality;
 mod ridges;
 mod star;
 
-use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};
+use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
 use crate::mesh::NONE;
 use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 
@@ -81,6 +81,12 @@ impl<const D: usize> Complex<D> {
     #[inline]
     pub fn neighbors(&self, simplex: u32) -> &[u32] {
         &self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
+    }
+
+    /// Begins to load the end of a record: its beginning is in the same cache line, or in the one before.
+    #[inline(always)]
+    pub fn prefetch(&self, simplex: u32) {
+        prefetch(&self.records, simplex as usize * Self::RECORD + Self::MARK);
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {

@@ -83,10 +83,10 @@ impl<const D: usize> Complex<D> {
         &self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
     }
 
-    /// Begins to load the end of a record: its beginning is in the same cache line, or in the one before.
+    /// Begins to load the record of `simplex`.
     #[inline(always)]
     pub fn prefetch(&self, simplex: u32) {
-        prefetch(&self.records, simplex as usize * Self::RECORD + Self::MARK);
+        prefetch(&self.records[simplex as usize * Self::RECORD..][..Self::RECORD]);
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {

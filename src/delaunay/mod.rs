@@ -230,7 +230,7 @@ impl<const D: usize> Delaunay<D> {
         if D > 2 {
             for &neighbor in self.complex.neighbors(simplex) {
                 self.complex.prefetch(neighbor);
-                prefetch(&self.balls, neighbor as usize);
+                prefetch(std::slice::from_ref(&self.balls[neighbor as usize]));
             }
         }
     }

@@ -10,7 +10,7 @@ mod locality;
 mod ridges;
 mod star;
 
-use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room};
+use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
 use crate::mesh::NONE;
 use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 
@@ -81,6 +81,12 @@ impl<const D: usize> Complex<D> {
     #[inline]
     pub fn neighbors(&self, simplex: u32) -> &[u32] {
         &self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
+    }
+
+    /// Begins to load the record of `simplex`.
+    #[inline(always)]
+    pub fn prefetch(&self, simplex: u32) {
+        prefetch(&self.records[simplex as usize * Self::RECORD..][..Self::RECORD]);
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {

@@ -8,7 +8,7 @@ mod overlap;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::memory::{Fallible, TryGrow, expect, make_room};
+use crate::memory::{Fallible, TryGrow, expect, make_room, prefetch};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
@@ -211,6 +211,7 @@ impl<const D: usize> Delaunay<D> {
                     if self.in_conflict(beyond, q) {
                         self.complex.mark_inside(beyond);
                         cavity.simplices.try_push(beyond)?;
+                        self.prefetch_neighbors(beyond);
                         continue;
                     }
                     self.complex.mark_outside(beyond);
@@ -220,6 +221,18 @@ impl<const D: usize> Delaunay<D> {
         }
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
         Ok(())
+    }
+
+    /// Begins to load what a search that has come to `simplex` will look at next. In the plane a search
+    /// is over before that helps.
+    #[inline(always)]
+    fn prefetch_neighbors(&self, simplex: u32) {
+        if D > 2 {
+            for &neighbor in self.complex.neighbors(simplex) {
+                self.complex.prefetch(neighbor);
+                prefetch(std::slice::from_ref(&self.balls[neighbor as usize]));
+            }
+        }
     }
 
     /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex

@@ -2,9 +2,11 @@
 //! grows with the input grows through this module instead, which answers a [`Shortage`].
 
 mod pages;
+mod prefetch;
 
 use crate::error::{Error, ErrorKind};
 use pages::prefer_large_pages;
+pub use prefetch::prefetch;
 use std::collections::{TryReserveError, VecDeque};
 
 /// What ran out. One byte: results that carry it cost what a `bool` costs.

@@ -11,23 +11,43 @@ use crate::error::Result;
 use crate::memory::{Fallible, TryGrow, expect, filled};
 use crate::mesh::NONE;
 
+/// What a simplex is as a home.
+#[derive(Clone, Copy)]
+struct Home {
+    /// Its first input, and the number of its inputs.
+    first: u32,
+    count: u32,
+}
+
+impl Home {
+    const EMPTY: Self = Self { first: NONE, count: 0 };
+}
+
+#[derive(Clone, Copy)]
+struct Inhabitant {
+    /// The next input of the same home.
+    next: u32,
+    /// [`NONE`] once inserted.
+    home: u32,
+    /// Definition 9.
+    touches: u32,
+}
+
+impl Inhabitant {
+    const HOMELESS: Self = Self { next: NONE, home: NONE, touches: 0 };
+}
+
 pub(super) struct Location {
-    /// Simplex -> its first input.
-    heads: Vec<u32>,
-    /// Simplex -> number of its inputs.
-    counts: Vec<u32>,
-    /// Input -> the next one of the same home.
-    next: Vec<u32>,
-    /// Input -> home, [`NONE`] once inserted.
-    homes: Vec<u32>,
-    /// Definition 9, counted for every input.
-    touches: Vec<u32>,
+    /// By simplex.
+    homes: Vec<Home>,
+    /// By input.
+    inputs: Vec<Inhabitant>,
     remaining: usize,
 }
 
 /// The inputs of one simplex.
 pub(super) struct Inhabitants<'a> {
-    next: &'a [u32],
+    inputs: &'a [Inhabitant],
     current: u32,
 }
 
@@ -39,7 +59,7 @@ impl Iterator for Inhabitants<'_> {
             return None;
         }
         let input = self.current;
-        self.current = self.next[input as usize];
+        self.current = self.inputs[input as usize].next;
         Some(input)
     }
 }
@@ -47,11 +67,8 @@ impl Iterator for Inhabitants<'_> {
 impl Location {
     pub fn new(inputs: usize) -> Fallible<Self> {
         Ok(Self {
-            heads: Vec::new(),
-            counts: Vec::new(),
-            next: filled(inputs, NONE)?,
-            homes: filled(inputs, NONE)?,
-            touches: filled(inputs, 0)?,
+            homes: Vec::new(),
+            inputs: filled(inputs, Inhabitant::HOMELESS)?,
             remaining: inputs,
         })
     }
@@ -62,47 +79,45 @@ impl Location {
     }
 
     pub fn home(&self, input: u32) -> u32 {
-        self.homes[input as usize]
+        self.inputs[input as usize].home
     }
 
     /// Number of inputs of `simplex`.
     pub fn count(&self, simplex: u32) -> u32 {
         // Simplices made after the last input went in are not covered.
-        self.counts.get(simplex as usize).copied().unwrap_or(0)
+        self.homes.get(simplex as usize).map_or(0, |home| home.count)
     }
 
     pub fn inhabitants(&self, simplex: u32) -> Inhabitants<'_> {
-        Inhabitants { next: &self.next, current: self.heads[simplex as usize] }
+        Inhabitants { inputs: &self.inputs, current: self.homes[simplex as usize].first }
     }
 
     /// Touches of `input` so far.
     pub fn touches_mut(&mut self, input: u32) -> &mut u32 {
-        &mut self.touches[input as usize]
+        &mut self.inputs[input as usize].touches
     }
 
     pub fn total_touches(&self) -> u64 {
-        self.touches.iter().map(|&t| u64::from(t)).sum()
+        self.inputs.iter().map(|input| u64::from(input.touches)).sum()
     }
 
     pub fn max_touches(&self) -> u32 {
-        self.touches.iter().copied().max().unwrap_or(0)
+        self.inputs.iter().map(|input| input.touches).max().unwrap_or(0)
     }
 
     /// Largest number of inputs in one home.
     pub fn max_count(&self) -> u32 {
-        self.counts.iter().copied().max().unwrap_or(0)
+        self.homes.iter().map(|home| home.count).max().unwrap_or(0)
     }
 
     /// Makes room for inputs in the simplices below `bound`.
     pub fn cover(&mut self, bound: usize) -> Fallible<()> {
-        self.heads.cover(bound, NONE)?;
-        self.counts.cover(bound, 0)
+        self.homes.cover(bound, Home::EMPTY)
     }
 
     /// Makes room for so many simplices if the system gives it.
     pub fn expect(&mut self, simplices: usize) {
-        expect(&mut self.heads, simplices);
-        expect(&mut self.counts, simplices);
+        expect(&mut self.homes, simplices);
     }
 
     /// An input that was inserted before inputs got homes.
@@ -112,11 +127,11 @@ impl Location {
 
     /// Makes `simplex` the home of `input`, which has none.
     pub fn settle(&mut self, input: u32, simplex: u32) {
-        let at = simplex as usize;
-        self.next[input as usize] = self.heads[at];
-        self.heads[at] = input;
-        self.counts[at] += 1;
-        self.homes[input as usize] = simplex;
+        let home = &mut self.homes[simplex as usize];
+        let inhabitant = &mut self.inputs[input as usize];
+        (inhabitant.next, inhabitant.home) = (home.first, simplex);
+        home.first = input;
+        home.count += 1;
     }
 
     /// Finds new homes for the inputs of the destroyed `cavity` among the `created` simplices;
@@ -134,18 +149,18 @@ impl Location {
         }
         self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
-            let mut input = std::mem::replace(&mut self.heads[simplex as usize], NONE);
+            let home = std::mem::replace(&mut self.homes[simplex as usize], Home::EMPTY);
+            let mut input = home.first;
             if input == NONE {
                 continue;
             }
-            self.counts[simplex as usize] = 0;
             let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
             let mut guess = created[own.start.min(created.len() - 1)];
             while input != NONE {
                 watch.tick(4)?;
-                let next = self.next[input as usize];
+                let next = self.inputs[input as usize].next;
                 if input == inserted {
-                    self.homes[input as usize] = NONE;
+                    self.inputs[input as usize].home = NONE;
                     self.remaining -= 1;
                 } else {
                     guess = self.find_home(delaunay, inserted, created, guess, input);
@@ -170,7 +185,7 @@ impl Location {
         input: u32,
     ) -> u32 {
         let q = delaunay.point(input);
-        let touches = &mut self.touches[input as usize];
+        let touches = &mut self.inputs[input as usize].touches;
         let mut holds = |simplex| {
             *touches += 1;
             delaunay.in_conflict(simplex, q)

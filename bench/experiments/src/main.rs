@@ -124,7 +124,7 @@ fn introduction(scale: Scale) -> String {
          9). SVR is Sparse Voronoi Refinement, the algorithm that NETMESH beats; the library has it as \
          `NM_ALGORITHM_SVR`.\n\n\
          The machine: {cores} core{plural}, of which timed runs use one, one at a time, and the others \
-         two. It has other work to do: seconds are medians of alternating runs where the text does not \
+         two. It has other work to do: seconds are the least of alternating runs where the text does not \
          say otherwise, and counts are exact.\n"
     )
 }

@@ -6,7 +6,6 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::inputs::Points;
-use crate::verdict::median;
 
 /// A run that ended in time and in size, or why it did not.
 pub enum Outcome {
@@ -43,16 +42,16 @@ pub fn svr(largest: u64) -> Options {
     Options { algorithm: Algorithm::Svr, max_vertices: largest, ..Options::default() }
 }
 
-/// The median seconds of each variant; the variants take turns, so that a machine whose speed
-/// drifts does not favour one.
-pub fn median_seconds(turns: usize, variants: &mut [&mut dyn FnMut() -> f64]) -> Vec<f64> {
+/// The least seconds of each variant: other work on the machine can only add to them. The variants take
+/// turns, so that a machine whose speed drifts does not favour one.
+pub fn least_seconds(turns: usize, variants: &mut [&mut dyn FnMut() -> f64]) -> Vec<f64> {
     let mut seconds = vec![Vec::new(); variants.len()];
     for _ in 0..turns {
         for (variant, times) in variants.iter_mut().zip(&mut seconds) {
             times.push(variant());
         }
     }
-    seconds.iter().map(|times| median(times)).collect()
+    seconds.iter().map(|times| times.iter().copied().fold(f64::NAN, f64::min)).collect()
 }
 
 /// The results of `work` for each of `tasks`, in their order, at most `jobs` at a time.
@@ -117,15 +116,16 @@ mod tests {
     #[test]
     fn variants_take_turns() {
         let order = std::cell::RefCell::new(Vec::new());
+        let mut times = [3.0, 2.0, 4.0].into_iter();
         let mut a = || {
             order.borrow_mut().push('a');
-            1.0
+            times.next().unwrap()
         };
         let mut b = || {
             order.borrow_mut().push('b');
-            2.0
+            5.0
         };
-        assert_eq!(median_seconds(2, &mut [&mut a, &mut b]), [1.0, 2.0]);
-        assert_eq!(order.into_inner(), ['a', 'b', 'a', 'b']);
+        assert_eq!(least_seconds(3, &mut [&mut a, &mut b]), [2.0, 5.0]);
+        assert_eq!(order.into_inner(), ['a', 'b', 'a', 'b', 'a', 'b']);
     }
 }

@@ -5,7 +5,7 @@ use crate::inputs::{self, Points};
 use crate::plot::{Axis, Panel, Plot, Series};
 use crate::report::Report;
 use crate::row;
-use crate::runner::{self, median_seconds};
+use crate::runner::{self, least_seconds};
 use crate::table::{Table, number};
 use crate::verdict::{Verdict, exponent};
 use netmesh::{Options, Output};
@@ -51,7 +51,7 @@ impl Family {
             (Family::Pairs, 2) => {
                 context.pick(&[3, 6], &[12, 120, 1200], &[12, 40, 120, 400, 1200, 4000])
             }
-            (Family::Pairs, _) => context.pick(&[2, 4], &[5, 50, 300], &[5, 15, 50, 150, 620]),
+            (Family::Pairs, _) => context.pick(&[2, 4], &[5, 50, 300], &[15, 50, 150, 500, 1700]),
             (Family::CloserPairs, _) => {
                 context.pick(&[8, 12], &[4, 8, 12, 24, 40], &[4, 6, 8, 10, 12, 16, 24, 32, 40])
             }
@@ -112,7 +112,7 @@ fn text() -> String {
      cube: more and more of them at 2^-24 (\"pairs\"), where m grows and what is built round each pair \
      stays the same; and 500 (in 3D 100) of them at 2^-exponent (\"closer pairs\"), where m grows with the \
      logarithm of the spread and the share of the shells round pairs, which are denser in simplices \
-     than uniform inputs, grows from 0 to 1. Both outputs take turns, medians; FINISHMESH's time is \
+     than uniform inputs, grows from 0 to 1. Both outputs take turns, the least seconds count; FINISHMESH's time is \
      their difference, per vertex of the finished mesh (finishing) and per vertex that it added, where \
      the finished mesh is at least twice as large; \"whole\" is the time of both phases per vertex. Exact \
      signs are those that the floating-point filters left to integers."
@@ -134,8 +134,8 @@ fn measure(context: &Context, family: Family, dim: usize, parameter: i32) -> Ent
         mesh.map_or(f64::NAN, |mesh| mesh.stats.seconds)
     };
     let (mut hierarchical, mut finished, mut unused, mut exact_signs) = (0, 0, 0, 0);
-    let turns = context.pick(1, 3, if points.len() * parameter as usize <= 8000 { 9 } else { 1 });
-    let seconds = median_seconds(
+    let turns = context.pick(1, 3, if points.len() <= 250 { 15 } else { 3 });
+    let seconds = least_seconds(
         turns,
         &mut [&mut || run(Output::Hierarchical, &mut hierarchical, &mut unused), &mut || {
             run(Output::WellSpaced, &mut finished, &mut exact_signs)

@@ -6,7 +6,7 @@ use crate::instruments::Instruments;
 use crate::plot::{Axis, Panel, Plot, Series};
 use crate::report::Report;
 use crate::row;
-use crate::runner::{self, Outcome, median_seconds};
+use crate::runner::{self, Outcome, least_seconds};
 use crate::table::{Table, number};
 use crate::verdict::{Verdict, exponent, fit_sum};
 use netmesh::{Mesh, NetOrdering, Options, quality};
@@ -84,7 +84,7 @@ fn text() -> String {
     "Law: O(n log n) touches, O(log n) rounds, bounded degree and ply at all times, O(n log n + m) time. \
      Uniform inputs in the unit cube, and clusters: normal distributions of 100 points each, \
      2^-6 as wide as they are apart. Default options, hierarchical; \"sampled\" is the default ordering, \"deterministic\" the net of Theorem 3, \
-     up to 100,000 inputs (10,000 in 4D). Runs take turns, one at a time; seconds are medians of \
+     up to 100,000 inputs (10,000 in 4D). Runs take turns, one at a time; seconds are the least of \
      `turns` runs. Degrees are measured on meshes of up to 4 million simplices. \"Constant\" means here \
      that the power law through the curve has an exponent of at most 0.1. The time is held against the \
      law twice: with equal constants for both terms, where what is linear in m falls as log n grows, and with \
@@ -106,9 +106,10 @@ fn turns(context: &Context, dim: usize, n: usize) -> usize {
     let work = n * [1, 4, 40][dim - 2];
     match work {
         _ if context.pick(true, false, false) => 1,
-        0..=40_000 => 9,
-        40_001..=150_000 => 5,
-        150_001..=500_000 => 3,
+        0..=40_000 => 15,
+        40_001..=150_000 => 7,
+        150_001..=500_000 => 5,
+        500_001..=1_000_000 => 3,
         _ => 1,
     }
 }
@@ -145,7 +146,7 @@ fn measure(context: &Context, input: &'static str, dim: usize, n: usize) -> Vec<
         .collect();
     let mut calls: Vec<&mut dyn FnMut() -> f64> =
         variants.iter_mut().map(|variant| variant as &mut dyn FnMut() -> f64).collect();
-    let seconds = median_seconds(turns, &mut calls);
+    let seconds = least_seconds(turns, &mut calls);
     drop(variants);
     eprintln!("  {input}, {dim}D, {n}: {:.2} s", seconds[0]);
     let mut entries = Vec::new();

@@ -5,7 +5,8 @@
 //     tetgenio in, out;                                     // in.pointlist, in.numberofpoints
 //     netmesh::tetgen::tetrahedralize("q1.5n", &in, &out);  // for ::tetrahedralize
 //
-// or in steps, for netmesh's options, domains and so on:
+// (with its namespace: a using declaration does not hide TetGen's function, which C++ finds through
+// its arguments), or in steps, for netmesh's options, domains and so on:
 //
 //     netmesh::mesh mesh = netmesh::tetgen::make_mesh(in);
 //     mesh.run(options);
@@ -43,6 +44,7 @@
 #include <locale>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tetgen.h>
@@ -215,33 +217,29 @@ inline switches parse(const char *text) {
 }
 
 // The same from TetGen's parsed switches, each of which must be understood. Parameters of
-// TetGen's own work (-b, -l, -x, -X, -T, -M) are not looked at.
+// TetGen's own work (-b, -l, -x, -X, -T, -M) are not looked at, nor is -p beside -q, which TetGen's
+// parser sets itself.
 inline switches parse(const tetgenbehavior &behavior) {
-    const std::array<std::pair<bool, const char *>, 20> refused{{
-        {behavior.plc != 0, "p"},           {behavior.psc != 0, "s"},
-        {behavior.refine != 0, "r"},        {behavior.nobisect != 0, "Y"},
-        {behavior.coarsen != 0, "R"},       {behavior.weighted != 0, "w"},
-        {behavior.metric != 0, "m"},        {behavior.varvolume != 0, "a"},
-        {behavior.fixedvolume != 0, "a"},   {behavior.regionattrib != 0, "A"},
+    const std::array<std::pair<bool, const char *>, 26> refused{{
+        {behavior.plc != 0 && behavior.quality == 0, "p"},
+        {behavior.quality != 0 && behavior.mindihedral > 0, "q/"},
+        {behavior.neighout > 1, "nn"},        {behavior.order != 1, "o"},
+        {behavior.steinerleft >= 0, "S"},     {behavior.psc != 0, "s"},
+        {behavior.refine != 0, "r"},          {behavior.nobisect != 0, "Y"},
+        {behavior.coarsen != 0, "R"},         {behavior.weighted != 0, "w"},
+        {behavior.metric != 0, "m"},          {behavior.varvolume != 0, "a"},
+        {behavior.fixedvolume != 0, "a"},     {behavior.regionattrib != 0, "A"},
         {behavior.insertaddpoints != 0, "i"}, {behavior.diagnose != 0, "d"},
-        {behavior.convex != 0, "c"},        {behavior.facesout != 0, "f"},
-        {behavior.edgesout != 0, "e"},      {behavior.voroout != 0, "v"},
-        {behavior.nojettison != 0, "J"},    {behavior.docheck != 0, "C"},
-        {behavior.nonodewritten != 0, "N"}, {behavior.noelewritten != 0, "E"},
+        {behavior.convex != 0, "c"},          {behavior.facesout != 0, "f"},
+        {behavior.edgesout != 0, "e"},        {behavior.voroout != 0, "v"},
+        {behavior.nojettison != 0, "J"},      {behavior.docheck != 0, "C"},
+        {behavior.nonodewritten != 0, "N"},   {behavior.noelewritten != 0, "E"},
+        {behavior.meditview != 0, "g"},       {behavior.vtkview != 0, "k"},
     }};
     for (const auto &[given, name] : refused) {
         if (given) {
             detail::refuse_switch(name);
         }
-    }
-    if (behavior.meditview != 0 || behavior.vtkview != 0) {
-        detail::refuse_switch(behavior.meditview != 0 ? "g" : "k");
-    }
-    if (behavior.neighout > 1 || behavior.order != 1) {
-        detail::refuse_switch(behavior.neighout > 1 ? "nn" : "o");
-    }
-    if (behavior.steinerleft >= 0 || (behavior.quality != 0 && behavior.mindihedral > 0)) {
-        detail::refuse_switch(behavior.steinerleft >= 0 ? "S" : "q/");
     }
     switches parsed;
     parsed.quality = behavior.quality != 0;

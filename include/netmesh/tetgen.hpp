@@ -81,7 +81,7 @@ namespace detail {
 [[noreturn]] inline void refuse(const std::string &what) { throw error(NM_INVALID_ARGUMENT, what); }
 
 [[noreturn]] inline void refuse_switch(const std::string &name) {
-    refuse("the switch '" + name + "' is not understood: points are meshed, with q n z F B I Q V");
+    refuse("the switch '" + name + "' is not understood; for point sets there are q n z F B I Q V");
 }
 
 // The digits and points of text from place on; place moves behind them.

@@ -52,6 +52,7 @@ void expect_failure(int line, nm_status expected, const char* word, const Result
     check::that(!result && !result.has_value(), __FILE__, line, "it fails");
     check::that(result.status() == expected, __FILE__, line, "status", result.status_name());
     check::that(result.message().find(word) != std::string::npos, __FILE__, line, "message", result.message());
+    check::that(result.message().find('\0') == std::string::npos, __FILE__, line, "no NUL in the message");
 }
 
 void a_whole_job(const std::string& directory) {

@@ -64,6 +64,12 @@ void layouts(unsigned dim) {
     const auto columns = view(by_coordinate, n, dim, 1, all);
     CHECK(!columns.direct());
     check_points(make_mesh(columns), set, __LINE__);
+    // Every other number.
+    std::vector<double> spaced(2 * n * dim, std::nan(""));
+    for (std::size_t x = 0; x < n * dim; ++x) spaced[2 * x] = set.coordinates[x];
+    const auto with_spaces = view(spaced, n, dim, 2 * step, 2);
+    CHECK(!with_spaces.direct());
+    check_points(make_mesh(with_spaces), set, __LINE__);
     const strided_points<double> reversed{&backwards.back(), n, dim, -step, -1};
     CHECK(!reversed.direct());
     check_points(make_mesh(reversed), set, __LINE__);

@@ -1,6 +1,6 @@
 // netmesh/cgal.hpp - meshes as CGAL's Delaunay triangulations in 2D and 3D, and points of CGAL as
-// inputs (CGAL 5.5 or later). License of this file: MIT OR Apache-2.0. CGAL's triangulations are GPL:
-// a program that includes this file is under their terms.
+// inputs (CGAL 5.5 or later). License of this file: MIT OR Apache-2.0. CGAL's triangulations, which it
+// includes, are GPL (or commercial): a program that uses this file is under their terms.
 //
 //     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 //     std::vector<Kernel::Point_3> points = ...;

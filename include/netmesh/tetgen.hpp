@@ -1,6 +1,7 @@
 // netmesh/tetgen.hpp - netmesh behind TetGen's interface: tetgenio in and out, and a tetrahedralize
-// for point sets (TetGen 1.5 or later). License of this file: MIT OR Apache-2.0. TetGen is AGPL: a
-// program that includes tetgen.h is under its terms. This file does not need TetGen's library.
+// for point sets (TetGen 1.5 or later). License of this file: MIT OR Apache-2.0. tetgen.h, which it
+// includes, is AGPL (or commercial): a program that uses this file is under its terms. TetGen's library
+// is not needed.
 //
 //     tetgenio in, out;                                     // in.pointlist, in.numberofpoints
 //     netmesh::tetgen::tetrahedralize("q1.5n", &in, &out);  // for ::tetrahedralize

@@ -250,6 +250,27 @@ void insertion_and_removal() {
     CHECK_EQUAL(triangulation.number_of_vertices(), 450u);
 }
 
+// In the plane CGAL goes on from any Delaunay triangulation: a chequerboard, its other squares put in,
+// half of all taken out.
+void cocircular_points_in_the_plane() {
+    std::vector<Plane::Point> black, white;
+    for (int i = 0; i < 12; ++i) {
+        for (int j = 0; j < 12; ++j) ((i + j) % 2 == 0 ? black : white).emplace_back(i, j);
+    }
+    netmesh::mesh mesh = netmesh::cgal::make_mesh(black);
+    netmesh::options options;
+    options.algorithm = NM_ALGORITHM_DELAUNAY;
+    mesh.run(options);
+    Plane::Delaunay triangulation;
+    const auto vertices = netmesh::cgal::fill(mesh, triangulation);
+    CHECK(!netmesh::cgal::is_unique(triangulation));
+    triangulation.insert(white.begin(), white.end());
+    check_valid(triangulation, __LINE__);
+    for (const auto vertex : vertices) triangulation.remove(vertex);
+    check_valid(triangulation, __LINE__);
+    CHECK_EQUAL(triangulation.number_of_vertices(), white.size());
+}
+
 // A whole kernel of exact numbers, and ranges that are no vectors.
 template <class World>
 void exact_numbers() {
@@ -327,6 +348,7 @@ int all(int count, char** arguments) {
     } else {
         every_input<World>();
         insertion_and_removal<World>();
+        if (World::dim == 2) cocircular_points_in_the_plane();
         exact_numbers<World>();
         errors<World>();
         time<World>(4000);

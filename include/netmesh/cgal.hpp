@@ -15,10 +15,10 @@
 //
 // COSPHERICAL POINTS. Of points on one empty sphere, such as those of a grid, every triangulation is
 // Delaunay. is_valid() accepts each, in 2D and 3D: it asks that no vertex is strictly inside. CGAL
-// itself picks one by a symbolic perturbation, in 3D in the same way in all of its functions, and
-// netmesh picks another. Queries (locate, nearest_vertex, dual, iterators) do not depend on it;
-// insert() and remove() in 3D build on CGAL's own choice and may fail near such points. is_unique()
-// tells in linear time whether there are any; if not, all functions of CGAL may be used.
+// itself picks one by a symbolic perturbation, and netmesh picks another. Queries (locate,
+// nearest_vertex, dual, iterators) do not depend on it, nor do insert() and remove() in 2D; in 3D these
+// two build on CGAL's own choice and may fail near such points. is_unique() tells in linear time
+// whether there are any; if not, all functions of CGAL may be used.
 //
 // Errors are thrown as netmesh::error; what CGAL throws passes through.
 

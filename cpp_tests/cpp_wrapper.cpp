@@ -1,10 +1,15 @@
-// netmesh.hpp: handles that free themselves, errors as exceptions, arrays as vectors.
+// netmesh.hpp: meshes that free themselves, errors as exceptions and as values, arrays as ranges.
 //
 //   cpp_wrapper <directory for its files>
 #include <netmesh.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
+#include <memory>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -20,6 +25,15 @@ namespace {
 static_assert(!std::is_copy_constructible_v<netmesh::mesh> && !std::is_copy_assignable_v<netmesh::mesh>);
 static_assert(std::is_nothrow_move_constructible_v<netmesh::mesh>);
 static_assert(std::is_nothrow_move_assignable_v<netmesh::mesh>);
+// Spans of what may change come from what stays; of constants from temporaries too.
+static_assert(std::is_convertible_v<std::vector<double>, netmesh::span<const double>>);
+static_assert(std::is_convertible_v<std::vector<double>&, netmesh::span<double>>);
+static_assert(!std::is_convertible_v<std::vector<double>, netmesh::span<double>>);
+static_assert(!std::is_convertible_v<const std::vector<double>&, netmesh::span<double>>);
+static_assert(!std::is_convertible_v<std::vector<float>&, netmesh::span<const double>>);
+static_assert(std::is_convertible_v<netmesh::span<double>, netmesh::span<const double>>);
+// A field that nm_options got has to be in netmesh::options too.
+static_assert(sizeof(nm_options) == 112 + 2 * sizeof(void*));
 
 template <class Call>
 void expect_error(int line, nm_status expected, const char* word, Call call) {
@@ -33,6 +47,14 @@ void expect_error(int line, nm_status expected, const char* word, Call call) {
     }
 }
 
+template <class Result>
+void expect_failure(int line, nm_status expected, const char* word, const Result& result) {
+    check::that(!result && !result.has_value(), __FILE__, line, "it fails");
+    check::that(result.status() == expected, __FILE__, line, "status", result.status_name());
+    check::that(result.message().find(word) != std::string::npos, __FILE__, line, "message", result.message());
+    check::that(result.message().find('\0') == std::string::npos, __FILE__, line, "no NUL in the message");
+}
+
 void a_whole_job(const std::string& directory) {
     const PointSet points = generate("uniform", 3, 300);
     netmesh::mesh mesh(3, points.coordinates);
@@ -40,9 +62,12 @@ void a_whole_job(const std::string& directory) {
     mesh.run();
     const nm_counts counts = mesh.counts();
     CHECK_EQUAL(counts.inputs, 300u);
-    CHECK_EQUAL(mesh.points().size(), counts.vertices * 3);
-    CHECK_EQUAL(mesh.simplices().size(), counts.simplices * 4);
-    CHECK_EQUAL(mesh.neighbors().size(), counts.simplices * 4);
+    CHECK_EQUAL(mesh.points().size(), counts.vertices);
+    CHECK_EQUAL(mesh.points().width(), 3u);
+    CHECK_EQUAL(mesh.simplices().size(), counts.simplices);
+    CHECK_EQUAL(mesh.simplices().width(), 4u);
+    CHECK_EQUAL(mesh.neighbors().size(), counts.simplices);
+    CHECK_EQUAL(mesh.neighbors().width(), 4u);
     CHECK_EQUAL(mesh.vertex_kinds().size(), counts.vertices);
     CHECK_EQUAL(mesh.vertex_domains().size(), counts.vertices);
     CHECK_EQUAL(mesh.precision_limited().size(), counts.vertices);
@@ -60,22 +85,148 @@ void a_whole_job(const std::string& directory) {
     std::ostringstream off;
     mesh.write(NM_FORMAT_OFF, off);
     CHECK(!off.str().empty());
+    CHECK(mesh.to_string(NM_FORMAT_OFF) == off.str());
 }
 
-void options_and_moves() {
+// Each way over a mesh's arrays says the same.
+void ranges() {
+    const PointSet points = generate("uniform", 3, 100);
+    netmesh::mesh mesh(3, points.coordinates);
+    mesh.run();
+    const netmesh::table<double> vertices = mesh.points();
+    const netmesh::table<std::uint32_t> simplices = mesh.simplices(), neighbors = mesh.neighbors();
+    std::size_t s = 0, shared = 0;
+    for (const netmesh::span<const std::uint32_t> corners : simplices) {
+        CHECK_EQUAL(corners.size(), 4u);
+        CHECK(std::equal(corners.begin(), corners.end(), simplices[s].begin()));
+        CHECK(corners.data() == simplices.data() + 4 * s);
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (neighbors[s][i] == NM_NONE) continue;
+            // The neighbour opposite corner i has the other three.
+            const std::set<std::uint32_t> own(corners.begin(), corners.end());
+            for (const std::uint32_t corner : simplices[neighbors[s][i]]) shared += own.count(corner);
+            CHECK(std::count(simplices[neighbors[s][i]].begin(), simplices[neighbors[s][i]].end(), corners[i]) == 0);
+            shared -= 3;
+        }
+        ++s;
+    }
+    CHECK_EQUAL(s, simplices.size());
+    CHECK_EQUAL(shared, 0u);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        CHECK(std::equal(vertices[v].begin(), vertices[v].end(), points.point(v)));
+    }
+    const auto first = vertices.begin(), last = vertices.end();
+    CHECK_EQUAL(static_cast<std::size_t>(last - first), vertices.size());
+    CHECK(first[2].data() == vertices[2].data() && (first + 2)->data() == vertices[2].data());
+    CHECK((last - 1)->data() == vertices[vertices.size() - 1].data() && first < last && !(last <= first));
+    auto walk = first;
+    CHECK((*walk++).data() == vertices[0].data() && (*walk--).data() == vertices[1].data() && walk == first);
+    CHECK((*++walk).data() == vertices[1].data() && (*--walk).data() == vertices[0].data());
+
+    const netmesh::table<double> none;
+    CHECK(none.empty() && none.begin() == none.end() && none.end() - none.begin() == 0);
+    CHECK(vertices == mesh.points() && vertices != none);
+    const double* memory = vertices.data();
+    netmesh::table<double> moved = mesh.points();
+    memory = moved.data();
+    CHECK(std::move(moved).flat().data() == memory);  // moved out, not copied
+
+    // The tree of domains: parents first.
+    std::uint32_t index = 0;
+    for (const nm_domain& domain : mesh.domains()) {
+        CHECK(index == 0 ? domain.parent == NM_NONE : domain.parent < index);
+        CHECK(domain.center < vertices.size() && domain.radius > 0);
+        ++index;
+    }
+    CHECK(index > 0);
+}
+
+void spans() {
+    const double array[] = {0, 0, 1, 0, 0, 1};
+    const std::array<double, 6> standard{0, 0, 1, 0, 0, 1};
+    const netmesh::span<const double> of_pointer(array, 6);
+    CHECK_EQUAL(netmesh::mesh(2, array).counts().inputs, 3u);
+    CHECK_EQUAL(netmesh::mesh(2, standard).counts().inputs, 3u);
+    CHECK_EQUAL(netmesh::mesh(2, of_pointer).counts().inputs, 3u);
+    CHECK_EQUAL(netmesh::mesh(2, std::vector<double>(array, array + 6)).counts().inputs, 3u);
+    CHECK_EQUAL(netmesh::mesh(2, array, 2, 4).counts().inputs, 2u);  // every four doubles
+    CHECK(of_pointer.front() == 0 && of_pointer.back() == 1 && of_pointer[2] == 1 && !of_pointer.empty());
+    CHECK(netmesh::span<double>().empty());
+}
+
+void defaults() {
+    nm_options library;
+    REQUIRE_OK(nm_options_init(&library, sizeof library));
+    const netmesh::options ours;
+    CHECK(ours.output == library.output && ours.algorithm == library.algorithm);
+    CHECK(ours.ordering == library.ordering && ours.criterion == library.criterion);
+    CHECK(ours.threads == library.threads && ours.quality_bound == library.quality_bound);
+    CHECK(ours.epsilon == library.epsilon && ours.delta == library.delta && ours.gamma == library.gamma);
+    CHECK(ours.yield_radius == library.yield_radius && ours.encroachment == library.encroachment);
+    CHECK(ours.cage_scale == library.cage_scale && ours.root_scale == library.root_scale);
+    CHECK(ours.seed == library.seed && ours.max_vertices == library.max_vertices);
+    CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
+}
+
+// Every option arrives: those with a range are refused by name, the others change the result.
+void every_option_arrives() {
+    const PointSet points = generate("uniform", 3, 200);
+    netmesh::mesh mesh(3, points.coordinates);
+    const auto refused = [&](int line, const char* name, auto set) {
+        netmesh::options options;
+        set(options);
+        expect_error(line, NM_INVALID_ARGUMENT, name, [&] { mesh.run(options); });
+    };
+    using netmesh::options;
+    refused(__LINE__, "quality_bound", [](options& o) { o.quality_bound = -1; });
+    refused(__LINE__, "epsilon", [](options& o) { o.epsilon = -1; });
+    refused(__LINE__, "delta", [](options& o) { o.delta = -1; });
+    refused(__LINE__, "gamma", [](options& o) { o.gamma = -1; });
+    refused(__LINE__, "yield_radius", [](options& o) { o.yield_radius = -1; });
+    refused(__LINE__, "encroachment", [](options& o) { o.encroachment = -1; });
+    refused(__LINE__, "cage_scale", [](options& o) { o.cage_scale = -1; });
+    refused(__LINE__, "root_scale", [](options& o) { o.root_scale = -1; });
+    refused(__LINE__, "output", [](options& o) { o.output = static_cast<nm_output>(77); });
+    refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
+    refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });
+    refused(__LINE__, "criterion", [](options& o) { o.criterion = static_cast<nm_criterion>(77); });
+    options limited;
+    limited.max_vertices = 201;
+    expect_error(__LINE__, NM_LIMIT, "max_vertices", [&] { mesh.run(limited); });
+    mesh.run();
+    const auto usual = mesh.points();
+    CHECK_EQUAL(mesh.stats().max_ply, 0u);
+    options seeded;
+    seeded.seed = 99;
+    seeded.instruments = true;
+    seeded.threads = 0;
+    mesh.run(seeded);
+    CHECK(mesh.points() != usual);
+    CHECK(mesh.stats().max_ply > 0);
+}
+
+void progress_and_moves() {
     const PointSet points = generate("gaussian", 3, 5000);  // some tenths of a second: progress is seen
     netmesh::mesh first(3, points.coordinates.data(), points.size());
-    int reports = 0;
-    first.run(netmesh::options().output(NM_OUTPUT_WELL_SPACED).quality_bound(5).seed(7).instruments(true).progress(
-        [&](const nm_progress&) { return ++reports, true; }));
+    auto reports = std::make_unique<int>(0);
+    netmesh::options options;
+    options.output = NM_OUTPUT_WELL_SPACED;
+    options.quality_bound = 5;
+    options.progress = [&](const nm_progress& progress) {
+        CHECK(progress.fraction <= 1);
+        return ++*reports, true;
+    };
+    first.run(options);
     CHECK_EQUAL(first.counts().domains, 1u);
-    CHECK(reports > 0);
-    CHECK(first.stats().max_ply > 0);
+    CHECK(*reports > 0);
     const auto simplices = first.simplices();
     netmesh::mesh second = std::move(first);
     CHECK(second.simplices() == simplices);
     expect_error(__LINE__, NM_NULL_ARGUMENT, "mesh", [&] { first.counts(); });
     first = std::move(second);
+    CHECK(first.simplices() == simplices);
+    netmesh::mesh& itself = first;
+    first = std::move(itself);
     CHECK(first.simplices() == simplices);
     nm_mesh_free(first.release());
     CHECK(first.get() == nullptr);
@@ -84,26 +235,94 @@ void options_and_moves() {
 void errors() {
     const std::vector<double> odd(5, 1.0);
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "5", [&] { netmesh::mesh(2, odd); });
+    expect_error(__LINE__, NM_DIMENSION, "dim", [&] { netmesh::mesh(0, odd); });
     expect_error(__LINE__, NM_IO, "missing", [] { netmesh::mesh::from_file("missing.xyz"); });
     const PointSet points = generate("uniform", 3, 5000);
     netmesh::mesh mesh(3, points.coordinates);
     expect_error(__LINE__, NM_STATE, "nm_run", [&] { mesh.simplices(); });
-    expect_error(__LINE__, NM_INVALID_ARGUMENT, "quality_bound",
-                 [&] { mesh.run(netmesh::options().quality_bound(0.5)); });
-    expect_error(__LINE__, NM_CANCELLED, "cancel", [&] {
-        mesh.run(netmesh::options().progress([](const nm_progress&) { return false; }));
-    });
+    expect_error(__LINE__, NM_NULL_ARGUMENT, "write", [&] { mesh.write(NM_FORMAT_XYZ, nullptr); });
+    netmesh::options options;
+    options.progress = [](const nm_progress&) { return false; };
+    expect_error(__LINE__, NM_CANCELLED, "cancel", [&] { mesh.run(options); });
     // What a callback throws comes out of run() itself, and the mesh still works.
+    options.progress = [](const nm_progress&) -> bool { throw std::length_error("mine"); };
     bool caught = false;
     try {
-        mesh.run(netmesh::options().progress(
-            [](const nm_progress&) -> bool { throw std::length_error("mine"); }));
+        mesh.run(options);
     } catch (const std::length_error& error) {
         caught = std::string(error.what()) == "mine";
     }
     CHECK(caught);
+    caught = false;
+    try {
+        mesh.write(NM_FORMAT_XYZ, [](const char*, std::size_t) -> bool { throw 17; });
+    } catch (int thrown) {
+        caught = thrown == 17;
+    }
+    CHECK(caught);
+    expect_error(__LINE__, NM_IO, "", [&] { mesh.write(NM_FORMAT_XYZ, [](const char*, std::size_t) { return false; }); });
+    std::ostringstream broken;
+    broken.setstate(std::ios::badbit);
+    expect_error(__LINE__, NM_IO, "", [&] { mesh.write(NM_FORMAT_XYZ, broken); });
     mesh.run();
     CHECK_EQUAL(mesh.validate().violations, 0u);
+}
+
+// The same without exceptions.
+void results(const std::string& directory) {
+    using netmesh::mesh;
+    const std::vector<double> odd(5, 1.0);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "5", mesh::try_create(2, odd));
+    expect_failure(__LINE__, NM_DIMENSION, "dim", mesh::try_create(9, odd.data(), 1));
+    expect_failure(__LINE__, NM_IO, "missing", mesh::try_from_file("missing.xyz"));
+    const PointSet points = generate("uniform", 2, 400);
+    netmesh::result<mesh> made = mesh::try_create(2, points.coordinates);
+    REQUIRE(made && made.has_value() && made.status() == NM_OK && made.message().empty());
+    CHECK_EQUAL(std::string(made.status_name()), "NM_OK");
+    expect_failure(__LINE__, NM_STATE, "nm_run", made->try_simplices());
+    expect_failure(__LINE__, NM_STATE, "nm_run", made->try_neighbors());
+    expect_failure(__LINE__, NM_STATE, "nm_run", made->try_quality());
+    expect_failure(__LINE__, NM_STATE, "nm_run", made->try_stats());
+    expect_failure(__LINE__, NM_STATE, "nm_run", made->try_validate());
+    expect_failure(__LINE__, NM_STATE, "run", made->try_to_string(NM_FORMAT_OFF));
+    expect_failure(__LINE__, NM_STATE, "run", made->try_save(directory + "/cpp_wrapper.off"));
+    netmesh::options options;
+    options.epsilon = 9;
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "epsilon", made->try_run(options));
+    REQUIRE(made->try_run());
+    const nm_counts counts = *made->try_counts();
+    CHECK_EQUAL(made->try_points()->size(), counts.vertices);
+    CHECK_EQUAL(made->try_simplices()->size(), counts.simplices);
+    CHECK_EQUAL(made->try_neighbors()->size(), counts.simplices);
+    CHECK_EQUAL(made->try_vertex_kinds()->size(), counts.vertices);
+    CHECK_EQUAL(made->try_vertex_domains()->size(), counts.vertices);
+    CHECK_EQUAL(made->try_precision_limited()->size(), counts.vertices);
+    CHECK_EQUAL(made->try_input_vertices()->size(), 400u);
+    CHECK_EQUAL(made->try_domains()->size(), counts.domains);
+    CHECK_EQUAL(made->try_stats()->input_vertices, 400u);
+    CHECK(made->try_quality()->max_degree > 2);
+    CHECK_EQUAL(made->try_validate()->violations, 0u);
+    expect_failure(__LINE__, NM_INVALID_ARGUMENT, "level", made->try_validate(7));
+    std::ostringstream stream;
+    CHECK(made->try_write(NM_FORMAT_OFF, stream));
+    CHECK(*made->try_to_string(NM_FORMAT_OFF) == stream.str() && !stream.str().empty());
+    mesh moved = *std::move(made);
+    CHECK_EQUAL(moved.counts().vertices, counts.vertices);
+    expect_failure(__LINE__, NM_NULL_ARGUMENT, "mesh", made->try_points());
+    // value() throws what is missing.
+    expect_error(__LINE__, NM_INVALID_ARGUMENT, "epsilon", [&] { moved.try_run(options).value(); });
+    expect_error(__LINE__, NM_DIMENSION, "dim", [&] { mesh::try_create(9, odd.data(), 1).value(); });
+    // A callback's own exception is the caller's, here too.
+    options.epsilon = 0;
+    options.progress = [](const nm_progress&) -> bool { throw 3; };
+    bool caught = false;
+    netmesh::mesh larger(3, generate("uniform", 3, 5000).coordinates);
+    try {
+        (void)larger.try_run(options);
+    } catch (int thrown) {
+        caught = thrown == 3;
+    }
+    CHECK(caught);
 }
 
 }  // namespace
@@ -114,7 +333,12 @@ int main(int count, char** arguments) {
         return 2;
     }
     a_whole_job(arguments[1]);
-    options_and_moves();
+    ranges();
+    spans();
+    defaults();
+    every_option_arrives();
+    progress_and_moves();
     errors();
+    results(arguments[1]);
     return check::result("cpp_wrapper");
 }

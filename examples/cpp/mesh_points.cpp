@@ -47,7 +47,10 @@ int main(int argc, char **argv) {
     }
     try {
         netmesh::mesh mesh(3, make_points(2000));
-        mesh.run(netmesh::options().seed(7).progress(show_progress));
+        netmesh::options options;
+        options.seed = 7;
+        options.progress = show_progress;
+        mesh.run(options);
         std::cerr << '\n';
         print(mesh);
         nm_report report = mesh.validate();

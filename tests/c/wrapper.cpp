@@ -51,7 +51,7 @@ static void test_before_a_run() {
     std::vector<double> points = {0, 0, 1, 0, 0, 1, 0, 0};
     netmesh::mesh mesh(2, points);
     CHECK(mesh.dim() == 2 && mesh.counts().inputs == 4 && mesh.counts().vertices == 3);
-    CHECK(mesh.points() == std::vector<double>({0, 0, 1, 0, 0, 1}));
+    CHECK(mesh.points().flat() == std::vector<double>({0, 0, 1, 0, 0, 1}));
     CHECK(mesh.input_vertices() == std::vector<std::uint32_t>({0, 1, 2, 0}));
     CHECK(mesh.vertex_kinds() == std::vector<std::uint8_t>(3, NM_VERTEX_INPUT));
     CHECK(mesh.domains().empty());
@@ -84,18 +84,19 @@ static void test_run() {
     int reports = 0;
     double fraction = -1;
     netmesh::options options;
-    options.seed(5).progress([&](const nm_progress &progress) {
+    options.seed = 5;
+    options.progress = [&](const nm_progress &progress) {
         ++reports;
         CHECK(progress.fraction >= fraction);
         fraction = progress.fraction;
         return true;
-    });
+    };
     mesh.run(options);
     CHECK(reports > 0);
     nm_counts counts = mesh.counts();
-    CHECK(mesh.simplices().size() == counts.simplices * 4 && counts.simplices > 0);
-    CHECK(mesh.neighbors().size() == counts.simplices * 4);
-    CHECK(mesh.points().size() == counts.vertices * 3);
+    CHECK(mesh.simplices().size() == counts.simplices && counts.simplices > 0);
+    CHECK(mesh.neighbors().size() == counts.simplices && mesh.neighbors().width() == 4);
+    CHECK(mesh.points().size() == counts.vertices && mesh.points().width() == 3);
     CHECK(mesh.vertex_domains().size() == counts.vertices);
     CHECK(mesh.precision_limited().size() == counts.vertices);
     CHECK(mesh.domains().size() == counts.domains);
@@ -106,20 +107,20 @@ static void test_run() {
     if (report.violations > 0) {
         std::cerr << report.message << '\n';
     }
-    std::vector<std::uint32_t> simplices = mesh.simplices();
-    CHECK(status_of([&] {
-              mesh.run(netmesh::options().progress([](const nm_progress &) { return false; }));
-          }) == NM_CANCELLED);
+    netmesh::table<std::uint32_t> simplices = mesh.simplices();
+    options.progress = [](const nm_progress &) { return false; };
+    CHECK(status_of([&] { mesh.run(options); }) == NM_CANCELLED);
     bool rethrown = false;
+    options.progress = [](const nm_progress &) -> bool { throw std::runtime_error("mine"); };
     try {
-        mesh.run(netmesh::options().progress(
-            [](const nm_progress &) -> bool { throw std::runtime_error("mine"); }));
+        mesh.run(options);
     } catch (const std::runtime_error &error) {
         rethrown = std::string(error.what()) == "mine";
     }
     CHECK(rethrown);
     CHECK(mesh.simplices() == simplices);
-    CHECK(status_of([&] { mesh.run(netmesh::options().epsilon(7)); }) == NM_INVALID_ARGUMENT);
+    options.epsilon = 7;
+    CHECK(status_of([&] { mesh.run(options); }) == NM_INVALID_ARGUMENT);
 }
 
 static void test_export(const std::string &directory) {

@@ -1,0 +1,116 @@
+// netmesh/closed_complex.hpp - a mesh with a vertex at infinity: one more simplex for each facet of
+// the hull, so that every simplex has a neighbour across every facet. It is what triangulation
+// libraries such as CGAL store. License: MIT OR Apache-2.0.
+
+#ifndef NETMESH_CLOSED_COMPLEX_HPP
+#define NETMESH_CLOSED_COMPLEX_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "../netmesh.hpp"
+
+#if !NETMESH_EXCEPTIONS
+#error "netmesh/closed_complex.hpp needs exceptions"
+#endif
+
+namespace netmesh {
+
+// Simplices finite, finite + 1, ... have the vertex at infinity, NM_NONE, as a corner; those before
+// are the mesh's own. Orientations fit together: two neighbours put the corners of their common facet
+// in opposite orders. Across facet i of simplex s is neighbors[s * corners_each + i], never NM_NONE.
+struct closed_complex {
+    std::size_t corners_each = 0;  // dim + 1
+    std::size_t finite = 0;
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> neighbors;
+
+    std::size_t simplices() const noexcept {
+        return corners_each == 0 ? 0 : corners.size() / corners_each;
+    }
+
+    // Throws netmesh::error as mesh.simplices() does, and NM_CAPACITY where 32 bits do not number the
+    // simplices. O(simplices): the walk round each ridge of the hull visits what is incident to it.
+    explicit closed_complex(const netmesh::mesh &mesh) {
+        table<std::uint32_t> own_corners = mesh.simplices();
+        table<std::uint32_t> own_neighbors = mesh.neighbors();
+        corners_each = own_corners.width();
+        finite = own_corners.size();
+        corners = std::move(own_corners).flat();
+        neighbors = std::move(own_neighbors).flat();
+        add_infinite();
+        link_infinite();
+    }
+
+private:
+    // The places in neighbors that face infinity; the i-th one's infinite simplex is finite + i.
+    std::vector<std::size_t> hull_;
+
+    void add_infinite() {
+        for (std::size_t place = 0; place < finite * corners_each; ++place) {
+            if (neighbors[place] == NM_NONE) {
+                const std::size_t id = finite + hull_.size();
+                if (id >= NM_NONE) {
+                    throw error(NM_CAPACITY, "the simplices and those at infinity are more than 2^32 - 1");
+                }
+                neighbors[place] = static_cast<std::uint32_t>(id);
+                hull_.push_back(place);
+            }
+        }
+        const std::size_t all = finite + hull_.size();
+        corners.reserve(all * corners_each);
+        neighbors.resize(all * corners_each, NM_NONE);
+        // As the finite simplex, infinity instead of the corner opposite the facet; two corners
+        // change places, since infinity is on the facet's other side.
+        for (const std::size_t place : hull_) {
+            const std::size_t first = place - place % corners_each;
+            const std::size_t added = corners.size();
+            for (std::size_t k = 0; k < corners_each; ++k) {
+                corners.push_back(first + k == place ? NM_NONE : corners[first + k]);
+            }
+            std::swap(corners[added], corners[added + 1]);
+        }
+    }
+
+    void link_infinite() {
+        for (std::size_t h = 0; h < hull_.size(); ++h) {
+            const std::size_t owner = hull_[h] / corners_each, apex = hull_[h] % corners_each;
+            const std::size_t row = (finite + h) * corners_each;
+            for (std::size_t k = 0; k < corners_each; ++k) {
+                neighbors[row + k] = k == apex ? static_cast<std::uint32_t>(owner)
+                                               : across_ridge(owner, apex, k);
+            }
+            std::swap(neighbors[row], neighbors[row + 1]);
+        }
+    }
+
+    // The infinite simplex beyond the hull facet that shares with the one opposite apex the ridge
+    // without the corners apex and other: the way goes round the ridge through the mesh.
+    std::uint32_t across_ridge(std::size_t simplex, std::size_t apex, std::size_t other) const {
+        for (;;) {
+            const std::uint32_t next = neighbors[simplex * corners_each + other];
+            if (next >= finite) {
+                return next;
+            }
+            const std::uint32_t pivot = corners[simplex * corners_each + apex];
+            apex = index_of(neighbors, next, static_cast<std::uint32_t>(simplex));
+            other = index_of(corners, next, pivot);
+            simplex = next;
+        }
+    }
+
+    std::size_t index_of(const std::vector<std::uint32_t> &rows, std::size_t row,
+                         std::uint32_t wanted) const {
+        std::size_t k = 0;
+        while (k + 1 < corners_each && rows[row * corners_each + k] != wanted) {
+            ++k;
+        }
+        return k;
+    }
+};
+
+}  // namespace netmesh
+
+#endif  // NETMESH_CLOSED_COMPLEX_HPP

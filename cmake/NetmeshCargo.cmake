@@ -56,11 +56,16 @@ else()
   set(netmesh_library_dir "${CMAKE_CURRENT_BINARY_DIR}/lib")
   set(netmesh_shared_file "${netmesh_library_dir}/libnetmesh.so.${PROJECT_VERSION}")
   set(netmesh_static_file "${netmesh_library_dir}/libnetmesh.a")
+  set(netmesh_target_option "")
+  if(CMAKE_C_COMPILER_TARGET)
+    set(netmesh_target_option "${CMAKE_C_COMPILE_OPTIONS_TARGET}${CMAKE_C_COMPILER_TARGET}")
+  endif()
   set(netmesh_gather COMMAND "${CMAKE_COMMAND}"
       "-DFROM=${netmesh_cargo_dir}" "-DTO=${netmesh_library_dir}"
       "-DVERSION=${PROJECT_VERSION}" "-DSONAME=${netmesh_soname}"
       "-DHEADER=${netmesh_include_dir}/netmesh.h"
-      "-DLINKER=${CMAKE_LINKER}" "-DOBJCOPY=${CMAKE_OBJCOPY}" "-DAR=${CMAKE_AR}"
+      "-DCOMPILER=${CMAKE_C_COMPILER}" "-DTARGET_OPTION=${netmesh_target_option}"
+      "-DOBJCOPY=${CMAKE_OBJCOPY}" "-DAR=${CMAKE_AR}"
       -P "${CMAKE_CURRENT_LIST_DIR}/NetmeshGather.cmake")
 endif()
 

@@ -1,7 +1,7 @@
 # Makes the ELF libraries that C and C++ programs link with out of those that cargo has built.
 #
 #   cmake -DFROM=... -DTO=... -DVERSION=... -DSONAME=... -DHEADER=...
-#         -DLINKER=... -DOBJCOPY=... -DAR=... -P NetmeshGather.cmake
+#         -DCOMPILER=... -DTARGET_OPTION=... -DOBJCOPY=... -DAR=... -P NetmeshGather.cmake
 #
 # The shared library lies beside the names of its ABI and its link. The archive becomes one object in
 # which every name but the header's functions is local: a Rust archive brings Rust's standard library
@@ -43,12 +43,15 @@ function(declared_functions result)
 endfunction()
 
 function(make_static functions)
-  list(TRANSFORM functions PREPEND "--undefined=" OUTPUT_VARIABLE roots)
+  list(TRANSFORM functions PREPEND "-Wl,--undefined=" OUTPUT_VARIABLE roots)
   list(TRANSFORM functions PREPEND "--keep-global-symbol=" OUTPUT_VARIABLE kept)
   set(object "${TO}/netmesh.o")
   set(archive "${TO}/libnetmesh.a")
-  run("${LINKER}" -r --force-group-allocation ${roots} -o "${object}" "${FROM}/libnetmesh.a")
-  run("${OBJCOPY}" ${kept} --remove-section=.llvmbc --remove-section=.llvmcmd "${object}")
+  # The compiler knows which linker to call, and how.
+  run("${COMPILER}" ${TARGET_OPTION} -r -nostdlib -Wl,--build-id=none ${roots} -o "${object}" "${FROM}/libnetmesh.a")
+  # Linkers take one of several groups of the same name, local or not: this one's name becomes its own.
+  run("${OBJCOPY}" --redefine-sym=DW.ref.rust_eh_personality=DW.ref.netmesh_eh_personality ${kept}
+      --remove-section=.llvmbc --remove-section=.llvmcmd "${object}")
   file(REMOVE "${archive}")
   run("${AR}" qcs "${archive}" "${object}")
   file(REMOVE "${object}")

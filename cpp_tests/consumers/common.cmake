@@ -32,10 +32,16 @@ endfunction()
 # As build_with_cmake, with this checkout in place of a copy in the project's own tree, and with cargo's
 # directory of this build, in which everything is built already.
 function(build_with_checkout name)
-  build_with_cmake("${name}" "-DNETMESH_CHECKOUT=${source_dir}"
-                   "-DNETMESH_CARGO=${cargo}" "-DNETMESH_CARGO_TARGET_DIR=${cargo_target_dir}"
-                   "-DNETMESH_CARGO_TARGET=${cargo_target}" "-DNETMESH_CARGO_PROFILE=${cargo_profile}"
-                   "-DNETMESH_CARGO_ENVIRONMENT=${cargo_environment}")
+  set(cache "${scratch}/${name}_cache.cmake")
+  file(WRITE "${cache}" "
+    set(NETMESH_CHECKOUT \"${source_dir}\" CACHE PATH \"\")
+    set(NETMESH_CARGO \"${cargo}\" CACHE FILEPATH \"\")
+    set(NETMESH_CARGO_TARGET_DIR \"${cargo_target_dir}\" CACHE PATH \"\")
+    set(NETMESH_CARGO_TARGET \"${cargo_target}\" CACHE STRING \"\")
+    set(NETMESH_CARGO_PROFILE \"${cargo_profile}\" CACHE STRING \"\")
+    set(NETMESH_CARGO_ENVIRONMENT \"${cargo_environment}\" CACHE STRING \"\")
+")
+  build_with_cmake("${name}" -C "${cache}")
   if(run_output MATCHES "Compiling netmesh")
     message(FATAL_ERROR "the library was compiled again:\n${run_output}")
   endif()

@@ -50,8 +50,9 @@ if(NOT WIN32)
   list(TRANSFORM netmesh_system_libraries PREPEND "-l" OUTPUT_VARIABLE netmesh_private_flags)
   string(JOIN " " netmesh_private_flags ${netmesh_private_flags})
   # Relative, so that the installed tree can be moved.
-  file(RELATIVE_PATH netmesh_prefix_from_pc
-       "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+  set(netmesh_pc_dir "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig")
+  file(RELATIVE_PATH netmesh_prefix_from_pc "${netmesh_pc_dir}" "${CMAKE_INSTALL_PREFIX}")
+  file(RELATIVE_PATH netmesh_include_from_pc "${netmesh_pc_dir}" "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/netmesh.pc.in"
                  "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc" @ONLY)
   install(FILES "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc"

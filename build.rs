@@ -1,20 +1,58 @@
-//! Names the shared library by its ABI: a program that was linked with one ABI version never starts
-//! with another. Other systems than those with ELF libraries get no name from here.
+//! Keeps the header's version the package's, and names the shared library by its ABI: a program that
+//! was linked with one ABI version never starts with another. Other systems than those with ELF
+//! libraries get no name from here.
 
 use std::path::Path;
 
+const VERSION_PARTS: [&str; 3] = ["MAJOR", "MINOR", "PATCH"];
+
 fn main() {
-    let header = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/netmesh.h");
-    println!("cargo:rerun-if-changed={}", header.display());
-    let target = std::env::var("CARGO_CFG_TARGET_OS").unwrap_or_default();
+    let path = Path::new(&variable("CARGO_MANIFEST_DIR")).join("include/netmesh.h");
+    println!("cargo:rerun-if-changed={}", path.display());
+    let mut header = std::fs::read_to_string(&path).expect("the header can be read");
+    if set_version(&mut header) {
+        replace(&path, &header);
+    }
+    let target = variable("CARGO_CFG_TARGET_OS");
     if matches!(target.as_str(), "linux" | "freebsd" | "netbsd" | "openbsd" | "dragonfly") {
-        let abi = abi_version(&std::fs::read_to_string(&header).expect("the header can be read"));
+        let abi = define(&header, "NM_ABI_VERSION");
         println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libnetmesh.so.{abi}");
     }
 }
 
-/// The header's `NM_ABI_VERSION`, which a test holds against the library's own.
-fn abi_version(header: &str) -> u32 {
-    let line = header.lines().find_map(|line| line.strip_prefix("#define NM_ABI_VERSION "));
-    line.and_then(|value| value.trim().parse().ok()).expect("the header says its NM_ABI_VERSION")
+fn variable(name: &str) -> String {
+    std::env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"))
+}
+
+/// Writes the package's version into the header's NM_VERSION_*, as cargo itself writes it into
+/// Cargo.lock; says whether that changed anything, which it does only after Cargo.toml's version or
+/// the header did.
+fn set_version(header: &mut String) -> bool {
+    let mut changed = false;
+    for part in VERSION_PARTS {
+        let name = format!("NM_VERSION_{part}");
+        let value = variable(&format!("CARGO_PKG_VERSION_{part}"));
+        let found = define(header, &name);
+        if found != value {
+            let line = format!("#define {name} ");
+            *header = header.replacen(&format!("{line}{found}"), &format!("{line}{value}"), 1);
+            changed = true;
+        }
+    }
+    changed
+}
+
+/// What the header defines `name` as.
+fn define(header: &str, name: &str) -> String {
+    let start = format!("#define {name} ");
+    let value = header.lines().find_map(|line| line.strip_prefix(&start));
+    value.unwrap_or_else(|| panic!("the header defines {name}")).trim().to_owned()
+}
+
+/// At once, for a compiler that reads the header meanwhile.
+fn replace(path: &Path, text: &str) {
+    let beside = path.with_extension(format!("h.{}", std::process::id()));
+    std::fs::write(&beside, text)
+        .and_then(|()| std::fs::rename(&beside, path))
+        .expect("the header can be written: its version must become the package's");
 }

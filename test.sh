@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 exec </dev/null
 
 readonly jobs="${NETMESH_JOBS:-$(nproc)}"
-readonly tools="$PWD/target/tools" venv="$PWD/target/venv" build="$PWD/target/cmake"
+readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 # shellcheck source=scripts/common.sh
 . scripts/common.sh
 # shellcheck source=scripts/tools.sh
@@ -31,11 +31,11 @@ step "Rust tests"
 cargo test --workspace --locked --no-fail-fast
 
 step "C++ harness: build"
-cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DNETMESH_CARGO_TARGET_DIR="$PWD/target"
-cmake --build "$build" --parallel "$jobs"
+cmake --preset release
+cmake --build --preset release --parallel "$jobs"
 
-step "C++ harness: CGAL, TetGen, valgrind"
-ctest --test-dir "$build" --output-on-failure --parallel "$jobs"
+step "C++ harness: CGAL, TetGen, valgrind, projects that use the package"
+ctest --preset release --parallel "$jobs"
 
 step "C ABI: address and undefined behaviour sanitizers"
 address_sanitizer_tests

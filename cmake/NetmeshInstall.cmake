@@ -1,4 +1,5 @@
-# Install rules: both libraries, the headers, find_package(netmesh) and pkg-config.
+# Install rules: both libraries, the headers, find_package(netmesh), pkg-config, the command line with its
+# man page, and the licences.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -7,24 +8,24 @@ if(WIN32)
   install(FILES "${netmesh_import_file}" "${netmesh_static_file}"
           DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 else()
+  # The names of the ABI and of the link are links beside it.
+  install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   if(netmesh_soname)
-    # The library under its full version, the name that programs ask for, and the one to link with.
-    set(netmesh_versioned_name "libnetmesh.so.${PROJECT_VERSION}")
-    install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-            RENAME "${netmesh_versioned_name}")
-    set(netmesh_links_dir "${CMAKE_CURRENT_BINARY_DIR}/install_links")
-    file(MAKE_DIRECTORY "${netmesh_links_dir}")
-    file(CREATE_LINK "${netmesh_versioned_name}" "${netmesh_links_dir}/${netmesh_soname}" SYMBOLIC)
-    file(CREATE_LINK "${netmesh_soname}" "${netmesh_links_dir}/libnetmesh.so" SYMBOLIC)
-    install(FILES "${netmesh_links_dir}/${netmesh_soname}" "${netmesh_links_dir}/libnetmesh.so"
+    install(FILES "${netmesh_library_dir}/${netmesh_soname}" "${netmesh_library_dir}/libnetmesh.so"
             DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  else()
-    install(PROGRAMS "${netmesh_shared_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   endif()
   install(FILES "${netmesh_static_file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 endif()
 install(DIRECTORY "${netmesh_include_dir}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
-        FILES_MATCHING PATTERN "netmesh.h" PATTERN "netmesh.hpp")
+        FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE-MIT" "${PROJECT_SOURCE_DIR}/LICENSE-APACHE"
+        DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/netmesh")
+
+if(NETMESH_BUILD_CLI)
+  install(PROGRAMS "${netmesh_cli_file}" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  configure_file("${PROJECT_SOURCE_DIR}/cli/netmesh.1.in" "${CMAKE_CURRENT_BINARY_DIR}/netmesh.1" @ONLY)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/netmesh.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+endif()
 
 set(netmesh_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/netmesh")
 get_filename_component(netmesh_shared_name "${netmesh_shared_file}" NAME)
@@ -49,8 +50,9 @@ if(NOT WIN32)
   list(TRANSFORM netmesh_system_libraries PREPEND "-l" OUTPUT_VARIABLE netmesh_private_flags)
   string(JOIN " " netmesh_private_flags ${netmesh_private_flags})
   # Relative, so that the installed tree can be moved.
-  file(RELATIVE_PATH netmesh_prefix_from_pc
-       "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+  set(netmesh_pc_dir "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig")
+  file(RELATIVE_PATH netmesh_prefix_from_pc "${netmesh_pc_dir}" "${CMAKE_INSTALL_PREFIX}")
+  file(RELATIVE_PATH netmesh_include_from_pc "${netmesh_pc_dir}" "${CMAKE_INSTALL_FULL_INCLUDEDIR}")
   configure_file("${CMAKE_CURRENT_LIST_DIR}/netmesh.pc.in"
                  "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc" @ONLY)
   install(FILES "${CMAKE_CURRENT_BINARY_DIR}/netmesh.pc"

@@ -1,12 +1,9 @@
 # Sourced by test.sh: the tests of the C ABI under the address, undefined behaviour and thread
 # sanitizers, each in a build directory of its own.
 
-# sanitizer_tests SANITIZERS NAME [CMAKE-ARGUMENT...]
-sanitizer_tests() {
-  local sanitizers="$1" directory="$PWD/target/cmake-$2"
-  shift 2
-  cmake -S . -B "$directory" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNETMESH_BUILD_BENCHMARKS=OFF \
-    -DNETMESH_SANITIZERS="$sanitizers" "$@"
+# build_and_test DIRECTORY
+build_and_test() {
+  local directory="$1"
   cmake --build "$directory" --parallel "$jobs"
   # The thread sanitizer's tables have fixed places, which much randomisation of addresses takes.
   local steady=()
@@ -15,7 +12,8 @@ sanitizer_tests() {
 }
 
 address_sanitizer_tests() {
-  sanitizer_tests address,undefined address -DNETMESH_CARGO_TARGET_DIR="$PWD/target"
+  cmake --preset asan
+  build_and_test target/cmake-address
 }
 
 # With the Rust code instrumented too, or the locks in it would be out of sight. Flags of the compiler
@@ -35,6 +33,9 @@ thread_sanitizer_tests() {
   fi
   local environment="RUSTC_BOOTSTRAP=1;RUSTFLAGS=$flags;CARGO_PROFILE_RELEASE_LTO=off"
   environment+=";CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16"
-  sanitizer_tests thread thread -DNETMESH_INSTRUMENTED=ON -DNETMESH_CARGO_TARGET="$triple" \
-    -DNETMESH_CARGO_ENVIRONMENT="$environment" -DNETMESH_CARGO_TARGET_DIR="$PWD/target/sanitizer"
+  cmake -S . -B target/cmake-thread -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNETMESH_BUILD_BENCHMARKS=OFF \
+    -DNETMESH_BUILD_CLI=OFF -DNETMESH_SANITIZERS=thread -DNETMESH_INSTRUMENTED=ON \
+    -DNETMESH_CARGO_TARGET="$triple" -DNETMESH_CARGO_ENVIRONMENT="$environment" \
+    -DNETMESH_CARGO_TARGET_DIR="$PWD/target/sanitizer"
+  build_and_test target/cmake-thread
 }

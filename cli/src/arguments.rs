@@ -6,7 +6,8 @@ use netmesh::io::Format;
 use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
-const EXAMPLES: &str = "\
+/// The part of `--help` that shows uses.
+pub const EXAMPLES: &str = "\
 Examples:
   netmesh points.xyz -o mesh.vtu --validate
   netmesh points.csv -o mesh.off --finish --bound 3.5

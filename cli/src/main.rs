@@ -6,6 +6,8 @@ mod arguments;
 mod certificate;
 mod exit_code;
 mod json;
+#[cfg(test)]
+mod manual;
 mod numbers;
 mod output;
 mod progress;

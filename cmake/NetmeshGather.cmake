@@ -1,0 +1,81 @@
+# Makes the ELF libraries that C and C++ programs link with out of those that cargo has built.
+#
+#   cmake -DFROM=... -DTO=... -DVERSION=... -DSONAME=... -DHEADER=...
+#         -DCOMPILER=... -DTARGET_OPTION=... -DOBJCOPY=... -DAR=... -P NetmeshGather.cmake
+#
+# The shared library lies beside the names of its ABI and its link. The archive becomes one object in
+# which every name but the header's functions is local: a Rust archive brings Rust's standard library
+# along, and a program with two such archives would have its names twice (rust_eh_personality) or,
+# where the linker lets it pass, one library's panics handled by the other's runtime. The copy of
+# LLVM's bitcode goes too, which only Rust compilers can use.
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# A link that is right stays: programs may be looking for it now.
+function(link name target)
+  set(found "")
+  if(IS_SYMLINK "${TO}/${name}")
+    file(READ_SYMLINK "${TO}/${name}" found)
+  endif()
+  if(NOT found STREQUAL target)
+    file(CREATE_LINK "${target}" "${TO}/${name}" SYMBOLIC)
+  endif()
+endfunction()
+
+function(gather_shared)
+  set(versioned "libnetmesh.so.${VERSION}")
+  run("${CMAKE_COMMAND}" -E copy_if_different "${FROM}/libnetmesh.so" "${TO}/${versioned}")
+  link("${SONAME}" "${versioned}")
+  link(libnetmesh.so "${SONAME}")
+endfunction()
+
+# Declarations begin at the first column of the header.
+function(declared_functions result)
+  file(STRINGS "${HEADER}" lines REGEX "^[a-z].*nm_[a-z_]+\\(")
+  set(names "")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "(nm_[a-z_]+)\\(" unused "${line}")
+    list(APPEND names "${CMAKE_MATCH_1}")
+  endforeach()
+  set(${result} "${names}" PARENT_SCOPE)
+endfunction()
+
+function(make_static functions)
+  list(TRANSFORM functions PREPEND "-Wl,--undefined=" OUTPUT_VARIABLE roots)
+  list(TRANSFORM functions PREPEND "--keep-global-symbol=" OUTPUT_VARIABLE kept)
+  set(object "${TO}/netmesh.o")
+  set(archive "${TO}/libnetmesh.a")
+  # The compiler knows which linker to call, and how.
+  run("${COMPILER}" ${TARGET_OPTION} -r -nostdlib -Wl,--build-id=none ${roots} -o "${object}" "${FROM}/libnetmesh.a")
+  # Linkers take one of several groups of the same name, local or not: this one's name becomes its own.
+  run("${OBJCOPY}" --redefine-sym=DW.ref.rust_eh_personality=DW.ref.netmesh_eh_personality ${kept}
+      --remove-section=.llvmbc --remove-section=.llvmcmd "${object}")
+  file(REMOVE "${archive}")
+  run("${AR}" qcs "${archive}" "${object}")
+  file(REMOVE "${object}")
+endfunction()
+
+# Made anew where cargo's archive, the functions or this file differ from what it was made of. Times
+# would not tell: cargo may go back to an older file.
+function(gather_static)
+  declared_functions(functions)
+  file(MD5 "${FROM}/libnetmesh.a" archive_hash)
+  file(MD5 "${CMAKE_CURRENT_LIST_FILE}" script_hash)
+  set(made_from "${archive_hash} ${script_hash} ${functions}")
+  set(record "${TO}/libnetmesh.a.made_from")
+  set(recorded "")
+  if(EXISTS "${record}" AND EXISTS "${TO}/libnetmesh.a")
+    file(READ "${record}" recorded)
+  endif()
+  if(NOT recorded STREQUAL made_from)
+    file(REMOVE "${record}")
+    make_static("${functions}")
+    file(WRITE "${record}" "${made_from}")
+  endif()
+endfunction()
+
+file(MAKE_DIRECTORY "${TO}")
+gather_shared()
+gather_static()

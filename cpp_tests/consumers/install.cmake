@@ -1,0 +1,60 @@
+# Sets the other tests up: installs, looks whether everything is there, moves it elsewhere, and lets the
+# installed command line mesh the points.
+include("${CMAKE_CURRENT_LIST_DIR}/common.cmake")
+
+file(REMOVE_RECURSE "${scratch}")
+run("${CMAKE_COMMAND}" --install "${build_dir}" --prefix "${scratch}/prefix")
+file(RENAME "${scratch}/prefix" "${prefix}")
+
+file(GLOB_RECURSE headers RELATIVE "${source_dir}/include" "${source_dir}/include/*.h" "${source_dir}/include/*.hpp")
+list(TRANSFORM headers PREPEND "${include_dir}/")
+set(expected ${headers}
+    "${program_dir}/netmesh"
+    "${manual_dir}/man1/netmesh.1"
+    "${data_dir}/licenses/netmesh/LICENSE-APACHE"
+    "${data_dir}/licenses/netmesh/LICENSE-MIT"
+    "${library_dir}/${shared_name}"
+    "${library_dir}/${static_name}"
+    "${library_dir}/cmake/netmesh/netmesh-config-version.cmake"
+    "${library_dir}/cmake/netmesh/netmesh-config.cmake"
+    "${library_dir}/pkgconfig/netmesh.pc")
+if(soname)
+  list(APPEND expected "${library_dir}/${soname}" "${library_dir}/libnetmesh.so")
+endif()
+list(SORT expected)
+file(GLOB_RECURSE installed RELATIVE "${prefix}" "${prefix}/*")
+list(SORT installed)
+require_equal("installed" "${installed}" "${expected}")
+list(LENGTH installed count)
+message(STATUS "${count} files installed")
+
+# The links are links.
+foreach(name IN ITEMS "${soname}" libnetmesh.so)
+  if(soname AND NOT IS_SYMLINK "${prefix}/${library_dir}/${name}")
+    message(FATAL_ERROR "${name} is a copy")
+  endif()
+endforeach()
+
+# Nobody's machine is in what others read.
+file(GLOB_RECURSE texts "${prefix}/${library_dir}/*.cmake" "${prefix}/${library_dir}/*.pc" "${prefix}/${manual_dir}/*")
+foreach(text IN LISTS texts)
+  file(READ "${text}" content)
+  string(FIND "${content}" "${scratch}" place)
+  string(FIND "${content}" "${source_dir}" source_place)
+  if(NOT place EQUAL -1 OR NOT source_place EQUAL -1)
+    message(FATAL_ERROR "${text} names a directory of the build")
+  endif()
+endforeach()
+
+run("${prefix}/${program_dir}/netmesh" "${points}" --output "${scratch}/expected.off" --json -)
+set(line "netmesh ")
+string(JSON found GET "${run_output}" version)
+string(APPEND line "${found}: ")
+foreach(count inputs vertices simplices domains)
+  string(JSON ${count} GET "${run_output}" counts ${count})
+endforeach()
+if(NOT (vertices GREATER inputs AND simplices GREATER vertices AND domains GREATER 1))
+  message(FATAL_ERROR "this is no mesh to compare others with:\n${run_output}")
+endif()
+file(WRITE "${scratch}/expected.txt"
+     "netmesh ${found}: ${inputs} points, ${vertices} vertices, ${simplices} simplices, ${domains} domains\n")

@@ -67,7 +67,7 @@ fn meshio_reads_vtu() {
 
 #[test]
 fn vtk_reads_vtu() {
-    if python_has("vtk") {
+    if python_has("vtkmodules.vtkIOXML") {
         assert_reads_vtu(VTK, "vtk", ["5", "10"]);
     }
 }
@@ -214,7 +214,7 @@ fn meshio_reads_ply() {
 
 #[test]
 fn vtk_reads_ply() {
-    if !python_has("vtk") {
+    if !python_has("vtkmodules.vtkIOXML") {
         return;
     }
     for dim in [2, 3] {

@@ -1,12 +1,13 @@
 """The same with VTK, whose readers are ParaView's. Arguments: the path, VTK's number of the type, arrays."""
 import sys
 
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 path = sys.argv[1]
-planar = path.endswith(".ply")
-reader = vtk.vtkPLYReader() if planar else vtk.vtkXMLUnstructuredGridReader()
+is_ply = path.endswith(".ply")
+reader = vtkPLYReader() if is_ply else vtkXMLUnstructuredGridReader()
 reader.SetFileName(path)
 reader.Update()
 assert reader.GetErrorCode() == 0
@@ -18,7 +19,8 @@ for i in range(grid.GetNumberOfCells()):
         corners += [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
 points = vtk_to_numpy(grid.GetPoints().GetData())
 # VTK's reader of PLY rounds coordinates to floats.
-print(points.astype("<f4").view("<u4").ravel().tolist() if planar else points.astype("<f8").view("<u8").ravel().tolist())
+kind, bits = ("<f4", "<u4") if is_ply else ("<f8", "<u8")
+print(points.astype(kind).view(bits).ravel().tolist())
 print(corners)
 for name in sys.argv[3:]:
     data = grid.GetCellData() if name.startswith("cell ") else grid.GetPointData()

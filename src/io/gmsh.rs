@@ -292,6 +292,7 @@ mod tests {
             assert_eq!(points(&text(zero)).unwrap(), expected);
         }
         assert_eq!(points(&text("5e-324")).unwrap().dim, 3);
+        assert_eq!(points(&text("-5e-324")).unwrap().dim, 3);
     }
 
     #[test]

@@ -250,5 +250,9 @@ fn io_error(what: &str, error: &std::io::Error) -> Error {
         std::io::ErrorKind::OutOfMemory => ErrorKind::OutOfMemory,
         _ => ErrorKind::Io,
     };
-    Error::new(kind, message!("{what}: {error}"))
+    match message!("{what}: {error}") {
+        // Not even for that there was memory.
+        message if message.is_empty() => Shortage::Memory.into(),
+        message => Error::new(kind, message),
+    }
 }

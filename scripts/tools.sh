@@ -25,19 +25,15 @@ need_cbindgen() {
 # Where gmsh or vtk cannot be had, on another processor for example, their tests say so and pass.
 need_readers() {
   local wanted="meshio $MESHIO_VERSION, gmsh $GMSH_VERSION, vtk $VTK_VERSION"
-  if [ "$(reader_versions)" != "$wanted" ]; then
+  if [ "$(cat "$venv/readers" 2>/dev/null)" != "$wanted" ]; then
     python3 -m venv --clear "$venv"
     local pip=("$venv/bin/pip" install --quiet --disable-pip-version-check)
     "${pip[@]}" "meshio==$MESHIO_VERSION"
     "${pip[@]}" --no-deps "gmsh==$GMSH_VERSION" || echo "there is no gmsh here"
     "${pip[@]}" --no-deps "vtk==$VTK_VERSION" || echo "there is no vtk here"
+    echo "$wanted" >"$venv/readers"
   fi
-  reader_versions
-}
-
-reader_versions() {
-  "$venv/bin/python3" -c 'from importlib.metadata import version
-print(", ".join(f"{name} {version(name)}" for name in ("meshio", "gmsh", "vtk")))' 2>/dev/null || true
+  "$venv/bin/pip" list --format=freeze --disable-pip-version-check | grep --extended-regexp '^(meshio|gmsh|vtk|numpy)=='
 }
 
 # Miri runs the C ABI's tests under a checker for undefined behaviour; only a nightly has it.

@@ -118,11 +118,16 @@ void reading(const Files& files) {
     EXPECT(read_status("\xff\xfe.xyz"), NM_INVALID_ARGUMENT, "path_utf8");
     EXPECT(read_status(files.path("missing.xyz"), static_cast<nm_format>(77)), NM_INVALID_ARGUMENT, "77");
     EXPECT(read_status(files.path("missing.vtu")), NM_INVALID_ARGUMENT, "VTU");
-    EXPECT(read_status(files.path("missing.npy")), NM_INVALID_ARGUMENT, "NPY");
+    EXPECT(read_status(files.path("missing.voronoi.json")), NM_INVALID_ARGUMENT, "VoronoiJson");
+    EXPECT(read_status(files.path("missing.npy")), NM_IO, "missing.npy");
 
     CHECK_STATUS(read_status(files.write("good.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")), NM_OK);
     CHECK_STATUS(read_status(files.write("good.csv", "0,0\n1,0\n0,1\n")), NM_OK);
     EXPECT(read_status(files.write("empty.xyz", "")), NM_FORMAT_ERROR, "empty.xyz");
+    EXPECT(read_status(files.write("text.npy", "0 0\n1 0\n")), NM_FORMAT_ERROR, "text.npy", "byte 1");
+    EXPECT(read_status(files.write("cut.ply", "ply\nformat ascii 1.0\n")), NM_FORMAT_ERROR, "line 2");
+    EXPECT(read_status(files.write("cut.msh", "$MeshFormat\n4.1 0 8\n")), NM_FORMAT_ERROR, "$MeshFormat");
+    EXPECT(read_status(files.write("cut.mesh", "MeshVersionFormatted 2\n")), NM_FORMAT_ERROR, "Vertices");
     EXPECT(read_status(files.write("ragged.xyz", "0 0 0\n1 0 0\n0 1\n")), NM_FORMAT_ERROR, "3");
     EXPECT(read_status(files.write("words.csv", "0,0\n1,0\n1,1\n0,one\n")), NM_FORMAT_ERROR, "4", "one");
     EXPECT(read_status(files.write("line.csv", "1\n2\n")), NM_DIMENSION, "1");
@@ -144,10 +149,11 @@ void writing(const Files& files) {
            "surprise");
     EXPECT(nm_export(mesh.get(), target.c_str(), static_cast<nm_format>(-1)), NM_INVALID_ARGUMENT, "-1");
     EXPECT(nm_export(mesh.get(), files.path("no/such/place.vtu").c_str(), NM_FORMAT_AUTO), NM_IO, "place.vtu");
-    for (const nm_format later : {NM_FORMAT_GMSH, NM_FORMAT_MEDIT, NM_FORMAT_PLY, NM_FORMAT_NPY}) {
-        EXPECT(nm_export(mesh.get(), files.path("later").c_str(), later), NM_INVALID_ARGUMENT, "format", "not available");
+    const MeshHandle four = create(generate("uniform", 4, 20));
+    for (const nm_format low : {NM_FORMAT_VTU, NM_FORMAT_GMSH, NM_FORMAT_MEDIT, NM_FORMAT_PLY}) {
+        EXPECT(nm_export(four.get(), files.path("four").c_str(), low), NM_INVALID_ARGUMENT, "format", "nOFF");
     }
-    CHECK(!Files::exists(files.path("later")));
+    CHECK(!Files::exists(files.path("four")));
 
     const nm_write_fn stop = [](const void*, std::size_t, void*) -> std::int32_t { return 42; };
     EXPECT(nm_export_write(mesh.get(), NM_FORMAT_OFF, nullptr, nullptr), NM_NULL_ARGUMENT, "write");

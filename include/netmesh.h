@@ -127,8 +127,9 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * File formats. Mesh formats need a run (NM_STATE otherwise); point formats do not. A format that
- * cannot hold the mesh's dimension answers NM_INVALID_ARGUMENT.
+ * File formats; docs/formats.md tells what each holds. Point formats (XYZ, CSV, NPY) can be written
+ * before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
+ * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read, of the others the points are.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -136,11 +137,13 @@ enum nm_format
 #endif // __cplusplus
  {
     /**
-     * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz, .csv, .npy.
+     * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt, .xy,
+     * .pts), .csv, .npy, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
-     * VTK XML unstructured grid (.vtu), for ParaView and VTK.
+     * VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
+     * Dimensions 2 and 3.
      */
     NM_FORMAT_VTU = 1,
     /**
@@ -148,19 +151,19 @@ enum nm_format
      */
     NM_FORMAT_TETGEN_NODE = 2,
     /**
-     * Gmsh 4.1 (.msh).
+     * Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
      */
     NM_FORMAT_GMSH = 3,
     /**
-     * Medit (.mesh).
+     * Medit as text (.mesh). Dimensions 2 and 3.
      */
     NM_FORMAT_MEDIT = 4,
     /**
-     * Object file format (.off), nOFF from dimension 4 on.
+     * Object file format (.off), nOFF from dimension 3 on.
      */
     NM_FORMAT_OFF = 5,
     /**
-     * Polygon file format (.ply).
+     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension 3.
      */
     NM_FORMAT_PLY = 6,
     /**
@@ -175,6 +178,14 @@ enum nm_format
      * Points as a NumPy array of shape points x dim (.npy).
      */
     NM_FORMAT_NPY = 9,
+    /**
+     * The Voronoi diagram of the vertices as JSON (.voronoi.json).
+     */
+    NM_FORMAT_VORONOI_JSON = 10,
+    /**
+     * The hierarchy of domains with their cages as JSON (.domains.json).
+     */
+    NM_FORMAT_DOMAINS_JSON = 11,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -1270,7 +1281,7 @@ nm_status nm_mesh_validate(const struct nm_mesh *mesh, uint32_t level, struct nm
  *
  * Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
  * unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format before
- * nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason).
+ * nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason), NM_OUT_OF_MEMORY.
  *
  * O(vertices + simplices).
  */
@@ -1284,7 +1295,7 @@ nm_status nm_export(const struct nm_mesh *mesh, const char *path_utf8, nm_format
  *
  * Errors: NM_NULL_ARGUMENT (mesh, write), NM_INVALID_ARGUMENT (format), NM_STATE (a mesh format
  * before nm_run; nm_run at work, poisoned), NM_IO (write answered nonzero; the message has the
- * value).
+ * value), NM_OUT_OF_MEMORY.
  *
  * O(vertices + simplices).
  */

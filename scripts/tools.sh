@@ -1,7 +1,7 @@
 # Sourced by test.sh: the pinned tools, each in its place under target/.
 
 readonly CBINDGEN_VERSION=0.29.0
-readonly MESHIO_VERSION=5.3.5
+readonly MESHIO_VERSION=5.3.5 GMSH_VERSION=4.15.2 VTK_VERSION=9.7.2
 
 need_rust_components() {
   if cargo fmt --version && cargo clippy --version; then
@@ -21,18 +21,19 @@ need_cbindgen() {
   cbindgen --version
 }
 
-# meshio reads in tests what netmesh has written.
-need_meshio() {
-  local wanted="$MESHIO_VERSION"
-  if [ "$(meshio_version)" != "$wanted" ]; then
+# What reads in tests what netmesh has written. Of vtk without what it depends on: that is for drawing.
+# Where gmsh or vtk cannot be had, on another processor for example, their tests say so and pass.
+need_readers() {
+  local wanted="meshio $MESHIO_VERSION, gmsh $GMSH_VERSION, vtk $VTK_VERSION"
+  if [ "$(cat "$venv/readers" 2>/dev/null)" != "$wanted" ]; then
     python3 -m venv --clear "$venv"
-    "$venv/bin/pip" install --quiet --disable-pip-version-check "meshio==$wanted"
+    local pip=("$venv/bin/pip" install --quiet --disable-pip-version-check)
+    "${pip[@]}" "meshio==$MESHIO_VERSION"
+    "${pip[@]}" --no-deps "gmsh==$GMSH_VERSION" || echo "there is no gmsh here"
+    "${pip[@]}" --no-deps "vtk==$VTK_VERSION" || echo "there is no vtk here"
+    echo "$wanted" >"$venv/readers"
   fi
-  echo "meshio $(meshio_version)"
-}
-
-meshio_version() {
-  "$venv/bin/python3" -c 'import meshio; print(meshio.__version__)' 2>/dev/null || true
+  "$venv/bin/pip" list --format=freeze --disable-pip-version-check | grep --extended-regexp '^(meshio|gmsh|vtk|numpy)=='
 }
 
 # Miri runs the C ABI's tests under a checker for undefined behaviour; only a nightly has it.

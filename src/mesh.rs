@@ -219,6 +219,11 @@ impl Inputs {
         &self.vertices
     }
 
+    /// The first of the inputs that are `vertex`; `None` for a vertex that is no input.
+    pub fn first_input(&self, vertex: usize) -> Option<u32> {
+        self.first_input.get(vertex).copied()
+    }
+
     /// The coordinates of input `i`, with the caller's bits.
     pub fn point(&self, i: usize) -> &[f64] {
         &self.coordinates[i * self.dim..][..self.dim]

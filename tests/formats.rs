@@ -1,43 +1,17 @@
-//! The file formats as a caller meets them: damaged files, files that cannot be written, and a
-//! real mesh in the hands of an independent reader.
+//! The file formats as a caller meets them: damaged files of points, extensions, and files that cannot
+//! be written. `damaged_meshes.rs` has the formats of other programs' meshes.
 
+#[path = "support/directory.rs"]
+mod directory;
+
+use directory::Directory;
 use netmesh::ErrorKind::{Dimension, Format as Broken, NonFinite};
 use netmesh::io::{Format, PointCloud, read, read_points, write, write_file};
-use netmesh::{Algorithm, Error, ErrorKind, Mesh, Options};
+use netmesh::{Error, ErrorKind, Mesh};
 use proptest::prelude::*;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
-
-/// An empty directory that is removed at the end of the test.
-struct Directory(PathBuf);
-
-impl Directory {
-    fn new(name: &str) -> Self {
-        let path = std::env::temp_dir().join(format!("netmesh-{name}-{}", std::process::id()));
-        fs::create_dir(&path).unwrap();
-        Self(path)
-    }
-
-    fn join(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-
-    fn names(&self) -> Vec<String> {
-        let entries = fs::read_dir(&self.0).unwrap();
-        let mut names: Vec<_> =
-            entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-        names.sort();
-        names
-    }
-}
-
-impl Drop for Directory {
-    fn drop(&mut self) {
-        let _ = fs::remove_dir_all(&self.0);
-    }
-}
 
 fn two_points() -> Mesh {
     Mesh::new(2, 2, &[0.1, -0.0, 5e-324, 1e300], 0).unwrap()
@@ -77,15 +51,23 @@ fn every_text_format_refuses_what_is_no_text_or_number() {
         (b"-NaN", NonFinite, "\"-NaN\"; every coordinate must be finite"),
         (b"-Infinity", NonFinite, "\"-Infinity\"; every coordinate must be finite"),
     ];
-    for (format, before, separator, column) in [
-        (Format::Xyz, &b"1 2\n"[..], b' ', 2),
-        (Format::Csv, b"1,2\n", b',', 2),
-        (Format::TetgenNode, b"1 2\n1 ", b' ', 3),
-        (Format::Off, b"nOFF 2 1 0\n", b' ', 2),
+    let gmsh = b"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 ";
+    let medit = b"MeshVersionFormatted 2\nDimension 2\nVertices 1\n";
+    let ply = b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n";
+    for (format, before, separator, column, after) in [
+        (Format::Xyz, &b"1 2\n"[..], b' ', 2, &b"\n"[..]),
+        (Format::Csv, b"1,2\n", b',', 2, b"\n"),
+        (Format::TetgenNode, b"1 2\n1 ", b' ', 3, b"\n"),
+        (Format::Off, b"nOFF 2 1 0\n", b' ', 2, b"\n"),
+        (Format::Gmsh, gmsh, b' ', 4, b"\n$EndNodes\n"),
+        (Format::Medit, medit, b' ', 2, b" 0\n"),
+        (Format::Ply, ply, b' ', 2, b"\n"),
     ] {
+        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        let start = 1 + before.iter().rposition(|byte| *byte == b'\n').unwrap();
         for (field, kind, message) in cases {
-            let bytes = [before, b"5", &[separator], field, b"\n"].concat();
-            let message = format!("line 2, column {column}: {message}");
+            let bytes = [before, b"5", &[separator], field, after].concat();
+            let message = format!("line {line}, column {column}: {message}");
             assert_refused_as(format, &bytes, kind, &message);
         }
         for (field, message) in [
@@ -93,14 +75,14 @@ fn every_text_format_refuses_what_is_no_text_or_number() {
             (b"\0", "a NUL byte; this is not a text file"),
             (b"\r6", "a carriage return inside the line"),
         ] {
-            let bytes = [before, b"5", &[separator], b"5", field, b"\n"].concat();
-            let byte =
-                bytes.len() - field.len() - before.iter().position(|b| *b == b'\n').unwrap() - 1;
-            let message = format!("line 2, byte {byte}: {message}");
+            let bytes = [before, b"5", &[separator], b"5", field, after].concat();
+            let byte = before.len() + 4 - start;
+            let message = format!("line {line}, byte {byte}: {message}");
             assert_refused_as(format, &bytes, Broken, &message);
         }
         let bytes = [before, b"5".repeat(1 << 20).as_slice(), b"\n"].concat();
-        assert_refused_as(format, &bytes, Broken, "line 2: the line is longer than 1 MiB");
+        let message = format!("line {line}: the line is longer than 1 MiB");
+        assert_refused_as(format, &bytes, Broken, &message);
     }
 }
 
@@ -261,13 +243,27 @@ fn truncated_files_are_refused() {
     }
 }
 
+const READABLE: [Format; 8] = [
+    Format::Xyz,
+    Format::Csv,
+    Format::TetgenNode,
+    Format::Off,
+    Format::Gmsh,
+    Format::Medit,
+    Format::Ply,
+    Format::Npy,
+];
+
 proptest! {
     /// Whatever the bytes: an answer, and one that keeps its promises.
     #[test]
     fn readers_answer_to_any_bytes(
         pieces in prop::collection::vec(
             prop::sample::select(vec![
-                "OFF", "nOFF", "x", "kind", "0", "1", "2", "3", "-1", "0.5", "1e308", "1e309", "nan",
+                "OFF", "nOFF", "x", "kind", "ply\n", "format ascii 1.0\n", "element vertex 1\n",
+                "property double x\n", "property float y\n", "end_header\n",
+                "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "$Nodes\n", "$EndNodes\n",
+                "MeshVersionFormatted 2\n", "Dimension 2\n", "Vertices\n", "End\n", "0", "1", "2", "3", "-1", "0.5", "1e308", "1e309", "nan",
                 "18446744073709551615", ",", " ", "\n", "\n", "\r\n", "\r", "#", "\0", "\u{feff}",
             ]),
             0..40,
@@ -276,7 +272,7 @@ proptest! {
     ) {
         let mut bytes = pieces.concat().into_bytes();
         bytes.extend(stray);
-        for format in [Format::Xyz, Format::Csv, Format::TetgenNode, Format::Off] {
+        for format in READABLE {
             if let Ok(points) = from_bytes(&bytes, format) {
                 prop_assert!((2..=8).contains(&points.dim));
                 prop_assert!(!points.coordinates.is_empty());
@@ -328,38 +324,36 @@ fn extensions_stand_for_formats() {
         (&["xyz", "txt", "xy", "pts", "Txt"], Format::Xyz),
         (&["csv"], Format::Csv),
         (&["npy"], Format::Npy),
+        (&["voronoi.json", "Voronoi.JSON"], Format::VoronoiJson),
+        (&["domains.json"], Format::DomainsJson),
     ] {
         for extension in extensions {
             let path = PathBuf::from(format!("a.b.{extension}"));
             assert_eq!(Format::from_path(&path).unwrap(), format, "{extension}");
         }
     }
-    for path in ["a", "a.stl", ".csv", "csv", "a.csv.gz"] {
+    for path in ["a", "a.stl", ".csv", "csv", "a.csv.gz", "a.json", "voronoi.json", "a.xyz.json"] {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
-        assert!(error.message().contains(".vtu, .node, .ele, .off, .xyz, .txt, .xy, .pts or .csv"));
+        let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
+                     .voronoi.json or .domains.json";
+        assert!(error.message().ends_with(known), "{error}");
     }
 }
 
 #[test]
-fn formats_that_cannot_be_read_or_written_say_so() {
-    let mesh = two_points();
-    for format in [Format::Gmsh, Format::Medit, Format::Ply, Format::Npy] {
-        let written = write(&mesh, format, &mut Vec::new()).unwrap_err();
-        let read = from_bytes(b"1 2\n", format).unwrap_err();
-        for error in [written, read] {
-            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-            let expected = format!("format {format:?} is not available in this version");
-            assert_eq!(error.message(), expected);
-        }
+fn formats_that_cannot_be_read_say_so() {
+    for format in [Format::Vtu, Format::VoronoiJson, Format::DomainsJson] {
+        let error = from_bytes(b"{}", format).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+        let expected =
+            format!("format {format:?} cannot be read, only written; points are read from");
+        assert!(error.message().starts_with(&expected), "{error}");
     }
-    let error = from_bytes(b"<VTKFile>", Format::Vtu).unwrap_err();
-    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-    assert!(error.message().starts_with("format Vtu cannot be read"), "{error}");
     // Without a path there is no extension.
     for error in [
         from_bytes(b"1 2\n", Format::Auto).unwrap_err(),
-        write(&mesh, Format::Auto, &mut Vec::new()).unwrap_err(),
+        write(&two_points(), Format::Auto, &mut Vec::new()).unwrap_err(),
     ] {
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
     }
@@ -368,21 +362,36 @@ fn formats_that_cannot_be_read_or_written_say_so() {
 #[test]
 fn before_a_run_mesh_formats_are_refused_and_nothing_is_created() {
     let directory = Directory::new("state");
-    for name in ["a.vtu", "a.node", "a.ele", "a.off"] {
+    let mesh_formats = [
+        "a.vtu",
+        "a.node",
+        "a.ele",
+        "a.msh",
+        "a.mesh",
+        "a.off",
+        "a.ply",
+        "a.voronoi.json",
+        "a.domains.json",
+    ];
+    for name in mesh_formats {
         let error = write_file(&two_points(), &directory.join(name), Format::Auto).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::State, "{error}");
+        assert!(error.message().ends_with("run first, or write Xyz, Csv or Npy"), "{error}");
     }
     // The dimension is wrong before and after a run.
     let mesh = Mesh::new(4, 2, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], 0).unwrap();
-    let error = write_file(&mesh, &directory.join("a.vtu"), Format::Auto).unwrap_err();
-    assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+    for name in ["a.vtu", "a.msh", "a.mesh", "a.ply"] {
+        let error = write_file(&mesh, &directory.join(name), Format::Auto).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+        assert!(error.message().contains("not 4; use Off (nOFF) or TetgenNode"), "{error}");
+    }
     assert!(directory.names().is_empty());
 }
 
 #[test]
 fn points_survive_a_file_bit_by_bit() {
     let directory = Directory::new("points");
-    for name in ["a.xyz", "a.csv"] {
+    for name in ["a.xyz", "a.csv", "a.npy"] {
         let mesh = two_points();
         let path = directory.join(name);
         write_file(&mesh, &path, Format::Auto).unwrap();
@@ -391,7 +400,7 @@ fn points_survive_a_file_bit_by_bit() {
         assert_eq!(read.dim, 2);
         assert_eq!(bits(&read.coordinates), bits(&mesh.inputs().distinct_points()));
     }
-    assert_eq!(directory.names(), ["a.csv", "a.xyz"]);
+    assert_eq!(directory.names(), ["a.csv", "a.npy", "a.xyz"]);
 }
 
 #[test]
@@ -411,7 +420,7 @@ fn a_failing_writer_is_an_io_error_and_is_not_called_again() {
     // Enough points to fill the buffer, and few enough to fail at its end only.
     let many: Vec<f64> = (0..40_000).map(f64::from).collect();
     for mesh in [two_points(), Mesh::new(2, 20_000, &many, 0).unwrap()] {
-        for format in [Format::Xyz, Format::Csv] {
+        for format in [Format::Xyz, Format::Csv, Format::Npy] {
             let mut out = Failing { calls: 0 };
             let error = write(&mesh, format, &mut out).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Io);
@@ -446,60 +455,4 @@ fn devices_are_written_to_and_not_replaced() {
     assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
     let error = write_file(&two_points(), Path::new("/dev/full"), Format::Xyz).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Io, "{error}");
-}
-
-/// A mesh that a run made.
-fn real_mesh(dim: usize) -> Mesh {
-    let points: Vec<f64> = (0..60 * dim)
-        .map(|i| {
-            (i as f64 * 0.754_877_666_246_692_7 + (i * i) as f64 * 0.569_840_290_998_053_3).fract()
-        })
-        .collect();
-    let mut mesh = Mesh::new(dim, 60, &points, 0).unwrap();
-    let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
-    mesh.run(&options, None).unwrap();
-    mesh
-}
-
-#[test]
-fn a_real_mesh_survives_its_files() {
-    let directory = Directory::new("real");
-    for dim in 2..=5 {
-        let mesh = real_mesh(dim);
-        for name in ["a.node", "a.xyz", "a.csv", "a.off"] {
-            let path = directory.join(name);
-            write_file(&mesh, &path, Format::Auto).unwrap();
-            let read = read_points(&path, Format::Auto).unwrap();
-            let planar_off = dim == 2 && name == "a.off";
-            if !planar_off {
-                assert_eq!(read.coordinates, mesh.triangulation().unwrap().points, "{dim} {name}");
-            }
-        }
-        assert_eq!(directory.names(), ["a.csv", "a.ele", "a.node", "a.off", "a.xyz"]);
-    }
-}
-
-#[test]
-fn meshio_reads_a_real_mesh() {
-    const SCRIPT: &str = "
-import sys, meshio
-mesh = meshio.read(sys.argv[1])
-print(mesh.points.astype('<f8').tobytes().hex(), sum(len(block.data) for block in mesh.cells))
-";
-    let import = Command::new("python3").args(["-c", "import meshio"]).output();
-    if !import.is_ok_and(|output| output.status.success()) {
-        eprintln!("skipped: python3 cannot import meshio");
-        return;
-    }
-    let mesh = real_mesh(3);
-    let directory = Directory::new("meshio");
-    let path = directory.join("a.vtu");
-    write_file(&mesh, &path, Format::Auto).unwrap();
-    let output = Command::new("python3").args(["-c", SCRIPT]).arg(&path).output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let triangulation = mesh.triangulation().unwrap();
-    let bytes = triangulation.points.iter().flat_map(|x| x.to_le_bytes());
-    let hex: String = bytes.map(|byte| format!("{byte:02x}")).collect();
-    let expected = format!("{hex} {}\n", triangulation.simplex_count());
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), expected);
 }

@@ -8,7 +8,17 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::time::{Duration, Instant};
 
-const READABLE: [Format; 4] = [Format::Xyz, Format::Csv, Format::TetgenNode, Format::Off];
+const READABLE: [Format; 8] = [
+    Format::Xyz,
+    Format::Csv,
+    Format::TetgenNode,
+    Format::Off,
+    Format::Gmsh,
+    Format::Medit,
+    Format::Ply,
+    Format::Npy,
+];
+const NO_NPY: &str = "byte 1: the file does not begin as an .npy file does";
 const GIGABYTE: u64 = 1 << 30;
 /// What a reader may hold beside the points: its buffer, a line, and room for the vectors to grow.
 const FEW_BYTES: isize = 4 << 20;
@@ -90,6 +100,79 @@ fn huge_declared_sizes_take_no_memory() {
         let corners = format!("OFF\n1 1 0\n1 2 3\n{count} 0 0\n");
         let error = refusal(Format::Off, corners.as_bytes());
         assert!(error.message().starts_with("line 4: the face ends before"), "{error}");
+        let nodes = format!("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{count}\n1 1 2 3\n");
+        let error = refusal(Format::Gmsh, nodes.as_bytes());
+        let expected = format!("the file ends after line 6: 1 of {count} nodes");
+        assert_eq!(error.message(), expected);
+        let blocks = format!(
+            "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n{count} {count} 1 1\n3 1 0 {count}\n1\n"
+        );
+        let error = refusal(Format::Gmsh, blocks.as_bytes());
+        let expected = format!("the file ends after line 7: 1 of {count} nodes");
+        assert_eq!(error.message(), expected);
+        let vertices = format!("MeshVersionFormatted 2\nDimension 3\nVertices {count}\n1 2 3 0\n");
+        let error = refusal(Format::Medit, vertices.as_bytes());
+        let expected = format!("the file ends after line 4: 1 of {count} vertices");
+        assert_eq!(error.message(), expected);
+    }
+}
+
+#[test]
+fn huge_declared_sizes_of_binary_data_take_no_memory() {
+    for count in ["4294967295", "1000000000000", "9223372036854775807", "18446744073709551615"] {
+        let vertices = "property double x\nproperty double y\n";
+        for (encoding, row, expected) in [
+            ("ascii", &b"1 2\n"[..], "the file ends after line 7: 1 of"),
+            ("binary_big_endian", &[0; 16], "the file ends after byte 16 after the header: 1 of"),
+        ] {
+            let header = format!("ply\nformat {encoding} 1.0\nelement vertex {count}\n{vertices}");
+            let file = [header.as_bytes(), b"end_header\n", row].concat();
+            let error = refusal(Format::Ply, file.as_slice());
+            assert_eq!(error.message(), format!("{expected} {count} elements \"vertex\""));
+        }
+        // Rows that are skipped, all at once and one by one; the second claims 2^64 bytes and more.
+        for property in ["double a", "list uint double a"] {
+            let header = format!(
+                "ply\nformat binary_little_endian 1.0\nelement e {count}\nproperty {property}\n\
+                 element vertex 1\n{vertices}end_header\n"
+            );
+            let file = [header.as_bytes(), &[0xff; 20]].concat();
+            let error = refusal(Format::Ply, file.as_slice());
+            assert!(error.message().starts_with("the file ends after byte 20 after"), "{error}");
+        }
+        for order in ["True", "False"] {
+            let header =
+                format!("{{'descr': '<f8', 'fortran_order': {order}, 'shape': ({count}, 8)}}");
+            let length = (header.len() as u16).to_le_bytes();
+            let file = [b"\x93NUMPY\x01\0", &length[..], header.as_bytes(), &[0; 80]].concat();
+            let error = refusal(Format::Npy, file.as_slice());
+            assert!(error.message().starts_with("the file ends after byte"), "{error}");
+            assert!(error.message().contains(&format!(" of {count} points")), "{error}");
+        }
+    }
+}
+
+/// Elements of nothing would go on for ever, as their rows take no bytes; headers are kept.
+#[test]
+fn a_header_of_declarations_is_bounded() {
+    let endless = b"ply\nformat ascii 1.0\n".chain(Repeated(b"element vertex 1\n", 0));
+    let error = refusal(Format::Ply, endless);
+    assert_eq!(error.message(), "line 4: a second element \"vertex\"");
+    let comments = b"ply\nformat ascii 1.0\n".chain(Repeated(b"comment c\n", 0).take(GIGABYTE / 8));
+    let error = refusal(Format::Ply, comments);
+    assert!(error.message().starts_with("the file ends after line"), "{error}");
+}
+
+/// The same bytes again and again.
+struct Repeated(&'static [u8], usize);
+
+impl Read for Repeated {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        for byte in buffer.iter_mut() {
+            *byte = self.0[self.1];
+            self.1 = (self.1 + 1) % self.0.len();
+        }
+        Ok(buffer.len())
     }
 }
 
@@ -107,6 +190,7 @@ fn a_gigabyte_of_one_byte_is_refused_at_once() {
     ] {
         for format in READABLE {
             let mut input = std::io::repeat(byte).take(GIGABYTE);
+            let expected = if format == Format::Npy { NO_NPY } else { expected };
             assert_eq!(refusal(format, &mut input).message(), expected, "{format:?}");
             let taken = GIGABYTE - input.limit();
             assert!(taken <= (1 << 20) + (1 << 17), "{format:?}: {taken} bytes were read");
@@ -142,7 +226,9 @@ fn a_sparse_file_of_a_gigabyte_is_refused_at_once() {
     for (answer, peak) in answers {
         let error = answer.unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Format, "{error}");
-        assert!(error.message().ends_with("line 1, byte 1: a NUL byte; this is not a text file"));
+        let message = error.message();
+        let refused = message.ends_with("line 1, byte 1: a NUL byte; this is not a text file");
+        assert!(refused || message.ends_with(NO_NPY), "{error}");
         assert!(peak < FEW_BYTES, "{peak} bytes");
     }
 }

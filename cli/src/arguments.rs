@@ -13,14 +13,14 @@ Examples:
   netmesh points.csv -o mesh.off --finish --bound 3.5
   netmesh points.xyz -o delaunay.vtu --algorithm delaunay";
 
-/// Mesh points: in goes a text file of points, out comes a conforming quality Delaunay mesh.
+/// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
-/// The number of columns of the input is the dimension, 2 to 8. Every number under Meshing has a
+/// The number of coordinates in the input is the dimension, 2 to 8. Every number under Meshing has a
 /// default for the dimension; a value out of range is refused, and the message tells the range.
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
-    /// File of points, one per line
+    /// File of points; of a mesh its points
     pub input: PathBuf,
 
     /// Where the mesh goes; the extension names the format. Without it only the summary is made
@@ -147,16 +147,28 @@ pub enum CriterionName {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum FormatName {
-    /// VTK XML unstructured grid (.vtu)
+    /// VTK XML unstructured grid, write only (.vtu)
     Vtu,
     /// TetGen .node and .ele
     Tetgen,
-    /// OFF, nOFF above three dimensions (.off)
+    /// Gmsh, as text (.msh)
+    Gmsh,
+    /// Medit, as text (.mesh)
+    Medit,
+    /// OFF, nOFF from three dimensions on (.off)
     Off,
+    /// Polygons: of a planar mesh all triangles, in 3D the boundary (.ply)
+    Ply,
     /// Points, separated by spaces (.xyz)
     Xyz,
     /// Points, separated by commas (.csv)
     Csv,
+    /// Points as a NumPy array (.npy)
+    Npy,
+    /// The Voronoi diagram of the vertices, write only (.voronoi.json)
+    VoronoiJson,
+    /// The domains and their cages, write only (.domains.json)
+    DomainsJson,
 }
 
 impl Arguments {
@@ -224,9 +236,15 @@ impl FormatName {
         match self {
             Self::Vtu => Format::Vtu,
             Self::Tetgen => Format::TetgenNode,
+            Self::Gmsh => Format::Gmsh,
+            Self::Medit => Format::Medit,
             Self::Off => Format::Off,
+            Self::Ply => Format::Ply,
             Self::Xyz => Format::Xyz,
             Self::Csv => Format::Csv,
+            Self::Npy => Format::Npy,
+            Self::VoronoiJson => Format::VoronoiJson,
+            Self::DomainsJson => Format::DomainsJson,
         }
     }
 }

@@ -74,6 +74,28 @@ fn every_exit_code_is_in_the_help_and_in_the_document() {
 }
 
 #[test]
+fn every_format_is_in_the_document() {
+    let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
+    let help = String::from_utf8_lossy(&help.stdout).into_owned();
+    let (_, formats) = help.split_once("--output-format").expect("the option");
+    let names: Vec<&str> = formats
+        .lines()
+        .skip(1)
+        .take_while(|line| !line.trim_start().starts_with("--"))
+        .filter_map(|line| line.trim_start().strip_prefix("- ")?.split(':').next())
+        .collect();
+    assert_eq!(names.len(), 11, "{formats}");
+    let (document, header) = (read("docs/formats.md"), read("include/netmesh.h"));
+    for name in names {
+        let row = document.lines().find(|line| line.contains(&format!("| `{name}` |")));
+        let row = row.unwrap_or_else(|| panic!("no row for {name}"));
+        let constant = row.split('`').find(|word| word.starts_with("NM_FORMAT_"));
+        let constant = constant.unwrap_or_else(|| panic!("no constant in: {row}"));
+        assert!(header.contains(&format!("    {constant} = ")), "{constant}");
+    }
+}
+
+#[test]
 fn the_c_example_in_the_readme_compiles() {
     let readme = read("README.md");
     let (_, rest) = readme.split_once("```c\n").expect("a C example");
@@ -93,8 +115,13 @@ fn the_c_example_in_the_readme_compiles() {
 
 #[test]
 fn links_in_the_documents_lead_somewhere() {
-    for document in ["README.md", "docs/limitations.md", "docs/decisions.md", "docs/exit_codes.md"]
-    {
+    for document in [
+        "README.md",
+        "docs/limitations.md",
+        "docs/decisions.md",
+        "docs/exit_codes.md",
+        "docs/formats.md",
+    ] {
         let text = read(document);
         let directory = root().join(document).parent().expect("a directory").to_owned();
         for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {

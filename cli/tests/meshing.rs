@@ -54,15 +54,44 @@ fn plain_delaunay_has_the_inputs_alone() {
 }
 
 #[test]
-fn every_mesh_format_is_written() {
+fn every_format_is_written_by_extension_and_by_name() {
     let bench = bench_with_spiral("formats", 3);
-    for (output, format) in [("a.vtu", ""), ("b.off", ""), ("c.out", "--output-format vtu")] {
-        bench.run(&format!("points.xyz -q -o {output} {format}")).assert_success();
-        assert!(bench.files().contains(&output.to_owned()), "{output}");
+    let formats = [
+        ("vtu", "vtu"),
+        ("msh", "gmsh"),
+        ("mesh", "medit"),
+        ("off", "off"),
+        ("ply", "ply"),
+        ("xyz", "xyz"),
+        ("csv", "csv"),
+        ("npy", "npy"),
+        ("voronoi.json", "voronoi-json"),
+        ("domains.json", "domains-json"),
+        ("node", "tetgen"),
+    ];
+    for (extension, name) in formats {
+        bench.run(&format!("points.xyz -q -o a.{extension}")).assert_success();
+        let named = format!("points.xyz -q -o {name}.out --output-format {name}");
+        bench.run(&named).assert_success();
+        let (file, named) = (format!("a.{extension}"), format!("{name}.out"));
+        assert!(bench.bytes(&file) == bench.bytes(&named), "{extension}");
     }
-    bench.run("points.xyz -q -o d.node").assert_success();
-    assert_eq!(bench.files(), ["a.vtu", "b.off", "c.out", "d.ele", "d.node", "points.xyz"]);
-    assert!(bench.read("a.vtu").contains("UnstructuredGrid"));
+    assert_eq!(bench.bytes("a.ele"), bench.bytes("tetgen.out.ele"));
+    assert_eq!(bench.files().len(), 2 * (formats.len() + 1) + 1);
+    assert!(bench.read("a.msh").starts_with("$MeshFormat\n4.1 0 8\n"));
+}
+
+#[test]
+fn a_mesh_is_meshed_again_from_every_format_that_has_its_points() {
+    let bench = bench_with_spiral("read", 3);
+    bench.run("points.xyz -q -o first.xyz").assert_success();
+    bench.run("first.xyz -q -o expected.npy").assert_success();
+    for extension in ["node", "msh", "mesh", "off", "ply", "csv", "npy"] {
+        bench.run(&format!("points.xyz -q -o a.{extension}")).assert_success();
+        bench.run(&format!("a.{extension} -q -o again.npy")).assert_success();
+        assert!(bench.bytes("again.npy") == bench.bytes("expected.npy"), "{extension}");
+    }
+    bench.run("a.vtu").assert_failure(2, &["Vtu cannot be read"]);
 }
 
 #[test]

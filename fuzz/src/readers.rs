@@ -6,7 +6,17 @@ use netmesh::io::{Format, PointCloud, read, write};
 use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result};
 use std::io::BufReader;
 
-pub const FORMATS: [Format; 4] = [Format::TetgenNode, Format::Off, Format::Xyz, Format::Csv];
+/// New formats come last: the corpus names formats by their place.
+pub const FORMATS: [Format; 8] = [
+    Format::TetgenNode,
+    Format::Off,
+    Format::Xyz,
+    Format::Csv,
+    Format::Gmsh,
+    Format::Medit,
+    Format::Ply,
+    Format::Npy,
+];
 
 /// Kinds that bytes in memory can be refused with.
 const REFUSALS: [ErrorKind; 3] = [ErrorKind::Format, ErrorKind::NonFinite, ErrorKind::Dimension];
@@ -21,7 +31,7 @@ pub fn check(data: &[u8]) {
     check_text(format, bytes.rest());
 }
 
-/// Whether the text was accepted.
+/// Whether the file was accepted.
 pub fn check_text(format: Format, text: &[u8]) -> bool {
     let whole = read(&mut &*text, format);
     let in_pieces = read(&mut BufReader::with_capacity(3, text), format);
@@ -55,18 +65,37 @@ fn check_cloud(cloud: &PointCloud) {
 fn check_round_trip(mut mesh: Mesh) {
     let points = mesh.inputs().distinct_points();
     let dim = mesh.inputs().dim();
-    for format in [Format::Xyz, Format::Csv] {
+    for format in [Format::Xyz, Format::Csv, Format::Npy] {
         assert_reads_back(&mesh, format, dim, &points);
     }
     let small = mesh.inputs().distinct() <= MAX_TRIANGULATED && dim <= 5;
     let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
     if small && mesh.run(&plain, None).is_ok() {
-        assert_reads_back(&mesh, Format::TetgenNode, dim, &points);
-        let in_space = match dim {
-            2 => points.chunks_exact(2).flat_map(|p| [p[0], p[1], 0.0]).collect(),
-            _ => points,
-        };
-        assert_reads_back(&mesh, Format::Off, dim.max(3), &in_space);
+        check_round_trip_of_mesh(&mesh, dim, points);
+    }
+}
+
+fn check_round_trip_of_mesh(mesh: &Mesh, dim: usize, points: Vec<f64>) {
+    assert_reads_back(mesh, Format::TetgenNode, dim, &points);
+    if dim <= 3 {
+        assert_reads_back(mesh, Format::Gmsh, dim, &points);
+        assert_reads_back(mesh, Format::Medit, dim, &points);
+    }
+    let in_space = match dim {
+        2 => points.chunks_exact(2).flat_map(|p| [p[0], p[1], 0.0]).collect(),
+        _ => points,
+    };
+    assert_reads_back(mesh, Format::Off, dim.max(3), &in_space);
+    if dim <= 3 {
+        assert_reads_back(mesh, Format::Ply, 3, &in_space);
+    }
+    for format in [Format::VoronoiJson, Format::DomainsJson] {
+        let mut text = Vec::new();
+        assert_eq!(write(mesh, format, &mut text), Ok(()));
+        assert!(
+            std::str::from_utf8(&text)
+                .is_ok_and(|text| !text.contains("NaN") && !text.contains("inf"))
+        );
     }
 }
 

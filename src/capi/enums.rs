@@ -171,25 +171,28 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
     value as u8
 }
 
-/// File formats. Mesh formats need a run (NM_STATE otherwise); point formats do not. A format that
-/// cannot hold the mesh's dimension answers NM_INVALID_ARGUMENT.
+/// File formats; docs/formats.md tells what each holds. Point formats (XYZ, CSV, NPY) can be written
+/// before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
+/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read, of the others the points are.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
-    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz, .csv, .npy.
+    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt, .xy,
+    /// .pts), .csv, .npy, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
-    /// VTK XML unstructured grid (.vtu), for ParaView and VTK.
+    /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
+    /// Dimensions 2 and 3.
     NM_FORMAT_VTU = 1,
     /// TetGen and Triangle: points (.node) and simplices (.ele).
     NM_FORMAT_TETGEN_NODE = 2,
-    /// Gmsh 4.1 (.msh).
+    /// Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
     NM_FORMAT_GMSH = 3,
-    /// Medit (.mesh).
+    /// Medit as text (.mesh). Dimensions 2 and 3.
     NM_FORMAT_MEDIT = 4,
-    /// Object file format (.off), nOFF from dimension 4 on.
+    /// Object file format (.off), nOFF from dimension 3 on.
     NM_FORMAT_OFF = 5,
-    /// Polygon file format (.ply).
+    /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension 3.
     NM_FORMAT_PLY = 6,
     /// Points as text, one per line, separated by spaces (.xyz).
     NM_FORMAT_XYZ = 7,
@@ -197,6 +200,10 @@ pub enum nm_format {
     NM_FORMAT_CSV = 8,
     /// Points as a NumPy array of shape points x dim (.npy).
     NM_FORMAT_NPY = 9,
+    /// The Voronoi diagram of the vertices as JSON (.voronoi.json).
+    NM_FORMAT_VORONOI_JSON = 10,
+    /// The hierarchy of domains with their cages as JSON (.domains.json).
+    NM_FORMAT_DOMAINS_JSON = 11,
 }
 
 /// The format that C asks for in argument `format`.
@@ -212,6 +219,8 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
         Format::Xyz,
         Format::Csv,
         Format::Npy,
+        Format::VoronoiJson,
+        Format::DomainsJson,
     ];
     decode("format", raw, formats)
 }
@@ -262,7 +271,7 @@ mod tests {
 
     #[test]
     fn values_are_those_of_the_rust_enums() {
-        for value in 0..=9 {
+        for value in 0..=11 {
             assert_eq!(decode_format(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=1 {
@@ -306,10 +315,10 @@ mod tests {
 
     #[test]
     fn unknown_values_name_the_field_and_the_value() {
-        for value in [-1, 10, i32::MIN, i32::MAX] {
+        for value in [-1, 12, i32::MIN, i32::MAX] {
             let error = decode_format(from_c(value)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=9"));
+            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=11"));
         }
         let error = decode_algorithm(from_c(3)).unwrap_err();
         assert_eq!(error.message(), "options.algorithm is 3; it must be in 0..=2");

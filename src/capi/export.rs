@@ -31,7 +31,7 @@ pub type nm_write_fn =
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
 /// unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format before
-/// nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason).
+/// nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason), NM_OUT_OF_MEMORY.
 ///
 /// O(vertices + simplices).
 #[unsafe(no_mangle)]
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn nm_export(
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, write), NM_INVALID_ARGUMENT (format), NM_STATE (a mesh format
 /// before nm_run; nm_run at work, poisoned), NM_IO (write answered nonzero; the message has the
-/// value).
+/// value), NM_OUT_OF_MEMORY.
 ///
 /// O(vertices + simplices).
 #[unsafe(no_mangle)]
@@ -210,9 +210,9 @@ mod tests {
             assert_eq!(last_message(), "path_utf8 is NULL");
             let null_mesh = nm_export(null(), c"mesh.vtu".as_ptr(), vtu());
             assert_eq!(null_mesh, nm_status::NM_NULL_ARGUMENT);
-            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(10));
+            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(12));
             assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
-            assert!(last_message().starts_with("format is 10;"));
+            assert!(last_message().starts_with("format is 12;"));
             let null_write = nm_export_write(&mesh, vtu(), None, null_mut());
             assert_eq!(null_write, nm_status::NM_NULL_ARGUMENT);
             assert_eq!(last_message(), "write is NULL");

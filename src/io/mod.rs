@@ -4,11 +4,15 @@
 //! |---|---|---|---|
 //! | [`Format::Vtu`] | `.vtu` | | mesh, d = 2, 3 |
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
+//! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
+//! | [`Format::Medit`] | `.mesh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Off`] | `.off` | points | mesh |
+//! | [`Format::Ply`] | `.ply` | points, d = 2, 3 | mesh, d = 2; boundary, d = 3 |
 //! | [`Format::Xyz`] | `.xyz`, `.txt`, `.xy`, `.pts` | points | points |
 //! | [`Format::Csv`] | `.csv` | points | points |
-//!
-//! `.msh`, `.mesh`, `.ply` and `.npy` are recognised, and refused until a later version.
+//! | [`Format::Npy`] | `.npy` | points | points |
+//! | [`Format::VoronoiJson`] | `.voronoi.json` | | Voronoi diagram |
+//! | [`Format::DomainsJson`] | `.domains.json` | | domains and cages |
 //!
 //! **Text that is read** is UTF-8 (a byte order mark is skipped), with lines of at most 1 MiB that
 //! end with LF or CR LF. From `#` to the end of a line is a comment; blank lines are skipped.
@@ -17,107 +21,42 @@
 //! believed before its data is there.
 //!
 //! **Text that is written** carries the shortest decimal that reads back as the same double, bit by
-//! bit, -0.0 and subnormals included.
+//! bit, -0.0 and subnormals included. The same mesh makes the same bytes.
 
+mod binary;
 mod buffered;
 mod csv;
+mod domains;
+mod format;
+mod gmsh;
+mod incidence;
 #[cfg(test)]
 mod independent;
+mod json;
+mod measures;
+mod medit;
+mod npy;
 mod off;
+mod ply;
 mod replace;
 #[cfg(test)]
 mod samples;
+mod simplex_domain;
 mod tetgen;
 mod text;
+mod voronoi;
 mod vtu;
 mod xyz;
 
 pub(crate) use buffered::Buffered;
+pub use format::Format;
 
 use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::Shortage;
 use crate::mesh::{Mesh, Triangulation};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
-
-/// File formats, with the C ABI's values.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(i32)]
-pub enum Format {
-    /// By the file's extension.
-    #[default]
-    Auto = 0,
-    /// VTK's XML unstructured grid, for ParaView: triangles (z = 0) or tetrahedra as appended raw
-    /// little-endian binary. Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or
-    /// [`crate::NONE`]) and `precision_limited` (0 or 1). Dimensions 2 and 3; cannot be read.
-    Vtu = 1,
-    /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
-    ///
-    /// Written with ids from 0, no attributes and [`crate::VertexKind`] as the boundary marker.
-    /// Read: ids from 0 or 1; attributes and markers are checked and dropped. Where the path ends
-    /// with `.ele` the points are in its `.node` sibling.
-    TetgenNode = 2,
-    /// Gmsh's `.msh`. Not available in this version.
-    Gmsh = 3,
-    /// Medit's `.mesh`. Not available in this version.
-    Medit = 4,
-    /// In the plane `OFF`, with z = 0 and triangles, which every viewer opens (and which reads back
-    /// as points of dimension 3, the dimension of `OFF`). In dimension d >= 3 `nOFF`: d, the counts,
-    /// the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not polygons, and
-    /// an `OFF` that lists them as such would be read wrongly.
-    ///
-    /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and dropped.
-    Off = 5,
-    /// Stanford's `.ply`. Not available in this version.
-    Ply = 6,
-    /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
-    /// decimal comma would read so). The first point's number of columns is the dimension.
-    Xyz = 7,
-    /// Comma-separated points. A first line without any number is a header; its columns are counted,
-    /// quotes have no meaning. A last column with the header `kind`, as [`write()`] adds it, is
-    /// skipped: it is no coordinate.
-    Csv = 8,
-    /// NumPy's `.npy`. Not available in this version.
-    Npy = 9,
-}
-
-impl Format {
-    /// The format that a path's extension stands for, in either case.
-    ///
-    /// # Errors
-    /// `InvalidArgument` where the extension is missing or unknown; the message lists the known.
-    pub fn from_path(path: &Path) -> Result<Self> {
-        let extension = path.extension().and_then(|extension| extension.to_str());
-        match extension.map(str::to_ascii_lowercase).as_deref() {
-            Some("vtu") => Ok(Self::Vtu),
-            Some("node" | "ele") => Ok(Self::TetgenNode),
-            Some("msh") => Ok(Self::Gmsh),
-            Some("mesh") => Ok(Self::Medit),
-            Some("off") => Ok(Self::Off),
-            Some("ply") => Ok(Self::Ply),
-            Some("xyz" | "txt" | "xy" | "pts") => Ok(Self::Xyz),
-            Some("csv") => Ok(Self::Csv),
-            Some("npy") => Ok(Self::Npy),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .off, \
-                     .xyz, .txt, .xy, .pts or .csv (.msh, .mesh, .ply and .npy are not available in this version)",
-                    path.display()
-                ),
-            )),
-        }
-    }
-
-    fn resolve(self, path: &Path) -> Result<Self> {
-        if self == Self::Auto { Self::from_path(path) } else { Ok(self) }
-    }
-
-    fn not_available(self) -> Error {
-        let message = message!("format {self:?} is not available in this version");
-        Error::new(ErrorKind::InvalidArgument, message)
-    }
-}
 
 /// Points as read from a file: `coordinates` is `n x dim`, n >= 1, every coordinate finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,14 +66,14 @@ pub struct PointCloud {
 }
 
 /// Reads the points of a file. Messages name the path, and where it applies line and column, both
-/// counted from 1.
+/// counted from 1, or the byte of binary data.
 ///
 /// # Errors
 /// - `Io`: no such file, a directory, or reading fails;
 /// - `InvalidArgument`: a format that cannot be read, or an extension that names none;
 /// - `Format`: not a number, a number too large for a double, rows of differing length, no points,
-///   counts and ids that do not fit the data, a file that ends early, a line over 1 MiB, NUL bytes,
-///   text that is not UTF-8;
+///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a line
+///   over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
 /// - `NonFinite`: `nan` or `inf` where a coordinate should be;
 /// - `Dimension`: points of a dimension outside 2..=8;
 /// - `OutOfMemory`.
@@ -156,24 +95,29 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
 /// As [`read_points`]; [`Format::Auto`] is refused, as there is no extension.
 pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
     check_readable(format)?;
-    let lines = text::Lines::new(input);
     match format {
-        Format::TetgenNode => tetgen::read(lines),
-        Format::Off => off::read(lines),
-        Format::Csv => csv::read(lines),
-        _ => xyz::read(lines),
+        Format::Npy => npy::read(input),
+        Format::Ply => ply::read(input),
+        Format::TetgenNode => tetgen::read(text::Lines::new(input)),
+        Format::Gmsh => gmsh::read(text::Lines::new(input)),
+        Format::Medit => medit::read(text::Lines::new(input)),
+        Format::Off => off::read(text::Lines::new(input)),
+        Format::Csv => csv::read(text::Lines::new(input)),
+        _ => xyz::read(text::Lines::new(input)),
     }
 }
 
 fn check_readable(format: Format) -> Result<()> {
     match format {
-        Format::TetgenNode | Format::Off | Format::Xyz | Format::Csv => Ok(()),
         Format::Auto => Err(auto_without_path()),
-        Format::Vtu => Err(Error::new(
+        Format::Vtu | Format::VoronoiJson | Format::DomainsJson => Err(Error::new(
             ErrorKind::InvalidArgument,
-            "format Vtu cannot be read, only written; points are read from TetgenNode, Off, Xyz and Csv",
+            message!(
+                "format {format:?} cannot be read, only written; points are read from TetgenNode, Gmsh, \
+                 Medit, Off, Ply, Xyz, Csv and Npy"
+            ),
         )),
-        Format::Gmsh | Format::Medit | Format::Ply | Format::Npy => Err(format.not_available()),
+        _ => Ok(()),
     }
 }
 
@@ -209,47 +153,58 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
 
 /// Writes `mesh` to `out`; for `TetgenNode` the `.node` part, then the `.ele` part.
 ///
-/// `Xyz` and `Csv` write the mesh's vertices, before a run the distinct inputs (which are the first
-/// vertices of every mesh); `Csv` under the header `x0,x1,..,kind`.
+/// `Xyz`, `Csv` and `Npy` write the mesh's vertices, before a run the distinct inputs (which are the
+/// first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu` and `VoronoiJson`
+/// measure the mesh first, which takes longer than writing it.
 ///
 /// # Errors
 /// - `Io`: `out` fails; it is not called again;
-/// - `State`: `Vtu`, `TetgenNode` and `Off` before a run;
-/// - `InvalidArgument`: a format that is not available or cannot hold the mesh's dimension, and
-///   [`Format::Auto`], as there is no extension.
+/// - `State`: all formats but these three before a run;
+/// - `InvalidArgument`: a format that cannot hold the mesh's dimension, and [`Format::Auto`], as there
+///   is no extension;
+/// - `OutOfMemory`.
 pub fn write(mesh: &Mesh, format: Format, out: &mut dyn Write) -> Result<()> {
     Content::of(mesh, format)?.write(out)
 }
 
 /// What goes into a file: everything that can be refused has been.
 enum Content<'a> {
-    Vtu(&'a Triangulation),
+    Vtu(&'a Mesh, &'a Triangulation),
     Tetgen(&'a Triangulation),
+    Gmsh(&'a Triangulation),
+    Medit(&'a Triangulation),
     Off(&'a Triangulation),
+    Ply(&'a Triangulation),
     Xyz(&'a Mesh),
     Csv(&'a Mesh),
+    Npy(&'a Mesh),
+    Voronoi(&'a Mesh, &'a Triangulation),
+    Domains(&'a Triangulation),
 }
 
 impl<'a> Content<'a> {
     fn of(mesh: &'a Mesh, format: Format) -> Result<Self> {
+        format.check_dimension(mesh.inputs().dim())?;
         let triangulation = || {
             mesh.triangulation().ok_or_else(|| {
                 let message =
-                    message!("format {format:?} holds a mesh; run first, or write Xyz or Csv");
+                    message!("format {format:?} holds a mesh; run first, or write Xyz, Csv or Npy");
                 Error::new(ErrorKind::State, message)
             })
         };
         match format {
             Format::Auto => Err(auto_without_path()),
-            Format::Vtu => {
-                vtu::check_dimension(mesh.inputs().dim())?;
-                triangulation().map(Self::Vtu)
-            }
+            Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?)),
             Format::TetgenNode => triangulation().map(Self::Tetgen),
+            Format::Gmsh => triangulation().map(Self::Gmsh),
+            Format::Medit => triangulation().map(Self::Medit),
             Format::Off => triangulation().map(Self::Off),
+            Format::Ply => triangulation().map(Self::Ply),
             Format::Xyz => Ok(Self::Xyz(mesh)),
             Format::Csv => Ok(Self::Csv(mesh)),
-            Format::Gmsh | Format::Medit | Format::Ply | Format::Npy => Err(format.not_available()),
+            Format::Npy => Ok(Self::Npy(mesh)),
+            Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
+            Format::DomainsJson => triangulation().map(Self::Domains),
         }
     }
 
@@ -262,14 +217,20 @@ impl<'a> Content<'a> {
 
     fn write_unbuffered(&self, out: &mut dyn Write) -> std::io::Result<()> {
         match self {
-            Self::Vtu(triangulation) => vtu::write(triangulation, out),
+            Self::Vtu(mesh, triangulation) => vtu::write(mesh.inputs(), triangulation, out),
             Self::Tetgen(triangulation) => {
                 tetgen::write_node(triangulation, out)?;
                 tetgen::write_ele(triangulation, out)
             }
+            Self::Gmsh(triangulation) => gmsh::write(triangulation, out),
+            Self::Medit(triangulation) => medit::write(triangulation, out),
             Self::Off(triangulation) => off::write(triangulation, out),
+            Self::Ply(triangulation) => ply::write(triangulation, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),
             Self::Csv(mesh) => csv::write(mesh, out),
+            Self::Npy(mesh) => npy::write(mesh, out),
+            Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
+            Self::Domains(triangulation) => domains::write(triangulation, out),
         }
     }
 }
@@ -279,10 +240,19 @@ fn auto_without_path() -> Error {
     Error::new(ErrorKind::InvalidArgument, message)
 }
 
+/// A shortage as a writer answers it; [`io_error`] makes it `OutOfMemory` again.
+fn shortage(_: Shortage) -> std::io::Error {
+    std::io::ErrorKind::OutOfMemory.into()
+}
+
 fn io_error(what: &str, error: &std::io::Error) -> Error {
     let kind = match error.kind() {
         std::io::ErrorKind::OutOfMemory => ErrorKind::OutOfMemory,
         _ => ErrorKind::Io,
     };
-    Error::new(kind, message!("{what}: {error}"))
+    match message!("{what}: {error}") {
+        // Not even for that there was memory.
+        message if message.is_empty() => Shortage::Memory.into(),
+        message => Error::new(kind, message),
+    }
 }

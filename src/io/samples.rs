@@ -3,7 +3,7 @@
 
 use crate::mesh::{Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
 use crate::netmesh::parameters::Parameters;
-use crate::options::Options;
+use crate::options::{Algorithm, Options, Output};
 
 /// Doubles that careless writers and readers change: signs of zero, subnormals, the ends of the
 /// range, ties, 17 digits, and the ends of the range that is written without an exponent.
@@ -43,13 +43,43 @@ pub fn square() -> Mesh {
     assemble(2, vec![0., 0., 1., 0., 1., 1., 0., 1.], vec![0, 1, 2, 0, 2, 3], kinds)
 }
 
+/// Options for the triangulation of the inputs alone.
+pub fn delaunay() -> Options {
+    Options { algorithm: Algorithm::Delaunay, ..Options::default() }
+}
+
+/// A mesh of one domain that a run made.
+pub fn finished(dim: usize) -> Mesh {
+    run(dim, &scattered(dim), &Options { output: Output::WellSpaced, ..Options::default() })
+}
+
+/// A mesh that a run made, with a cluster a million times smaller than what is around it: the domain
+/// of the cluster is inside the root.
+pub fn nested(dim: usize) -> Mesh {
+    let around = scattered(dim);
+    let cluster: Vec<f64> = around.iter().map(|x| 0.3 + 1e-6 * x).collect();
+    run(dim, &[around, cluster].concat(), &Options::default())
+}
+
+/// 20 points without a pattern.
+fn scattered(dim: usize) -> Vec<f64> {
+    let term = |i: usize| i as f64 * 0.754_877_666_246_692_7 + (i * i) as f64 * 0.569_840_290_998;
+    (0..20 * dim).map(|i| term(i).fract()).collect()
+}
+
+fn run(dim: usize, points: &[f64], options: &Options) -> Mesh {
+    let mut mesh = Mesh::new(dim, points.len() / dim, points, 0).unwrap();
+    mesh.run(options, None).unwrap();
+    mesh
+}
+
 /// A mesh whose inputs are the first vertices, those of kind `Input`.
 fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<VertexKind>) -> Mesh {
     let inputs = kinds.iter().filter(|kind| **kind == VertexKind::Input).count();
     let vertices = kinds.len();
     let triangulation = Triangulation {
         dim,
-        neighbors: vec![NONE; simplices.len()],
+        neighbors: neighbors(&simplices, dim),
         simplices,
         vertex_domains: (0..vertices as u32)
             .map(|v| if v == 0 { NONE } else { v * 70000 })
@@ -64,6 +94,19 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
     };
     let inputs = Inputs::new(dim, inputs, &triangulation.points, 0).unwrap();
     Mesh::from_parts(inputs, triangulation)
+}
+
+/// Simplices that share all corners but one are neighbours across these.
+fn neighbors(simplices: &[u32], dim: usize) -> Vec<u32> {
+    let all = || simplices.chunks_exact(dim + 1);
+    let across = |simplex: &[u32], opposite: u32| {
+        let facet = |v: &&u32| **v != opposite;
+        all().position(|other| {
+            !other.contains(&opposite) && simplex.iter().filter(facet).all(|v| other.contains(v))
+        })
+    };
+    let number = |found: Option<usize>| found.map_or(NONE, |index| index as u32);
+    all().flat_map(|simplex| simplex.iter().map(move |&v| number(across(simplex, v)))).collect()
 }
 
 /// Compares doubles as bits: -0.0 is not 0.0 here.

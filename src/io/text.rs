@@ -2,7 +2,8 @@
 //! back to text.
 
 use super::{PointCloud, io_error};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::TryGrow;
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::io::{self, BufRead, Read, Write};
 
@@ -148,7 +149,12 @@ impl<'a> Lines<'a> {
     }
 
     fn refused(&self, why: &str) -> Error {
-        Error::new(ErrorKind::Format, format!("line {}: {why}", self.number))
+        self.error(ErrorKind::Format, why)
+    }
+
+    /// The error of the line that was read last.
+    pub fn error(&self, kind: ErrorKind, why: &str) -> Error {
+        Error::new(kind, format!("line {}: {why}", self.number))
     }
 }
 
@@ -191,6 +197,23 @@ impl<'a> Line<'a> {
             let message = format!("{} is no {what}", quoted(field));
             self.field_error(ErrorKind::Format, column, message)
         })
+    }
+
+    /// A line of counts and ids, and nothing else.
+    pub fn integers<const N: usize>(&self, names: [&str; N]) -> Result<[u64; N]> {
+        self.require_words(N)?;
+        let mut numbers = [0; N];
+        for (column, word) in self.words() {
+            numbers[column] = self.integer(column, word, names[column])?;
+        }
+        Ok(numbers)
+    }
+
+    pub fn require_words(&self, count: usize) -> Result<()> {
+        match self.word_count() {
+            words if words == count => Ok(()),
+            words => Err(self.error(format!("{words} columns where {count} are expected"))),
+        }
     }
 
     /// A number that is only looked at to see that the columns are what they should be.
@@ -239,7 +262,7 @@ impl<'a> Line<'a> {
 }
 
 /// A field as a message shows it: a line may be one field of a million bytes.
-fn quoted(field: &str) -> String {
+pub(super) fn quoted(field: &str) -> String {
     const SHOWN: usize = 40;
     let mut characters = field.chars();
     let shown: String = characters.by_ref().take(SHOWN).collect();
@@ -271,11 +294,7 @@ impl Points {
         let mut count = 0;
         for (column, field) in fields {
             let value = line.coordinate(column, field)?;
-            self.coordinates.try_reserve(1).map_err(|_| {
-                let message = format!("no memory for more than {} numbers", self.coordinates.len());
-                line.error_of_kind(ErrorKind::OutOfMemory, message)
-            })?;
-            self.coordinates.push(value);
+            self.push(value).map_err(|e| line.error_of_kind(e.kind(), e.message()))?;
             count += 1;
         }
         if self.dim == 0 {
@@ -286,6 +305,14 @@ impl Points {
             return Err(line.error(message));
         }
         Ok(())
+    }
+
+    /// Adds one coordinate; here it is the caller who counts.
+    pub fn push(&mut self, value: f64) -> Result<()> {
+        self.coordinates.try_push(value).map_err(|_| {
+            let message = message!("no memory for more than {} numbers", self.coordinates.len());
+            Error::new(ErrorKind::OutOfMemory, message)
+        })
     }
 
     pub fn finish(self) -> Result<PointCloud> {

@@ -1,24 +1,20 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
-use crate::error::{Error, ErrorKind, Result, message};
-use crate::mesh::Triangulation;
+use super::measures::Measures;
+use super::shortage;
+use super::simplex_domain::domain_of;
+use crate::mesh::{Inputs, NONE, Triangulation};
 use std::fmt;
 use std::io::{self, Write};
 
 const TRIANGLE: u8 = 5;
 const TETRA: u8 = 10;
 
-/// VTK has no cells beyond tetrahedra.
-pub(super) fn check_dimension(dim: usize) -> Result<()> {
-    match dim {
-        2 | 3 => Ok(()),
-        _ => Err(Error::new(
-            ErrorKind::InvalidArgument,
-            message!(
-                "format Vtu holds meshes of dimension 2 and 3, not {dim}; use Off (nOFF) or TetgenNode"
-            ),
-        )),
-    }
+/// What the arrays are made of.
+struct Source<'a> {
+    inputs: &'a Inputs,
+    mesh: &'a Triangulation,
+    measures: Measures,
 }
 
 /// The XML that says where the arrays are, then the arrays.
@@ -27,15 +23,32 @@ pub(super) fn check_dimension(dim: usize) -> Result<()> {
 /// them one after the other, looks each up by its offset and overwrites that with one of its own,
 /// which may be the offset of another: it then finds the first of the two in the XML. In this order
 /// that is always the right one.
-pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let arrays = arrays(triangulation);
+pub(super) fn write(inputs: &Inputs, mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let measures = match mesh.dim {
+        2 => Measures::new::<2>(mesh),
+        _ => Measures::new::<3>(mesh),
+    };
+    let source = Source { inputs, mesh, measures: measures.map_err(shortage)? };
+    let arrays = arrays(mesh);
     let mut offset: u64 = arrays.iter().map(Array::size_with_length).sum();
     let declarations = arrays.each_ref().map(|array| {
         offset -= array.size_with_length();
         array.declaration(offset)
     });
-    let [kind, domain, precision_limited, points, connectivity, offsets, types] = declarations;
-    let (vertices, cells) = (triangulation.vertex_count(), triangulation.simplex_count());
+    let [
+        kind,
+        domain,
+        input,
+        precision_limited,
+        aspect,
+        cell_domain,
+        radius_edge,
+        points,
+        connectivity,
+        offsets,
+        types,
+    ] = declarations;
+    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
     write!(
         out,
         r#"<?xml version="1.0"?>
@@ -45,8 +58,14 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
 <PointData Scalars="kind">
 {kind}
 {domain}
+{input}
 {precision_limited}
+{aspect}
 </PointData>
+<CellData>
+{cell_domain}
+{radius_edge}
+</CellData>
 <Points>
 {points}
 </Points>
@@ -62,7 +81,7 @@ _"#
     )?;
     for array in arrays.iter().rev() {
         out.write_all(&array.bytes().to_le_bytes())?;
-        (array.write)(triangulation, out)?;
+        (array.write)(&source, out)?;
     }
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
@@ -73,7 +92,7 @@ struct Array {
     scalar_size: u64,
     components: u64,
     tuples: usize,
-    write: fn(&Triangulation, &mut dyn Write) -> io::Result<()>,
+    write: fn(&Source<'_>, &mut dyn Write) -> io::Result<()>,
 }
 
 impl Array {
@@ -111,9 +130,9 @@ impl fmt::Display for Declaration {
 }
 
 /// The arrays in the order of the XML.
-fn arrays(triangulation: &Triangulation) -> [Array; 7] {
-    let (vertices, cells) = (triangulation.vertex_count(), triangulation.simplex_count());
-    let corners = triangulation.simplices.len();
+fn arrays(mesh: &Triangulation) -> [Array; 11] {
+    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let corners = mesh.simplices.len();
     let array = |name, scalar, scalar_size, tuples, write| Array {
         name,
         scalar,
@@ -123,36 +142,54 @@ fn arrays(triangulation: &Triangulation) -> [Array; 7] {
         write,
     };
     [
-        array("kind", "UInt8", 1, vertices, |mesh, out| {
-            mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
+        array("kind", "UInt8", 1, vertices, |source, out| {
+            source.mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
         }),
-        array("domain", "UInt32", 4, vertices, |mesh, out| {
-            mesh.vertex_domains.iter().try_for_each(|domain| out.write_all(&domain.to_le_bytes()))
+        array("domain", "UInt32", 4, vertices, |source, out| {
+            let mut domains = source.mesh.vertex_domains.iter();
+            domains.try_for_each(|domain| out.write_all(&domain.to_le_bytes()))
         }),
-        array("precision_limited", "UInt8", 1, vertices, |mesh, out| {
-            mesh.precision_limited
-                .iter()
-                .try_for_each(|limited| out.write_all(&[u8::from(*limited)]))
+        array("input", "UInt32", 4, vertices, |source, out| {
+            let first = |vertex| source.inputs.first_input(vertex).unwrap_or(NONE);
+            let vertices = 0..source.mesh.vertex_count();
+            vertices.map(first).try_for_each(|input| out.write_all(&input.to_le_bytes()))
+        }),
+        array("precision_limited", "UInt8", 1, vertices, |source, out| {
+            let mut limited = source.mesh.precision_limited.iter();
+            limited.try_for_each(|limited| out.write_all(&[u8::from(*limited)]))
+        }),
+        array("aspect", "Float64", 8, vertices, |source, out| {
+            source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
+        }),
+        array("domain", "UInt32", 4, cells, |source, out| {
+            let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
+            simplices.try_for_each(|simplex| {
+                out.write_all(&domain_of(source.mesh, simplex).to_le_bytes())
+            })
+        }),
+        array("radius_edge", "Float64", 8, cells, |source, out| {
+            source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
         Array { components: 3, ..array("Points", "Float64", 8, vertices, write_points) },
-        array("connectivity", "Int64", 8, corners, |mesh, out| {
-            mesh.simplices.iter().try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
+        array("connectivity", "Int64", 8, corners, |source, out| {
+            let mut corners = source.mesh.simplices.iter();
+            corners.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
         }),
-        array("offsets", "Int64", 8, cells, |mesh, out| {
-            let corners = mesh.dim as i64 + 1;
-            (1..=mesh.simplex_count() as i64)
+        array("offsets", "Int64", 8, cells, |source, out| {
+            let corners = source.mesh.dim as i64 + 1;
+            (1..=source.mesh.simplex_count() as i64)
                 .try_for_each(|cell| out.write_all(&(cell * corners).to_le_bytes()))
         }),
-        array("types", "UInt8", 1, cells, |mesh, out| {
-            let cell_type = if mesh.dim == 2 { TRIANGLE } else { TETRA };
-            (0..mesh.simplex_count()).try_for_each(|_| out.write_all(&[cell_type]))
+        array("types", "UInt8", 1, cells, |source, out| {
+            let cell_type = if source.mesh.dim == 2 { TRIANGLE } else { TETRA };
+            (0..source.mesh.simplex_count()).try_for_each(|_| out.write_all(&[cell_type]))
         }),
     ]
 }
 
 /// VTK's points have three coordinates always.
-fn write_points(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    for point in triangulation.points.chunks_exact(triangulation.dim) {
+fn write_points(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
+    for point in source.mesh.points.chunks_exact(source.mesh.dim) {
         for axis in 0..3 {
             out.write_all(&point.get(axis).unwrap_or(&0.0).to_le_bytes())?;
         }
@@ -164,11 +201,15 @@ fn write_points(triangulation: &Triangulation, out: &mut dyn Write) -> io::Resul
 mod tests {
     use super::super::{Format, samples, write};
     use super::*;
+    use crate::error::ErrorKind;
 
-    /// The bytes of the array called `name`, found as a reader finds them.
+    /// The bytes of the array called `name`, found as a reader finds them; with `CellData/` before
+    /// the name that of the cells.
     fn array_of<'a>(file: &'a [u8], name: &str) -> &'a [u8] {
         let end = file.windows(2).position(|pair| pair == b"\n_").unwrap();
-        let xml = std::str::from_utf8(&file[..end]).unwrap();
+        let mut xml = std::str::from_utf8(&file[..end]).unwrap();
+        let (section, name) = name.split_once('/').unwrap_or(("Piece", name));
+        xml = &xml[xml.find(&format!("<{section}")).unwrap()..];
         let declaration = xml.lines().find(|l| l.contains(&format!("Name=\"{name}\""))).unwrap();
         let offset = declaration.split("offset=\"").nth(1).unwrap().split('"').next().unwrap();
         let data = &file[end + 2 + offset.parse::<usize>().unwrap()..];
@@ -208,6 +249,10 @@ mod tests {
             let limited: Vec<u8> =
                 triangulation.precision_limited.iter().map(|l| *l as u8).collect();
             assert_eq!(array_of(&file, "precision_limited"), limited);
+            let (inputs, vertices) = (mesh.inputs().distinct(), triangulation.vertex_count());
+            let input = (0..vertices as u32).map(|v| if (v as usize) < inputs { v } else { NONE });
+            let input: Vec<u8> = input.flat_map(u32::to_le_bytes).collect();
+            assert_eq!(array_of(&file, "input"), input);
             assert!(file.ends_with(b"\n</AppendedData>\n</VTKFile>\n"));
         }
     }
@@ -217,5 +262,48 @@ mod tests {
         let error = write(&samples::mesh(4), Format::Vtu, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
         assert!(error.message().contains("Off (nOFF) or TetgenNode"), "{error}");
+    }
+
+    #[test]
+    fn the_first_of_equal_inputs_is_named() {
+        let mut mesh =
+            crate::Mesh::new(2, 5, &[0., 0., 0., 0., 1., 0., -0., 0., 0., 1.], 0).unwrap();
+        mesh.run(&samples::delaunay(), None).unwrap();
+        let mut file = Vec::new();
+        write(&mesh, Format::Vtu, &mut file).unwrap();
+        let expected: Vec<u8> = [0u32, 2, 4].iter().flat_map(|i| i.to_le_bytes()).collect();
+        assert_eq!(array_of(&file, "input"), expected);
+        let none: Vec<u8> = NONE.to_le_bytes().to_vec();
+        assert_eq!(array_of(&file, "CellData/domain"), none);
+        // The hypotenuse is twice the radius.
+        assert_eq!(doubles(array_of(&file, "radius_edge")), [0.5f64.sqrt()]);
+        assert!(doubles(array_of(&file, "aspect")).iter().all(|aspect| aspect.is_nan()));
+    }
+
+    #[test]
+    fn cells_have_a_domain_and_measures() {
+        for dim in [2, 3] {
+            let mesh = samples::nested(dim);
+            let triangulation = mesh.triangulation().unwrap();
+            let mut file = Vec::new();
+            write(&mesh, Format::Vtu, &mut file).unwrap();
+            let domains = array_of(&file, "CellData/domain").chunks_exact(4);
+            let domains: Vec<u32> =
+                domains.map(|b| u32::from_le_bytes(b.try_into().unwrap())).collect();
+            let simplices = triangulation.simplices.chunks_exact(dim + 1);
+            let expected: Vec<u32> = simplices.map(|s| domain_of(triangulation, s)).collect();
+            assert_eq!(domains, expected);
+            assert!(domains.contains(&0) && domains.contains(&1));
+            let aspect = doubles(array_of(&file, "aspect"));
+            let measures = match dim {
+                2 => Measures::new::<2>(triangulation).unwrap(),
+                _ => Measures::new::<3>(triangulation).unwrap(),
+            };
+            samples::assert_same_bits(&aspect, &measures.aspect);
+            samples::assert_same_bits(
+                &doubles(array_of(&file, "radius_edge")),
+                &measures.radius_edge,
+            );
+        }
     }
 }

@@ -3,11 +3,13 @@
 use super::checks::readers::FORMATS;
 use super::checks::{c_api, mesh, readers, signs};
 use super::for_all;
-use netmesh::Options;
+use netmesh::io::write;
+use netmesh::{Algorithm, Mesh, Options};
 use proptest::array::uniform;
 use proptest::collection::vec;
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
+use proptest::sample::Index;
 
 /// Any finite double, by its bits.
 fn finite() -> impl Strategy<Value = f64> {
@@ -58,6 +60,8 @@ fn c_api_call_sequences() {
     for_all(250, bytes(300), |data| c_api::check(&data));
 }
 
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n";
+
 /// Text that is nearly a file: numbers, separators, keywords.
 fn nearly_a_file() -> impl Strategy<Value = String> {
     let word = prop_oneof![
@@ -66,6 +70,12 @@ fn nearly_a_file() -> impl Strategy<Value = String> {
         1 => Just("OFF".to_string()),
         1 => Just("nOFF".to_string()),
         1 => Just("x,y,kind".to_string()),
+        2 => Just("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n".to_string()),
+        2 => Just("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n".to_string()),
+        1 => Just("$EndNodes".to_string()),
+        2 => Just("MeshVersionFormatted 2\nDimension 2\nVertices\n".to_string()),
+        2 => Just(format!("{PLY}end_header\n")),
+        1 => Just(format!("{PLY}property list uchar int l\nelement face 1\nproperty int a\nend_header\n")),
         1 => "[-+.0-9eEnaif#]{1,12}",
     ];
     let separator = prop_oneof![
@@ -91,6 +101,26 @@ fn files_that_are_nearly_right() {
             readers::check_text(format, text.as_bytes());
         }
     });
+}
+
+/// A file that a writer made, with some of its bytes changed, or cut off.
+#[test]
+fn files_with_a_few_wrong_bytes() {
+    let mut mesh = Mesh::new(2, 4, &[0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1e-3], 0).unwrap();
+    mesh.run(&Options { algorithm: Algorithm::Delaunay, ..Options::default() }, None).unwrap();
+    for format in FORMATS {
+        let mut file = Vec::new();
+        write(&mesh, format, &mut file).unwrap();
+        let changes = vec((any::<Index>(), any::<u8>()), 0..4);
+        for_all(400, (changes, any::<Index>()), |(changes, end)| {
+            let mut file = file.clone();
+            for (place, byte) in changes {
+                *place.get_mut(&mut file) = byte;
+            }
+            let end = (end.index(2 * file.len())).min(file.len());
+            readers::check_text(format, &file[..end]);
+        });
+    }
 }
 
 #[test]

@@ -28,11 +28,15 @@ impl Workbench {
         fs::write(self.directory.join(name), text).expect("the test file can be written");
     }
 
+    #[allow(dead_code)] // not every test file reads outputs
+    pub fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.directory.join(name)).expect("the output can be read")
+    }
+
     /// Text, or what of a binary file is text.
     #[allow(dead_code)] // not every test file reads outputs
     pub fn read(&self, name: &str) -> String {
-        let bytes = fs::read(self.directory.join(name)).expect("the output can be read");
-        String::from_utf8_lossy(&bytes).into_owned()
+        String::from_utf8_lossy(&self.bytes(name)).into_owned()
     }
 
     /// Names of all files, sorted.

@@ -8,18 +8,16 @@ use netmesh::capi::{nm_export, nm_export_write, nm_status};
 use std::ffi::{CStr, c_void};
 use std::ptr::{null, null_mut};
 
-/// What an export in a format must answer if nothing else is wrong; `None` for formats that this
-/// version need not have.
-fn expected(handle: Option<&Handle>, format: i32) -> Option<nm_status> {
-    let Some(handle) = handle else { return Some(nm_status::NM_NULL_ARGUMENT) };
+/// What an export in a format must answer if nothing else is wrong.
+fn expected(handle: Option<&Handle>, format: i32) -> nm_status {
+    let Some(handle) = handle else { return nm_status::NM_NULL_ARGUMENT };
     let (ok, invalid) = (nm_status::NM_OK, nm_status::NM_INVALID_ARGUMENT);
     let after_run = if handle.has_result { ok } else { nm_status::NM_STATE };
     match format {
-        1 => Some(if handle.dim > 3 { invalid } else { after_run }),
-        2 | 5 => Some(after_run),
-        7 | 8 => Some(ok),
-        3 | 4 | 6 | 9 => None,
-        _ => Some(invalid),
+        1 | 3 | 4 | 6 if handle.dim > 3 => invalid,
+        1..=6 | 10 | 11 => after_run,
+        7..=9 => ok,
+        _ => invalid,
     }
 }
 
@@ -27,7 +25,7 @@ fn expected(handle: Option<&Handle>, format: i32) -> Option<nm_status> {
 fn format(bytes: &mut Bytes<'_>) -> i32 {
     match bytes.once_in(4) {
         true => i32::from(bytes.byte() as i8),
-        false => [1, 2, 5, 7, 8][bytes.below(5)],
+        false => [1, 2, 5, 7, 8, 3, 4, 6, 9, 10, 11][bytes.below(11)],
     }
 }
 
@@ -49,7 +47,7 @@ unsafe extern "C" fn receive(data: *const c_void, size: usize, user_data: *mut c
 pub fn export_write(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     let format = format(bytes);
     let mesh = handle.map_or(null(), |handle| handle.mesh.cast_const());
-    let Some(expected) = expected(handle, format) else { return };
+    let expected = expected(handle, format);
     let mut sink = Sink { calls: 0, stops_at: bytes.below(3) as u32 };
     let user_data = (&raw mut sink).cast();
     // SAFETY: NULL or a live handle; the callback keeps to the rules.
@@ -65,7 +63,7 @@ pub fn export_write(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
 pub fn export(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     let format = format(bytes);
     let mesh = handle.map_or(null(), |handle| handle.mesh.cast_const());
-    let Some(expected) = expected(handle, format) else { return };
+    let expected = expected(handle, format);
     let invalid = nm_status::NM_INVALID_ARGUMENT;
     let (path, on_success): (Option<&CStr>, _) = match bytes.below(5) {
         0 => (None, nm_status::NM_NULL_ARGUMENT),

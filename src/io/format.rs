@@ -1,0 +1,128 @@
+//! The formats and their extensions.
+
+use crate::error::{Error, ErrorKind, Result, message};
+use std::path::Path;
+
+/// File formats, with the C ABI's values. `docs/formats.md` has them all in one table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Format {
+    /// By the file's extension.
+    #[default]
+    Auto = 0,
+    /// VTK's XML unstructured grid, for ParaView: triangles (z = 0) or tetrahedra as appended raw
+    /// little-endian binary. Dimensions 2 and 3; cannot be read.
+    ///
+    /// Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or [`crate::NONE`]), `input` (the
+    /// first input that is this vertex, or [`crate::NONE`]), `precision_limited` (0 or 1) and
+    /// `aspect` (of the Voronoi cell, over all its corners; NaN on the hull, where cells are
+    /// unbounded). Per cell: `domain` (the innermost that holds all corners, or [`crate::NONE`]) and
+    /// `radius_edge` (circumradius over shortest edge).
+    Vtu = 1,
+    /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
+    ///
+    /// Written with ids from 0, no attributes and [`crate::VertexKind`] as the boundary marker.
+    /// Read: ids from 0 or 1; attributes and markers are checked and dropped. Where the path ends
+    /// with `.ele` the points are in its `.node` sibling.
+    TetgenNode = 2,
+    /// Gmsh's `.msh`, version 4.1 as text: triangles (z = 0) or tetrahedra in one entity and one
+    /// physical group, `kind` as node data and `domain` (as in [`Format::Vtu`], 0 without domains) as
+    /// element data. Dimensions 2 and 3.
+    ///
+    /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z is
+    /// zero the points are of dimension 2.
+    Gmsh = 3,
+    /// Medit's `.mesh`: vertices with [`crate::VertexKind`] as reference, triangles or tetrahedra with
+    /// their domain (as in [`Format::Gmsh`]). Dimensions 2 and 3. Read: the vertices; references are
+    /// checked and dropped, other fields are skipped.
+    Medit = 4,
+    /// In the plane `OFF`, with z = 0 and triangles, which every viewer opens (and which reads back
+    /// as points of dimension 3, the dimension of `OFF`). In dimension d >= 3 `nOFF`: d, the counts,
+    /// the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not polygons, and
+    /// an `OFF` that lists them as such would be read wrongly.
+    ///
+    /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and dropped.
+    Off = 5,
+    /// Stanford's `.ply`, little-endian binary with doubles: the vertices with `kind` and `domain`,
+    /// and triangles. In the plane these are the mesh (z = 0); in dimension 3 they are the mesh's
+    /// boundary, as the format has no tetrahedra. Dimensions 2 and 3.
+    ///
+    /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads back
+    /// as points of dimension 3), from text and binary of either byte order; all else is checked as
+    /// far as its size goes and dropped.
+    Ply = 6,
+    /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
+    /// decimal comma would read so). The first point's number of columns is the dimension.
+    Xyz = 7,
+    /// Comma-separated points. A first line without any number is a header; its columns are counted,
+    /// quotes have no meaning. A last column with the header `kind`, as [`crate::io::write()`] adds
+    /// it, is skipped: it is no coordinate.
+    Csv = 8,
+    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order. Read:
+    /// versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order.
+    Npy = 9,
+    /// The Voronoi diagram of the vertices, dual to the mesh, as JSON (`.voronoi.json`). Any
+    /// dimension; cannot be read. `docs/formats.md` has the fields.
+    VoronoiJson = 10,
+    /// The hierarchy of domains and their cages as JSON (`.domains.json`). Any dimension; cannot be
+    /// read. `docs/formats.md` has the fields.
+    DomainsJson = 11,
+}
+
+impl Format {
+    /// The format that a path's extension stands for, in either case.
+    ///
+    /// # Errors
+    /// `InvalidArgument` where the extension is missing or unknown; the message lists the known.
+    pub fn from_path(path: &Path) -> Result<Self> {
+        match extension(path).as_deref() {
+            Some("vtu") => Ok(Self::Vtu),
+            Some("node" | "ele") => Ok(Self::TetgenNode),
+            Some("msh") => Ok(Self::Gmsh),
+            Some("mesh") => Ok(Self::Medit),
+            Some("off") => Ok(Self::Off),
+            Some("ply") => Ok(Self::Ply),
+            Some("xyz" | "txt" | "xy" | "pts") => Ok(Self::Xyz),
+            Some("csv") => Ok(Self::Csv),
+            Some("npy") => Ok(Self::Npy),
+            Some("voronoi.json") => Ok(Self::VoronoiJson),
+            Some("domains.json") => Ok(Self::DomainsJson),
+            _ => Err(Error::new(
+                ErrorKind::InvalidArgument,
+                message!(
+                    "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .msh, \
+                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .voronoi.json or .domains.json",
+                    path.display()
+                ),
+            )),
+        }
+    }
+
+    pub(super) fn resolve(self, path: &Path) -> Result<Self> {
+        if self == Self::Auto { Self::from_path(path) } else { Ok(self) }
+    }
+
+    /// Refuses a dimension that the format has no cells for.
+    pub(super) fn check_dimension(self, dim: usize) -> Result<()> {
+        match self {
+            Self::Vtu | Self::Gmsh | Self::Medit | Self::Ply if !(2..=3).contains(&dim) => {
+                Err(Error::new(
+                    ErrorKind::InvalidArgument,
+                    message!(
+                        "format {self:?} holds meshes of dimension 2 and 3, not {dim}; use Off (nOFF) or TetgenNode"
+                    ),
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The part after the last dot in lower case; of names that end with `.json` the part before, too.
+fn extension(path: &Path) -> Option<String> {
+    let last = |path: &Path| Some(path.extension()?.to_str()?.to_ascii_lowercase());
+    match last(path)?.as_str() {
+        "json" => Some(last(Path::new(path.file_stem()?))? + ".json"),
+        other => Some(other.to_string()),
+    }
+}

@@ -1,0 +1,56 @@
+//! Lists of ids per id, in one array: the simplices of each vertex, the children of each domain.
+
+use crate::memory::{Fallible, filled};
+
+/// For each of `0..count` the list of those that name it.
+pub(super) struct Incidence {
+    /// Where each list begins; one more at the end.
+    starts: Vec<usize>,
+    members: Vec<u32>,
+}
+
+impl Incidence {
+    /// From pairs (owner, member), which must come the same twice; owners that are not below `count`
+    /// have no list. Members stand in the order of the pairs.
+    pub fn new<I: Iterator<Item = (u32, u32)>>(
+        count: usize,
+        pairs: impl Fn() -> I,
+    ) -> Fallible<Self> {
+        let mut starts = filled(count + 1, 0usize)?;
+        let within = |owner: u32| (owner as usize) < count;
+        for (owner, _) in pairs().filter(|(owner, _)| within(*owner)) {
+            starts[owner as usize + 1] += 1;
+        }
+        for owner in 0..count {
+            starts[owner + 1] += starts[owner];
+        }
+        let mut members = filled(starts[count], 0u32)?;
+        for (owner, member) in pairs().filter(|(owner, _)| within(*owner)) {
+            let next = &mut starts[owner as usize];
+            members[*next] = member;
+            *next += 1;
+        }
+        // Each start has moved to the start of the next list.
+        starts.rotate_right(1);
+        starts[0] = 0;
+        Ok(Self { starts, members })
+    }
+
+    pub fn of(&self, owner: usize) -> &[u32] {
+        &self.members[self.starts[owner]..self.starts[owner + 1]]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::NONE;
+
+    #[test]
+    fn lists_are_those_of_the_pairs() {
+        let pairs = [(2, 10), (0, 11), (2, 12), (NONE, 13), (4, 14), (2, 9)];
+        let incidence = Incidence::new(5, || pairs.into_iter()).unwrap();
+        let lists: Vec<&[u32]> = (0..5).map(|owner| incidence.of(owner)).collect();
+        assert_eq!(lists, [&[11][..], &[], &[10, 12, 9], &[], &[14]]);
+    }
+}

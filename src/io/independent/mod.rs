@@ -1,0 +1,59 @@
+//! Readers that others wrote, on files that this crate wrote. They need `python3` on the search path,
+//! with `meshio`, `vtk`, `gmsh` and `numpy`; where one is missing its tests say so and pass.
+
+mod diagrams;
+mod meshes;
+mod points;
+
+use super::{Format, write_file};
+use crate::mesh::Mesh;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn python_has(module: &str) -> bool {
+    let import = Command::new("python3").args(["-c", &format!("import {module}")]).output();
+    let found = import.is_ok_and(|output| output.status.success());
+    if !found {
+        eprintln!("skipped: python3 cannot import {module}");
+    }
+    found
+}
+
+/// A fresh directory for one test, removed at its end.
+struct Directory(PathBuf);
+
+impl Directory {
+    fn new(name: &str) -> Self {
+        let name = format!("netmesh-{}-independent-{name}", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        fs::create_dir(&path).unwrap();
+        Self(path)
+    }
+}
+
+impl Drop for Directory {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// What `script` finds in the file called `name` that `write_file` makes of `mesh`. Each test has
+/// names of its own.
+fn as_read_by(script: &str, mesh: &Mesh, name: &str, arguments: &[&str]) -> String {
+    let directory = Directory::new(name);
+    let path = directory.0.join(name);
+    write_file(mesh, &path, Format::Auto).unwrap();
+    run(script, &path, arguments)
+}
+
+fn run(script: &str, path: &Path, arguments: &[&str]) -> String {
+    let mut python = Command::new("python3");
+    let output = python.args(["-c", script]).arg(path).args(arguments).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn bits<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<u64> {
+    values.into_iter().map(|value| value.to_bits()).collect()
+}

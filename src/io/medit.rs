@@ -1,0 +1,150 @@
+//! Medit's `.mesh`, as text.
+
+use super::PointCloud;
+use super::simplex_domain::simplices;
+use super::text::{Line, Lines, Points, write_point};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::Triangulation;
+use std::io::{self, Write};
+
+pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+    let first = lines.require(|| "a Medit file begins with MeshVersionFormatted".into())?;
+    if first.words().next().map(|(_, word)| word) != Some("MeshVersionFormatted") {
+        return Err(first.error("the file does not begin with MeshVersionFormatted"));
+    }
+    let mut dim = None;
+    let mut points = None;
+    while let Some(line) = lines.next()? {
+        match keyword(&line) {
+            "Dimension" if dim.is_some() => return Err(line.error("a second Dimension")),
+            "Dimension" => {
+                let here = number_of(&line, "dimension")?;
+                dim =
+                    Some(checked_dimension(number_after(&mut lines, here, "dimension")?, &lines)?);
+            }
+            "Vertices" if points.is_some() => return Err(line.error("a second field Vertices")),
+            "Vertices" => {
+                let dim = dim.ok_or_else(|| line.error("Vertices before Dimension"))?;
+                let here = number_of(&line, COUNT)?;
+                let count = number_after(&mut lines, here, COUNT)?;
+                points = Some(read_vertices(&mut lines, dim, count)?);
+            }
+            "End" => {
+                lines.require_end("End")?;
+                break;
+            }
+            // Another field, or its numbers.
+            _ => {}
+        }
+    }
+    let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no field Vertices"))?;
+    points.finish()
+}
+
+const COUNT: &str = "number of vertices";
+
+/// The first word of a line that begins with a letter, "" for numbers.
+fn keyword<'a>(line: &Line<'a>) -> &'a str {
+    let word = line.words().next().map_or("", |(_, word)| word);
+    if word.starts_with(|first: char| first.is_ascii_alphabetic()) { word } else { "" }
+}
+
+/// The number that stands beside a keyword.
+fn number_of(line: &Line<'_>, what: &str) -> Result<Option<u64>> {
+    if line.word_count() > 2 {
+        return Err(line.error(format!("more than the {what} beside the keyword")));
+    }
+    line.words().nth(1).map(|(column, word)| line.integer(column, word, what)).transpose()
+}
+
+/// The number that belongs to a keyword: the one `here` beside it, or the next line.
+fn number_after(lines: &mut Lines<'_>, here: Option<u64>, what: &str) -> Result<u64> {
+    match here {
+        Some(number) => Ok(number),
+        None => {
+            let [number] = lines.require(|| format!("the {what} is missing"))?.integers([what])?;
+            Ok(number)
+        }
+    }
+}
+
+fn checked_dimension(dim: u64, lines: &Lines<'_>) -> Result<usize> {
+    match dim {
+        2 | 3 => Ok(dim as usize),
+        _ => {
+            let message = format!("points of dimension {dim}; a Medit file has 2 or 3");
+            Err(lines.error(ErrorKind::Dimension, &message))
+        }
+    }
+}
+
+/// A vertex per line: its coordinates and its reference.
+fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points> {
+    let mut points = Points::of_dimension(dim);
+    for index in 0..count {
+        let line = lines.require(|| format!("{index} of {count} vertices"))?;
+        line.require_words(dim + 1)?;
+        points.add(&line, line.words().take(dim))?;
+        for (column, word) in line.words().skip(dim) {
+            line.skip_number(column, word)?;
+        }
+    }
+    Ok(points)
+}
+
+pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let dim = triangulation.dim;
+    write!(out, "MeshVersionFormatted 2\nDimension {dim}\n")?;
+    writeln!(out, "Vertices\n{}", triangulation.vertex_count())?;
+    for (point, kind) in triangulation.points.chunks_exact(dim).zip(&triangulation.kinds) {
+        write_point(out, point, " ")?;
+        writeln!(out, " {}", *kind as u8)?;
+    }
+    let field = if dim == 2 { "Triangles" } else { "Tetrahedra" };
+    writeln!(out, "{field}\n{}", triangulation.simplex_count())?;
+    for (simplex, domain) in simplices(triangulation) {
+        simplex.iter().try_for_each(|vertex| write!(out, "{} ", u64::from(*vertex) + 1))?;
+        writeln!(out, "{domain}")?;
+    }
+    out.write_all(b"End\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Format, read, samples, write};
+    use super::*;
+
+    #[test]
+    fn vertices_are_read_and_other_fields_skipped() {
+        let expected = PointCloud { dim: 2, coordinates: vec![1.0, 2.0, -3.0, 4e9] };
+        for text in [
+            "MeshVersionFormatted 2\nDimension 2\nVertices\n2\n1 2 0\n-3 4e9 -1\nEnd\n",
+            "MeshVersionFormatted\n1\n\nDimension\n2\n# c\nVertices 2\n1 2 0\n-3 4e9 7",
+            "MeshVersionFormatted 2\r\nDimension 2\r\nAngleOfCornerBound 45\r\nCorners\r\n1\r\n1\r\n\
+             Vertices\r\n2\r\n1 2 0\r\n-3 4e9 1\r\nTriangles\r\n1\r\n1 2 2 0\r\nEnd\r\n",
+        ] {
+            assert_eq!(read(&mut text.as_bytes(), Format::Medit).unwrap(), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn vertices_read_back_bit_by_bit() {
+        for dim in [2, 3] {
+            let mesh = samples::mesh(dim);
+            let mut text = Vec::new();
+            write(&mesh, Format::Medit, &mut text).unwrap();
+            let read = read(&mut text.as_slice(), Format::Medit).unwrap();
+            assert_eq!(read.dim, dim);
+            samples::assert_same_bits(&read.coordinates, &mesh.triangulation().unwrap().points);
+        }
+    }
+
+    #[test]
+    fn kinds_and_domains_are_references() {
+        let mut text = Vec::new();
+        write(&samples::square(), Format::Medit, &mut text).unwrap();
+        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n\
+            Triangles\n2\n1 2 3 0\n1 3 4 0\nEnd\n";
+        assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+}

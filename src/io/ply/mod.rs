@@ -1,0 +1,198 @@
+//! Stanford's `.ply`: vertices and faces, and whatever else a header declares.
+
+mod body;
+mod header;
+
+use super::PointCloud;
+use super::text::{Lines, Points};
+use crate::error::Result;
+use crate::mesh::{NONE, Triangulation};
+use header::{Encoding, Header};
+use std::io::{self, BufRead, Write};
+
+pub(super) fn read(input: &mut dyn BufRead) -> Result<PointCloud> {
+    let mut lines = Lines::new(input);
+    let header = Header::read(&mut lines)?;
+    let mut points = Points::of_dimension(header.dim);
+    match header.encoding {
+        Encoding::Text => body::read_text(&header, &mut lines, &mut points)?,
+        // `lines` has taken no byte beyond the header's last line.
+        Encoding::Binary { big_endian } => {
+            body::read_binary(&header, input, big_endian, &mut points)?;
+        }
+    }
+    points.finish()
+}
+
+pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let faces = match triangulation.dim {
+        2 => triangulation.simplex_count(),
+        _ => triangulation.neighbors.iter().filter(|&&neighbor| neighbor == NONE).count(),
+    };
+    write!(
+        out,
+        "ply\nformat binary_little_endian 1.0\ncomment netmesh: {}\nelement vertex {}\n\
+         property double x\nproperty double y\nproperty double z\n\
+         property uchar kind\nproperty uint domain\n\
+         element face {faces}\nproperty list uchar uint vertex_indices\nend_header\n",
+        if triangulation.dim == 2 { "all triangles" } else { "the boundary of the tetrahedra" },
+        triangulation.vertex_count(),
+    )?;
+    write_vertices(triangulation, out)?;
+    match triangulation.dim {
+        2 => triangulation.simplices.chunks_exact(3).try_for_each(|face| write_face(face, out)),
+        _ => write_boundary(triangulation, out),
+    }
+}
+
+fn write_vertices(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    let points = triangulation.points.chunks_exact(triangulation.dim);
+    let labels = triangulation.kinds.iter().zip(&triangulation.vertex_domains);
+    for (point, (kind, domain)) in points.zip(labels) {
+        for axis in 0..3 {
+            out.write_all(&point.get(axis).unwrap_or(&0.0).to_le_bytes())?;
+        }
+        out.write_all(&[*kind as u8])?;
+        out.write_all(&domain.to_le_bytes())?;
+    }
+    Ok(())
+}
+
+/// The facets without a neighbour, counterclockwise as seen from outside.
+fn write_boundary(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+    const FACETS: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+    for simplex in 0..triangulation.simplex_count() {
+        let vertices = triangulation.simplex(simplex);
+        for (neighbor, facet) in triangulation.neighbors_of(simplex).iter().zip(FACETS) {
+            if *neighbor == NONE {
+                write_face(&facet.map(|corner| vertices[corner]), out)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write_face(vertices: &[u32], out: &mut dyn Write) -> io::Result<()> {
+    out.write_all(&[3])?;
+    vertices.iter().try_for_each(|vertex| out.write_all(&vertex.to_le_bytes()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Format, read, samples, write};
+    use super::*;
+
+    const VERTICES: &str = "property float x\nproperty double y\n";
+
+    #[test]
+    fn text_is_read_whatever_else_is_declared() {
+        let expected = PointCloud { dim: 2, coordinates: vec![1.0, 2.0, -3.0, 4e9] };
+        for (header, rows) in [
+            (format!("element vertex 2\n{VERTICES}"), "1 2\n-3 4e9"),
+            (format!("comment c\nobj_info # o\nelement vertex 2\n{VERTICES}"), "1 2\n-3 4e9\n"),
+            (
+                "element vertex 2\nproperty list uchar int more\nproperty double y\nproperty uchar red\n\
+                 property float x\nelement face 1\nproperty list uchar int vertex_indices\n"
+                    .to_string(),
+                "0 2 9 1\n2 5 6 4e9 255 -3\n3 0 1 1\n",
+            ),
+            (
+                format!("element a 1\nproperty char x\nelement vertex 2\n{VERTICES}element b 0\nproperty int c\n"),
+                "7\n1 2\n-3 4e9\n",
+            ),
+        ] {
+            let text = format!("ply\r\nformat ascii 1.0\n{header}end_header\n{rows}");
+            assert_eq!(read(&mut text.as_bytes(), Format::Ply).unwrap(), expected, "{text:?}");
+        }
+    }
+
+    /// A vertex with every type of number beside its coordinates, an element before it and one after.
+    #[test]
+    fn binary_of_both_orders_is_read() {
+        let scalars = ["char", "uint8", "int16", "ushort", "int", "uint32", "float32", "double"];
+        let others: String =
+            scalars.iter().enumerate().map(|(i, kind)| format!("property {kind} p{i}\n")).collect();
+        let header = |order: &str| {
+            format!(
+                "ply\nformat binary_{order}_endian 1.0\nelement edge 2\nproperty short a\n\
+                 element vertex 2\nproperty float z\n{others}property list ushort int l\nproperty double x\n\
+                 property short y\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+            )
+        };
+        let rows = |big: bool| {
+            let mut rows = Vec::new();
+            let mut put = |bytes: &[u8]| {
+                let bytes = bytes.iter().copied();
+                if big { rows.extend(bytes.rev()) } else { rows.extend(bytes) }
+            };
+            put(&[1, 2]);
+            put(&[3, 4]);
+            for (x, y, z) in [(0.1f64, -5i16, 0.1f32), (f64::MAX, i16::MAX, -0.0)] {
+                put(&z.to_le_bytes());
+                [1, 1, 2, 2, 4, 4, 4, 8].iter().for_each(|size| put(&vec![0x7f; *size]));
+                put(&2u16.to_le_bytes());
+                put(&[1; 4]);
+                put(&[2; 4]);
+                put(&x.to_le_bytes());
+                put(&y.to_le_bytes());
+            }
+            put(&[3]);
+            (0..3i32).for_each(|id| put(&id.to_le_bytes()));
+            rows
+        };
+        let expected = [0.1, -5.0, f64::from(0.1f32), f64::MAX, 32767.0, -0.0];
+        for (order, big) in [("little", false), ("big", true)] {
+            let file = [header(order).into_bytes(), rows(big)].concat();
+            let read = read(&mut file.as_slice(), Format::Ply).unwrap();
+            assert_eq!(read.dim, 3);
+            samples::assert_same_bits(&read.coordinates, &expected);
+        }
+    }
+
+    #[test]
+    fn vertices_read_back_bit_by_bit() {
+        for dim in [2, 3] {
+            let mesh = samples::mesh(dim);
+            let mut file = Vec::new();
+            write(&mesh, Format::Ply, &mut file).unwrap();
+            let read = read(&mut file.as_slice(), Format::Ply).unwrap();
+            let points = mesh.triangulation().unwrap().points.chunks_exact(dim);
+            let third = |p: &[f64]| p.get(2).copied().unwrap_or(0.0);
+            let expected: Vec<f64> = points.flat_map(|p| [p[0], p[1], third(p)]).collect();
+            assert_eq!(read.dim, 3);
+            samples::assert_same_bits(&read.coordinates, &expected);
+        }
+    }
+
+    /// All facets of one tetrahedron, each with its normal away from the corner that is left out.
+    #[test]
+    fn the_boundary_looks_outward() {
+        let corners = [0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];
+        let mut mesh = crate::Mesh::new(3, 4, &corners, 0).unwrap();
+        mesh.run(&samples::delaunay(), None).unwrap();
+        let mut file = Vec::new();
+        write(&mesh, Format::Ply, &mut file).unwrap();
+        let faces = &file[file.len() - 4 * 13..];
+        let point =
+            |id: u32| <[f64; 3]>::try_from(mesh.triangulation().unwrap().point(id)).unwrap();
+        let mut left_out = Vec::new();
+        for face in faces.chunks_exact(13) {
+            assert_eq!(face[0], 3);
+            let ids: Vec<u32> = face[1..]
+                .chunks_exact(4)
+                .map(|b| u32::from_le_bytes(b.try_into().unwrap()))
+                .collect();
+            let opposite = (0..4).find(|id| !ids.contains(id)).unwrap();
+            let from =
+                |id: u32| std::array::from_fn::<f64, 3, _>(|k| point(id)[k] - point(ids[0])[k]);
+            let (a, b, c) = (from(ids[1]), from(ids[2]), from(opposite));
+            let volume = c[0] * (a[1] * b[2] - a[2] * b[1])
+                + c[1] * (a[2] * b[0] - a[0] * b[2])
+                + c[2] * (a[0] * b[1] - a[1] * b[0]);
+            assert_eq!(volume, -1.0, "{ids:?}");
+            left_out.push(opposite);
+        }
+        left_out.sort_unstable();
+        assert_eq!(left_out, [0, 1, 2, 3]);
+    }
+}

@@ -123,6 +123,64 @@ fn every_region_of_the_examples_is_in_a_page() {
     assert_eq!(found, quoted.len());
 }
 
+/// The documents of the project: those at the root, in docs and in bench.
+fn documents() -> Vec<String> {
+    let directories = ["", "docs", "bench"].map(|name| root().join(name));
+    let entries = directories.iter().flat_map(|path| fs::read_dir(path).expect("a directory"));
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let pages = paths.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    pages.map(|path| relative(&path)).collect()
+}
+
+/// The anchors of a document's headings, as they are usually made of them.
+fn anchors(path: &str) -> BTreeSet<String> {
+    let text = read(path);
+    let headings = text.lines().filter(|line| line.starts_with('#'));
+    let anchor = |heading: &str| -> String {
+        let words = heading.trim_start_matches('#').trim().to_lowercase();
+        let kept =
+            words.chars().filter(|letter| letter.is_alphanumeric() || " -_".contains(*letter));
+        kept.map(|letter| if letter == ' ' { '-' } else { letter }).collect()
+    };
+    headings.map(anchor).collect()
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let mut links = 0;
+    for document in documents() {
+        // Without code, which has brackets of its own.
+        let text: String = read(&document).split("```").step_by(2).collect();
+        let directory = root().join(&document).parent().expect("a directory").to_owned();
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            if target.contains("://") {
+                continue;
+            }
+            links += 1;
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let path = directory.join(file);
+            assert!(file.is_empty() || path.exists(), "{document} links to {target}");
+            let page = if file.is_empty() { document.clone() } else { resolved(&document, file) };
+            let is_there = anchor.is_empty() || anchors(&page).contains(anchor);
+            assert!(is_there, "{document} links to {target}, which has no such heading");
+        }
+    }
+    assert!(links > 50, "{links} links");
+}
+
+/// The path from the root of what `document` links to.
+fn resolved(document: &str, link: &str) -> String {
+    let mut parts: Vec<&str> = document.split('/').collect();
+    parts.pop();
+    for part in link.split('/') {
+        match part {
+            ".." => drop(parts.pop()),
+            _ => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
 fn relative(path: &Path) -> String {
     let below = path.strip_prefix(root()).expect("a path of the repository");
     below.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")

@@ -21,11 +21,6 @@ add_test(NAME page.python.mesh_array COMMAND "${CMAKE_COMMAND}"
          -P "${CMAKE_CURRENT_LIST_DIR}/python.cmake")
 set_tests_properties(page.python.mesh_array PROPERTIES SKIP_REGULAR_EXPRESSION "SKIP: " TIMEOUT 300)
 
-# These are written for the C++ header that brings netmesh/result.hpp along.
-if(NOT EXISTS "${netmesh_include_dir}/netmesh/result.hpp")
-  netmesh_skipped_test(page.cpp "the C++ header is an older one")
-  return()
-endif()
 foreach(name first_mesh control)
   netmesh_page_example(cpp ${name})
 endforeach()

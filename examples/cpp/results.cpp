@@ -13,6 +13,22 @@ static std::vector<double> two_scales() {
     return points;
 }
 
+// By Green's theorem, from the edges that have no neighbour.
+static double area_inside_the_hull(const netmesh::mesh &mesh) {
+    const auto points = mesh.points();
+    const auto simplices = mesh.simplices(), neighbors = mesh.neighbors();
+    double area = 0;
+    for (std::size_t s = 0; s < simplices.size(); ++s) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (neighbors[s][i] == NM_NONE) {
+                const auto a = points[simplices[s][(i + 1) % 3]], b = points[simplices[s][(i + 2) % 3]];
+                area += (a[0] * b[1] - b[0] * a[1]) / 2;
+            }
+        }
+    }
+    return area;
+}
+
 static void read_arrays(const netmesh::mesh &mesh, const std::vector<double> &inputs) {
     // [arrays]
     const auto points = mesh.points();
@@ -23,6 +39,7 @@ static void read_arrays(const netmesh::mesh &mesh, const std::vector<double> &in
     }
     // [end]
     expect(area > 1, "the mesh covers the square of the inputs");
+    expect(std::abs(area - area_inside_the_hull(mesh)) < 1e-9, "the triangles fill the hull");
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         expect(points[i / 2][i % 2] == inputs[i], "the inputs are the first vertices, bit for bit");
     }

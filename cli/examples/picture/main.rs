@@ -6,7 +6,9 @@
 //! cargo run --release --package netmesh-cli --example picture FILE X Y HALF-WIDTH [X Y HALF-WIDTH] > ...
 //! ```
 //!
-//! The last one shows the mesh of a file's points, a panel for each square window.
+//! The last one shows the mesh of a file's points, a panel for each square window. `airports.svg` was made so
+//! of the longitudes and latitudes in vega-datasets' `data/airports.csv` (US Government work), which is
+//! not shipped here, with the windows -118 37.5 7 and -117.2795 33.1277 0.02.
 
 mod points;
 mod svg;

@@ -6,9 +6,10 @@
 //! cargo run --release --package netmesh-cli --example picture FILE X Y HALF-WIDTH [X Y HALF-WIDTH] > ...
 //! ```
 //!
-//! The last one shows the mesh of a file's points, a panel for each square window. `airports.svg` was made so
-//! of the longitudes and latitudes in vega-datasets' `data/airports.csv` (US Government work), which is
-//! not shipped here, with the windows -118 37.5 7 and -117.2795 33.1277 0.02.
+//! The last one shows the mesh of a file's points, a panel for each square window. `scan.svg` was made so of
+//! easting and height of the points in PointCloudLibrary/data, `terrain/samp11-utm.pcd` (BSD licence; from
+//! ISPRS' filter test), whose northing is between 5403698 and 5403700, with the windows 512768 354 68 and
+//! 512830.1 339 2. The points are not shipped here.
 
 mod points;
 mod svg;

@@ -7,9 +7,9 @@
 //! ```
 //!
 //! The last one shows the mesh of a file's points, a panel for each square window. `scan.svg` was made so of
-//! easting and height of the points in PointCloudLibrary/data, `terrain/samp11-utm.pcd` (BSD licence; from
-//! ISPRS' filter test), whose northing is between 5403698 and 5403700, with the windows 512768 354 68 and
-//! 512830.1 339 2. The points are not shipped here.
+//! easting and height, to the millimetre, of the points in PointCloudLibrary/data,
+//! `terrain/samp11-utm.pcd` (BSD licence; from ISPRS' filter test), whose northing is from 5403698 to
+//! 5403699.5, with the windows 512768 354 68 and 512830.1 339 2. The points are not shipped here.
 
 mod points;
 mod svg;

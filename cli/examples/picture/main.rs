@@ -1,11 +1,21 @@
-//! Draws the README's picture, a hierarchical mesh in the plane, domain within domain:
-//! `cargo run --release --package netmesh-cli --example picture > docs/pictures/scales.svg`
+//! Draws the README's pictures of meshes in the plane, each on standard output:
+//!
+//! ```text
+//! cargo run --release --package netmesh-cli --example picture > docs/pictures/scales.svg
+//! cargo run --release --package netmesh-cli --example picture cage > docs/pictures/cage.svg
+//! cargo run --release --package netmesh-cli --example picture FILE X Y HALF-WIDTH [X Y HALF-WIDTH] > ...
+//! ```
+//!
+//! The last one shows the mesh of a file's points, a panel for each square window. `scan.svg` was made so of
+//! easting and height, to the millimetre, of the points in PointCloudLibrary/data,
+//! `terrain/samp11-utm.pcd` (BSD licence; from ISPRS' filter test), whose northing is from 5403698 to
+//! 5403699.5, with the windows 512768 354 68 and 512830.1 339 2. The points are not shipped here.
 
 mod points;
 mod svg;
 mod window;
 
-use netmesh::{Domain, Mesh, Options, Result, Triangulation, VertexKind};
+use netmesh::{Domain, Error, ErrorKind, Mesh, Options, Result, Triangulation, VertexKind, io};
 use std::collections::BTreeSet;
 use svg::{Drawing, PANEL};
 use window::Window;
@@ -13,30 +23,100 @@ use window::Window;
 /// Half of a panel's width relative to the radius of its domain; the cage stands at 0.8.
 const MARGIN: f64 = 0.92;
 
+/// Half of a panel's width relative to the radius of the domain in its middle: from afar, then close.
+const CLOSE_UPS: [f64; 2] = [25.0, 1.05];
+
+/// A window, what its caption says, and a spot that the next panel shows.
+struct Panel {
+    window: Window,
+    caption: String,
+    mark: Option<[f64; 2]>,
+}
+
 fn main() -> Result<()> {
-    let points = points::coordinates();
-    let mut mesh = Mesh::new(2, points.len() / 2, &points, 0)?;
-    mesh.run(&Options::default(), None)?;
-    if let Some(triangulation) = mesh.triangulation() {
-        print!("{}", picture(triangulation));
-    }
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let picture = match arguments.as_slice() {
+        [] => scales(&sample()?),
+        [name] if name == "cage" => cage(&sample()?),
+        [file, windows @ ..] => of_file(file, windows)?,
+    };
+    print!("{picture}");
     Ok(())
 }
 
-fn picture(triangulation: &Triangulation) -> String {
+fn sample() -> Result<Triangulation> {
+    let points = points::coordinates();
+    meshed(Mesh::new(2, points.len() / 2, &points, 0)?)
+}
+
+fn meshed(mut mesh: Mesh) -> Result<Triangulation> {
+    mesh.run(&Options::default(), None)?;
+    Ok(mesh.triangulation().expect("the run succeeded").clone())
+}
+
+/// A panel for each domain around the origin.
+fn scales(triangulation: &Triangulation) -> String {
     let domains = domains_round_the_origin(triangulation);
-    let mut drawing = Drawing::new(domains.len());
-    for (panel, domain) in domains.iter().enumerate() {
+    let panels = domains.iter().enumerate().map(|(panel, domain)| {
         let center = position(triangulation, domain.center);
-        let window = Window::new(center, MARGIN * domain.radius, PANEL);
-        drawing.open_panel(panel, &caption(domains[0].radius / domain.radius));
+        let next = domains.get(panel + 1);
+        Panel {
+            window: Window::new(center, MARGIN * domain.radius, PANEL),
+            caption: caption(domains[0].radius / domain.radius),
+            mark: next.map(|next| position(triangulation, next.center)),
+        }
+    });
+    drawing(triangulation, panels.collect())
+}
+
+/// The second domain: its cage amid the gap around it, and the cage.
+fn cage(triangulation: &Triangulation) -> String {
+    let domain = domains_round_the_origin(triangulation)[1];
+    let center = position(triangulation, domain.center);
+    let [afar, close] = CLOSE_UPS.map(|part| Window::new(center, part * domain.radius, PANEL));
+    let panels = vec![
+        Panel { window: afar, caption: "a gap".to_owned(), mark: Some(center) },
+        Panel {
+            window: close,
+            caption: "the cage in its middle, and the domain".to_owned(),
+            mark: None,
+        },
+    ];
+    drawing(triangulation, panels)
+}
+
+fn of_file(file: &str, windows: &[String]) -> Result<String> {
+    let usage = || Error::new(ErrorKind::InvalidArgument, "FILE X Y HALF-WIDTH ...".to_owned());
+    let numbers: Vec<f64> = windows.iter().filter_map(|word| word.parse().ok()).collect();
+    if numbers.is_empty() || numbers.len() != windows.len() || numbers.len() % 3 != 0 {
+        return Err(usage());
+    }
+    let points = io::read_points(file.as_ref(), io::Format::Auto)?;
+    if points.dim != 2 {
+        return Err(usage());
+    }
+    let coordinates = &points.coordinates;
+    let triangulation = meshed(Mesh::new(2, coordinates.len() / 2, coordinates, 0)?)?;
+    let all = &numbers;
+    let panels = all.chunks_exact(3).enumerate().map(|(panel, numbers)| Panel {
+        window: Window::new([numbers[0], numbers[1]], numbers[2], PANEL),
+        caption: if panel == 0 { String::new() } else { "the marked spot".to_owned() },
+        mark: all.get(3 * panel + 3..3 * panel + 5).map(|next| [next[0], next[1]]),
+    });
+    Ok(drawing(&triangulation, panels.collect()))
+}
+
+fn drawing(triangulation: &Triangulation, panels: Vec<Panel>) -> String {
+    let mut drawing = Drawing::new(panels.len());
+    for (place, Panel { window, caption, mark }) in panels.into_iter().enumerate() {
+        drawing.open_panel(place, &caption);
         draw_domains(&mut drawing, triangulation, &window);
         draw_edges(&mut drawing, triangulation, &window);
         for kind in [VertexKind::Cage, VertexKind::Steiner, VertexKind::Input] {
             draw_vertices(&mut drawing, triangulation, &window, kind);
         }
-        if let Some(next) = domains.get(panel + 1) {
-            drawing.mark(window.place(position(triangulation, next.center)));
+        if let Some(spot) = mark {
+            drawing.mark(window.place(spot));
         }
         drawing.close_panel();
     }

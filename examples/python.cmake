@@ -1,0 +1,10 @@
+# Runs SCRIPT on LIBRARY with the python3 of the search path (test.sh puts one with numpy there).
+execute_process(COMMAND python3 -c "import numpy" RESULT_VARIABLE missing OUTPUT_QUIET ERROR_QUIET)
+if(missing)
+  message("SKIP: there is no python3 with numpy on the PATH")
+  return()
+endif()
+execute_process(COMMAND python3 "${SCRIPT}" "${LIBRARY}" RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "${SCRIPT} answered ${failed}")
+endif()

@@ -1,0 +1,209 @@
+//! ARCHITECTURE.md is what the sources are: its table of layers, its directories, its files.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+type Layers = BTreeMap<String, BTreeSet<String>>;
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn document() -> String {
+    fs::read_to_string(root().join("ARCHITECTURE.md")).expect("the document is there")
+}
+
+/// The first cell's name and the other cells of the rows of the table below a heading.
+fn table(heading: &str) -> Vec<(String, Vec<String>)> {
+    let text = document();
+    let (_, section) = text.split_once(&format!("## {heading}\n")).expect("the section");
+    let section = section.split("\n## ").next().expect("its text");
+    let rows = section.lines().filter(|line| line.starts_with("| `"));
+    rows.map(|row| {
+        let mut cells = row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned());
+        let name = cells.next().expect("a first cell");
+        (quoted(&name).remove(0), cells.collect())
+    })
+    .collect()
+}
+
+/// What stands between backticks.
+fn quoted(text: &str) -> Vec<String> {
+    text.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+}
+
+fn layers() -> Layers {
+    let row =
+        |(name, cells): (String, Vec<String>)| (name, quoted(&cells[1]).into_iter().collect());
+    table("Layers").into_iter().map(row).collect()
+}
+
+/// A source file: its path below src, with slashes.
+struct Source {
+    path: String,
+    text: String,
+}
+
+fn sources() -> Vec<Source> {
+    let mut found = Vec::new();
+    let mut directories = vec![root().join("src")];
+    while let Some(directory) = directories.pop() {
+        for entry in fs::read_dir(directory).expect("a directory") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                directories.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let text = fs::read_to_string(&path).expect("a source").replace('\r', "");
+                found.push(Source { path: below_src(&path), text });
+            }
+        }
+    }
+    found
+}
+
+fn below_src(path: &Path) -> String {
+    let below = path.strip_prefix(root().join("src")).expect("a path below src");
+    below.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}
+
+/// Files and directories of modules that are only there for tests.
+fn test_modules(sources: &[Source]) -> Vec<String> {
+    let mut modules = Vec::new();
+    for source in sources {
+        let directory = match source.path.strip_suffix("mod.rs") {
+            Some(directory) => directory.to_owned(),
+            None => format!("{}/", source.path.trim_end_matches(".rs")),
+        };
+        for (line, next) in source.text.lines().zip(source.text.lines().skip(1)) {
+            let declared = next.trim_start_matches("pub(crate) ").strip_prefix("mod ");
+            if let (true, Some(name)) = (line.starts_with("#[cfg(test)]"), declared) {
+                if let Some(name) = name.strip_suffix(';') {
+                    modules
+                        .extend([format!("{directory}{name}.rs"), format!("{directory}{name}/")]);
+                }
+            }
+        }
+    }
+    modules
+}
+
+/// The code without comments, and without the tests at its end.
+fn code(source: &Source) -> String {
+    let text = source.text.split("\n#[cfg(test)]\nmod tests {").next().expect("a beginning");
+    let uncommented = text.lines().map(|line| line.split("//").next().expect("a beginning"));
+    uncommented.collect::<Vec<_>>().join("\n")
+}
+
+/// The modules that a text names as `crate::<module>`.
+fn named(path: &str, text: &str) -> BTreeSet<String> {
+    let mut modules = BTreeSet::new();
+    for rest in text.split("crate::").skip(1) {
+        let end = rest.find(|letter: char| letter != '_' && !letter.is_ascii_lowercase());
+        let name = &rest[..end.unwrap_or(rest.len())];
+        assert!(
+            !name.is_empty(),
+            "{path}: name the module: crate::{}",
+            &rest[..rest.len().min(30)]
+        );
+        modules.insert(name.to_owned());
+    }
+    modules
+}
+
+/// `super::super::...` must not reach the crate's root, past the table.
+fn assert_it_stays_inside(path: &str, text: &str) {
+    let depth = path.trim_end_matches("/mod.rs").split('/').count();
+    let mut rest = text;
+    while let Some(at) = rest.find("super::") {
+        rest = &rest[at..];
+        let mut length = 0;
+        while let Some(more) = rest.strip_prefix("super::") {
+            (rest, length) = (more, length + 1);
+        }
+        assert!(
+            length < depth,
+            "{path}: write crate:: for super::{}",
+            rest.lines().next().unwrap()
+        );
+    }
+}
+
+/// Which module uses which, tests apart.
+fn uses() -> Layers {
+    let sources = sources();
+    let tests = test_modules(&sources);
+    let mut uses = Layers::new();
+    for source in &sources {
+        let is_test = |module: &String| {
+            source.path == *module || module.ends_with('/') && source.path.starts_with(module)
+        };
+        if source.path == "lib.rs" || tests.iter().any(is_test) {
+            continue;
+        }
+        let module = source.path.split('/').next().expect("a name").trim_end_matches(".rs");
+        let code = code(source);
+        assert_it_stays_inside(&source.path, &code);
+        let used = uses.entry(module.to_owned()).or_default();
+        used.extend(named(&source.path, &code).into_iter().filter(|name| name != module));
+    }
+    uses
+}
+
+#[test]
+fn modules_use_what_the_table_says_and_nothing_else() {
+    let (allowed, uses) = (layers(), uses());
+    let names = |layers: &Layers| layers.keys().cloned().collect::<Vec<_>>();
+    assert_eq!(names(&allowed), names(&uses), "the modules of the table and those under src");
+    for (module, used) in &uses {
+        assert_eq!(used, &allowed[module], "what {module} uses, and what ARCHITECTURE.md says");
+    }
+}
+
+/// Whatever the table says: it must not be made to say that an arrow runs back.
+#[test]
+fn no_arrow_runs_back() {
+    let line = ["numerics", "complex", "delaunay", "netmesh"];
+    let readers = ["quality", "validate", "io"];
+    let allowed = layers();
+    for (place, module) in line.iter().enumerate() {
+        let above = line[place + 1..].iter().chain(&readers).chain(&["capi"]);
+        for other in above {
+            assert!(!allowed[*module].contains(*other), "{module} uses {other}");
+        }
+    }
+    for module in readers {
+        for maker in &line[1..] {
+            assert!(!allowed[module].contains(*maker), "{module} uses {maker}");
+        }
+    }
+    for (module, used) in &allowed {
+        assert!(!used.contains("capi"), "{module} uses capi");
+    }
+    assert!(allowed["numerics"].is_empty(), "numerics uses {:?}", allowed["numerics"]);
+}
+
+#[test]
+fn every_directory_is_named() {
+    let named: BTreeSet<String> =
+        table("Directories under src").into_iter().map(|(name, _)| name).collect();
+    let directories: BTreeSet<String> = sources()
+        .iter()
+        .filter_map(|source| source.path.rsplit_once('/'))
+        .map(|(directory, _)| directory.to_owned())
+        .collect();
+    assert_eq!(named, directories);
+}
+
+#[test]
+fn every_file_that_is_named_is_there() {
+    let files: Vec<String> = sources().into_iter().map(|source| source.path).collect();
+    let text = document();
+    let names = quoted(&text);
+    let rust: Vec<&String> = names.iter().filter(|name| name.ends_with(".rs")).collect();
+    assert!(rust.len() > 20, "{rust:?}");
+    for name in rust {
+        let is_it = |file: &String| file == name || file.ends_with(&format!("/{name}"));
+        assert!(files.iter().any(is_it) || root().join(name).exists(), "{name}");
+    }
+}

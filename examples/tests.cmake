@@ -15,6 +15,8 @@ foreach(name first_mesh options arrays quality domains recipes)
   netmesh_page_example(c ${name})
 endforeach()
 netmesh_page_example(c exports "${scratch_dir}")
+file(WRITE "${scratch_dir}/draw.xy" "0 0\n1 0\n0 1\n1 1\n0.5 0.50001\n0.5 0.50002\n")
+netmesh_page_example(c draw "${scratch_dir}/draw.xy" "${scratch_dir}/draw.svg")
 
 add_test(NAME page.python.mesh_array COMMAND "${CMAKE_COMMAND}"
          "-DSCRIPT=${PROJECT_SOURCE_DIR}/examples/python/mesh_array.py" "-DLIBRARY=${netmesh_shared_file}"

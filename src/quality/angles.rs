@@ -3,8 +3,9 @@
 use super::corner::normals;
 use super::view::View;
 
-/// The smallest (dihedral) angle of the simplex `points`, in radians; 0 if it is flat.
-pub(crate) fn smallest_angle<const D: usize>(points: &[&[f64; D]]) -> f64 {
+/// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half, which
+/// grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
+pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> f64 {
     let Some(normals) = normals(points) else {
         return 0.0;
     };
@@ -13,10 +14,15 @@ pub(crate) fn smallest_angle<const D: usize>(points: &[&[f64; D]]) -> f64 {
     let mut smallest = f64::INFINITY;
     for i in 0..corners {
         for j in i + 1..corners {
-            smallest = smallest.min(angle_inside(&units[i], &units[j]));
+            smallest = smallest.min(squared_tangent_inside(&units[i], &units[j]));
         }
     }
     smallest
+}
+
+/// The angle in radians whose half has a tangent of this square.
+pub(crate) fn angle(squared_tangent: f64) -> f64 {
+    2.0 * squared_tangent.sqrt().atan()
 }
 
 fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
@@ -24,11 +30,11 @@ fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
     vector.map(|x| x / norm)
 }
 
-/// The angle between two facets with these inward unit normals: pi minus that of the normals,
-/// from the half-angle's tangent, which is accurate at both ends.
-fn angle_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
-    let norm = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>().sqrt();
-    2.0 * norm(1.0).atan2(norm(-1.0))
+/// For the angle between two facets with these inward unit normals: it is pi minus that of the normals,
+/// and the tangent of its half is accurate at both ends.
+fn squared_tangent_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    let square = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>();
+    square(1.0) / square(-1.0)
 }
 
 #[cfg(test)]
@@ -36,7 +42,7 @@ mod tests {
     use super::*;
 
     fn degrees<const D: usize>(points: &[[f64; D]]) -> f64 {
-        smallest_angle(&points.iter().collect::<Vec<_>>()).to_degrees()
+        angle(smallest_squared_tangent(&points.iter().collect::<Vec<_>>())).to_degrees()
     }
 
     #[test]

@@ -10,7 +10,7 @@ pub(crate) mod tree;
 pub(crate) mod view;
 
 use crate::error::Result;
-use crate::memory::{Fallible, collected, filled, with_room};
+use crate::memory::{Fallible, collected, copied, filled};
 use crate::mesh::{NONE, Triangulation};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
@@ -81,7 +81,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> Fallible<Quality> {
     let view = View::<D> { mesh };
     let on_hull = view.hull_vertices()?;
     let tree = DomainTree::new(&mesh.domains)?;
-    let mut simplices = SimplexMeasures { radius_edge: 0.0, angle: f64::INFINITY };
+    let mut simplices = SimplexMeasures { radius_edge: 0.0, squared_tangent: f64::INFINITY };
     let cells = Cells::survey(view, tree.as_ref(), 1.0, |cell| {
         simplices.add(view, cell, &on_hull);
     })?;
@@ -101,7 +101,8 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> Fallible<Quality> {
 /// Figures over the simplices off the hull.
 struct SimplexMeasures {
     radius_edge: f64,
-    angle: f64,
+    /// Of half the smallest angle.
+    squared_tangent: f64,
 }
 
 impl SimplexMeasures {
@@ -112,11 +113,13 @@ impl SimplexMeasures {
         }
         let points = view.points_of(vertices);
         self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        self.angle = self.angle.min(angles::smallest_angle(&points[..View::<D>::CORNERS]));
+        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::CORNERS]);
+        self.squared_tangent = self.squared_tangent.min(squared_tangent);
     }
 
     fn angle_degrees(&self) -> f64 {
-        if self.angle.is_finite() { self.angle.to_degrees() } else { 0.0 }
+        let none = self.squared_tangent.is_infinite();
+        if none { 0.0 } else { angles::angle(self.squared_tangent).to_degrees() }
     }
 }
 
@@ -161,24 +164,44 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Fallible<Vec<bool
     Ok(limited)
 }
 
-/// Largest number of distinct vertices that share a simplex with one vertex.
+/// Largest number of distinct vertices that share a simplex with one vertex. O(simplices).
 fn max_degree<const D: usize>(view: View<'_, D>) -> Fallible<u32> {
-    let mut edges = with_room(view.simplex_count() * View::<D>::CORNERS * D / 2)?;
-    for s in 0..view.simplex_count() {
-        for (i, &v) in view.simplex(s).iter().enumerate() {
-            for &w in &view.simplex(s)[i + 1..] {
-                edges.push(u64::from(v.min(w)) << 32 | u64::from(v.max(w)));
+    let (starts, stars) = stars(view)?;
+    let mut seen_from = filled(view.vertex_count(), NONE)?;
+    let mut largest = 0;
+    for v in 0..view.vertex_count() {
+        // So that it does not count itself.
+        seen_from[v] = v as u32;
+        let mut degree = 0;
+        for &s in &stars[starts[v]..starts[v + 1]] {
+            for &w in view.simplex(s as usize) {
+                degree += u32::from(seen_from[w as usize] != v as u32);
+                seen_from[w as usize] = v as u32;
             }
         }
+        largest = largest.max(degree);
     }
-    edges.sort_unstable();
-    edges.dedup();
-    let mut degrees = filled(view.vertex_count(), 0u32)?;
-    for edge in edges {
-        degrees[(edge >> 32) as usize] += 1;
-        degrees[edge as u32 as usize] += 1;
+    Ok(largest)
+}
+
+/// The simplices at each vertex, one vertex after the other, and where those of each vertex start.
+fn stars<const D: usize>(view: View<'_, D>) -> Fallible<(Vec<usize>, Vec<u32>)> {
+    let mut starts = filled(view.vertex_count() + 1, 0)?;
+    for &v in &view.mesh.simplices {
+        starts[v as usize + 1] += 1;
     }
-    Ok(degrees.into_iter().max().unwrap_or(0))
+    for v in 0..view.vertex_count() {
+        starts[v + 1] += starts[v];
+    }
+    let mut stars = filled(view.mesh.simplices.len(), 0)?;
+    let mut next = copied(&starts)?;
+    for s in 0..view.simplex_count() {
+        for &v in view.simplex(s) {
+            stars[next[v as usize]] = s as u32;
+            next[v as usize] += 1;
+        }
+    }
+    Ok((starts, stars))
 }
 
 /// Whether array lengths fit and ids are in range, so that reading cannot go astray.

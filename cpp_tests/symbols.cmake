@@ -4,13 +4,7 @@
 #   cmake -DNM=... -DLIBRARY=... -DHEADER=... -DLIST=... -DREADELF=...
 #         -DSONAME=... -P symbols.cmake
 
-function(require_equal what found expected)
-  if(NOT found STREQUAL expected)
-    string(REPLACE ";" "\n  " found "${found}")
-    string(REPLACE ";" "\n  " expected "${expected}")
-    message(FATAL_ERROR "${what}\n  ${found}\ninstead of\n  ${expected}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/require_equal.cmake")
 
 file(STRINGS "${LIST}" listed)
 

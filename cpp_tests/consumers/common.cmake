@@ -1,6 +1,7 @@
 # Included by each consumer's test.cmake: build a project as its user would, run it, and hold what it
 # prints and writes against what the installed command line makes of the same points.
 include("${SETTINGS}")
+include("${CMAKE_CURRENT_LIST_DIR}/../require_equal.cmake")
 
 function(run)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE text ERROR_VARIABLE text RESULT_VARIABLE result)
@@ -9,14 +10,6 @@ function(run)
     message(FATAL_ERROR "${command}\n${text}\n=> ${result}")
   endif()
   set(run_output "${text}" PARENT_SCOPE)
-endfunction()
-
-function(require_equal what found expected)
-  if(NOT found STREQUAL expected)
-    string(REPLACE ";" "\n  " found "${found}")
-    string(REPLACE ";" "\n  " expected "${expected}")
-    message(FATAL_ERROR "${what}:\n  ${found}\ninstead of\n  ${expected}")
-  endif()
 endfunction()
 
 # Configures and builds cpp_tests/consumers/<name>; leaves what the build said in run_output.

@@ -117,13 +117,7 @@ mod tests {
 
     #[test]
     fn a_reader_that_fails_is_an_io_error() {
-        struct Failing;
-        impl Read for Failing {
-            fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-                Err(io::Error::other("the disk is gone"))
-            }
-        }
-        let mut input = io::BufReader::new(b"abc".chain(Failing));
+        let mut input = io::BufReader::new(b"abc".chain(crate::io::samples::FailingReader));
         let mut binary = Binary::new(&mut input, " after the header");
         let error = binary.next::<4>(String::new).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Io);

@@ -1,5 +1,5 @@
-//! Meshes made by hand, for the tests of the writers. A writer looks at no geometry: the
-//! coordinates are there to be hard to write, not to make a mesh.
+//! Meshes made by hand, for the tests of the writers, and a reader that fails. A writer looks at no
+//! geometry: the coordinates are there to be hard to write, not to make a mesh.
 
 use crate::mesh::{Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
 use crate::netmesh::parameters::Parameters;
@@ -25,6 +25,15 @@ pub const AWKWARD: [f64; 16] = [
     1e23,
     -8.98846567431158e307,
 ];
+
+/// Whose every read fails.
+pub struct FailingReader;
+
+impl std::io::Read for FailingReader {
+    fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+        Err(std::io::Error::other("the disk is gone"))
+    }
+}
 
 /// Two simplices that share a facet, with awkward coordinates and every kind of vertex.
 pub fn mesh(dim: usize) -> Mesh {

@@ -416,13 +416,7 @@ mod tests {
 
     #[test]
     fn a_reader_that_fails_is_an_io_error() {
-        struct Failing;
-        impl Read for Failing {
-            fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
-                Err(io::Error::other("the disk is gone"))
-            }
-        }
-        let mut input = io::BufReader::new(b"1 2\n".chain(Failing));
+        let mut input = io::BufReader::new(b"1 2\n".chain(crate::io::samples::FailingReader));
         let error = super::super::read(&mut input, super::super::Format::Xyz).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Io);
         assert_eq!(error.message(), "cannot read on after line 1: the disk is gone");

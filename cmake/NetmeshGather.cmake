@@ -9,6 +9,8 @@
 # where the linker lets it pass, one library's panics handled by the other's runtime. The copy of
 # LLVM's bitcode goes too, which only Rust compilers can use.
 
+include("${CMAKE_CURRENT_LIST_DIR}/NetmeshDeclared.cmake")
+
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
@@ -31,17 +33,6 @@ function(gather_shared)
   link(libnetmesh.so "${SONAME}")
 endfunction()
 
-# Declarations begin at the first column of the header.
-function(declared_functions result)
-  file(STRINGS "${HEADER}" lines REGEX "^[a-z].*nm_[a-z_]+\\(")
-  set(names "")
-  foreach(line IN LISTS lines)
-    string(REGEX MATCH "(nm_[a-z_]+)\\(" unused "${line}")
-    list(APPEND names "${CMAKE_MATCH_1}")
-  endforeach()
-  set(${result} "${names}" PARENT_SCOPE)
-endfunction()
-
 function(make_static functions)
   list(TRANSFORM functions PREPEND "-Wl,--undefined=" OUTPUT_VARIABLE roots)
   list(TRANSFORM functions PREPEND "--keep-global-symbol=" OUTPUT_VARIABLE kept)
@@ -60,7 +51,7 @@ endfunction()
 # Made anew where cargo's archive, the functions or this file differ from what it was made of. Times
 # would not tell: cargo may go back to an older file.
 function(gather_static)
-  declared_functions(functions)
+  declared_functions("${HEADER}" functions)
   file(MD5 "${FROM}/libnetmesh.a" archive_hash)
   file(MD5 "${CMAKE_CURRENT_LIST_FILE}" script_hash)
   set(made_from "${archive_hash} ${script_hash} ${functions}")

@@ -5,6 +5,7 @@
 #         -DSONAME=... -P symbols.cmake
 
 include("${CMAKE_CURRENT_LIST_DIR}/require_equal.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/../cmake/NetmeshDeclared.cmake")
 
 file(STRINGS "${LIST}" listed)
 
@@ -15,13 +16,7 @@ list(TRANSFORM exported REPLACE "^[0-9a-f]+ [A-Za-z] " "")
 list(SORT exported)
 require_equal("${LIBRARY} exports" "${exported}" "${listed}")
 
-# Declarations begin at the first column; comments and struct members do not.
-file(STRINGS "${HEADER}" lines REGEX "^[a-z].*nm_[a-z_]+\\(")
-set(declared "")
-foreach(line IN LISTS lines)
-  string(REGEX MATCH "(nm_[a-z_]+)\\(" unused "${line}")
-  list(APPEND declared "${CMAKE_MATCH_1}")
-endforeach()
+declared_functions("${HEADER}" declared)
 list(SORT declared)
 require_equal("${HEADER} declares" "${declared}" "${listed}")
 

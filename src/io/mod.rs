@@ -29,7 +29,6 @@ mod csv;
 mod domains;
 mod format;
 mod gmsh;
-mod incidence;
 #[cfg(test)]
 mod independent;
 mod json;

@@ -1,6 +1,5 @@
 //! The Voronoi diagram of the vertices as JSON: a corner for each simplex, a cell for each vertex.
 
-use super::incidence::Incidence;
 use super::{json, shortage};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
@@ -57,11 +56,7 @@ fn write_cells<const D: usize>(
     inputs: &Inputs,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let stars = Incidence::new(view.vertex_count(), || {
-        let corners = view.mesh.simplices.iter().enumerate();
-        corners.map(|(index, &vertex)| (vertex, (index / View::<D>::CORNERS) as u32))
-    });
-    let stars = stars.map_err(shortage)?;
+    let stars = view.stars().map_err(shortage)?;
     let on_hull = view.hull_vertices().map_err(shortage)?;
     let mut seen = filled(view.vertex_count(), NONE).map_err(shortage)?;
     let (mut corners, mut neighbors) = (Vec::new(), Vec::new());

@@ -4,13 +4,14 @@
 pub(crate) mod angles;
 pub(crate) mod cells;
 pub(crate) mod corner;
+pub(crate) mod incidence;
 pub(crate) mod length;
 pub(crate) mod rational;
 pub(crate) mod tree;
 pub(crate) mod view;
 
 use crate::error::Result;
-use crate::memory::{Fallible, collected, copied, filled};
+use crate::memory::{Fallible, collected, filled};
 use crate::mesh::{NONE, Triangulation};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
@@ -166,14 +167,14 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Fallible<Vec<bool
 
 /// Largest number of distinct vertices that share a simplex with one vertex. O(simplices).
 fn max_degree<const D: usize>(view: View<'_, D>) -> Fallible<u32> {
-    let (starts, stars) = stars(view)?;
+    let stars = view.stars()?;
     let mut seen_from = filled(view.vertex_count(), NONE)?;
     let mut largest = 0;
     for v in 0..view.vertex_count() {
         // So that it does not count itself.
         seen_from[v] = v as u32;
         let mut degree = 0;
-        for &s in &stars[starts[v]..starts[v + 1]] {
+        for &s in stars.of(v) {
             for &w in view.simplex(s as usize) {
                 degree += u32::from(seen_from[w as usize] != v as u32);
                 seen_from[w as usize] = v as u32;
@@ -182,26 +183,6 @@ fn max_degree<const D: usize>(view: View<'_, D>) -> Fallible<u32> {
         largest = largest.max(degree);
     }
     Ok(largest)
-}
-
-/// The simplices at each vertex, one vertex after the other, and where those of each vertex start.
-fn stars<const D: usize>(view: View<'_, D>) -> Fallible<(Vec<usize>, Vec<u32>)> {
-    let mut starts = filled(view.vertex_count() + 1, 0)?;
-    for &v in &view.mesh.simplices {
-        starts[v as usize + 1] += 1;
-    }
-    for v in 0..view.vertex_count() {
-        starts[v + 1] += starts[v];
-    }
-    let mut stars = filled(view.mesh.simplices.len(), 0)?;
-    let mut next = copied(&starts)?;
-    for s in 0..view.simplex_count() {
-        for &v in view.simplex(s) {
-            stars[next[v as usize]] = s as u32;
-            next[v as usize] += 1;
-        }
-    }
-    Ok((starts, stars))
 }
 
 /// Whether array lengths fit and ids are in range, so that reading cannot go astray.

@@ -1,5 +1,6 @@
 //! A [`Triangulation`] read with its dimension as a type.
 
+use super::incidence::Incidence;
 use crate::memory::{Fallible, filled};
 use crate::mesh::{MAX_DIM, NONE, Triangulation};
 
@@ -41,6 +42,14 @@ impl<'a, const D: usize> View<'a, D> {
             *point = self.point(vertex);
         }
         points
+    }
+
+    /// Vertex -> the simplices there, ascending. O(simplices).
+    pub fn stars(self) -> Fallible<Incidence> {
+        Incidence::new(self.vertex_count(), || {
+            let corners = self.mesh.simplices.iter().enumerate();
+            corners.map(|(index, &vertex)| (vertex, (index / Self::CORNERS) as u32))
+        })
     }
 
     /// Vertex -> whether it is on the hull.

@@ -3,7 +3,7 @@
 use crate::memory::{Fallible, filled};
 
 /// For each of `0..count` the list of those that name it.
-pub(super) struct Incidence {
+pub(crate) struct Incidence {
     /// Where each list begins; one more at the end.
     starts: Vec<usize>,
     members: Vec<u32>,

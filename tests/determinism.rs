@@ -41,6 +41,19 @@ fn assert_same_bytes(a: &Triangulation, b: &Triangulation, condition: &str) {
     assert!(domains(a) == domains(b), "domains, {condition}");
 }
 
+/// So many inputs are meshed in parts, each on a thread of its own.
+#[test]
+fn a_large_mesh_does_not_depend_on_the_threads_that_made_it() {
+    let points = points(2, 530_000);
+    let one = run(2, &points, &Options::default());
+    for threads in [2, 5] {
+        let many = run(2, &points, &Options { threads, ..Options::default() });
+        assert_same_bytes(&one, &many, &format!("{threads} threads"));
+    }
+    let inputs = Inputs::new(2, 530_000, &points, 0).unwrap();
+    assert_eq!(validate(&inputs, &one, 3).unwrap().level, 3);
+}
+
 #[test]
 fn the_same_input_and_options_give_the_same_bytes() {
     for (dim, n) in [(2, 400), (3, 100), (4, 30)] {

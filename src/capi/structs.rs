@@ -54,7 +54,8 @@ pub struct nm_options {
     pub ordering: MaybeUninit<nm_ordering>,
     /// The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
     pub criterion: MaybeUninit<nm_criterion>,
-    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it.
+    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and 3D
+    /// with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
     pub threads: u32,
     /// The promised quality, smaller is better and costs more vertices; a ratio without unit.
     /// NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],

@@ -7,11 +7,13 @@
 //! orientation, so a cavity is retriangulated without one orientation test.
 
 mod locality;
+mod part;
 mod ridges;
 mod star;
 
-use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
 use crate::mesh::NONE;
+pub(crate) use part::{Ids, Names};
 use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
@@ -25,9 +27,8 @@ pub(crate) struct Facet {
     pub beyond: u32,
 }
 
-#[derive(Clone, Debug)]
 pub(crate) struct Complex<const D: usize> {
-    records: Vec<u32>,
+    records: Array<u32>,
     /// Dead simplices, reused last in first out.
     free: Vec<u32>,
     /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
@@ -47,7 +48,7 @@ impl<const D: usize> Complex<D> {
     /// An empty complex that knows `vertices` ids, none of them inserted.
     pub fn new(vertices: usize) -> Fallible<Self> {
         Ok(Self {
-            records: Vec::new(),
+            records: Array::new(),
             free: Vec::new(),
             incident: filled(vertices, NONE)?,
             epoch: 0,
@@ -145,12 +146,12 @@ impl<const D: usize> Complex<D> {
             self.ridges.reserve::<D>(created)?;
         }
         make_room(&mut self.free, released)?;
-        make_room(&mut self.records, appended * Self::RECORD)
+        self.records.make_room(appended * Self::RECORD)
     }
 
     /// Makes room for so many simplices and vertices if the system gives it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
-        expect(&mut self.records, simplices * Self::RECORD);
+        self.records.expect(simplices * Self::RECORD);
         expect(&mut self.incident, vertices);
     }
 
@@ -318,8 +319,8 @@ impl<const D: usize> Complex<D> {
             return simplex;
         }
         let simplex = self.simplex_bound() as u32;
-        self.records.resize(self.records.len() + Self::MARK, NONE);
-        self.records.push(0);
+        self.records.resize_within(self.records.len() + Self::MARK, NONE);
+        self.records.resize_within(self.records.len() + 1, 0);
         simplex
     }
 

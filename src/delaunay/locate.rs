@@ -7,7 +7,7 @@ use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
     /// A simplex in conflict with `q`, found from the live simplex `start`. `None` iff `q` is a
-    /// vertex already. A visibility walk in a Delaunay triangulation cannot cycle except among
+    /// vertex already, or not in the part of a complex that this is. A visibility walk in a Delaunay triangulation cannot cycle except among
     /// cospherical simplices; a counted bound and a scan of all simplices cover those.
     pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
         self.locate_and_count(start, q, &mut 0)
@@ -22,6 +22,8 @@ impl<const D: usize> Delaunay<D> {
                 return Some(current);
             }
             match self.step_towards(current, q) {
+                // The rim of a part: the simplex may be behind a bend of it.
+                Some(next) if next == current => break,
                 Some(next) if self.ball(next).is_none() => return Some(next),
                 Some(next) => current = next,
                 None => break,

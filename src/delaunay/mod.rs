@@ -4,11 +4,12 @@
 
 mod locate;
 mod overlap;
+mod part;
 #[cfg(test)]
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::memory::{Fallible, TryGrow, expect, make_room, prefetch};
+use crate::memory::{Array, Fallible, TryGrow, expect, make_room, prefetch};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::cell::Cell;
@@ -34,7 +35,7 @@ pub(crate) struct Delaunay<const D: usize> {
     points: Vec<[f64; D]>,
     /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
     /// which is [`NONE`] for an infinite simplex: that has no D-ball.
-    balls: Vec<Circumball<D>>,
+    balls: Array<Circumball<D>>,
     exact_fallbacks: Cell<u64>,
 }
 
@@ -46,7 +47,7 @@ impl<const D: usize> Delaunay<D> {
         Ok(Self {
             complex: Complex::new(points.len())?,
             points,
-            balls: Vec::new(),
+            balls: Array::new(),
             exact_fallbacks: Cell::new(0),
         })
     }
@@ -79,7 +80,7 @@ impl<const D: usize> Delaunay<D> {
     /// Makes room for so many simplices and points if the system gives it.
     pub fn expect(&mut self, simplices: usize, points: usize) {
         self.complex.expect(simplices, points);
-        expect(&mut self.balls, simplices);
+        self.balls.expect(simplices);
         expect(&mut self.points, points);
     }
 
@@ -185,6 +186,8 @@ impl<const D: usize> Delaunay<D> {
         match orientation(&corners[..=D]) {
             Sign::Positive => true,
             Sign::Negative => false,
+            // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
+            Sign::Zero if self.complex.is_rim(simplex, infinite) => true,
             Sign::Zero => self.in_conflict(self.complex.neighbors(simplex)[infinite], q),
         }
     }
@@ -273,7 +276,7 @@ impl<const D: usize> Delaunay<D> {
 
     /// Frees the D-balls: nothing is inserted or located any more.
     pub fn forget_balls(&mut self) {
-        self.balls = Vec::new();
+        self.balls = Array::new();
     }
 
     fn corner_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_CORNERS] {

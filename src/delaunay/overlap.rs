@@ -5,7 +5,7 @@
 
 use super::Delaunay;
 use crate::memory::{Fallible, TryGrow};
-use crate::numerics::norm;
+use crate::numerics::{Circumball, norm};
 
 impl<const D: usize> Delaunay<D> {
     /// The number of other D-balls that meet that of the finite `simplex`. Distances are rounded:
@@ -40,6 +40,48 @@ impl<const D: usize> Delaunay<D> {
             }
         }
         Ok(count)
+    }
+
+    /// Collects the simplices whose D-balls meet the ball of `radius` about the vertex `center` into
+    /// `found` (cleared first), and infinite ones beside them; whether that was all, which it is not
+    /// where they are more than `most`. Distances are rounded.
+    pub fn meeting_ball(
+        &mut self,
+        center: u32,
+        radius: f64,
+        most: usize,
+        found: &mut Vec<u32>,
+    ) -> Fallible<bool> {
+        let x = *self.point(center);
+        found.clear();
+        self.complex.begin_marks();
+        let start = self.complex.incident(center);
+        self.complex.mark_inside(start);
+        found.try_push(start)?;
+        let mut next = 0;
+        while next < found.len() {
+            if found.len() > most {
+                return Ok(false);
+            }
+            let current = found[next];
+            next += 1;
+            for index in 0..=D {
+                let beyond = self.complex.neighbors(current)[index];
+                if self.complex.is_marked(beyond) {
+                    continue;
+                }
+                let gap = self.corner_distance(beyond, &x);
+                let reach = radius + self.ball(beyond).map_or(0.0, Circumball::radius);
+                // Out of range, or infinite: taken to meet.
+                if gap.is_some_and(|gap| gap > reach) {
+                    self.complex.mark_outside(beyond);
+                } else {
+                    self.complex.mark_inside(beyond);
+                    found.try_push(beyond)?;
+                }
+            }
+        }
+        Ok(true)
     }
 
     /// Whether the D-balls of two finite simplices meet. The centres are compared unrounded: those

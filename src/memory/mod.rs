@@ -1,10 +1,12 @@
 //! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
 //! grows with the input grows through this module instead, which answers a [`Shortage`].
 
+mod array;
 mod pages;
 mod prefetch;
 
 use crate::error::{Error, ErrorKind};
+pub use array::Array;
 use pages::prefer_large_pages;
 pub use prefetch::prefetch;
 use std::collections::{TryReserveError, VecDeque};

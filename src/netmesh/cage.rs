@@ -126,7 +126,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Inputs that the new cage yielded to may encroach the domains around it from inside.
-    fn make_room_outside(&mut self, cage: u32, yielded: &[u32]) -> Result<()> {
+    pub(super) fn make_room_outside(&mut self, cage: u32, yielded: &[u32]) -> Result<()> {
         for &input in yielded {
             let x = *self.delaunay.point(input);
             loop {
@@ -137,27 +137,36 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 };
                 let Some(domain) = self.inner_encroached_from(outer, &x) else { break };
                 let start = self.delaunay.complex().incident(input);
-                self.grow_cage_for(domain, &x, start)?;
+                if !self.grow_cage_for(domain, &x, start)? {
+                    self.rim.postponed.try_push((cage, input))?;
+                    break;
+                }
             }
         }
         Ok(())
     }
 
     /// GROWCAGE(C): a cage of radius `least` or a little more where there is room for it; then the
-    /// old one is released. The paper's radius is r / epsilon.
-    pub(super) fn grow_cage(&mut self, cage: u32, least: f64, start: u32) -> Result<()> {
+    /// old one is released. The paper's radius is r / epsilon. Whether it was done (`rim`).
+    pub(super) fn grow_cage(&mut self, cage: u32, least: f64, start: u32) -> Result<bool> {
+        if self.rim.is_foreign(cage) {
+            return Ok(false);
+        }
         if let Some(site) = self.grown_site(cage, least)? {
+            if !self.may_make_cage(&site)? {
+                return Ok(false);
+            }
             self.stats.cages_grown += 1;
             self.new_cage(site, start)?;
         }
         if self.hierarchy.node(cage).alive {
             self.release_cage(cage)?;
         }
-        Ok(())
+        Ok(true)
     }
 
     /// GROWCAGE of the cage that the point at `x` encroaches from inside.
-    pub(super) fn grow_cage_for(&mut self, cage: u32, x: &[f64; D], start: u32) -> Result<()> {
+    pub(super) fn grow_cage_for(&mut self, cage: u32, x: &[f64; D], start: u32) -> Result<bool> {
         let needed = self.radius_for(self.hierarchy.distance_to_center(cage, x));
         let least = needed.max(GROWTH * self.hierarchy.node(cage).radius);
         self.grow_cage(cage, least, start)
@@ -166,6 +175,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
     /// their neighbours, whose corners were exempt inside the cage, are examined anew.
     pub(super) fn release_cage(&mut self, cage: u32) -> Fallible<()> {
+        debug_assert!(!self.rim.is_foreign(cage));
         self.hierarchy.release(cage);
         self.stats.cages_released += 1;
         let mut affected = std::mem::take(&mut self.scratch.affected);
@@ -208,6 +218,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Lowers the clearance of `cage` to `vertex` if that is outside.
     fn separate(&mut self, cage: u32, vertex: u32) {
+        debug_assert!(!self.rim.is_foreign(cage));
         let gap = self.hierarchy.distance_to_center(cage, self.delaunay.point(vertex));
         let node = self.hierarchy.node_mut(cage);
         if gap >= node.radius && gap < node.outside {

@@ -42,13 +42,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         };
         self.delaunay.find_cavity(simplex, &x, &mut self.scratch.cavity)?;
+        if !self.may_replace_cavity() {
+            self.refine.limit(simplex);
+            return Ok(());
+        }
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
         if let Some(input) = self.input_near(&x, self.parameters.yield_radius * radius)? {
             self.stats.yields += 1;
-            return self.insert_input(input);
+            if !self.insert_input(input)? {
+                self.refine.limit(simplex);
+            }
+            return Ok(());
         }
         self.collect_cavity_corners()?;
+        if !self.may_insert(&x) {
+            self.refine.limit(simplex);
+            return Ok(());
+        }
         let domain = self.enter(&x)?;
         let vertex = self.add_vertex(x)?;
         match is_corner {

@@ -39,18 +39,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
     /// when its clearance falls: hence until a look at all simplices finds nothing.
     pub(super) fn close(&mut self) -> Result<()> {
-        self.bound = self.parameters.quality_bound;
-        self.closing = true;
-        self.before_closing = self.delaunay.point_count();
-        self.phase = Phase::Finish;
-        self.report_progress()?;
-        self.refine.sort_by_length()?;
-        if self.delaunay.complex().simplex_count() > SMALL {
+        self.begin_closing()?;
+        if self.delaunay.complex().simplex_count() > SMALL && !self.is_nearly_closed() {
             self.close_tiles()?;
         }
         while self.close_simplices(0..self.delaunay.complex().simplex_bound() as u32)? {}
         self.closed = 1.0;
         self.report_progress()
+    }
+
+    /// A first look at a part; what it leaves bad the whole finds.
+    pub(super) fn close_part(&mut self) -> Result<()> {
+        self.begin_closing()?;
+        self.close_tiles()
+    }
+
+    fn begin_closing(&mut self) -> Result<()> {
+        self.bound = self.parameters.quality_bound;
+        self.closing = true;
+        self.before_closing = self.delaunay.point_count();
+        self.phase = Phase::Finish;
+        self.report_progress()?;
+        Ok(self.refine.sort_by_length()?)
     }
 
     /// A first look, one tile after the other.
@@ -117,7 +127,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return self.refine_corner(simplex);
         }
         match self.projected_corner(simplex, domain) {
-            Some(x) if self.finds_room(simplex, domain, &x)? => self.join_at(domain, x),
+            Some(x) if self.finds_room(simplex, domain, &x)? && self.may_join(domain, &x) => {
+                self.join_at(domain, x)
+            }
             _ => {
                 self.refine.limit(simplex);
                 Ok(())
@@ -165,6 +177,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.delaunay.find_cavity(start, x, &mut self.scratch.cavity)?;
         self.collect_cavity_corners()?;
         Ok(self.nearest_corner(x) >= SPACING * self.sphere_radius(domain))
+    }
+
+    fn may_join(&mut self, domain: u32, x: &[f64; D]) -> bool {
+        !self.rim.is_foreign(domain) && self.may_insert(x)
     }
 
     /// Inserts `x`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.

@@ -2,6 +2,10 @@
 //! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
 //! a release. Concentric chains of domains are legal.
 
+mod part;
+
+pub(super) use part::DomainNames;
+
 use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;

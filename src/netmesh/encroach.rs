@@ -33,7 +33,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domain of all of U(x), where that is known without a climb.
-    fn common_domain(&mut self) -> Option<u32> {
+    pub(super) fn common_domain(&mut self) -> Option<u32> {
         let corners = &self.scratch.corners.ids;
         self.hierarchy.is_alike(corners).then(|| self.hierarchy.domain_of(corners[0]))
     }

@@ -13,10 +13,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
     /// not medial, then INSERT. The paper makes the new cage first; when the nearest neighbour is
     /// itself a vertex of the encroached cage, the new one would stick out of that, release it
-    /// from outside and leave nothing to grow.
-    pub(super) fn insert_input(&mut self, input: u32) -> Result<()> {
+    /// from outside and leave nothing to grow. Whether nothing of that is left to do (`rim`).
+    pub(super) fn insert_input(&mut self, input: u32) -> Result<bool> {
         if self.is_inserted(input) {
-            return Ok(());
+            return Ok(true);
         }
         self.find_cavity_of_input(input)?;
         match self.parameters.algorithm {
@@ -24,29 +24,41 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Algorithm::Svr => {
                 self.collect_cavity_corners()?;
                 self.hierarchy.set_domain(input, ROOT);
-                return self.insert_into_cavity(input);
+                return self.insert_into_cavity(input).map(|()| true);
             }
-            Algorithm::Delaunay => return self.insert_into_cavity(input),
+            Algorithm::Delaunay => return self.insert_into_cavity(input).map(|()| true),
         }
         let x = *self.delaunay.point(input);
+        if !self.may_insert(&x) {
+            return Ok(false);
+        }
         for _ in 0..LEVELS {
             let Some(domain) = self.inner_encroached(input) else { break };
             let start = self.location.home(input);
-            self.grow_cage_for(domain, &x, start)?;
+            if !self.grow_cage_for(domain, &x, start)? {
+                return Ok(false);
+            }
             if !self.look_again(input)? {
-                return Ok(());
+                return Ok(true);
             }
         }
         if let Some(wanted) = self.wanted_cage(input)? {
+            if !self.may_make_cage(&wanted)? {
+                return Ok(false);
+            }
             let start = self.location.home(input);
             self.new_cage(wanted, start)?;
             if !self.look_again(input)? {
-                return Ok(());
+                return Ok(true);
             }
+        }
+        if !self.may_insert(&x) {
+            return Ok(false);
         }
         let domain = self.enter(&x)?;
         self.hierarchy.set_domain(input, domain);
-        self.insert_into_cavity(input)
+        self.insert_into_cavity(input)?;
+        Ok(true)
     }
 
     /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
@@ -88,6 +100,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.delaunay.insert(vertex, cavity, created)?;
         self.location.rehome(&self.delaunay, cavity, created, vertex, &mut self.watch)?;
         self.refine.forget(created, self.delaunay.complex().simplex_bound())?;
+        self.rim.forget(created);
         if self.parameters.algorithm != Algorithm::Delaunay {
             self.update_star(vertex)?;
             if self.parameters.instruments {

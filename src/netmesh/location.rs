@@ -6,14 +6,15 @@
 //! the destroyed ball, so the two would be Delaunay neighbours).
 
 use super::watch::Watch;
+use crate::complex::Names;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, expect, filled};
+use crate::memory::{Array, Fallible, TryGrow, filled};
 use crate::mesh::NONE;
 
 /// What a simplex is as a home.
 #[derive(Clone, Copy)]
-struct Home {
+pub(super) struct Home {
     /// Its first input, and the number of its inputs.
     first: u32,
     count: u32,
@@ -39,10 +40,12 @@ impl Inhabitant {
 
 pub(super) struct Location {
     /// By simplex.
-    homes: Vec<Home>,
+    homes: Array<Home>,
     /// By input.
     inputs: Vec<Inhabitant>,
     remaining: usize,
+    /// Uninserted inputs that rest.
+    resting: usize,
 }
 
 /// The inputs of one simplex.
@@ -67,15 +70,21 @@ impl Iterator for Inhabitants<'_> {
 impl Location {
     pub fn new(inputs: usize) -> Fallible<Self> {
         Ok(Self {
-            homes: Vec::new(),
+            homes: Array::new(),
             inputs: filled(inputs, Inhabitant::HOMELESS)?,
             remaining: inputs,
+            resting: 0,
         })
     }
 
-    /// Number of uninserted inputs.
+    /// Number of uninserted inputs that do not rest.
     pub fn remaining(&self) -> usize {
         self.remaining
+    }
+
+    /// Number of uninserted inputs.
+    pub fn uninserted(&self) -> usize {
+        self.remaining + self.resting
     }
 
     pub fn home(&self, input: u32) -> u32 {
@@ -117,7 +126,7 @@ impl Location {
 
     /// Makes room for so many simplices if the system gives it.
     pub fn expect(&mut self, simplices: usize) {
-        expect(&mut self.homes, simplices);
+        self.homes.expect(simplices);
     }
 
     /// An input that was inserted before inputs got homes.
@@ -132,6 +141,73 @@ impl Location {
         (inhabitant.next, inhabitant.home) = (home.first, simplex);
         home.first = input;
         home.count += 1;
+    }
+
+    /// Frees the homes when all inputs are in.
+    pub fn forget_homes(&mut self) {
+        debug_assert!(self.uninserted() == 0);
+        self.homes = Array::new();
+    }
+
+    /// From now on no home is replaced, and no input inserted: nobody looks after them any more.
+    pub fn rest(&mut self) {
+        self.resting = std::mem::take(&mut self.remaining);
+    }
+
+    /// Ends the rest.
+    pub fn go_on(&mut self) {
+        self.remaining = std::mem::take(&mut self.resting);
+    }
+
+    /// Empties the home `simplex`: its inputs, which have none then.
+    pub fn take_out(&mut self, simplex: u32) -> Inhabitants<'_> {
+        let home = match self.homes.get_mut(simplex as usize) {
+            Some(home) => std::mem::replace(home, Home::EMPTY),
+            None => Home::EMPTY,
+        };
+        Inhabitants { inputs: &self.inputs, current: home.first }
+    }
+
+    /// Divides the spare room for homes of simplices, so many for each; `None` if it is not enough.
+    pub fn lend(&mut self, rooms: &[usize], bound: usize) -> Option<Vec<Array<Home>>> {
+        self.cover(bound).ok()?;
+        self.homes.lend(rooms)
+    }
+
+    /// Goes on in `room`, which is empty.
+    pub fn move_to(&mut self, room: Array<Home>) -> Fallible<()> {
+        self.homes.move_into(room)
+    }
+
+    /// The homes of a part, whose simplices were emptied: each of its `inputs`, the first so many of its
+    /// vertices, is in the simplex that it was in. `ids`: simplex -> its id in the part.
+    pub fn part(&self, names: &Names, ids: &[u32], inputs: usize) -> Result<Self> {
+        let mut part = Self::new(inputs)?;
+        part.cover(names.simplices.len())?;
+        for (own, &input) in names.vertices[..inputs].iter().enumerate() {
+            part.settle(own as u32, ids[self.home(input) as usize]);
+        }
+        Ok(part)
+    }
+
+    /// Takes over where the inputs of a part are that has joined: the last of `bound` simplices are its.
+    pub fn join(&mut self, mut part: Self, names: &Names, bound: usize) -> Fallible<()> {
+        part.homes.fill(Home::EMPTY);
+        part.cover(names.simplices.len())?;
+        self.cover(bound - names.simplices.len())?;
+        self.homes.absorb(part.homes)?;
+        for (own, inhabitant) in part.inputs.iter().enumerate() {
+            let input = names.vertices[own];
+            self.inputs[input as usize].touches += inhabitant.touches;
+            match inhabitant.home {
+                NONE => {
+                    self.inputs[input as usize].home = NONE;
+                    self.remaining -= 1;
+                }
+                home => self.settle(input, names.simplices[home as usize]),
+            }
+        }
+        Ok(())
     }
 
     /// Finds new homes for the inputs of the destroyed `cavity` among the `created` simplices;

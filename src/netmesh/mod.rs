@@ -20,8 +20,10 @@ mod net;
 mod order;
 mod output;
 pub mod parameters;
+mod parts;
 mod quality;
 mod refine;
+mod rim;
 mod round;
 mod site;
 mod start;
@@ -42,6 +44,7 @@ use order::by_locality;
 use parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 use refine::RefineList;
+use rim::Rim;
 use std::cmp::Reverse;
 use std::time::Instant;
 use svr::Crowded;
@@ -89,7 +92,11 @@ fn mesh<const D: usize>(
         mesher.start_netmesh()?;
         match mesher.parameters.algorithm {
             Algorithm::Svr => mesher.insert_sparsely()?,
-            _ => mesher.insert_rounds()?,
+            _ => {
+                mesher.insert_rounds_until(Mesher::is_ready_for_parts)?;
+                mesher.insert_in_parts()?;
+                mesher.insert_rounds()?;
+            }
         }
         if mesher.parameters.output == Output::WellSpaced {
             mesher.finish_mesh()?;
@@ -107,6 +114,7 @@ struct Mesher<'a, 'b, const D: usize> {
     hierarchy: Hierarchy<D>,
     location: Location,
     refine: RefineList,
+    rim: Rim,
     crowded: Crowded,
     phase: Phase,
     /// The bound that refinement keeps at the time.
@@ -116,6 +124,8 @@ struct Mesher<'a, 'b, const D: usize> {
     closed: f64,
     /// Vertices when that began.
     before_closing: usize,
+    /// What a part reported last.
+    reported: [u64; 3],
     /// Vertex -> the extent of its Voronoi cell.
     cells: Vec<Cell>,
     /// Vertices next to which doubles ran out when a cage was wanted.
@@ -227,12 +237,14 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             hierarchy,
             location,
             refine: RefineList::new()?,
+            rim: Rim::default(),
             crowded: Crowded::default(),
             phase: Phase::Insert,
             bound: parameters.loose_bound(),
             closing: false,
             closed: 0.0,
             before_closing: 0,
+            reported: [0; 3],
             cells: filled(count, Cell::NEW)?,
             precision_limited: filled(count, false)?,
             inputs: count,
@@ -299,11 +311,21 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     }
 
     fn note_progress(&mut self) {
-        let inserted = self.inputs - self.location.remaining();
-        let vertices = self.delaunay.point_count() - self.location.remaining();
+        let counts = self.progress_counts();
+        if self.rim.is_some() {
+            self.watch.note_part(&self.reported, &counts);
+            self.reported = counts;
+        } else {
+            self.watch.note(self.phase, self.done(), counts);
+        }
+    }
+
+    /// Inputs inserted, vertices and simplices.
+    fn progress_counts(&self) -> [u64; 3] {
+        let inserted = self.inputs - self.location.uninserted();
+        let vertices = self.delaunay.point_count() - self.location.uninserted();
         let simplices = self.delaunay.complex().simplex_count();
-        let counts = [inserted as u64, vertices as u64, simplices as u64];
-        self.watch.note(self.phase, self.done(), counts);
+        [inserted as u64, vertices as u64, simplices as u64]
     }
 
     /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that

@@ -14,6 +14,9 @@ const SURROUNDED: f64 = 0.8;
 const LOOSE: f64 = 3.0;
 const LOOSE_EDGES: f64 = 4.5;
 
+/// The more, the less is left at rims; the fewer, the more threads have work.
+const INPUTS_OF_PART: usize = 1 << 18;
+
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -34,6 +37,8 @@ pub struct Parameters {
     pub seed: u64,
     pub max_vertices: u64,
     pub instruments: bool,
+    /// From twice so many inputs on a mesh is made in parts (`parts`) of about so many or fewer.
+    pub(super) inputs_of_part: usize,
 }
 
 impl Parameters {
@@ -82,6 +87,7 @@ impl Parameters {
             seed: options.seed,
             max_vertices,
             instruments: options.instruments,
+            inputs_of_part: INPUTS_OF_PART,
         })
     }
 }

@@ -10,7 +10,7 @@
 //! eight steps between powers of two, which is as good as sorting. The list then has the simplices of
 //! one tile at a time (`close`).
 
-use crate::memory::{Fallible, TryGrow, enqueue, expect, with_room};
+use crate::memory::{Array, Fallible, TryGrow, enqueue, with_room};
 use std::collections::VecDeque;
 
 const QUEUED: u8 = 1;
@@ -38,7 +38,7 @@ pub(super) struct RefineList {
     occupied: Vec<u64>,
     /// No word before this one has a bit.
     first: usize,
-    flags: Vec<u8>,
+    flags: Array<u8>,
     /// Number of simplices queued.
     waiting: usize,
 }
@@ -48,6 +48,26 @@ impl RefineList {
         let mut list = Self::default();
         list.make_buckets(1)?;
         Ok(list)
+    }
+
+    /// Divides the spare room for simplices, so many for each; `None` if it is not enough.
+    pub fn lend(&mut self, rooms: &[usize], bound: usize) -> Option<Vec<Array<u8>>> {
+        self.flags.cover(bound, 0).ok()?;
+        self.flags.lend(rooms)
+    }
+
+    /// Goes on in `room`, which is empty.
+    pub fn move_to(&mut self, room: Array<u8>) -> Fallible<()> {
+        self.flags.move_into(room)
+    }
+
+    /// Makes the last `count` of `bound` simplices those of a part that has joined; nothing is known
+    /// of them.
+    pub fn join(&mut self, mut part: Self, count: usize, bound: usize) -> Fallible<()> {
+        part.flags.fill(0);
+        part.flags.cover(count, 0)?;
+        self.flags.cover(bound - count, 0)?;
+        self.flags.absorb(part.flags)
     }
 
     /// From now on the simplex with the smallest length comes first. The list must be empty.
@@ -72,7 +92,7 @@ impl RefineList {
 
     /// Makes room for so many simplices if the system gives it.
     pub fn expect(&mut self, simplices: usize) {
-        expect(&mut self.flags, simplices);
+        self.flags.expect(simplices);
     }
 
     /// Forgets what was known of ids that new simplices have taken.

@@ -4,9 +4,10 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-const INTERVAL: Duration = Duration::from_millis(30);
+pub(super) const INTERVAL: Duration = Duration::from_millis(30);
 /// Work between two looks at the clock, in units of some 100 ns: a fraction of a millisecond.
 const STRIDE: u32 = 2048;
 
@@ -16,6 +17,40 @@ pub(super) struct Watch<'a, 'b> {
     countdown: u32,
     /// What was noted last, for places that cannot count.
     progress: Progress,
+    /// Of a run in parts: what all of them have done.
+    tally: Option<&'a Tally>,
+}
+
+/// What the parts of a mesh have done together, and whether to go on with them.
+pub(super) struct Tally {
+    /// Inputs in all.
+    inputs: u64,
+    /// Inputs inserted, vertices, simplices.
+    counts: [AtomicU64; 3],
+    is_stopped: AtomicBool,
+}
+
+impl Tally {
+    /// From what was there when the mesh of so many `inputs` was cut.
+    pub fn new(inputs: usize, counts: [u64; 3]) -> Self {
+        Self {
+            inputs: inputs as u64,
+            counts: counts.map(AtomicU64::new),
+            is_stopped: AtomicBool::new(false),
+        }
+    }
+
+    /// Of one part, which had `before` when it last said so.
+    pub fn add(&self, before: &[u64; 3], now: &[u64; 3]) {
+        for (count, (before, now)) in self.counts.iter().zip(before.iter().zip(now)) {
+            count.fetch_add(now.wrapping_sub(*before), Ordering::Relaxed);
+        }
+    }
+
+    /// Tells all parts to give up.
+    pub fn stop(&self) {
+        self.is_stopped.store(true, Ordering::Relaxed);
+    }
 }
 
 impl<'a, 'b> Watch<'a, 'b> {
@@ -27,7 +62,23 @@ impl<'a, 'b> Watch<'a, 'b> {
             vertices: 0,
             simplices: 0,
         };
-        Self { callback, last: Instant::now(), countdown: STRIDE, progress }
+        Self { callback, last: Instant::now(), countdown: STRIDE, progress, tally: None }
+    }
+
+    /// Of a thread of its own, for a part of the mesh.
+    pub fn of_part(tally: &'a Tally) -> Self {
+        Self { tally: Some(tally), ..Self::new(None) }
+    }
+
+    /// For a part of the mesh on the caller's thread.
+    pub fn lend<'c>(&'c mut self, tally: &'c Tally) -> Watch<'c, 'b> {
+        Watch {
+            callback: self.callback.as_deref_mut(),
+            last: self.last,
+            countdown: self.countdown,
+            progress: self.progress,
+            tally: Some(tally),
+        }
     }
 
     /// Whether it is time to [`Self::call`], after so much more `work`.
@@ -43,7 +94,7 @@ impl<'a, 'b> Watch<'a, 'b> {
     #[cold]
     fn is_time(&mut self) -> bool {
         self.countdown = STRIDE;
-        self.callback.is_some() && self.last.elapsed() >= INTERVAL
+        (self.callback.is_some() || self.tally.is_some()) && self.last.elapsed() >= INTERVAL
     }
 
     /// Calls the caller if it is time to, after so much more `work`.
@@ -70,6 +121,24 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.progress = Progress { phase, fraction, inputs_inserted, vertices, simplices };
     }
 
+    /// Notes what a part has now, where it had `before`.
+    pub fn note_part(&mut self, before: &[u64; 3], now: &[u64; 3]) {
+        if let Some(tally) = self.tally {
+            tally.add(before, now);
+            self.note_tally(tally);
+        }
+    }
+
+    /// Notes what all parts have. They insert and refine at a time; usually there is a Steiner point to
+    /// every input.
+    pub fn note_tally(&mut self, tally: &Tally) {
+        let counts = tally.counts.each_ref().map(|count| count.load(Ordering::Relaxed));
+        let [inserted, vertices, _] = counts;
+        let added = vertices.saturating_sub(inserted).min(inserted);
+        let fraction = (0.6 * inserted as f64 + 0.35 * added as f64) / tally.inputs as f64;
+        self.note(Phase::Insert, fraction, counts);
+    }
+
     /// Calls the caller.
     ///
     /// # Errors
@@ -80,7 +149,8 @@ impl<'a, 'b> Watch<'a, 'b> {
         let go_on = self.callback.as_mut().is_none_or(|callback| callback(progress));
         // The caller's own time is not the run's.
         self.last = Instant::now();
-        if !go_on {
+        let is_stopped = self.tally.is_some_and(|tally| tally.is_stopped.load(Ordering::Relaxed));
+        if !go_on || is_stopped {
             return Err(Error::new(
                 ErrorKind::Cancelled,
                 "the progress function cancelled the run",

@@ -20,7 +20,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for home in 0..self.delaunay.complex().simplex_bound() as u32 {
             self.watch.tick(1)?;
             let count = self.location.count(home);
-            if count == 0 {
+            if count == 0 || !self.rim.admits(home) {
                 continue;
             }
             inputs.clear();

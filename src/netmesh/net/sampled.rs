@@ -14,7 +14,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
             self.watch.tick(1)?;
             let count = self.location.count(simplex);
-            if count > crowd {
+            if count > crowd && self.rim.admits(simplex) {
                 self.sample(simplex, count, per_ball.min(count), &mut selected)?;
             }
         }

@@ -1,0 +1,376 @@
+//! A growing array whose spare room can be lent: parts of a mesh grow in it, each in a stretch of its own,
+//! on threads of their own, and what they made is taken back without being copied.
+
+use super::pages::prefer_large_pages;
+use super::{Fallible, TryGrow, with_room};
+use std::mem::{ManuallyDrop, MaybeUninit};
+use std::ops::{Deref, DerefMut};
+use std::ptr::NonNull;
+use std::sync::atomic::{AtomicUsize, Ordering, fence};
+
+/// As `Vec`, of plain values. Its room may be a stretch of a larger one, whose other stretches belong to
+/// other arrays.
+///
+/// What the unsafe code relies on: `[start, start + capacity)` lies in the allocation that `room` keeps, of
+/// which no other array has any of it ([`Array::lend`] divides a stretch, [`Array::absorb`] joins two, and
+/// growing makes a new one or has the allocation alone); its first `length` values are initialised. Nothing
+/// else looks into `room` while it is shared.
+pub struct Array<T> {
+    start: NonNull<T>,
+    length: usize,
+    capacity: usize,
+    /// Nothing where there is no capacity.
+    room: Option<Room<T>>,
+}
+
+/// An allocation that several arrays have stretches of. What `Arc` would be, were it not that making one
+/// of those cannot be refused.
+struct Room<T> {
+    shared: NonNull<Shared<T>>,
+}
+
+struct Shared<T> {
+    /// The number of rooms that point here.
+    rooms: AtomicUsize,
+    memory: Vec<MaybeUninit<T>>,
+    /// Of the vector that this is the one element of.
+    capacity: usize,
+}
+
+impl<T> Room<T> {
+    fn new(memory: Vec<MaybeUninit<T>>) -> Fallible<Self> {
+        let mut holder = with_room(1)?;
+        let capacity = holder.capacity();
+        holder.push(Shared { rooms: AtomicUsize::new(1), memory, capacity });
+        let mut holder = ManuallyDrop::new(holder);
+        Ok(Self { shared: NonNull::from(&mut holder[0]) })
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.shared == other.shared
+    }
+
+    /// The allocation, if no other room has it.
+    #[allow(unsafe_code)]
+    fn alone(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
+        // SAFETY: it lives as long as a room points to it. If this is the only one nobody else can reach
+        // it, nor make another one meanwhile; what others did to it came before they let go.
+        unsafe {
+            let is_alone = self.shared.as_ref().rooms.load(Ordering::Acquire) == 1;
+            // Not before that is known.
+            if is_alone { Some(&mut self.shared.as_mut().memory) } else { None }
+        }
+    }
+}
+
+impl<T> Clone for Room<T> {
+    #[allow(unsafe_code)]
+    fn clone(&self) -> Self {
+        // SAFETY: it lives as long as a room points to it.
+        unsafe { self.shared.as_ref() }.rooms.fetch_add(1, Ordering::Relaxed);
+        Self { shared: self.shared }
+    }
+}
+
+impl<T> Drop for Room<T> {
+    #[allow(unsafe_code)]
+    fn drop(&mut self) {
+        // SAFETY: it lives as long as a room points to it. The last one takes it down, after all that
+        // others did: it is the one element of a vector of that capacity.
+        unsafe {
+            if self.shared.as_ref().rooms.fetch_sub(1, Ordering::Release) == 1 {
+                fence(Ordering::Acquire);
+                let capacity = self.shared.as_ref().capacity;
+                drop(Vec::from_raw_parts(self.shared.as_ptr(), 1, capacity));
+            }
+        }
+    }
+}
+
+// SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of `room` threads share
+// the counter only, and whoever comes last frees the memory.
+#[allow(unsafe_code)]
+unsafe impl<T: Send> Send for Array<T> {}
+// SAFETY: as above; a shared array gives out shared values only.
+#[allow(unsafe_code)]
+unsafe impl<T: Sync> Sync for Array<T> {}
+
+impl<T: Copy> Default for Array<T> {
+    fn default() -> Self {
+        Self { start: NonNull::dangling(), length: 0, capacity: 0, room: None }
+    }
+}
+
+impl<T: Copy> Array<T> {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    pub fn clear(&mut self) {
+        self.length = 0;
+    }
+
+    /// Room for `additional` more values, amortised.
+    #[inline]
+    pub fn make_room(&mut self, additional: usize) -> Fallible<()> {
+        if additional > self.capacity - self.length { self.grow(additional) } else { Ok(()) }
+    }
+
+    /// See [`super::expect`].
+    pub fn expect(&mut self, expected: usize) {
+        if expected > self.capacity {
+            // Refused, it is asked for when it is needed.
+            let _ = self.move_to(expected);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn grow(&mut self, additional: usize) -> Fallible<()> {
+        let needed = self.length.saturating_add(additional);
+        self.move_to(needed.max(self.length.saturating_mul(2)).max(4))
+    }
+
+    /// Moves to a room for `capacity` values of its own.
+    #[allow(unsafe_code)]
+    fn move_to(&mut self, capacity: usize) -> Fallible<()> {
+        let own = self.room.as_mut().and_then(Room::alone);
+        // The system may make a room larger without moving what is there.
+        if let Some(room) = own.filter(|room| room.len() == self.capacity) {
+            room.try_reserve_exact(capacity - room.len())?;
+            prefer_large_pages(room, room.capacity());
+            // SAFETY: values that may be uninitialised need no initialisation.
+            unsafe { room.set_len(room.capacity()) };
+            self.capacity = room.len();
+            self.start = NonNull::from(room.as_mut_slice()).cast();
+            return Ok(());
+        }
+        let mut room: Vec<MaybeUninit<T>> = with_room(capacity)?;
+        room.extend(self.iter().map(|&value| MaybeUninit::new(value)));
+        // SAFETY: as above.
+        unsafe { room.set_len(room.capacity()) };
+        let (start, capacity) = (NonNull::from(room.as_mut_slice()).cast(), room.len());
+        self.room = Some(Room::new(room)?);
+        (self.start, self.capacity) = (start, capacity);
+        Ok(())
+    }
+
+    /// Appends `value` until there are `length`, for which there is room.
+    #[inline]
+    pub fn resize_within(&mut self, length: usize, value: T) {
+        assert!(length <= self.capacity, "room is made before");
+        for at in self.length..length {
+            // SAFETY: within the stretch, by the assertion.
+            #[allow(unsafe_code)]
+            unsafe {
+                self.start.add(at).write(value);
+            }
+        }
+        self.length = self.length.max(length);
+    }
+
+    /// Values that there is room for.
+    pub fn spare(&self) -> usize {
+        self.capacity - self.length
+    }
+
+    /// Divides the room that is spare into empty arrays, with room for so many values each; the last has
+    /// the rest as well. `None` if it is not enough.
+    #[allow(unsafe_code)]
+    pub fn lend(&mut self, rooms: &[usize]) -> Option<Vec<Self>> {
+        let spare = self.spare();
+        let needed = rooms.iter().try_fold(0usize, |sum, &room| sum.checked_add(room))?;
+        let mut lent: Vec<Self> = with_room(rooms.len()).ok()?;
+        if needed > spare || rooms.is_empty() {
+            return None;
+        }
+        let mut offset = self.length;
+        self.capacity = self.length;
+        for &capacity in rooms {
+            // SAFETY: at most `needed` after `length`, so within the stretch that this array had, which ends
+            // at `length` now; and after the arrays before.
+            let start = unsafe { self.start.add(offset) };
+            lent.push(Self { start, length: 0, capacity, room: self.room.clone() });
+            offset += capacity;
+        }
+        if let Some(last) = lent.last_mut() {
+            last.capacity += spare - needed;
+        }
+        Some(lent)
+    }
+
+    /// Goes on in the stretch of `room`, an empty array.
+    pub fn move_into(&mut self, mut room: Self) -> Fallible<()> {
+        room.try_extend(self)?;
+        *self = room;
+        Ok(())
+    }
+
+    /// Appends the values of `other`. If that has the stretch after this array's, both become one.
+    #[allow(unsafe_code)]
+    pub fn absorb(&mut self, other: Self) -> Fallible<()> {
+        let is_shared = match (&self.room, &other.room) {
+            (Some(own), Some(others)) => own.is_same(others),
+            _ => false,
+        };
+        let is_next =
+            is_shared && self.start.as_ptr().wrapping_add(self.capacity) == other.start.as_ptr();
+        if !is_next {
+            return self.try_extend(&other);
+        }
+        // SAFETY: the two stretches are one now, and `other` ends here without touching its values. They
+        // move towards the start of it, to where they may overlap with themselves.
+        unsafe {
+            let end = self.start.add(self.length);
+            if end != other.start {
+                other.start.copy_to(end, other.length);
+            }
+        }
+        self.length += other.length;
+        self.capacity += other.capacity;
+        Ok(())
+    }
+}
+
+impl<T: Copy> TryGrow<T> for Array<T> {
+    #[inline]
+    fn try_push(&mut self, value: T) -> Fallible<()> {
+        self.make_room(1)?;
+        self.resize_within(self.length + 1, value);
+        Ok(())
+    }
+
+    #[allow(unsafe_code)]
+    fn try_extend(&mut self, values: &[T]) -> Fallible<()> {
+        self.make_room(values.len())?;
+        let values_start = NonNull::from(values).cast::<T>();
+        // SAFETY: there is room for them, in which no other array's values are.
+        unsafe { values_start.copy_to_nonoverlapping(self.start.add(self.length), values.len()) };
+        self.length += values.len();
+        Ok(())
+    }
+
+    #[inline]
+    fn cover(&mut self, length: usize, value: T) -> Fallible<()> {
+        if self.length < length {
+            self.make_room(length - self.length)?;
+            self.resize_within(length, value);
+        }
+        Ok(())
+    }
+}
+
+impl<T> Deref for Array<T> {
+    type Target = [T];
+
+    #[inline(always)]
+    #[allow(unsafe_code)]
+    fn deref(&self) -> &[T] {
+        // SAFETY: so many values are initialised from there on, and only this array has them.
+        unsafe { std::slice::from_raw_parts(self.start.as_ptr(), self.length) }
+    }
+}
+
+impl<T> DerefMut for Array<T> {
+    #[inline(always)]
+    #[allow(unsafe_code)]
+    fn deref_mut(&mut self) -> &mut [T] {
+        // SAFETY: as above.
+        unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr(), self.length) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn filled(values: std::ops::Range<u32>) -> Array<u32> {
+        let mut array = Array::new();
+        values.for_each(|value| array.try_push(value).unwrap());
+        array
+    }
+
+    #[test]
+    fn it_grows_as_a_vector_does() {
+        let mut array = filled(0..1000);
+        assert_eq!(*array, Vec::from_iter(0..1000)[..]);
+        array.cover(1003, 7).unwrap();
+        array.cover(10, 8).unwrap();
+        assert_eq!(array[998..], [998, 999, 7, 7, 7]);
+        array[1000] = 5;
+        array.expect(5000);
+        array.try_extend(&[1, 2]).unwrap();
+        assert_eq!(array[999..], [999, 5, 7, 7, 1, 2]);
+        array.clear();
+        assert!(array.is_empty());
+        assert!(array.make_room(usize::MAX / 8).is_err());
+        array.try_push(3).unwrap();
+        assert_eq!(*array, [3]);
+    }
+
+    #[test]
+    fn what_was_lent_comes_back_in_its_place() {
+        let mut array = filled(0..3);
+        array.expect(100);
+        let start = array.as_ptr();
+        let mut lent = array.lend(&[10, 20, 30]).unwrap();
+        assert!(array.lend(&[1]).is_none());
+        std::thread::scope(|scope| {
+            for (at, part) in lent.iter_mut().enumerate() {
+                scope.spawn(move || {
+                    (0..5 + at as u32).for_each(|i| part.try_push(10 * at as u32 + i).unwrap());
+                });
+            }
+        });
+        for part in lent {
+            array.absorb(part).unwrap();
+        }
+        let expected: Vec<u32> = (0..3).chain(0..5).chain(10..16).chain(20..27).collect();
+        assert_eq!(*array, expected[..]);
+        assert_eq!(array.as_ptr(), start);
+        array.cover(100, 1).unwrap();
+        assert_eq!(array.as_ptr(), start);
+    }
+
+    #[test]
+    fn a_stretch_that_is_not_the_next_is_copied() {
+        let mut array = filled(0..3);
+        array.expect(40);
+        let mut lent = array.lend(&[5, 5]).unwrap();
+        let mut last = lent.pop().unwrap();
+        last.try_extend(&[7, 8]).unwrap();
+        array.absorb(last).unwrap();
+        lent[0].try_extend(&[1, 1, 1, 1, 1]).unwrap();
+        assert_eq!(*array, [0, 1, 2, 7, 8]);
+        array.absorb(lent.pop().unwrap()).unwrap();
+        assert_eq!(*array, [0, 1, 2, 7, 8, 1, 1, 1, 1, 1]);
+    }
+
+    #[test]
+    fn what_outgrew_its_room_comes_back_too() {
+        let mut array = filled(0..3);
+        array.expect(20);
+        let mut lent = array.lend(&[2, 2]).unwrap();
+        (0..50).for_each(|i| lent[0].try_push(i).unwrap());
+        lent[1].try_push(99).unwrap();
+        // The lender may grow meanwhile, too.
+        array.try_push(3).unwrap();
+        for part in lent {
+            array.absorb(part).unwrap();
+        }
+        let expected: Vec<u32> = (0..4).chain(0..50).chain([99]).collect();
+        assert_eq!(*array, expected[..]);
+    }
+
+    #[test]
+    fn rooms_that_are_not_there_are_not_lent() {
+        let mut array = filled(0..4);
+        array.expect(10);
+        let spare = array.capacity - 4;
+        assert!(array.lend(&[spare, 1]).is_none());
+        assert!(array.lend(&[usize::MAX, 2]).is_none());
+        assert!(array.lend(&[]).is_none());
+        assert_eq!(array.lend(&[spare]).unwrap().len(), 1);
+        assert!(Array::<u32>::new().lend(&[0]).is_some_and(|lent| lent[0].is_empty()));
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::{Complex, INFINITE};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, Shortage, TryGrow, filled};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, collected, filled};
 use crate::mesh::NONE;
 
 /// What the simplices and vertices of a part are called in the whole, by their ids in the part.
@@ -91,7 +91,7 @@ impl<const D: usize> Complex<D> {
 
     /// Divides the spare room for simplices, so many for each; `None` if it is not enough.
     pub fn lend(&mut self, rooms: &[usize]) -> Option<Vec<Array<u32>>> {
-        let rooms: Vec<usize> = rooms.iter().map(|room| room * Self::RECORD).collect();
+        let rooms = collected(rooms.iter().map(|room| room * Self::RECORD)).ok()?;
         self.records.lend(&rooms)
     }
 

@@ -5,7 +5,7 @@
 use super::Delaunay;
 use crate::complex::{Ids, Names};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, filled, with_room};
+use crate::memory::{Array, Fallible, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 use crate::numerics::Circumball;
 
@@ -54,7 +54,7 @@ impl<const D: usize> Delaunay<D> {
         let records = self.complex.lend(rooms)?;
         let balls = self.balls.lend(rooms)?;
         let room = |(records, balls)| Room { records, balls };
-        Some(records.into_iter().zip(balls).map(room).collect())
+        collected(records.into_iter().zip(balls).map(room)).ok()
     }
 
     /// Vertex of a part -> whether the whole has simplices at it that the part has not: then it is on a

@@ -217,6 +217,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         simplex: u32,
         counts: impl Fn(&Self, u32) -> bool,
     ) -> Option<u32> {
+        self.divided_domain(simplex, |mesher, cage, parent| {
+            mesher.is_beyond_cage_bound(simplex, cage)
+                && some(parent).is_some()
+                && counts(mesher, parent)
+        })
+        .map(|(_, parent)| parent)
+    }
+
+    /// The first domain, from the smallest up, that has vertices of the finite `simplex` inside and
+    /// outside and `is_wanted`, and its parent.
+    pub(super) fn divided_domain(
+        &mut self,
+        simplex: u32,
+        is_wanted: impl Fn(&Self, u32, u32) -> bool,
+    ) -> Option<(u32, u32)> {
         if self.hierarchy.is_alike(self.delaunay.complex().vertices(simplex)) {
             return None;
         }
@@ -224,16 +239,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let domains = &mut domains[..=D];
         while domains.iter().any(|&domain| domain != domains[0]) {
             let radius = |domain: u32| self.hierarchy.node(domain).radius;
-            let cage = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
-            let cage = cage.expect("a simplex has vertices");
-            let parent = self.hierarchy.parent(cage);
-            if self.is_beyond_cage_bound(simplex, cage)
-                && some(parent).is_some()
-                && counts(self, parent)
-            {
-                return Some(parent);
+            let inner = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
+            let inner = inner.expect("a simplex has vertices");
+            let parent = self.hierarchy.parent(inner);
+            if is_wanted(self, inner, parent) {
+                return Some((inner, parent));
             }
-            domains.iter_mut().filter(|d| **d == cage).for_each(|d| *d = parent);
+            domains.iter_mut().filter(|d| **d == inner).for_each(|d| *d = parent);
         }
         None
     }

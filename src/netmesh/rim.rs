@@ -111,26 +111,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether `simplex` has vertices inside and outside of a domain that must stay: its clearance would
     /// change with them.
     fn divides_foreign_domain(&mut self, simplex: u32) -> bool {
-        let complex = self.delaunay.complex();
-        if complex.is_infinite(simplex) || self.hierarchy.is_alike(complex.vertices(simplex)) {
-            return false;
-        }
-        let mut domains = self.domains_of(simplex);
-        let domains = &mut domains[..=D];
-        while domains.iter().any(|&domain| domain != domains[0]) {
-            let radius = |domain: u32| self.hierarchy.node(domain).radius;
-            let inner = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
-            let inner = inner.expect("a simplex has vertices");
-            if self.rim.is_foreign(inner) {
-                return true;
-            }
-            let parent = self.hierarchy.parent(inner);
-            domains
-                .iter_mut()
-                .filter(|domain| **domain == inner)
-                .for_each(|domain| *domain = parent);
-        }
-        false
+        !self.delaunay.complex().is_infinite(simplex)
+            && self
+                .divided_domain(simplex, |mesher, domain, _| mesher.rim.is_foreign(domain))
+                .is_some()
     }
 
     /// Whether no simplex of the scratch cavity must stay.

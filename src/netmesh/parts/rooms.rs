@@ -1,7 +1,7 @@
 //! Parts that become the whole grow in its spare room, so that nothing has to be copied when they join.
 
 use super::Part;
-use crate::memory::Fallible;
+use crate::memory::{Fallible, collected};
 use crate::netmesh::Mesher;
 
 /// What parts are lent of the spare room, where there are several: what they leave of that has to be
@@ -18,8 +18,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let inputs = |part: &Part<D>| part.location.remaining() as f64;
         let share = self.delaunay.spare_simplices() as f64 / parts.iter().map(inputs).sum::<f64>();
         let fraction = if parts.len() > 1 { USUAL } else { ALL };
-        let rooms: Vec<usize> =
-            parts.iter().map(|part| (fraction * share * inputs(part)) as usize).collect();
+        let rooms = collected(parts.iter().map(|part| (fraction * share * inputs(part)) as usize))?;
         let Some(delaunay) = self.delaunay.lend(&rooms) else { return Ok(()) };
         for (part, room) in parts.iter_mut().zip(delaunay) {
             part.delaunay.move_to(room)?;

@@ -242,7 +242,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.separate(cage, outside);
                 // An infinite clearance is that of a cage in the making.
                 if self.hierarchy.node(cage).outside < before && before.is_finite() {
-                    self.examine_cage(cage)?;
+                    self.examine_union_cell(cage)?;
                 }
                 let parent = self.hierarchy.parent(cage);
                 if climb { inner = parent } else { other = parent }

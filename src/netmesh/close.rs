@@ -103,6 +103,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         })
     }
 
+    /// Whether all that is bad (`is_bad`) is open, too: the same corners are too far, only more of them
+    /// count. By edges that is not so where a simplex has vertices of several domains.
+    pub(super) fn is_bad_open(&self) -> bool {
+        self.closing
+            && self.parameters.criterion == Criterion::VoronoiAspect
+            && self.parameters.closes_all()
+    }
+
     /// The domain of the vertex with the worst cell, if that is bad.
     fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
         let is_cell = |mesher: &mut Self, vertex| mesher.hierarchy.cage_of(vertex) == NONE;

@@ -118,7 +118,11 @@ impl Parameters {
     /// end, not only over those within the corner restriction: its cage must surround its inputs.
     /// The root's always does.
     pub fn closes(&self, domain: u32) -> bool {
-        domain == 0 || self.epsilon <= SURROUNDED * self.cage_scale
+        domain == 0 || self.closes_all()
+    }
+
+    pub(super) fn closes_all(&self) -> bool {
+        self.epsilon <= SURROUNDED * self.cage_scale
     }
 }
 

@@ -76,6 +76,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.examine_corners(vertex, |mesher, radius| nearest < mesher.nearest_allowed(radius))
     }
 
+    /// After the clearance of `cage` fell: its union cell may have gone bad over the corners at its
+    /// vertices that are beyond the bound now. All other cells are what they were.
+    pub(super) fn examine_union_cell(&mut self, cage: u32) -> Fallible<()> {
+        let farthest = self.cage_bound(cage);
+        for at in 0..self.hierarchy.node(cage).cage.len() {
+            let vertex = self.hierarchy.node(cage).cage[at];
+            let gap = self.hierarchy.distance_to_center(cage, self.delaunay.point(vertex));
+            let reach = farthest - gap;
+            if self.cells[vertex as usize].farthest > reach {
+                self.examine_corners(vertex, |_, radius| radius > reach)?;
+            }
+        }
+        Ok(())
+    }
+
     /// Queues the bad ones among the simplices round `cage`.
     pub(super) fn examine_cage(&mut self, cage: u32) -> Fallible<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
@@ -89,8 +104,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
-        // At the end what is bad is open as well, and that is told from fewer figures.
-        if self.open_domain(simplex).is_some() || self.is_bad(simplex) {
+        if self.open_domain(simplex).is_some() || (!self.is_bad_open() && self.is_bad(simplex)) {
             self.queue(simplex)?;
         }
         Ok(())
@@ -270,10 +284,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
     fn is_beyond_cage_bound(&self, simplex: u32, cage: u32) -> bool {
+        let distance = self.delaunay.corner_distance(simplex, &self.hierarchy.node(cage).point);
+        distance.is_some_and(|gap| gap > self.cage_bound(cage))
+    }
+
+    /// The distance from the centre of `cage` within which the corners of a good union cell are.
+    fn cage_bound(&self, cage: u32) -> f64 {
         let node = self.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
-        let farthest = self.aspect_bound() * in_radius;
-        let distance = self.delaunay.corner_distance(simplex, &node.point);
-        distance.is_some_and(|gap| gap > farthest)
+        self.aspect_bound() * in_radius
     }
 }

@@ -65,11 +65,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
-    /// edges there are what they were, and so is all that other cells depend on.
+    /// edges there are what they were, and so is all that other cells depend on. The cell of a cage's
+    /// vertex has no bound of its own.
     pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
         let Cell { nearest, farthest } = self.cells[vertex as usize];
         if self.parameters.criterion == Criterion::RadiusEdge
             || nearest >= self.nearest_allowed(farthest)
+            || self.hierarchy.cage_of(vertex) != NONE
         {
             return Ok(());
         }
@@ -249,17 +251,29 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.hierarchy.is_alike(self.delaunay.complex().vertices(simplex)) {
             return None;
         }
-        let mut domains = self.domains_of(simplex);
-        let domains = &mut domains[..=D];
-        while domains.iter().any(|&domain| domain != domains[0]) {
-            let radius = |domain: u32| self.hierarchy.node(domain).radius;
-            let inner = domains.iter().copied().min_by(|&a, &b| radius(a).total_cmp(&radius(b)));
-            let inner = inner.expect("a simplex has vertices");
+        let domains = self.domains_of(simplex);
+        let mut left = [NONE; MAX_DIM + 1];
+        let mut count = 0;
+        for &domain in &domains[..=D] {
+            if !left[..count].contains(&domain) {
+                left[count] = domain;
+                count += 1;
+            }
+        }
+        while count > 1 {
+            let radius = |at: usize| self.hierarchy.node(left[at]).radius;
+            let smallest = (1..count).fold(0, |a, b| if radius(b) < radius(a) { b } else { a });
+            let inner = left[smallest];
             let parent = self.hierarchy.parent(inner);
             if is_wanted(self, inner, parent) {
                 return Some((inner, parent));
             }
-            domains.iter_mut().filter(|d| **d == inner).for_each(|d| *d = parent);
+            if left[..count].contains(&parent) {
+                left.copy_within(smallest + 1..count, smallest);
+                count -= 1;
+            } else {
+                left[smallest] = parent;
+            }
         }
         None
     }

@@ -14,7 +14,6 @@
 //! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
 //! not cover, [`SPACING`] ends; no run with default options came to that.
 
-use super::domains::ROOT;
 use super::{Mesher, some};
 use crate::error::Result;
 use crate::memory::Fallible;
@@ -156,16 +155,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(corner) = self.delaunay.corner(simplex).filter(|_| clear) else {
             return Ok(false);
         };
+        if !self.is_inside(simplex, domain) {
+            return Ok(false);
+        }
         self.delaunay.find_cavity(simplex, &corner, &mut self.scratch.cavity)?;
-        let conflicts = &self.scratch.cavity.simplices;
-        let is_inside = |&vertex: &u32| {
+        Ok(self.scratch.cavity.simplices.iter().all(|&simplex| self.is_inside(simplex, domain)))
+    }
+
+    /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull of the
+    /// mesh.
+    fn is_inside(&self, simplex: u32, domain: u32) -> bool {
+        self.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
             some(vertex).is_some_and(|v| self.hierarchy.contains(domain, self.delaunay.point(v)))
-        };
-        let complex = self.delaunay.complex();
-        // The hull of the root's cage is the hull of the mesh.
-        Ok(match domain {
-            ROOT => !conflicts.iter().any(|&conflict| complex.is_infinite(conflict)),
-            _ => conflicts.iter().all(|&conflict| complex.vertices(conflict).iter().all(is_inside)),
         })
     }
 

@@ -38,15 +38,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Queues the bad ones among the simplices at `vertex`.
     pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
-        self.examine_corners(vertex, |_, _| true)
+        self.examine_corners(vertex, |mesher, simplex, _| mesher.examine(simplex))
     }
 
-    /// Measures the farthest corner of `vertex`, and queues the bad ones among the simplices there
-    /// whose radius `counts`.
+    /// Measures the farthest corner of `vertex`, and has the simplices there examined, given their
+    /// radii.
     fn examine_corners(
         &mut self,
         vertex: u32,
-        counts: impl Fn(&Self, f64) -> bool,
+        examine: impl Fn(&mut Self, u32, f64) -> Fallible<()>,
     ) -> Fallible<()> {
         self.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
@@ -56,9 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             };
             farthest = farthest.max(radius);
-            if counts(self, radius) {
-                self.examine(simplex)?;
-            }
+            examine(self, simplex, radius)?;
         }
         self.cells[vertex as usize].farthest = farthest;
         Ok(())
@@ -75,7 +73,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         {
             return Ok(());
         }
-        self.examine_corners(vertex, |mesher, radius| nearest < mesher.nearest_allowed(radius))
+        let is_bad_open = self.is_bad_open();
+        self.examine_corners(vertex, |mesher, simplex, radius| {
+            if nearest >= mesher.nearest_allowed(radius) {
+                Ok(())
+            } else if is_bad_open && !mesher.refine.is_limited(simplex) {
+                mesher.queue(simplex)
+            } else {
+                mesher.examine_suspect(simplex)
+            }
+        })
     }
 
     /// After the clearance of `cage` fell: its union cell may have gone bad over the corners at its
@@ -87,7 +94,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let gap = self.hierarchy.distance_to_center(cage, self.delaunay.point(vertex));
             let reach = farthest - gap;
             if self.cells[vertex as usize].farthest > reach {
-                self.examine_corners(vertex, |_, radius| radius > reach)?;
+                self.examine_corners(vertex, |mesher, simplex, radius| match radius > reach {
+                    true => mesher.examine(simplex),
+                    false => Ok(()),
+                })?;
             }
         }
         Ok(())

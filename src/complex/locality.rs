@@ -5,6 +5,22 @@ use crate::error::Result;
 use crate::memory::{TryGrow, filled, with_room};
 use crate::mesh::NONE;
 
+/// All live simplices, each with the vertex that it is near.
+pub(crate) struct Anchored {
+    /// The simplices, by anchor.
+    pub order: Vec<u32>,
+    /// Anchor -> where its simplices begin in `order`; and their end.
+    starts: Vec<u32>,
+}
+
+impl Anchored {
+    /// The simplices of `anchor`.
+    pub fn of(&self, anchor: u32) -> &[u32] {
+        let at = anchor as usize;
+        &self.order[self.starts[at] as usize..self.starts[at + 1] as usize]
+    }
+}
+
 impl<const D: usize> Complex<D> {
     /// The live simplices, by the vertex below `anchors` that has the smallest id among their own or,
     /// where they have none, among those of the simplices that are fewest steps away. At least one
@@ -14,7 +30,7 @@ impl<const D: usize> Complex<D> {
         &self,
         anchors: usize,
         mut tick: impl FnMut() -> Result<()>,
-    ) -> Result<Vec<u32>> {
+    ) -> Result<Anchored> {
         // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
         let mut owners = with_room(self.simplex_bound())?;
         let mut reached = with_room(self.simplex_count())?;
@@ -39,22 +55,23 @@ impl<const D: usize> Complex<D> {
                 }
             }
         }
-        let mut starts = filled(anchors + 1, 0u32)?;
+        // One place further on until `order` is made, which moves each to where the next one begins.
+        let mut starts = filled(anchors + 2, 0u32)?;
         let mut order = with_room(reached.len())?;
         for &simplex in &reached {
             tick()?;
             order.push(NONE);
-            starts[owners[simplex as usize] as usize + 1] += 1;
+            starts[owners[simplex as usize] as usize + 2] += 1;
         }
         for at in 1..starts.len() {
             starts[at] += starts[at - 1];
         }
         for &simplex in &reached {
             tick()?;
-            let at = &mut starts[owners[simplex as usize] as usize];
+            let at = &mut starts[owners[simplex as usize] as usize + 1];
             order[*at as usize] = simplex;
             *at += 1;
         }
-        Ok(order)
+        Ok(Anchored { order, starts })
     }
 }

@@ -13,6 +13,7 @@ mod star;
 
 use crate::memory::{Array, Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
 use crate::mesh::NONE;
+pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
 use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
 

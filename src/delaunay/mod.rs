@@ -12,7 +12,7 @@ use crate::complex::{Complex, Facet, INFINITE};
 use crate::memory::{Array, Fallible, TryGrow, expect, make_room, prefetch};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
-use std::cell::Cell;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Corners of a simplex of the highest dimension.
 const MAX_CORNERS: usize = crate::mesh::MAX_DIM + 1;
@@ -36,7 +36,7 @@ pub(crate) struct Delaunay<const D: usize> {
     /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
     /// which is [`NONE`] for an infinite simplex: that has no D-ball.
     balls: Array<Circumball<D>>,
-    exact_fallbacks: Cell<u64>,
+    exact_fallbacks: AtomicU64,
 }
 
 impl<const D: usize> Delaunay<D> {
@@ -48,7 +48,7 @@ impl<const D: usize> Delaunay<D> {
             complex: Complex::new(points.len())?,
             points,
             balls: Array::new(),
-            exact_fallbacks: Cell::new(0),
+            exact_fallbacks: AtomicU64::new(0),
         })
     }
 
@@ -74,7 +74,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     pub fn exact_fallbacks(&self) -> u64 {
-        self.exact_fallbacks.get()
+        self.exact_fallbacks.load(Ordering::Relaxed)
     }
 
     /// Makes room for so many simplices and points if the system gives it.
@@ -167,7 +167,7 @@ impl<const D: usize> Delaunay<D> {
     #[cold]
     #[inline(never)]
     fn in_ball_exactly(&self, simplex: u32, q: &[f64; D]) -> bool {
-        self.exact_fallbacks.set(self.exact_fallbacks.get() + 1);
+        self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
         let corners = self.corner_points(self.complex.vertices(simplex));
         in_ball(&corners[..=D], q) == Sign::Positive
     }

@@ -91,7 +91,7 @@ impl<const D: usize> Delaunay<D> {
     ) -> Result<()> {
         self.add_points(&part, names)?;
         let base = self.balls.len();
-        self.exact_fallbacks.set(self.exact_fallbacks() + part.exact_fallbacks());
+        *self.exact_fallbacks.get_mut() += part.exact_fallbacks();
         self.complex.join(part.complex, names, &mut tick)?;
         self.balls.absorb(part.balls)?;
         for at in base..self.balls.len() {

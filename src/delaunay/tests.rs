@@ -76,9 +76,9 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
 fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
     let complex = delaunay.complex();
     let live = live_simplices(delaunay);
-    let all = complex.order_by_anchor(delaunay.point_count(), || Ok(())).unwrap();
+    let all = complex.order_by_anchor(delaunay.point_count(), || Ok(())).unwrap().order;
     assert!(all.is_sorted_by_key(|&simplex| complex.vertices(simplex).iter().min()));
-    let by_steps = complex.order_by_anchor(1, || Ok(())).unwrap();
+    let by_steps = complex.order_by_anchor(1, || Ok(())).unwrap().order;
     let mut steps = vec![usize::MAX; complex.simplex_bound()];
     for &simplex in &by_steps {
         let neighbors = complex.neighbors(simplex).iter();

@@ -2,7 +2,7 @@
 //! on threads of their own, and what they made is taken back without being copied.
 
 use super::pages::prefer_large_pages;
-use super::{Fallible, TryGrow, with_room};
+use super::{Fallible, TryGrow, copied, with_room};
 use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ops::{Deref, DerefMut};
 use std::ptr::NonNull;
@@ -169,6 +169,22 @@ impl<T: Copy> Array<T> {
         self.length = self.length.max(length);
     }
 
+    /// The values as a vector; not copied where they have a room of their own.
+    #[allow(unsafe_code)]
+    pub fn into_vec(mut self) -> Fallible<Vec<T>> {
+        let (start, length, capacity) = (self.start, self.length, self.capacity);
+        let room = self.room.as_mut().and_then(Room::alone);
+        match room.filter(|room| room.len() == capacity) {
+            Some(room) => {
+                let room = ManuallyDrop::new(std::mem::take(room));
+                // SAFETY: the stretch is all that the vector has, so it begins where that does; values
+                // that may be uninitialised are laid out as others, and so many are initialised.
+                Ok(unsafe { Vec::from_raw_parts(start.as_ptr(), length, room.capacity()) })
+            }
+            None => copied(&self),
+        }
+    }
+
     /// Values that there is room for.
     pub fn spare(&self) -> usize {
         self.capacity - self.length
@@ -330,6 +346,33 @@ mod tests {
         assert_eq!(array.as_ptr(), start);
         array.cover(100, 1).unwrap();
         assert_eq!(array.as_ptr(), start);
+    }
+
+    #[test]
+    fn it_becomes_a_vector_in_its_place_where_it_has_a_room_of_its_own() {
+        assert!(Array::<u32>::new().into_vec().unwrap().is_empty());
+        let mut array = filled(0..3);
+        array.expect(100);
+        let start = array.as_ptr();
+        let mut lent = array.lend(&[10, 20]).unwrap();
+        lent.iter_mut().for_each(|part| part.try_push(7).unwrap());
+        let last = lent.pop().unwrap();
+        array.absorb(lent.pop().unwrap()).unwrap();
+        let mut copy = last.into_vec().unwrap();
+        copy.push(8);
+        assert_eq!(copy, [7, 8]);
+        let vec = array.into_vec().unwrap();
+        assert_eq!(vec, [0, 1, 2, 7]);
+        assert_ne!(vec.as_ptr(), start);
+        let mut array = filled(0..1000);
+        array.expect(3000);
+        let lent = array.lend(&[500]).unwrap();
+        lent.into_iter().for_each(|part| array.absorb(part).unwrap());
+        let start = array.as_ptr();
+        let mut vec = array.into_vec().unwrap();
+        assert!(vec.as_ptr() == start && vec.capacity() >= 3000);
+        vec.push(5);
+        assert_eq!(vec[998..], [998, 999, 5]);
     }
 
     #[test]

@@ -42,7 +42,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.delaunay.complex().simplex_count() > SMALL && !self.is_nearly_closed() {
             self.close_tiles()?;
         }
-        while self.close_simplices(0..self.delaunay.complex().simplex_bound() as u32)? {}
+        while self.close_all()? {}
         self.closed = 1.0;
         self.report_progress()
     }
@@ -65,22 +65,32 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// A first look, one tile after the other.
     fn close_tiles(&mut self) -> Result<()> {
         let watch = &mut self.watch;
-        let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
+        let anchored = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
+        let order = anchored.order;
         for (at, tile) in order.chunks(TILE).enumerate() {
-            self.close_simplices(tile.iter().copied())?;
+            self.close_simplices(tile)?;
             self.closed = (at * TILE) as f64 / order.len() as f64;
             self.note_progress();
         }
         Ok(())
     }
 
-    /// Mends those of some simplices that are bad, with all that gets bad by it; whether any was.
-    fn close_simplices(&mut self, simplices: impl IntoIterator<Item = u32>) -> Result<bool> {
-        for simplex in simplices {
+    /// Mends those of some simplices that are bad, with all that gets bad by it.
+    fn close_simplices(&mut self, simplices: &[u32]) -> Result<()> {
+        for &simplex in simplices {
             self.watch.tick(1)?;
             if self.delaunay.complex().is_live(simplex) {
                 self.examine(simplex)?;
             }
+        }
+        self.clean()
+    }
+
+    /// Mends all simplices that are bad; whether any was.
+    fn close_all(&mut self) -> Result<bool> {
+        for simplex in self.suspects()?.into_iter().flatten() {
+            self.watch.tick(2)?;
+            self.examine_suspect(simplex)?;
         }
         let was_bad = !self.refine.is_empty();
         self.clean()?;

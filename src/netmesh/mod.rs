@@ -25,11 +25,13 @@ mod quality;
 mod refine;
 mod rim;
 mod round;
+mod sight;
 mod site;
 mod start;
 mod steiner;
 mod svr;
 mod template;
+mod threads;
 mod watch;
 
 use crate::delaunay::{Cavity, Delaunay};

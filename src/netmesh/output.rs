@@ -2,11 +2,12 @@
 
 use super::domains::ROOT;
 use super::refine::RefineList;
+use super::threads::{PIECE, on_threads, pieces};
 use super::{Mesher, Scratch};
 use crate::complex::INFINITE;
 use crate::error::Result;
-use crate::memory::{collected, filled, with_room};
-use crate::mesh::{Domain, NONE, Triangulation, VertexKind};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, collected, filled, with_room};
+use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
 
@@ -73,11 +74,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The vertex of the result that `vertex` is.
-    fn output_id(&self, vertex: u32) -> u32 {
-        self.order.get(vertex as usize).copied().unwrap_or(vertex)
-    }
-
     /// Distinct input -> vertex.
     fn places(&mut self) -> Result<Vec<u32>> {
         let mut places = filled(self.inputs, NONE)?;
@@ -88,27 +84,60 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(places)
     }
 
-    fn finite_simplices(&mut self) -> Result<(Vec<u32>, Vec<u32>)> {
-        let complex = self.delaunay.complex();
+    /// Simplex -> its number among the finite ones, [`NONE`] for others; and how many each piece has.
+    fn numbers(&mut self) -> Result<(Vec<u32>, Vec<usize>)> {
+        let threads = self.threads();
+        let Self { delaunay, watch, .. } = self;
+        let complex = delaunay.complex();
         let bound = complex.simplex_bound();
-        let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
-        let mut ids = with_room(bound)?;
-        let mut count = 0;
-        for simplex in 0..bound as u32 {
-            self.watch.tick(1)?;
-            let finite = is_finite(simplex);
-            ids.push(if finite { count } else { NONE });
-            count += u32::from(finite);
-        }
-        let mut simplices = with_room(count as usize * (D + 1))?;
-        let mut neighbors = with_room(count as usize * (D + 1))?;
-        for simplex in (0..bound as u32).filter(|&s| is_finite(s)) {
-            self.watch.tick(1)?;
-            simplices.extend(complex.vertices(simplex).iter().map(|&v| self.output_id(v)));
-            neighbors.extend(complex.neighbors(simplex).iter().map(|&n| ids[n as usize]));
+        let is_finite = |&s: &u32| complex.is_live(s) && !complex.is_infinite(s);
+        let counts =
+            on_threads(threads, watch, pieces(bound), |piece| Ok(piece.filter(is_finite).count()))?;
+        let mut numbers = filled(bound, NONE)?;
+        let begins = counts.iter().scan(0, |next, &count| {
+            let begin = *next;
+            *next += count as u32;
+            Some(begin)
+        });
+        let own = pieces(bound).zip(numbers.chunks_mut(PIECE)).zip(begins);
+        on_threads(threads, watch, own, |((piece, numbers), begin)| {
+            let finite = piece.zip(numbers).filter(|(simplex, _)| is_finite(simplex));
+            finite.zip(begin..).for_each(|((_, number), next)| *number = next);
+            Ok(())
+        })?;
+        Ok((numbers, counts))
+    }
+
+    /// Vertices and neighbours of the finite simplices.
+    fn finite_simplices(&mut self) -> Result<(Vec<u32>, Vec<u32>)> {
+        let (numbers, counts) = self.numbers()?;
+        let rooms = collected(counts.iter().map(|count| count * (D + 1)))?;
+        let (mut simplices, mut neighbors) = (Array::new(), Array::new());
+        let lent = lent(&mut simplices, &rooms)?.into_iter().zip(lent(&mut neighbors, &rooms)?);
+        let threads = self.threads();
+        let Self { delaunay, order, watch, .. } = self;
+        let complex = delaunay.complex();
+        let work = pieces(numbers.len()).zip(lent);
+        let filled =
+            on_threads(threads, watch, work, |(piece, (mut simplices, mut neighbors))| {
+                let mut row = [NONE; MAX_DIM + 1];
+                let row = &mut row[..=D];
+                for simplex in piece.filter(|&simplex| numbers[simplex as usize] != NONE) {
+                    row.copy_from_slice(complex.vertices(simplex));
+                    row.iter_mut().for_each(|vertex| *vertex = output_id(order, *vertex));
+                    simplices.try_extend(row)?;
+                    row.copy_from_slice(complex.neighbors(simplex));
+                    row.iter_mut().for_each(|neighbor| *neighbor = numbers[*neighbor as usize]);
+                    neighbors.try_extend(row)?;
+                }
+                Ok((simplices, neighbors))
+            })?;
+        for (own_simplices, own_neighbors) in filled {
+            simplices.absorb(own_simplices)?;
+            neighbors.absorb(own_neighbors)?;
         }
         debug_assert!(!simplices.contains(&INFINITE));
-        Ok((simplices, neighbors))
+        Ok((simplices.into_vec()?, neighbors.into_vec()?))
     }
 
     /// The living domains, parents before children, and the map from ids to their indices.
@@ -133,7 +162,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 parent => ids[parent as usize],
             };
             let node = self.hierarchy.node(domain);
-            let center = self.output_id(node.center);
+            let center = output_id(&self.order, node.center);
             domains.push(Domain { center, parent, radius: node.radius });
         }
         Ok((domains, ids))
@@ -178,4 +207,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.parameters.algorithm != Algorithm::Delaunay || self.hierarchy.len() == 0
         );
     }
+}
+
+/// The vertex of the result that `vertex` is.
+fn output_id(order: &[u32], vertex: u32) -> u32 {
+    order.get(vertex as usize).copied().unwrap_or(vertex)
+}
+
+/// Room in `array`, which is empty, for so many ids each.
+fn lent(array: &mut Array<u32>, rooms: &[usize]) -> Fallible<Vec<Array<u32>>> {
+    array.make_room(rooms.iter().sum())?;
+    array.lend(rooms).ok_or(Shortage::Memory)
 }

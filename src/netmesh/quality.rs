@@ -112,33 +112,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
-        if self.is_suspect(simplex) { self.examine_suspect(simplex) } else { Ok(()) }
+        if self.sight().is_suspect(simplex) { self.examine_suspect(simplex) } else { Ok(()) }
     }
 
-    fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
+    pub(super) fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
         if self.open_domain(simplex).is_some() || (!self.is_bad_open() && self.is_bad(simplex)) {
             self.queue(simplex)?;
         }
         Ok(())
     }
 
-    /// Whether a live simplex has what all bad ones have, and few others: a vertex too near to
-    /// another one for the radius, or vertices of several domains.
-    fn is_suspect(&self, simplex: u32) -> bool {
-        let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let allowed = self.nearest_allowed(ball.radius());
-        let vertices = self.delaunay.complex().vertices(simplex);
-        vertices.iter().any(|&vertex| self.cells[vertex as usize].nearest < allowed)
-            || !self.hierarchy.is_alike(vertices)
-    }
-
-    /// A vertex nearer than this to its nearest neighbour makes a simplex of the given radius bad.
+    /// See [`super::sight::Sight::nearest_allowed`].
     #[inline]
     fn nearest_allowed(&self, radius: f64) -> f64 {
-        match self.parameters.criterion {
-            Criterion::VoronoiAspect => 2.0 * radius / self.bound,
-            Criterion::RadiusEdge => radius / self.bound,
-        }
+        self.sight().nearest_allowed(radius)
     }
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.

@@ -39,8 +39,13 @@ impl Rim {
         self.held.get(simplex as usize).is_none_or(|&is_held| !is_held)
     }
 
-    /// An input of `simplex` could not be inserted.
-    fn hold(&mut self, simplex: u32) -> Fallible<()> {
+    /// Holds no inputs back any more.
+    pub fn admit_all(&mut self) {
+        self.held.clear();
+    }
+
+    /// An input of `simplex` could not be inserted, or is to wait.
+    pub fn hold(&mut self, simplex: u32) -> Fallible<()> {
         self.held.cover(simplex as usize + 1, false)?;
         self.held[simplex as usize] = true;
         Ok(())

@@ -5,6 +5,7 @@ use super::Part;
 use crate::error::Result;
 use crate::memory::{enqueue, with_room};
 use crate::netmesh::Mesher;
+use crate::netmesh::threads::threads;
 use crate::netmesh::watch::{INTERVAL, Tally, Watch};
 use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
@@ -102,13 +103,5 @@ fn refine_next<const D: usize>(queue: &Queue<D>, tally: &Tally, sender: &Sender<
         if sender.send((at, part.refine(Watch::of_part(tally)))).is_err() {
             return;
         }
-    }
-}
-
-/// Threads that the caller allows.
-fn threads(wanted: u32) -> usize {
-    match wanted {
-        0 => std::thread::available_parallelism().map_or(1, |count| count.get()),
-        _ => wanted as usize,
     }
 }

@@ -12,29 +12,7 @@ use crate::mesh::Stats;
 use crate::options::Phase;
 use rand_pcg::Pcg64Mcg;
 
-/// The weight of an input, in simplices: what it and its Steiner points become.
-const INPUT: u64 = 14;
-
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// All simplices in an order of locality, in at most so many runs of about the same weight.
-    pub(super) fn runs(&mut self, count: usize) -> Result<Vec<Vec<u32>>> {
-        let watch = &mut self.watch;
-        let order = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
-        let weight = |simplex: u32| 1 + INPUT * u64::from(self.location.count(simplex));
-        let whole: u64 = order.iter().map(|&simplex| weight(simplex)).sum();
-        let mut runs = with_room(count)?;
-        let (mut run, mut passed) = (Vec::new(), 0);
-        for &simplex in &order {
-            if passed * count as u64 >= (runs.len() as u64 + 1) * whole {
-                runs.push(std::mem::take(&mut run));
-            }
-            run.try_push(simplex)?;
-            passed += weight(simplex);
-        }
-        runs.push(run);
-        Ok(runs)
-    }
-
     /// The live `simplices` as a part, with the inputs that are at home in them, which have no home in
     /// the whole from then on. No id is given before or afterwards.
     pub(super) fn cut(&mut self, simplices: Vec<u32>, ids: &mut Ids) -> Result<Part<D>> {

@@ -14,6 +14,7 @@ mod join;
 mod rooms;
 #[cfg(test)]
 mod tests;
+mod walls;
 
 use super::domains::{DomainNames, Hierarchy};
 use super::location::Location;
@@ -32,7 +33,7 @@ use crate::options::{Algorithm, Output};
 const MAX_DIM: usize = 3;
 
 /// One of so many inputs is in the coarse mesh.
-const COARSE: usize = 16;
+const COARSE: usize = 128;
 
 /// A part's rounds end when one inserts no more than one of so many inputs.
 const FEW: usize = 32;
@@ -68,7 +69,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.goes_in_parts() && self.parameters.output == Output::Hierarchical
     }
 
-    fn goes_in_parts(&self) -> bool {
+    pub(super) fn goes_in_parts(&self) -> bool {
         self.parameters.algorithm == Algorithm::Netmesh
             && D <= MAX_DIM
             && self.inputs >= 2 * self.parameters.inputs_of_part
@@ -81,7 +82,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         // Two threads, or four, do even numbers of parts in the same time.
         let count = self.inputs.div_ceil(self.parameters.inputs_of_part).next_multiple_of(2);
-        let runs = self.runs(count)?;
+        let walls = self.walls(count)?;
+        self.insert_at_walls(&walls)?;
+        let runs = self.between(&walls)?;
         let complex = self.delaunay.complex();
         let mut moved = filled(complex.simplex_bound(), NONE)?;
         let mut ids = Ids::new(complex.simplex_bound(), self.delaunay.point_count())?;

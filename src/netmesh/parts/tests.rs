@@ -1,7 +1,8 @@
 use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
-use crate::netmesh::mesh;
 use crate::netmesh::parameters::Parameters;
+use crate::netmesh::watch::Watch;
+use crate::netmesh::{Mesher, mesh};
 use crate::numerics::testing::Random;
 use crate::options::{Criterion, NetOrdering, Options, Output, Progress};
 use crate::validate::validate;
@@ -204,11 +205,32 @@ fn runs_in_parts_are_watched() {
         let last = calls.last().unwrap();
         assert_eq!(last.inputs_inserted, 30_000);
         assert_eq!(last.vertices as usize, mesh_of.vertex_count());
-        // A sixteenth is in the coarse mesh, which is one.
+        // A part of them is in the coarse mesh and at walls, which are made as one.
         for most in [5_000, 12_000, 25_000] {
             let mut stop = |progress: &Progress| progress.inputs_inserted < most;
             let error = mesh::<3>(&inputs, options.clone(), Some(&mut stop)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Cancelled);
         }
     }
+}
+
+/// What is left for the whole are the inputs at walls; those were inserted before, as long as simplices
+/// there were large.
+#[test]
+fn few_inputs_wait_for_the_whole() {
+    fn check<const D: usize>(count: usize, most: f64) {
+        let inputs = inputs(&scattered::<D>(count, 12));
+        let resolved = Parameters::resolve(D, &Options::default()).unwrap();
+        let parameters = Parameters { inputs_of_part: count / 4, ..resolved };
+        let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
+        mesher.start_netmesh().unwrap();
+        mesher.insert_rounds_until(Mesher::is_ready_for_parts).unwrap();
+        let coarse = count - mesher.location.remaining();
+        assert!(coarse < count / 20, "{coarse} of {count} in the coarse mesh");
+        mesher.insert_in_parts().unwrap();
+        let waiting = mesher.location.remaining() as f64 / count as f64;
+        assert!(waiting < most, "{waiting} of the inputs wait");
+    }
+    check::<2>(40_000, 0.01);
+    check::<3>(40_000, 0.08);
 }

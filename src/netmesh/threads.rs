@@ -1,0 +1,133 @@
+//! Work in pieces that do not need each other, on as many threads as the caller allows. Pieces are done
+//! in any order; what they give comes in theirs, so nothing depends on the threads.
+
+use super::Mesher;
+use super::watch::Watch;
+use crate::error::Result;
+use crate::memory::{Fallible, TryGrow, collected, with_room};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Ids of a piece: a millisecond or a few, after which the caller may want to be called.
+pub(super) const PIECE: usize = 1 << 14;
+
+/// Threads that the caller allows.
+pub(super) fn threads(wanted: u32) -> usize {
+    match wanted {
+        0 => std::thread::available_parallelism().map_or(1, |count| count.get()),
+        _ => wanted as usize,
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Threads for what only looks at the mesh. One that is not made in parts is made on one thread.
+    pub(super) fn threads(&self) -> usize {
+        if self.goes_in_parts() { threads(self.parameters.threads) } else { 1 }
+    }
+}
+
+/// All ids below `bound`, in pieces.
+pub(super) fn pieces(bound: usize) -> impl Iterator<Item = Range<u32>> + Send {
+    let end = move |begin: usize| bound.min(begin + PIECE) as u32;
+    (0..bound).step_by(PIECE).map(move |begin| begin as u32..end(begin))
+}
+
+/// What `act` makes of each of the `pieces`, in their order. This thread takes its share of them, and
+/// watches for the caller; what a system refuses of the other threads it does as well.
+pub(super) fn on_threads<W: Send, T: Send>(
+    threads: usize,
+    watch: &mut Watch<'_, '_>,
+    pieces: impl Iterator<Item = W> + Send,
+    act: impl Fn(W) -> Fallible<T> + Sync,
+) -> Result<Vec<T>> {
+    let crew =
+        Crew { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act };
+    let mut done = std::thread::scope(|scope| {
+        let mut others = with_room(threads)?;
+        for _ in 1..threads {
+            let builder = std::thread::Builder::new();
+            others.extend(builder.spawn_scoped(scope, || crew.work(|| Ok(()))));
+        }
+        let mut done = crew.work(|| watch.look())?;
+        for other in others {
+            let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            for made in other? {
+                done.try_push(made)?;
+            }
+        }
+        Ok::<_, crate::error::Error>(done)
+    })?;
+    done.sort_unstable_by_key(|&(at, _)| at);
+    Ok(collected(done.into_iter().map(|(_, made)| made))?)
+}
+
+struct Crew<Q, A> {
+    queue: Mutex<Q>,
+    is_stopped: AtomicBool,
+    act: A,
+}
+
+impl<Q, A> Crew<Q, A> {
+    /// Does pieces until there are none, or somebody gave up.
+    fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
+    where
+        Q: Iterator<Item = (usize, W)>,
+        A: Fn(W) -> Fallible<T>,
+    {
+        let mut done = Vec::new();
+        while !self.is_stopped.load(Ordering::Relaxed) {
+            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((at, piece)) = next else { break };
+            let made = (self.act)(piece).map_err(Into::into).and_then(|made| {
+                done.try_push((at, made))?;
+                watch()
+            });
+            if made.is_err() {
+                self.is_stopped.store(true, Ordering::Relaxed);
+            }
+            made?;
+        }
+        Ok(done)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::ErrorKind;
+    use crate::memory::Shortage;
+    use crate::options::Progress;
+    use std::time::Duration;
+
+    #[test]
+    fn pieces_are_done_once_and_come_in_their_order() {
+        for threads in [1, 2, 5] {
+            for bound in [0, 1, PIECE, PIECE + 1, 9 * PIECE + 7] {
+                let ids = |range: Range<u32>| Ok(range.collect::<Vec<u32>>());
+                let made = on_threads(threads, &mut Watch::new(None), pieces(bound), ids).unwrap();
+                assert_eq!(made.len(), bound.div_ceil(PIECE));
+                assert!(made.into_iter().flatten().eq(0..bound as u32));
+            }
+        }
+    }
+
+    /// Also where another thread is refused memory, or the caller wants no more.
+    #[test]
+    fn all_give_up_when_one_does() {
+        for threads in [1, 2, 3] {
+            let refused = |piece: u32| if piece == 40 { Err(Shortage::Memory) } else { Ok(piece) };
+            let error =
+                on_threads(threads, &mut Watch::new(None), 0..1 << 30, refused).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::OutOfMemory);
+            let mut cancel = |_: &Progress| false;
+            let sleep = |_| {
+                std::thread::sleep(Duration::from_millis(1));
+                Ok(())
+            };
+            let error = on_threads(threads, &mut Watch::new(Some(&mut cancel)), 0..1 << 30, sleep)
+                .unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Cancelled);
+        }
+    }
+}

@@ -1,7 +1,8 @@
 //! Large meshes in parts, on as many threads as the caller allows. The rounds (§6.5) begin as always; once
-//! they have made a coarse mesh, it is cut into parts, and each goes through the rest of the rounds and
-//! of the refinement as a mesh of its own. What would change simplices at a part's rim is left undone
-//! (`rim`). Then the parts join, and the whole does what is left.
+//! they have made a coarse mesh, the inputs at walls between parts go in (`walls`), the mesh is cut there,
+//! and each part goes through the rest of the rounds and of the refinement as a mesh of its own. What
+//! would change simplices at a part's rim is left undone (`rim`). Then the parts join, and the whole does
+//! what is left.
 //!
 //! The paper inserts the inputs of a round, and refines, in any order (§6.3, §6.4), so this is one of the
 //! orders that it allows, but for the bound on rounds: an input at a rim waits for the whole's.
@@ -32,7 +33,7 @@ use crate::options::{Algorithm, Output};
 /// In higher dimensions rims are most of the mesh.
 const MAX_DIM: usize = 3;
 
-/// One of so many inputs is in the coarse mesh.
+/// One of so many inputs is in the coarse mesh, before those at walls.
 const COARSE: usize = 128;
 
 /// A part's rounds end when one inserts no more than one of so many inputs.

@@ -43,21 +43,11 @@ pub(super) fn on_threads<W: Send, T: Send>(
 ) -> Result<Vec<T>> {
     let crew =
         Crew { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act };
-    let mut done = std::thread::scope(|scope| {
-        let mut others = with_room(threads)?;
-        for _ in 1..threads {
-            let builder = std::thread::Builder::new();
-            others.extend(builder.spawn_scoped(scope, || crew.work(|| Ok(()))));
-        }
-        let mut done = crew.work(|| watch.look())?;
-        for other in others {
-            let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            for made in other? {
-                done.try_push(made)?;
-            }
-        }
-        Ok::<_, crate::error::Error>(done)
-    })?;
+    // A scope asks for memory that cannot be refused.
+    let mut done = match threads {
+        0 | 1 => crew.work(|| watch.look())?,
+        _ => crew.work_together(threads, watch)?,
+    };
     done.sort_unstable_by_key(|&(at, _)| at);
     Ok(collected(done.into_iter().map(|(_, made)| made))?)
 }
@@ -69,6 +59,34 @@ struct Crew<Q, A> {
 }
 
 impl<Q, A> Crew<Q, A> {
+    /// [`Self::work`] on so many threads, of which this is one.
+    fn work_together<W, T>(
+        &self,
+        threads: usize,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Vec<(usize, T)>>
+    where
+        Q: Iterator<Item = (usize, W)> + Send,
+        A: Fn(W) -> Fallible<T> + Sync,
+        T: Send,
+    {
+        std::thread::scope(|scope| {
+            let mut others = with_room(threads)?;
+            for _ in 1..threads {
+                let builder = std::thread::Builder::new();
+                others.extend(builder.spawn_scoped(scope, || self.work(|| Ok(()))));
+            }
+            let mut done = self.work(|| watch.look())?;
+            for other in others {
+                let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                for made in other? {
+                    done.try_push(made)?;
+                }
+            }
+            Ok(done)
+        })
+    }
+
     /// Does pieces until there are none, or somebody gave up.
     fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
     where

@@ -65,8 +65,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// A first look, one tile after the other.
     fn close_tiles(&mut self) -> Result<()> {
         let watch = &mut self.watch;
-        let anchored = self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))?;
-        let order = anchored.order;
+        let complex = self.delaunay.complex();
+        let order = complex.order_by_anchor(self.inputs, || watch.tick(1))?.order;
         for (at, tile) in order.chunks(TILE).enumerate() {
             self.close_simplices(tile)?;
             self.closed = (at * TILE) as f64 / order.len() as f64;

@@ -21,9 +21,10 @@ pub(super) fn threads(wanted: u32) -> usize {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Threads for what only looks at the mesh. One that is not made in parts is made on one thread.
+    /// Threads for what only looks at the mesh, no more than there are cores: the caller may allow any
+    /// number. A mesh that is not made in parts is made on one thread.
     pub(super) fn threads(&self) -> usize {
-        if self.goes_in_parts() { threads(self.parameters.threads) } else { 1 }
+        if self.goes_in_parts() { threads(self.parameters.threads).min(threads(0)) } else { 1 }
     }
 }
 

@@ -2,15 +2,15 @@
 
 use super::Complex;
 use crate::error::Result;
-use crate::memory::{TryGrow, filled, with_room};
+use crate::memory::{Array, TryGrow};
 use crate::mesh::NONE;
 
 /// All live simplices, each with the vertex that it is near.
 pub(crate) struct Anchored {
     /// The simplices, by anchor.
-    pub order: Vec<u32>,
+    pub order: Array<u32>,
     /// Anchor -> where its simplices begin in `order`; and their end.
-    starts: Vec<u32>,
+    starts: Array<u32>,
 }
 
 impl Anchored {
@@ -32,13 +32,13 @@ impl<const D: usize> Complex<D> {
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Anchored> {
         // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
-        let mut owners = with_room(self.simplex_bound())?;
-        let mut reached = with_room(self.simplex_count())?;
+        let mut owners = Array::with_room(self.simplex_bound())?;
+        let mut reached = Array::with_room(self.simplex_count())?;
         for simplex in 0..self.simplex_bound() as u32 {
             tick()?;
             let least = self.vertices(simplex).iter().copied().min().unwrap_or(NONE);
             let is_reached = (least as usize) < anchors && self.is_live(simplex);
-            owners.push(if is_reached { least } else { NONE });
+            owners.try_push(if is_reached { least } else { NONE })?;
             if is_reached {
                 reached.try_push(simplex)?;
             }
@@ -56,11 +56,11 @@ impl<const D: usize> Complex<D> {
             }
         }
         // One place further on until `order` is made, which moves each to where the next one begins.
-        let mut starts = filled(anchors + 2, 0u32)?;
-        let mut order = with_room(reached.len())?;
+        let mut starts = Array::filled(anchors + 2, 0u32)?;
+        let mut order = Array::with_room(reached.len())?;
         for &simplex in &reached {
             tick()?;
-            order.push(NONE);
+            order.try_push(NONE)?;
             starts[owners[simplex as usize] as usize + 2] += 1;
         }
         for at in 1..starts.len() {

@@ -11,7 +11,7 @@ mod part;
 mod ridges;
 mod star;
 
-use crate::memory::{Array, Fallible, Shortage, TryGrow, expect, filled, make_room, prefetch};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room, prefetch};
 use crate::mesh::NONE;
 pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
@@ -33,7 +33,7 @@ pub(crate) struct Complex<const D: usize> {
     /// Dead simplices, reused last in first out.
     free: Vec<u32>,
     /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
-    incident: Vec<u32>,
+    incident: Array<u32>,
     epoch: u32,
     ridges: Ridges,
     /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
@@ -51,7 +51,7 @@ impl<const D: usize> Complex<D> {
         Ok(Self {
             records: Array::new(),
             free: Vec::new(),
-            incident: filled(vertices, NONE)?,
+            incident: Array::filled(vertices, NONE)?,
             epoch: 0,
             ridges: Ridges::default(),
             id_limit: NONE as usize,
@@ -153,7 +153,7 @@ impl<const D: usize> Complex<D> {
     /// Makes room for so many simplices and vertices if the system gives it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
         self.records.expect(simplices * Self::RECORD);
-        expect(&mut self.incident, vertices);
+        self.incident.expect(vertices);
     }
 
     /// Lets the complex run out of ids where a test can see it.

@@ -2,26 +2,29 @@
 
 use super::{Complex, INFINITE};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, Shortage, TryGrow, collected, filled};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, collected};
 use crate::mesh::NONE;
 
 /// What the simplices and vertices of a part are called in the whole, by their ids in the part.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Names {
-    pub simplices: Vec<u32>,
-    pub vertices: Vec<u32>,
+    pub simplices: Array<u32>,
+    pub vertices: Array<u32>,
 }
 
 /// The way back, for the part that is being cut out: simplex or vertex of the whole -> its id in the
 /// part, [`NONE`] if it is not there. One serves for all parts, one after the other.
 pub(crate) struct Ids {
-    pub simplices: Vec<u32>,
-    pub vertices: Vec<u32>,
+    pub simplices: Array<u32>,
+    pub vertices: Array<u32>,
 }
 
 impl Ids {
     pub fn new(simplices: usize, vertices: usize) -> Result<Self> {
-        Ok(Self { simplices: filled(simplices, NONE)?, vertices: filled(vertices, NONE)? })
+        Ok(Self {
+            simplices: Array::filled(simplices, NONE)?,
+            vertices: Array::filled(vertices, NONE)?,
+        })
     }
 
     /// Gives ids to the named simplices, in their order, and to the vertices named so far.
@@ -118,7 +121,7 @@ impl<const D: usize> Complex<D> {
         for &simplex in &part.free {
             self.free.try_push(base + simplex)?;
         }
-        names.simplices.clear();
+        names.simplices = Array::with_room(count)?;
         for name in base..base + count as u32 {
             tick()?;
             names.simplices.try_push(name)?;

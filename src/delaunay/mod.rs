@@ -9,7 +9,7 @@ mod part;
 mod tests;
 
 use crate::complex::{Complex, Facet, INFINITE};
-use crate::memory::{Array, Fallible, TryGrow, expect, make_room, prefetch};
+use crate::memory::{Array, Fallible, TryGrow, make_room, prefetch};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -32,7 +32,7 @@ pub(crate) struct Cavity {
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
     /// All points that have an id, inserted or not.
-    points: Vec<[f64; D]>,
+    points: Array<[f64; D]>,
     /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
     /// which is [`NONE`] for an infinite simplex: that has no D-ball.
     balls: Array<Circumball<D>>,
@@ -43,7 +43,7 @@ impl<const D: usize> Delaunay<D> {
     const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(NONE);
 
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
-    pub fn new(points: Vec<[f64; D]>) -> Fallible<Self> {
+    pub fn new(points: Array<[f64; D]>) -> Fallible<Self> {
         Ok(Self {
             complex: Complex::new(points.len())?,
             points,
@@ -81,7 +81,7 @@ impl<const D: usize> Delaunay<D> {
     pub fn expect(&mut self, simplices: usize, points: usize) {
         self.complex.expect(simplices, points);
         self.balls.expect(simplices);
-        expect(&mut self.points, points);
+        self.points.expect(points);
     }
 
     /// Gives `point` an id; it is not inserted yet.

@@ -5,7 +5,7 @@
 use super::Delaunay;
 use crate::complex::{Ids, Names};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, collected, filled, with_room};
+use crate::memory::{Array, Fallible, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::numerics::Circumball;
 
@@ -24,13 +24,12 @@ impl<const D: usize> Delaunay<D> {
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
         let complex = self.complex.part(names, ids, &mut tick)?;
-        let mut points = with_room(names.vertices.len())?;
+        let mut points = Array::with_room(names.vertices.len())?;
         for &vertex in &names.vertices {
             tick()?;
-            points.push(*self.point(vertex));
+            points.try_push(*self.point(vertex))?;
         }
-        let mut balls = Array::new();
-        balls.make_room(names.simplices.len())?;
+        let mut balls = Array::with_room(names.simplices.len())?;
         for &simplex in &names.simplices {
             tick()?;
             balls.try_push(renamed(&self.balls[simplex as usize], &ids.vertices))?;

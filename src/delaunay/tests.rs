@@ -3,7 +3,7 @@
 
 use super::{Cavity, Delaunay};
 use crate::complex::INFINITE;
-use crate::memory::Shortage;
+use crate::memory::{Array, Shortage};
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 use proptest::prelude::*;
 
@@ -13,7 +13,7 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     if basis.len() < D + 1 {
         return None;
     }
-    let mut delaunay = Delaunay::new(points.to_vec()).unwrap();
+    let mut delaunay = Delaunay::new(Array::copied(points).unwrap()).unwrap();
     let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
     delaunay.begin(&corners).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
@@ -90,7 +90,7 @@ fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
     assert!(by_steps.iter().all(|&simplex| steps[simplex as usize] < usize::MAX));
     for mut order in [all, by_steps] {
         order.sort_unstable();
-        assert_eq!(order, live);
+        assert_eq!(*order, live[..]);
     }
 }
 
@@ -206,7 +206,7 @@ proptest! {
 #[test]
 fn too_many_simplices_are_refused() {
     let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
-    let mut delaunay = Delaunay::new(corners.to_vec()).unwrap();
+    let mut delaunay = Delaunay::new(Array::copied(&corners).unwrap()).unwrap();
     delaunay.complex.limit_ids(8);
     delaunay.begin(&[0, 1, 2]).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());

@@ -1,15 +1,18 @@
 //! A growing array whose spare room can be lent: parts of a mesh grow in it, each in a stretch of its own,
 //! on threads of their own, and what they made is taken back without being copied.
 
-use super::pages::prefer_large_pages;
+use super::pages::{give_back, prefer_large_pages};
 use super::{Fallible, TryGrow, copied, with_room};
 use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ops::{Deref, DerefMut};
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicUsize, Ordering, fence};
 
+/// Rooms from this size on are the system's to move, by mapping it elsewhere.
+const MAPPED: usize = 32 << 20;
+
 /// As `Vec`, of plain values. Its room may be a stretch of a larger one, whose other stretches belong to
-/// other arrays.
+/// other arrays. What a large one frees goes back to the system at once, not only to the allocator.
 ///
 /// What the unsafe code relies on: `[start, start + capacity)` lies in the allocation that `room` keeps, of
 /// which no other array has any of it ([`Array::lend`] divides a stretch, [`Array::absorb`] joins two, and
@@ -80,6 +83,7 @@ impl<T> Drop for Room<T> {
         unsafe {
             if self.shared.as_ref().rooms.fetch_sub(1, Ordering::Release) == 1 {
                 fence(Ordering::Acquire);
+                give_back(&mut self.shared.as_mut().memory);
                 let capacity = self.shared.as_ref().capacity;
                 drop(Vec::from_raw_parts(self.shared.as_ptr(), 1, capacity));
             }
@@ -104,6 +108,27 @@ impl<T: Copy> Default for Array<T> {
 impl<T: Copy> Array<T> {
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// `length` times `value`.
+    pub fn filled(length: usize, value: T) -> Fallible<Self> {
+        let mut array = Self::with_room(length)?;
+        array.resize_within(length, value);
+        Ok(array)
+    }
+
+    /// A copy of `values`.
+    pub fn copied(values: &[T]) -> Fallible<Self> {
+        let mut array = Self::new();
+        array.try_extend(values)?;
+        Ok(array)
+    }
+
+    /// An empty array with room for so many values.
+    pub fn with_room(capacity: usize) -> Fallible<Self> {
+        let mut array = Self::new();
+        array.make_room(capacity)?;
+        Ok(array)
     }
 
     pub fn clear(&mut self) {
@@ -135,8 +160,9 @@ impl<T: Copy> Array<T> {
     #[allow(unsafe_code)]
     fn move_to(&mut self, capacity: usize) -> Fallible<()> {
         let own = self.room.as_mut().and_then(Room::alone);
-        // The system may make a room larger without moving what is there.
-        if let Some(room) = own.filter(|room| room.len() == self.capacity) {
+        // The system may make a large room larger without moving what is there.
+        let is_mapped = |room: &[MaybeUninit<T>]| size_of_val(room) >= MAPPED;
+        if let Some(room) = own.filter(|room| room.len() == self.capacity && is_mapped(room)) {
             room.try_reserve_exact(capacity - room.len())?;
             prefer_large_pages(room, room.capacity());
             // SAFETY: values that may be uninitialised need no initialisation.
@@ -235,11 +261,15 @@ impl<T: Copy> Array<T> {
             return self.try_extend(&other);
         }
         // SAFETY: the two stretches are one now, and `other` ends here without touching its values. They
-        // move towards the start of it, to where they may overlap with themselves.
+        // move towards the start of it, to where they may overlap with themselves. What they leave is spare.
         unsafe {
             let end = self.start.add(self.length);
             if end != other.start {
                 other.start.copy_to(end, other.length);
+                let left = self.capacity - self.length;
+                let left = left.min(other.length);
+                let start = other.start.add(other.length - left).cast::<MaybeUninit<T>>();
+                give_back(NonNull::slice_from_raw_parts(start, left).as_mut());
             }
         }
         self.length += other.length;
@@ -284,6 +314,15 @@ impl<T> Deref for Array<T> {
     fn deref(&self) -> &[T] {
         // SAFETY: so many values are initialised from there on, and only this array has them.
         unsafe { std::slice::from_raw_parts(self.start.as_ptr(), self.length) }
+    }
+}
+
+impl<'a, T> IntoIterator for &'a Array<T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
     }
 }
 
@@ -373,6 +412,30 @@ mod tests {
         assert!(vec.as_ptr() == start && vec.capacity() >= 3000);
         vec.push(5);
         assert_eq!(vec[998..], [998, 999, 5]);
+    }
+
+    /// Pages that the system takes back hold nothing afterwards.
+    #[test]
+    fn only_what_is_spare_goes_back_to_the_system() {
+        let thousands = |count: u32| 1000 * count as usize;
+        let mut array = filled(0..7);
+        array.expect(thousands(1700));
+        let mut lent = array.lend(&[thousands(800), thousands(800)]).unwrap();
+        for (at, count) in [(0, 350_000), (1, 790_001)] {
+            (0..count).for_each(|i| lent[at].try_push(i).unwrap());
+        }
+        for part in lent {
+            array.absorb(part).unwrap();
+        }
+        let expected = || (0..7).chain(0..350_000).chain(0..790_001);
+        assert!(array.iter().copied().eq(expected()));
+        array.cover(thousands(1600), 9).unwrap();
+        assert!(array.iter().copied().take(1_140_008).eq(expected()));
+        assert!(array[1_140_008..].iter().all(|&value| value == 9));
+        // Neighbours of what is freed stay.
+        let arrays: Vec<_> = (0..8).map(|at| Array::filled(thousands(300), at).unwrap()).collect();
+        let odd: Vec<_> = arrays.into_iter().filter(|array| array[0] % 2 == 1).collect();
+        assert!(odd.iter().zip(0..).all(|(odd, at)| odd.iter().all(|&value| value == 2 * at + 1)));
     }
 
     #[test]

@@ -1,10 +1,16 @@
-//! Large pages for large arrays: with pages of 4 KiB the system needs some 0.1 ms for each MiB that
-//! is given back, which a run that is cancelled would wait for, and as much again to provide it.
+//! What large arrays ask of the system. Large pages: with pages of 4 KiB it needs some 0.1 ms for each MiB
+//! that is given back, which a run that is cancelled would wait for, and as much again to provide it. And to
+//! take back what is free: an allocator keeps that where something is in use beyond it.
+
+use std::mem::MaybeUninit;
 
 /// Arrays from this size on are worth the call.
 const LARGE: usize = 4 << 20;
 /// Large pages have at least this size and alignment.
 const LARGE_PAGE: usize = 2 << 20;
+
+/// Memory from this size on is given back.
+const GIVEN_BACK: usize = 1 << 20;
 
 /// Asks for large pages under the `capacity` of `vec`, where the system has such.
 pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
@@ -12,22 +18,51 @@ pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
     if bytes >= LARGE {
         let begin = (vec.as_ptr() as usize).next_multiple_of(LARGE_PAGE);
         let end = (vec.as_ptr() as usize + bytes) / LARGE_PAGE * LARGE_PAGE;
-        advise(begin, end.saturating_sub(begin));
+        system::prefer_large(begin, end.saturating_sub(begin));
+    }
+}
+
+/// Gives the system back the pages of `memory`, whose values are not needed any more.
+pub(super) fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
+    if size_of_val(memory) >= GIVEN_BACK {
+        system::give_back(memory);
     }
 }
 
 #[cfg(all(target_os = "linux", not(miri)))]
 #[allow(unsafe_code)]
-fn advise(begin: usize, length: usize) {
+mod system {
     use std::ffi::{c_int, c_void};
+    use std::mem::MaybeUninit;
+
+    const MADV_DONTNEED: c_int = 4;
     const MADV_HUGEPAGE: c_int = 14;
+
     unsafe extern "C" {
         fn madvise(begin: *mut c_void, length: usize, advice: c_int) -> c_int;
+        fn getpagesize() -> c_int;
     }
-    // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a system
-    // that has no large pages answers an error, which changes nothing either.
-    unsafe { madvise(begin as *mut c_void, length, MADV_HUGEPAGE) };
+
+    pub fn prefer_large(begin: usize, length: usize) {
+        // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a system
+        // that has no large pages answers an error, which changes nothing either.
+        unsafe { madvise(begin as *mut c_void, length, MADV_HUGEPAGE) };
+    }
+
+    pub fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
+        // SAFETY: it only answers.
+        let page = unsafe { getpagesize() } as usize;
+        let begin = memory.as_mut_ptr().cast::<u8>();
+        let skipped = begin.align_offset(page);
+        let length = size_of_val(memory).saturating_sub(skipped) / page * page;
+        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be anything:
+        // they stay mapped, and hold zeros afterwards, or what they held if the system refuses.
+        unsafe { madvise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
+    }
 }
 
 #[cfg(not(all(target_os = "linux", not(miri))))]
-fn advise(_begin: usize, _length: usize) {}
+mod system {
+    pub fn prefer_large(_begin: usize, _length: usize) {}
+    pub fn give_back<T>(_memory: &mut [std::mem::MaybeUninit<T>]) {}
+}

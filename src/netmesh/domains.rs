@@ -6,7 +6,7 @@ mod part;
 
 pub(super) use part::DomainNames;
 
-use crate::memory::{Fallible, Shortage, TryGrow, expect, filled, with_room};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
 
@@ -42,18 +42,18 @@ impl Place {
 pub(super) struct Hierarchy<const D: usize> {
     nodes: Vec<Node<D>>,
     /// Vertex -> where it is.
-    places: Vec<Place>,
+    places: Array<Place>,
     alive: usize,
 }
 
 impl<const D: usize> Hierarchy<D> {
     pub fn new(vertices: usize) -> Fallible<Self> {
-        Ok(Self { nodes: Vec::new(), places: filled(vertices, Place::NOWHERE)?, alive: 0 })
+        Ok(Self { nodes: Vec::new(), places: Array::filled(vertices, Place::NOWHERE)?, alive: 0 })
     }
 
     /// Makes room for so many vertices if the system gives it.
     pub fn expect(&mut self, vertices: usize) {
-        expect(&mut self.places, vertices);
+        self.places.expect(vertices);
     }
 
     pub fn add_vertex(&mut self) -> Fallible<()> {

@@ -9,7 +9,7 @@ use super::watch::Watch;
 use crate::complex::Names;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, filled};
+use crate::memory::{Array, Fallible, TryGrow};
 use crate::mesh::NONE;
 
 /// What a simplex is as a home.
@@ -42,7 +42,7 @@ pub(super) struct Location {
     /// By simplex.
     homes: Array<Home>,
     /// By input.
-    inputs: Vec<Inhabitant>,
+    inputs: Array<Inhabitant>,
     remaining: usize,
     /// Uninserted inputs that rest.
     resting: usize,
@@ -71,7 +71,7 @@ impl Location {
     pub fn new(inputs: usize) -> Fallible<Self> {
         Ok(Self {
             homes: Array::new(),
-            inputs: filled(inputs, Inhabitant::HOMELESS)?,
+            inputs: Array::filled(inputs, Inhabitant::HOMELESS)?,
             remaining: inputs,
             resting: 0,
         })
@@ -311,7 +311,7 @@ mod tests {
             all.push(corner);
         }
         let corners: Vec<u32> = (count..=count + D as u32).collect();
-        let mut delaunay = Delaunay::new(all).unwrap();
+        let mut delaunay = Delaunay::new(Array::copied(&all).unwrap()).unwrap();
         delaunay.begin(&corners).unwrap();
         let mut location = Location::new(points.len()).unwrap();
         location.cover(delaunay.complex().simplex_bound()).unwrap();

@@ -36,7 +36,7 @@ mod watch;
 
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Fallible, TryGrow, expect, filled, with_room};
+use crate::memory::{Array, Fallible, TryGrow, expect, filled};
 use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use domains::Hierarchy;
@@ -129,7 +129,7 @@ struct Mesher<'a, 'b, const D: usize> {
     /// What a part reported last.
     reported: [u64; 3],
     /// Vertex -> the extent of its Voronoi cell.
-    cells: Vec<Cell>,
+    cells: Array<Cell>,
     /// Vertices next to which doubles ran out when a cage was wanted.
     precision_limited: Vec<bool>,
     /// Number of distinct inputs.
@@ -222,10 +222,10 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             return Err(limit(parameters.max_vertices, count));
         }
         let order = by_locality::<D>(inputs, &mut watch)?;
-        let mut points: Vec<[f64; D]> = with_room(count)?;
+        let mut points = Array::with_room(count)?;
         for &input in &order {
             watch.tick(1)?;
-            points.push(inputs.distinct_point(input as usize).try_into().expect("dim is D"));
+            points.try_push(inputs.distinct_point(input as usize).try_into().expect("dim is D"))?;
         }
         let delaunay = Delaunay::new(points)?;
         watch.look()?;
@@ -247,7 +247,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             closed: 0.0,
             before_closing: 0,
             reported: [0; 3],
-            cells: filled(count, Cell::NEW)?,
+            cells: Array::filled(count, Cell::NEW)?,
             precision_limited: filled(count, false)?,
             inputs: count,
             order,
@@ -280,7 +280,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         self.location.expect(simplices);
         self.refine.expect(simplices);
         self.hierarchy.expect(vertices);
-        expect(&mut self.cells, vertices);
+        self.cells.expect(vertices);
         expect(&mut self.precision_limited, vertices);
     }
 

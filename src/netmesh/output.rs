@@ -70,7 +70,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()?;
         self.refine = RefineList::default();
         self.scratch = Scratch::default();
-        self.cells = Vec::new();
+        self.cells = Array::new();
         Ok(())
     }
 

@@ -4,7 +4,7 @@
 use super::watch::Watch;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Fallible, collected, copied, with_room};
+use crate::memory::{Array, Fallible, collected, copied, with_room};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, TAU};
@@ -70,7 +70,7 @@ fn greedy_net<const D: usize>(
     let mut points = with_room(D + 2)?;
     points.push([0.0; D]);
     points.extend(spanning_directions::<D>()?);
-    let mut delaunay = Delaunay::new(points)?;
+    let mut delaunay = Delaunay::new(Array::copied(&points)?)?;
     let first = collected(0..=D as u32)?;
     delaunay.begin(&first)?;
     let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Vec::new());

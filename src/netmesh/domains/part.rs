@@ -4,7 +4,7 @@
 
 use super::{Hierarchy, Node, Place, ROOT};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, collected, filled, with_room};
+use crate::memory::{Array, Fallible, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 
 /// A part's domains in the whole.
@@ -64,11 +64,11 @@ impl<const D: usize> Hierarchy<D> {
                 },
             });
         }
-        let mut places = with_room(vertices.len())?;
+        let mut places = Array::with_room(vertices.len())?;
         for &vertex in vertices {
             let Place { label, .. } = self.places[vertex as usize];
             let cage = self.cage_of(vertex);
-            places.push(Place { label: local(&names, label), cage: local(&names, cage) });
+            places.try_push(Place { label: local(&names, label), cage: local(&names, cage) })?;
         }
         Ok((Self { alive: nodes.len(), nodes, places }, DomainNames { names, is_own }))
     }
@@ -127,7 +127,7 @@ impl<const D: usize> Hierarchy<D> {
                 self.nodes.try_push(node)?;
             }
         }
-        for (own, place) in places.into_iter().enumerate() {
+        for (own, &place) in places.iter().enumerate() {
             let is_shared = shared.get(own).copied();
             if is_shared.is_none() {
                 self.add_vertex()?;

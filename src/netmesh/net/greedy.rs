@@ -30,7 +30,7 @@ use super::center::Center;
 use super::cover::Rings;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, make_room};
+use crate::memory::{Array, Fallible, TryGrow, make_room};
 use crate::mesh::MAX_DIM;
 use crate::netmesh::watch::Watch;
 
@@ -53,7 +53,7 @@ pub(super) struct Net<const D: usize> {
 impl<const D: usize> Net<D> {
     pub fn new() -> Fallible<Self> {
         Ok(Self {
-            delaunay: Delaunay::new(Vec::new())?,
+            delaunay: Delaunay::new(Array::new())?,
             inside: Vec::new(),
             chosen: Vec::new(),
             waiting: Vec::new(),

@@ -7,7 +7,7 @@ use super::super::{Mesher, Scratch};
 use super::{Parameters, Part, RefineList, Rim};
 use crate::complex::{Ids, Names};
 use crate::error::Result;
-use crate::memory::{TryGrow, copied, with_room};
+use crate::memory::{Array, TryGrow, copied, with_room};
 use crate::mesh::Stats;
 use crate::options::Phase;
 use rand_pcg::Pcg64Mcg;
@@ -15,8 +15,8 @@ use rand_pcg::Pcg64Mcg;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The live `simplices` as a part, with the inputs that are at home in them, which have no home in
     /// the whole from then on. No id is given before or afterwards.
-    pub(super) fn cut(&mut self, simplices: Vec<u32>, ids: &mut Ids) -> Result<Part<D>> {
-        let mut vertices = Vec::new();
+    pub(super) fn cut(&mut self, simplices: Array<u32>, ids: &mut Ids) -> Result<Part<D>> {
+        let mut vertices = Array::new();
         for &simplex in &simplices {
             self.watch.tick(1)?;
             for input in self.location.take_out(simplex) {
@@ -37,10 +37,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (hierarchy, domains) = self.hierarchy.part(&names.vertices, &shared, &ids.vertices)?;
         ids.take(&names);
         self.watch.look()?;
-        let mut cells = with_room(names.vertices.len())?;
+        let mut cells = Array::with_room(names.vertices.len())?;
         let mut precision_limited = with_room(names.vertices.len())?;
         for &vertex in &names.vertices {
-            cells.push(self.cells[vertex as usize]);
+            cells.try_push(self.cells[vertex as usize])?;
             precision_limited.push(self.precision_limited[vertex as usize]);
         }
         // The vertices of other parts count against the limit as well; what they make of it is seen

@@ -23,7 +23,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.watch.look()?;
         self.hierarchy.join(hierarchy, &mut domains, &names.vertices, &shared)?;
-        for (own, (&vertex, cell)) in names.vertices.iter().zip(part.cells).enumerate() {
+        for (own, (&vertex, &cell)) in names.vertices.iter().zip(&part.cells).enumerate() {
             self.watch.tick(1)?;
             if own >= known {
                 self.cells.try_push(cell)?;

@@ -26,7 +26,7 @@ use super::{Cell, Mesher};
 use crate::complex::{Ids, Names};
 use crate::delaunay::Delaunay;
 use crate::error::Result;
-use crate::memory::{filled, with_room};
+use crate::memory::{Array, with_room};
 use crate::mesh::{NONE, Stats};
 use crate::options::{Algorithm, Output};
 
@@ -49,7 +49,7 @@ struct Part<const D: usize> {
     hierarchy: Hierarchy<D>,
     location: Location,
     refine: RefineList,
-    cells: Vec<Cell>,
+    cells: Array<Cell>,
     precision_limited: Vec<bool>,
     rim: Rim,
     template: Vec<[f64; D]>,
@@ -87,7 +87,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_at_walls(&walls)?;
         let runs = self.between(&walls)?;
         let complex = self.delaunay.complex();
-        let mut moved = filled(complex.simplex_bound(), NONE)?;
+        let mut moved = Array::filled(complex.simplex_bound(), NONE)?;
         let mut ids = Ids::new(complex.simplex_bound(), self.delaunay.point_count())?;
         let mut parts = with_room(runs.len())?;
         for run in runs {

@@ -5,7 +5,7 @@
 use super::{FEW, Mesher};
 use crate::complex::Anchored;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, collected, with_room};
+use crate::memory::{Array, Fallible, TryGrow, collected, with_room};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The inputs at which parts begin, but for the first: each has as many inputs as the others. A
@@ -15,12 +15,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// All simplices, those between two walls together, in an order of locality.
-    pub(super) fn between(&mut self, walls: &[u32]) -> Result<Vec<Vec<u32>>> {
+    pub(super) fn between(&mut self, walls: &[u32]) -> Result<Vec<Array<u32>>> {
         let anchored = self.anchored()?;
         let mut runs = with_room(walls.len() + 1)?;
         let mut begin = 0;
         for &wall in walls.iter().chain([&(self.inputs as u32)]) {
-            let mut run = Vec::new();
+            let mut run = Array::new();
             for anchor in begin..wall {
                 self.watch.tick(1)?;
                 run.try_extend(anchored.of(anchor))?;
@@ -69,14 +69,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether the home `simplex` is at a wall, or next to one that is.
     fn is_at_wall(&self, simplex: u32, walls: &[u32]) -> bool {
         let neighbors = |simplex: u32| self.delaunay.complex().neighbors(simplex).iter().copied();
-        let part = self.part_of(simplex, walls);
-        neighbors(simplex).flat_map(neighbors).any(|other| self.part_of(other, walls) != part)
+        let near = neighbors(simplex).flat_map(neighbors);
+        let mut parts = near.filter_map(|other| self.part_of(other, walls));
+        let first = parts.next();
+        parts.any(|part| Some(part) != first)
     }
 
-    /// The number of the part that a simplex is in.
-    fn part_of(&self, simplex: u32, walls: &[u32]) -> usize {
-        let vertices = self.delaunay.complex().vertices(simplex);
-        let anchor = vertices.iter().copied().min().unwrap_or(0);
-        walls.partition_point(|&wall| wall <= anchor)
+    /// The number of the part that a simplex is in, if it has an input.
+    fn part_of(&self, simplex: u32, walls: &[u32]) -> Option<usize> {
+        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
+        let anchor = vertices.filter(|&vertex| self.is_input(vertex)).min()?;
+        Some(walls.partition_point(|&wall| wall <= anchor))
     }
 }

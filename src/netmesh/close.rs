@@ -115,9 +115,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether all that is bad (`is_bad`) is open, too: the same corners are too far, only more of them
     /// count. By edges that is not so where a simplex has vertices of several domains.
     pub(super) fn is_bad_open(&self) -> bool {
+        let is_by_cells = self.parameters.criterion == Criterion::VoronoiAspect;
         self.closing
-            && self.parameters.criterion == Criterion::VoronoiAspect
             && self.parameters.closes_all()
+            && (is_by_cells || self.hierarchy.is_single())
     }
 
     /// The domain of the vertex with the worst cell, if that is bad.
@@ -130,8 +131,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
     /// several domains, the corner is that of a cage's union cell.
     fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        if !self.is_short(simplex, radius) {
-            return None;
+        self.short_edge(simplex, radius)?;
+        let vertices = self.delaunay.complex().vertices(simplex);
+        if self.hierarchy.is_alike(vertices) {
+            return Some(self.hierarchy.domain_of(vertices[0]));
         }
         let domains = self.domains_of(simplex);
         domains[1..=D].iter().all(|&domain| domain == domains[0]).then_some(domains[0])

@@ -9,27 +9,29 @@
 use super::{Cell, Mesher, some};
 use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
+use crate::numerics::shortest_distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and lets their vertices know of the
     /// corners that have come.
     pub(super) fn examine_created(&mut self) -> Fallible<()> {
+        let near_of_bad = self.sight().near_of_bad();
         for at in 0..self.scratch.created.len() {
             let simplex = self.scratch.created[at];
             let Some(ball) = self.delaunay.ball(simplex) else { continue };
             let radius = ball.radius();
             let allowed = self.nearest_allowed(radius);
             let vertices = self.delaunay.complex().vertices(simplex);
-            let mut is_suspect = !self.hierarchy.is_alike(vertices);
+            let mut near = 0;
             for &vertex in vertices {
                 let cell = &mut self.cells[vertex as usize];
                 if radius > cell.farthest {
                     cell.farthest = radius;
                 }
-                is_suspect |= cell.nearest < allowed;
+                near += usize::from(cell.nearest < allowed);
             }
-            if is_suspect {
+            if near >= near_of_bad || !self.hierarchy.is_alike(vertices) {
                 self.examine_suspect(simplex)?;
             }
         }
@@ -133,7 +135,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let length = match self.parameters.criterion {
             _ if !self.refine.is_sorted() => 0.0,
             Criterion::VoronoiAspect => self.nearest_of(simplex),
-            Criterion::RadiusEdge => self.shortest_edge(simplex).2,
+            Criterion::RadiusEdge => self.shortest_edge(simplex, f64::INFINITY).2,
         };
         self.refine.push(simplex, length)
     }
@@ -153,7 +155,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let bad_cell = match self.parameters.criterion {
             Criterion::VoronoiAspect => self.worst_inner_cell(simplex, radius).is_some(),
-            Criterion::RadiusEdge => self.has_short_edge(simplex, radius),
+            Criterion::RadiusEdge => self.inner_short_edge(simplex, radius).is_some(),
         };
         bad_cell
             || self
@@ -189,22 +191,45 @@ impl<const D: usize> Mesher<'_, '_, D> {
         worst
     }
 
-    /// Whether an edge of `simplex` is too short for its radius, and its corner counts for all its
-    /// vertices.
-    pub(super) fn has_short_edge(&mut self, simplex: u32, radius: f64) -> bool {
-        self.is_short(simplex, radius)
-            && (0..=D).all(|index| {
-                let vertex = self.delaunay.complex().vertices(simplex)[index];
-                self.counts_for(simplex, vertex)
-            })
+    /// As [`Self::short_edge`], if the corner of `simplex` counts for all its vertices.
+    pub(super) fn inner_short_edge(
+        &mut self,
+        simplex: u32,
+        radius: f64,
+    ) -> Option<(u32, u32, f64)> {
+        let edge = self.short_edge(simplex, radius)?;
+        let counts = (0..=D).all(|index| {
+            let vertex = self.delaunay.complex().vertices(simplex)[index];
+            self.counts_for(simplex, vertex)
+        });
+        counts.then_some(edge)
     }
 
-    /// Whether an edge of `simplex` is too short for its radius.
-    pub(super) fn is_short(&self, simplex: u32, radius: f64) -> bool {
-        let shortest_allowed = self.nearest_allowed(radius);
-        let vertices = self.delaunay.complex().vertices(simplex);
-        vertices.iter().any(|&v| self.cells[v as usize].nearest < shortest_allowed)
-            && self.shortest_edge(simplex).2 < shortest_allowed
+    /// The shortest edge of `simplex`, if that is too short for its radius.
+    pub(super) fn short_edge(&self, simplex: u32, radius: f64) -> Option<(u32, u32, f64)> {
+        let allowed = self.nearest_allowed(radius);
+        let edge = self.shortest_edge(simplex, allowed);
+        (edge.2 < allowed).then_some(edge)
+    }
+
+    /// The ends of the shortest edge of `simplex`, and its length, if that is below `limit`: then it
+    /// is so at both its ends.
+    fn shortest_edge(&self, simplex: u32, limit: f64) -> (u32, u32, f64) {
+        let mut vertices = [NONE; MAX_DIM + 1];
+        let mut count = 0;
+        for &vertex in self.delaunay.complex().vertices(simplex) {
+            vertices[count] = vertex;
+            count += usize::from(self.cells[vertex as usize].nearest < limit);
+        }
+        if count < 2 {
+            return (NONE, NONE, f64::INFINITY);
+        }
+        let mut points = [self.delaunay.point(vertices[0]); MAX_DIM + 1];
+        for (point, &vertex) in points.iter_mut().zip(&vertices[..count]) {
+            *point = self.delaunay.point(vertex);
+        }
+        let (a, b, length) = shortest_distance(&points[..count]);
+        (vertices[a], vertices[b], length)
     }
 
     /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.

@@ -17,15 +17,26 @@ pub(super) struct Sight<'a, const D: usize> {
 }
 
 impl<const D: usize> Sight<'_, D> {
-    /// Whether a live simplex has what all bad ones have, and few others: a vertex too near to
-    /// another one for the radius, or vertices of several domains.
+    /// Whether a live simplex has what all bad ones have, and few others: vertices too near to
+    /// others for the radius, or vertices of several domains.
     #[inline]
     pub fn is_suspect(&self, simplex: u32) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let allowed = self.nearest_allowed(ball.radius());
         let vertices = self.delaunay.complex().vertices(simplex);
-        vertices.iter().any(|&vertex| self.cells[vertex as usize].nearest < allowed)
+        let is_near = |&&vertex: &&u32| self.cells[vertex as usize].nearest < allowed;
+        vertices.iter().filter(is_near).count() >= self.near_of_bad()
             || !self.hierarchy.is_alike(vertices)
+    }
+
+    /// How many vertices of a bad simplex, whose vertices are of one domain, are too near to others: an edge
+    /// has two ends.
+    #[inline]
+    pub fn near_of_bad(&self) -> usize {
+        match self.criterion {
+            Criterion::VoronoiAspect => 1,
+            Criterion::RadiusEdge => 2,
+        }
     }
 
     /// A vertex nearer than this to its nearest neighbour makes a simplex of the given radius bad.

@@ -5,8 +5,7 @@
 //! 2004.
 
 use super::Mesher;
-use crate::mesh::MAX_DIM;
-use crate::numerics::{distance, shortest_distance};
+use crate::numerics::distance;
 use crate::options::Criterion;
 
 /// A point for the mesh and the radius of a ball about it that no vertex is in.
@@ -92,10 +91,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         simplex: u32,
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
-        if !self.has_short_edge(simplex, corner.radius) {
-            return None;
-        }
-        let (a, b, length) = self.shortest_edge(simplex);
+        let (a, b, length) = self.inner_short_edge(simplex, corner.radius)?;
         let (p, q) = (self.delaunay.point(a), self.delaunay.point(b));
         let middle = std::array::from_fn(|axis| p[axis] + 0.5 * (q[axis] - p[axis]));
         let bound = self.bound;
@@ -108,16 +104,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .then_some(off_center)
     }
 
-    /// The ends of the shortest edge of `simplex`, and its length.
-    pub(super) fn shortest_edge(&self, simplex: u32) -> (u32, u32, f64) {
-        let vertices = self.delaunay.complex().vertices(simplex);
-        let mut points = [self.delaunay.point(vertices[0]); MAX_DIM + 1];
-        for (point, &vertex) in points.iter_mut().zip(vertices) {
-            *point = self.delaunay.point(vertex);
-        }
-        let (a, b, length) = shortest_distance(&points[..=D]);
-        (vertices[a], vertices[b], length)
-    }
 }
 
 /// The point at `fraction` of the way; `None` if that is not before the end.

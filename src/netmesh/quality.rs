@@ -212,8 +212,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (edge.2 < allowed).then_some(edge)
     }
 
-    /// The ends of the shortest edge of `simplex`, and its length, if that is below `limit`: then it
-    /// is so at both its ends.
+    /// The ends and the length of the shortest edge of `simplex` between vertices nearer than `limit` to
+    /// another one: that is the shortest of all, if there is one below `limit`. Infinitely long where there
+    /// is none.
     fn shortest_edge(&self, simplex: u32, limit: f64) -> (u32, u32, f64) {
         let mut vertices = [NONE; MAX_DIM + 1];
         let mut count = 0;

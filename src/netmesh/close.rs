@@ -116,9 +116,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// count. By edges that is not so where a simplex has vertices of several domains.
     pub(super) fn is_bad_open(&self) -> bool {
         let is_by_cells = self.parameters.criterion == Criterion::VoronoiAspect;
-        self.closing
-            && self.parameters.closes_all()
-            && (is_by_cells || self.hierarchy.is_single())
+        self.closing && self.parameters.closes_all() && (is_by_cells || self.hierarchy.is_single())
     }
 
     /// The domain of the vertex with the worst cell, if that is bad.

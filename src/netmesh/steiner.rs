@@ -103,7 +103,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, b))
             .then_some(off_center)
     }
-
 }
 
 /// The point at `fraction` of the way; `None` if that is not before the end.

@@ -36,7 +36,7 @@ need_readers() {
   "$venv/bin/pip" list --format=freeze --disable-pip-version-check | grep --extended-regexp '^(meshio|gmsh|vtk|numpy)=='
 }
 
-# Miri runs the C ABI's tests under a checker for undefined behaviour; only a nightly has it.
+# Miri runs the tests of the unsafe code under a checker for undefined behaviour; only a nightly has it.
 miri_toolchain() {
   has rustup || return 0
   local toolchain

@@ -358,7 +358,7 @@ mod tests {
         assert_eq!(array[999..], [999, 5, 7, 7, 1, 2]);
         array.clear();
         assert!(array.is_empty());
-        assert!(array.make_room(usize::MAX / 8).is_err());
+        assert!(array.make_room(usize::MAX / 4).is_err());
         array.try_push(3).unwrap();
         assert_eq!(*array, [3]);
     }

@@ -38,18 +38,27 @@ mod system {
     const MADV_DONTNEED: c_int = 4;
     const MADV_HUGEPAGE: c_int = 14;
 
-    unsafe extern "C" {
-        fn madvise(begin: *mut c_void, length: usize, advice: c_int) -> c_int;
-        fn getpagesize() -> c_int;
-    }
-
     pub fn prefer_large(begin: usize, length: usize) {
         // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a system
         // that has no large pages answers an error, which changes nothing either.
-        unsafe { madvise(begin as *mut c_void, length, MADV_HUGEPAGE) };
+        unsafe { advise(begin as *mut c_void, length, MADV_HUGEPAGE) };
+    }
+
+    /// # Safety
+    /// That of what the `advice` does in the range.
+    unsafe fn advise(begin: *mut c_void, length: usize, advice: c_int) {
+        // In here, where the header's maker does not take it for the library's.
+        unsafe extern "C" {
+            fn madvise(begin: *mut c_void, length: usize, advice: c_int) -> c_int;
+        }
+        // SAFETY: the caller's. What the system answers changes nothing.
+        unsafe { madvise(begin, length, advice) };
     }
 
     pub fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
+        unsafe extern "C" {
+            fn getpagesize() -> c_int;
+        }
         // SAFETY: it only answers.
         let page = unsafe { getpagesize() } as usize;
         let begin = memory.as_mut_ptr().cast::<u8>();
@@ -57,7 +66,7 @@ mod system {
         let length = size_of_val(memory).saturating_sub(skipped) / page * page;
         // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be anything:
         // they stay mapped, and hold zeros afterwards, or what they held if the system refuses.
-        unsafe { madvise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
+        unsafe { advise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
     }
 }
 

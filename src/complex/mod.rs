@@ -6,6 +6,7 @@
 //! All simplices are oriented alike: replacing a vertex of one by a point on the same side keeps the
 //! orientation, so a cavity is retriangulated without one orientation test.
 
+mod cone;
 mod locality;
 mod part;
 mod ridges;
@@ -15,7 +16,8 @@ use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room, prefetch};
 use crate::mesh::NONE;
 pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
-use ridges::{MAX_TABLE_DIM, Ridges, Side, ridges_of};
+use cone::Edges;
+use ridges::{MAX_TABLE_DIM, Ridges};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
 pub(crate) const INFINITE: u32 = NONE;
@@ -35,6 +37,7 @@ pub(crate) struct Complex<const D: usize> {
     /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
     incident: Array<u32>,
     epoch: u32,
+    edges: Edges,
     ridges: Ridges,
     /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
     id_limit: usize,
@@ -53,6 +56,7 @@ impl<const D: usize> Complex<D> {
             free: Vec::new(),
             incident: Array::filled(vertices, NONE)?,
             epoch: 0,
+            edges: Edges::default(),
             ridges: Ridges::default(),
             id_limit: NONE as usize,
         })
@@ -143,8 +147,11 @@ impl<const D: usize> Complex<D> {
         if appended > self.id_limit.saturating_sub(self.simplex_bound()) {
             return Err(Shortage::Ids);
         }
-        if D <= MAX_TABLE_DIM {
-            self.ridges.reserve::<D>(created)?;
+        match D {
+            2 => {}
+            3 => self.edges.reserve()?,
+            4..=MAX_TABLE_DIM => self.ridges.reserve::<D>(created)?,
+            _ => {}
         }
         make_room(&mut self.free, released)?;
         self.records.make_room(appended * Self::RECORD)
@@ -222,100 +229,9 @@ impl<const D: usize> Complex<D> {
         self.mark(simplex) >= self.epoch
     }
 
-    /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
-    /// `vertex` over its `boundary`. `created[i]` is the new simplex on `boundary[i]`.
-    pub fn retriangulate(
-        &mut self,
-        vertex: u32,
-        cavity: &[u32],
-        boundary: &[Facet],
-        created: &mut Vec<u32>,
-    ) {
-        created.clear();
-        for facet in boundary {
-            created.push(self.cone(vertex, facet));
-        }
-        if D <= MAX_TABLE_DIM {
-            self.ridges.begin::<D>(boundary.len());
-            for (facet, &simplex) in boundary.iter().zip(created.iter()) {
-                self.link_by_table(facet.index as usize, simplex);
-            }
-        } else {
-            for (facet, &simplex) in boundary.iter().zip(created.iter()) {
-                self.link_by_pivots(facet, simplex);
-            }
-        }
-        self.incident[vertex as usize] = created[0];
-        for &simplex in cavity {
-            self.release(simplex);
-        }
-    }
-
-    /// The simplex of `vertex` over `facet`, linked to the simplex beyond. The facet's own
-    /// simplex, though dead, points to it from then on: that is how a pivot finds it.
-    fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
-        let simplex = self.allocate();
-        let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
-        let to = simplex as usize * Self::RECORD;
-        self.records.copy_within(from..from + Self::CORNERS, to);
-        self.records[to + index] = vertex;
-        for i in (0..Self::CORNERS).filter(|&i| i != index) {
-            let corner = self.records[to + i];
-            if corner != INFINITE {
-                self.incident[corner as usize] = simplex;
-            }
-        }
-        self.neighbors_mut(simplex)[index] = facet.beyond;
-        self.neighbors_mut(facet.simplex)[index] = simplex;
-        let mirror = position(self.neighbors(facet.beyond), facet.simplex);
-        self.neighbors_mut(facet.beyond)[mirror] = simplex;
-        simplex
-    }
-
-    /// Links `simplex`, whose corner number `apex` is the new vertex, across each ridge of its facet
-    /// on the cavity to the simplex that has the ridge too, if that has come before.
-    fn link_by_table(&mut self, apex: usize, simplex: u32) {
-        for (ridge, index) in ridges_of::<D>(self.vertices(simplex), apex) {
-            if let Some(other) = self.ridges.pair(ridge, Side { simplex, index }) {
-                self.neighbors_mut(simplex)[index as usize] = other.simplex;
-                self.neighbors_mut(other.simplex)[other.index as usize] = simplex;
-            }
-        }
-    }
-
-    /// Links `simplex` (the cone over `facet`) across each ridge of the facet by pivoting round
-    /// the ridge through the cavity.
-    fn link_by_pivots(&mut self, facet: &Facet, simplex: u32) {
-        for ridge in 0..Self::CORNERS {
-            if self.neighbors(simplex)[ridge] != NONE {
-                continue;
-            }
-            let (neighbor, index) = self.pivot(facet, ridge);
-            self.neighbors_mut(simplex)[ridge] = neighbor;
-            self.neighbors_mut(neighbor)[index] = simplex;
-        }
-    }
-
-    /// Turns round the ridge of `facet` without corner `leave` until the cavity ends; returns the
-    /// cone there and the number of its corner that is not on the ridge.
     #[inline]
-    fn pivot(&self, facet: &Facet, leave: usize) -> (u32, usize) {
-        let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);
-        loop {
-            let next = self.neighbors(current)[leave];
-            if !self.is_inside(next) {
-                return (next, enter);
-            }
-            let kept = self.vertices(current)[enter];
-            enter = position(self.neighbors(next), current);
-            leave = position(self.vertices(next), kept);
-            current = next;
-        }
-    }
-
     fn allocate(&mut self) -> u32 {
         if let Some(simplex) = self.free.pop() {
-            self.neighbors_mut(simplex).fill(NONE);
             *self.mark_mut(simplex) = 0;
             return simplex;
         }

@@ -205,8 +205,9 @@ impl<const D: usize> Delaunay<D> {
             let simplex = cavity.simplices[next];
             next += 1;
             cavity.starts.try_push(cavity.boundary.len() as u32)?;
-            for index in 0..=D {
-                let beyond = self.complex.neighbors(simplex)[index];
+            let mut neighbors = [0; MAX_CORNERS];
+            neighbors[..=D].copy_from_slice(self.complex.neighbors(simplex));
+            for (index, &beyond) in neighbors[..=D].iter().enumerate() {
                 if self.complex.is_inside(beyond) {
                     continue;
                 }
@@ -268,7 +269,7 @@ impl<const D: usize> Delaunay<D> {
         self.balls[simplex as usize] = match vertices.contains(&INFINITE) {
             true => Self::NO_BALL,
             false => {
-                let ball = Circumball::new(&self.corner_points(vertices)[..=D]);
+                let ball = Circumball::of(|i| self.point(vertices[i]));
                 ball.anchored(vertices[ball.anchor as usize])
             }
         };

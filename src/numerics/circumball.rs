@@ -29,6 +29,9 @@ pub struct Circumball<const D: usize> {
 /// integers.
 const ACCEPTED: f64 = 1e-9;
 
+/// Corners of a simplex of the highest dimension, 8.
+const MAX_POINTS: usize = 9;
+
 /// Exponent of the balls that [`Circumball::side`] need not scale.
 const PLAIN: i16 = -1;
 
@@ -60,22 +63,34 @@ impl<const D: usize> Circumball<D> {
     /// those at the ends of the exponent range, which cost microseconds.
     #[inline]
     pub fn new(points: &[&[f64; D]]) -> Self {
-        const { assert!(D >= 2 && D <= 8) };
-        let points = &points[..D + 1];
-        match Self::by_cramer(points, 0, FLAT) {
+        Self::of(|i| points[i])
+    }
+
+    /// The same of the points `corner(0)` to `corner(D)`.
+    #[inline(always)]
+    pub fn of<'a>(corner: impl Fn(usize) -> &'a [f64; D]) -> Self {
+        const { assert!(D >= 2 && D < MAX_POINTS) };
+        match Self::by_cramer(&corner, 0, FLAT) {
             Some(ball) => ball,
-            None => Self::with_care(points),
+            None => {
+                let points: [_; MAX_POINTS] = std::array::from_fn(|i| corner(i.min(D)));
+                Self::with_care(&points[..D + 1])
+            }
         }
     }
 
     /// The ball of a simplex whose size and shape are nothing special; `None` otherwise, and beyond
     /// dimension [`MAX_CRAMER`].
     #[inline(always)]
-    fn by_cramer(points: &[&[f64; D]], anchor: usize, flatness: f64) -> Option<Self> {
+    fn by_cramer<'a>(
+        corner: &impl Fn(usize) -> &'a [f64; D],
+        anchor: usize,
+        flatness: f64,
+    ) -> Option<Self> {
         if D > MAX_CRAMER {
             return None;
         }
-        let edges = edges(points, anchor);
+        let edges = edges(corner, anchor);
         let Center { twice, diameter, error } = cramer::circumcenter(&edges, flatness)?;
         if !(ORDINARY.0..ORDINARY.1).contains(&diameter) {
             return None;
@@ -88,7 +103,7 @@ impl<const D: usize> Circumball<D> {
     #[inline(never)]
     fn with_care(points: &[&[f64; D]]) -> Self {
         let anchor = shortest_edge(points);
-        Self::by_cramer(points, anchor, FLATTER)
+        Self::by_cramer(&|i| points[i], anchor, FLATTER)
             .or_else(|| Self::in_floats(points, anchor))
             .unwrap_or_else(|| Self::in_integers(points, anchor))
     }
@@ -96,7 +111,7 @@ impl<const D: usize> Circumball<D> {
     /// The ball by floating-point arithmetic; `None` if that is too inaccurate.
     #[inline]
     fn in_floats(points: &[&[f64; D]], anchor: usize) -> Option<Self> {
-        let mut rows = edges(points, anchor);
+        let mut rows = edges(&|i| points[i], anchor);
         let exponents = rows.map(|row| biased_exponent(largest_magnitude(&row)));
         let top = exponents.iter().fold(0, |m, e| m.max(*e));
         let bottom = exponents.iter().fold(2047, |m, e| m.min(*e));
@@ -322,10 +337,13 @@ impl Precision {
 
 /// The edges from the anchor to the other vertices.
 #[inline(always)]
-fn edges<const D: usize>(points: &[&[f64; D]], anchor: usize) -> [[f64; D]; D] {
-    let origin = points[anchor];
+fn edges<'a, const D: usize>(
+    corner: &impl Fn(usize) -> &'a [f64; D],
+    anchor: usize,
+) -> [[f64; D]; D] {
+    let origin = corner(anchor);
     std::array::from_fn(|r| {
-        let end = points[r + usize::from(r >= anchor)];
+        let end = corner(r + usize::from(r >= anchor));
         std::array::from_fn(|i| end[i] - origin[i])
     })
 }

@@ -1,0 +1,234 @@
+//! The cone of a new vertex over the boundary of its cavity, and which two of its simplices share a ridge
+//! of the boundary. In the plane a ridge is a vertex, which remembers the edge that starts there; in space
+//! an edge of few vertices, a table of whose pairs is small; then a hash table knows them, and beyond that
+//! one pivots round each through the cavity. How many steps that takes no processor can foresee, nor what
+//! a hash table finds: the first two have no branch that depends on either.
+
+use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
+use super::{Complex, Facet, INFINITE, position};
+use crate::memory::{Fallible, filled};
+use crate::mesh::NONE;
+
+/// Vertices of a boundary that [`Edges`] has numbers for.
+const NUMBERS: usize = 64;
+
+/// Triangles with an apex, as the tetrahedron with number `i` for its apex is turned: all cones look at
+/// theirs from the same side, so two that share an edge pass it in opposite directions.
+const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
+
+/// The same in the plane: where the edge opposite each corner starts and ends.
+const EDGES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
+
+/// The directed edges round the cavity in space, by numbers given to their vertices.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Edges {
+    /// The simplex that passes from vertex `i` to vertex `j`, at `NUMBERS * i + j`. Holds what earlier
+    /// cones left where this one has no edge.
+    simplices: Vec<u32>,
+    /// By number: a vertex, and the last simplex at it. The first is the infinite vertex.
+    vertices: Vec<[u32; 2]>,
+}
+
+impl Edges {
+    pub fn reserve(&mut self) -> Fallible<()> {
+        if self.vertices.is_empty() {
+            self.simplices = filled(NUMBERS * NUMBERS, 0)?;
+            self.vertices = filled(NUMBERS, [INFINITE; 2])?;
+        }
+        Ok(())
+    }
+}
+
+impl<const D: usize> Complex<D> {
+    /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
+    /// `vertex` over its `boundary`. `created[i]` is the new simplex on `boundary[i]`.
+    pub fn retriangulate(
+        &mut self,
+        vertex: u32,
+        cavity: &[u32],
+        boundary: &[Facet],
+        created: &mut Vec<u32>,
+    ) {
+        created.clear();
+        for facet in boundary {
+            created.push(self.cone(vertex, facet));
+        }
+        match D {
+            2 => self.link_round(boundary, created),
+            3 if self.link_by_edges(boundary, created) => {}
+            4..=MAX_TABLE_DIM => self.link_by_table(boundary, created),
+            _ => self.link_by_pivots(boundary, created),
+        }
+        self.incident[vertex as usize] = created[0];
+        for &simplex in cavity {
+            self.release(simplex);
+        }
+    }
+
+    /// The simplex of `vertex` over `facet`, linked to the simplex beyond.
+    #[inline(always)]
+    fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
+        let simplex = self.allocate();
+        let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
+        let to = simplex as usize * Self::RECORD;
+        self.records.copy_within(from..from + Self::CORNERS, to);
+        self.records[to + index] = vertex;
+        self.neighbors_mut(simplex)[index] = facet.beyond;
+        let beyond = self.neighbors_mut(facet.beyond);
+        let mut mirror = 0;
+        // Without a branch: it may be any.
+        for (at, &neighbor) in beyond.iter().enumerate() {
+            mirror = if neighbor == facet.simplex { at } else { mirror };
+        }
+        beyond[mirror] = simplex;
+        simplex
+    }
+
+    /// Links the cones in the plane, which go round the cavity: each is followed by the one that starts
+    /// where its edge ends.
+    #[inline(always)]
+    fn link_round(&mut self, boundary: &[Facet], created: &[u32]) {
+        let corner = |complex: &Self, at: usize, index: usize| {
+            complex.records[created[at] as usize * Self::RECORD + index]
+        };
+        let mut at_infinity = 0;
+        for (at, facet) in boundary.iter().enumerate() {
+            let [start, _] = EDGES[facet.index as usize];
+            match corner(self, at, start) {
+                INFINITE => at_infinity = at as u32,
+                vertex => self.incident[vertex as usize] = at as u32,
+            }
+        }
+        for (at, facet) in boundary.iter().enumerate() {
+            let [start, end] = EDGES[facet.index as usize];
+            let next = match corner(self, at, end) {
+                INFINITE => at_infinity,
+                vertex => self.incident[vertex as usize],
+            } as usize;
+            let [_, next_end] = EDGES[boundary[next].index as usize];
+            self.neighbors_mut(created[at])[start] = created[next];
+            self.neighbors_mut(created[next])[next_end] = created[at];
+        }
+        self.touch_corners(created);
+    }
+
+    /// Links the cones in space, if the vertices round the cavity are few enough for numbers.
+    #[inline(always)]
+    fn link_by_edges(&mut self, boundary: &[Facet], created: &[u32]) -> bool {
+        let Self { edges, records, incident, .. } = self;
+        let sides: &mut [u32; NUMBERS * NUMBERS] =
+            (&mut edges.simplices[..]).try_into().expect("there is room for all");
+        let vertices: &mut [[u32; 2]; NUMBERS] =
+            (&mut edges.vertices[..]).try_into().expect("there is room for all");
+        let mut count = 1;
+        for (facet, &simplex) in boundary.iter().zip(created) {
+            let (corners, neighbors) =
+                records[simplex as usize * Self::RECORD..][..8].split_at_mut(4);
+            let [i, j, k] = TRIANGLES[facet.index as usize];
+            let mut number = |corner: usize| {
+                let vertex = corners[corner];
+                if vertex == INFINITE {
+                    return 0;
+                }
+                // Meanwhile that is a vertex's number, if the number is the vertex's.
+                let number = &mut incident[vertex as usize];
+                let is_known = (*number as usize) < count
+                    && vertices[*number as usize % NUMBERS][0] == vertex;
+                if !is_known {
+                    *number = count as u32;
+                    count += 1;
+                }
+                let number = *number as usize % NUMBERS;
+                vertices[number] = [vertex, simplex];
+                number
+            };
+            let (a, b, c) = (number(i), number(j), number(k));
+            if count > NUMBERS {
+                // One too many may have taken it.
+                vertices[0] = [INFINITE; 2];
+                return false;
+            }
+            sides[NUMBERS * a + b] = simplex;
+            sides[NUMBERS * b + c] = simplex;
+            sides[NUMBERS * c + a] = simplex;
+            // Where the other side of each edge is to be found.
+            neighbors[k] = (NUMBERS * b + a) as u32;
+            neighbors[i] = (NUMBERS * c + b) as u32;
+            neighbors[j] = (NUMBERS * a + c) as u32;
+        }
+        for (facet, &simplex) in boundary.iter().zip(created) {
+            let neighbors = &mut records[simplex as usize * Self::RECORD..][4..8];
+            for index in TRIANGLES[facet.index as usize] {
+                neighbors[index] = sides[neighbors[index] as usize % (NUMBERS * NUMBERS)];
+            }
+        }
+        for &[vertex, simplex] in &vertices[1..count] {
+            incident[vertex as usize] = simplex;
+        }
+        true
+    }
+
+    /// Every corner of the cones is incident to the last one that has it.
+    fn touch_corners(&mut self, created: &[u32]) {
+        for &simplex in created {
+            let at = simplex as usize * Self::RECORD;
+            for &corner in &self.records[at..][..Self::CORNERS] {
+                if corner != INFINITE {
+                    self.incident[corner as usize] = simplex;
+                }
+            }
+        }
+    }
+
+    /// Links the cones by a table of the ridges.
+    fn link_by_table(&mut self, boundary: &[Facet], created: &[u32]) {
+        self.ridges.begin::<D>(boundary.len());
+        for (facet, &simplex) in boundary.iter().zip(created) {
+            for (ridge, index) in ridges_of::<D>(self.vertices(simplex), facet.index as usize) {
+                if let Some(other) = self.ridges.pair(ridge, Side { simplex, index }) {
+                    self.neighbors_mut(simplex)[index as usize] = other.simplex;
+                    self.neighbors_mut(other.simplex)[other.index as usize] = simplex;
+                }
+            }
+        }
+        self.touch_corners(created);
+    }
+
+    /// Links the cones by pivoting round the ridges through the cavity.
+    fn link_by_pivots(&mut self, boundary: &[Facet], created: &[u32]) {
+        for (facet, &simplex) in boundary.iter().zip(created) {
+            let neighbors = self.neighbors_mut(simplex);
+            neighbors.fill(NONE);
+            neighbors[facet.index as usize] = facet.beyond;
+            // The facet's own simplex, though dead, points to its cone: that is how a pivot finds it.
+            self.neighbors_mut(facet.simplex)[facet.index as usize] = simplex;
+        }
+        for (facet, &simplex) in boundary.iter().zip(created) {
+            for ridge in (0..Self::CORNERS).filter(|&ridge| ridge != facet.index as usize) {
+                if self.neighbors(simplex)[ridge] == NONE {
+                    let (neighbor, index) = self.pivot(facet, ridge);
+                    self.neighbors_mut(simplex)[ridge] = neighbor;
+                    self.neighbors_mut(neighbor)[index] = simplex;
+                }
+            }
+        }
+        self.touch_corners(created);
+    }
+
+    /// Turns round the ridge of `facet` without corner `leave` until the cavity ends; returns the
+    /// cone there and the number of its corner that is not on the ridge.
+    #[inline]
+    fn pivot(&self, facet: &Facet, leave: usize) -> (u32, usize) {
+        let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);
+        loop {
+            let next = self.neighbors(current)[leave];
+            if !self.is_inside(next) {
+                return (next, enter);
+            }
+            let kept = self.vertices(current)[enter];
+            enter = position(self.neighbors(next), current);
+            leave = position(self.vertices(next), kept);
+            current = next;
+        }
+    }
+}

@@ -101,15 +101,16 @@ impl<const D: usize> Complex<D> {
         }
         for (at, facet) in boundary.iter().enumerate() {
             let [start, end] = EDGES[facet.index as usize];
-            let next = match corner(self, at, end) {
-                INFINITE => at_infinity,
-                vertex => self.incident[vertex as usize],
-            } as usize;
+            let following = match corner(self, at, end) {
+                INFINITE => &mut at_infinity,
+                vertex => &mut self.incident[vertex as usize],
+            };
+            let next = *following as usize;
+            *following = created[at.max(next)];
             let [_, next_end] = EDGES[boundary[next].index as usize];
             self.neighbors_mut(created[at])[start] = created[next];
             self.neighbors_mut(created[next])[next_end] = created[at];
         }
-        self.touch_corners(created);
     }
 
     /// Links the cones in space, if the vertices round the cavity are few enough for numbers.
@@ -120,6 +121,7 @@ impl<const D: usize> Complex<D> {
             (&mut edges.simplices[..]).try_into().expect("there is room for all");
         let vertices: &mut [[u32; 2]; NUMBERS] =
             (&mut edges.vertices[..]).try_into().expect("there is room for all");
+        debug_assert!(vertices[0][0] == INFINITE);
         let mut count = 1;
         for (facet, &simplex) in boundary.iter().zip(created) {
             let (corners, neighbors) =
@@ -132,10 +134,10 @@ impl<const D: usize> Complex<D> {
                 }
                 // Meanwhile that is a vertex's number, if the number is the vertex's.
                 let number = &mut incident[vertex as usize];
-                let is_known = (*number as usize) < count
-                    && vertices[*number as usize % NUMBERS][0] == vertex;
+                let is_known =
+                    (*number as usize) < count && vertices[*number as usize % NUMBERS][0] == vertex;
                 if !is_known {
-                    *number = count as u32;
+                    *number = count.min(NUMBERS - 1) as u32;
                     count += 1;
                 }
                 let number = *number as usize % NUMBERS;
@@ -144,8 +146,6 @@ impl<const D: usize> Complex<D> {
             };
             let (a, b, c) = (number(i), number(j), number(k));
             if count > NUMBERS {
-                // One too many may have taken it.
-                vertices[0] = [INFINITE; 2];
                 return false;
             }
             sides[NUMBERS * a + b] = simplex;

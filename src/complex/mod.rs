@@ -14,9 +14,9 @@ mod star;
 
 use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room, prefetch};
 use crate::mesh::NONE;
+use cone::Edges;
 pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
-use cone::Edges;
 use ridges::{MAX_TABLE_DIM, Ridges};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.

@@ -25,8 +25,17 @@ pub(crate) struct Cavity {
     pub boundary: Vec<Facet>,
     /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
     pub starts: Vec<u32>,
+    /// Beside the corners of the first simplex, those of the others: one of each, opposite the facet where
+    /// the search came in. A vertex may come more than once.
+    pub apices: Vec<u32>,
     /// The search that marked `simplices`.
     search: u32,
+}
+
+/// Of ids, to tell one of them from the others'.
+#[inline(always)]
+fn sum(ids: &[u32]) -> u32 {
+    ids.iter().fold(0, |sum, &id| sum.wrapping_add(id))
 }
 
 pub(crate) struct Delaunay<const D: usize> {
@@ -197,6 +206,7 @@ impl<const D: usize> Delaunay<D> {
         cavity.simplices.clear();
         cavity.boundary.clear();
         cavity.starts.clear();
+        cavity.apices.clear();
         cavity.search = self.complex.begin_marks();
         self.complex.mark_inside(start);
         cavity.simplices.try_push(start)?;
@@ -205,8 +215,10 @@ impl<const D: usize> Delaunay<D> {
             let simplex = cavity.simplices[next];
             next += 1;
             cavity.starts.try_push(cavity.boundary.len() as u32)?;
-            let mut neighbors = [0; MAX_CORNERS];
+            let (mut vertices, mut neighbors) = ([0; MAX_CORNERS], [0; MAX_CORNERS]);
+            vertices[..=D].copy_from_slice(self.complex.vertices(simplex));
             neighbors[..=D].copy_from_slice(self.complex.neighbors(simplex));
+            let all = sum(&vertices[..=D]);
             for (index, &beyond) in neighbors[..=D].iter().enumerate() {
                 if self.complex.is_inside(beyond) {
                     continue;
@@ -215,6 +227,10 @@ impl<const D: usize> Delaunay<D> {
                     if self.in_conflict(beyond, q) {
                         self.complex.mark_inside(beyond);
                         cavity.simplices.try_push(beyond)?;
+                        // What one has more than the facet, which is what the other has.
+                        let facet = all.wrapping_sub(vertices[index]);
+                        let apex = sum(self.complex.vertices(beyond)).wrapping_sub(facet);
+                        cavity.apices.try_push(apex)?;
                         self.prefetch_neighbors(beyond);
                         continue;
                     }

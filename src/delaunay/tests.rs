@@ -4,8 +4,10 @@
 use super::{Cavity, Delaunay};
 use crate::complex::INFINITE;
 use crate::memory::{Array, Shortage};
+use crate::numerics::testing::Random;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 use proptest::prelude::*;
+use std::collections::BTreeSet;
 
 /// Inserts all points in their order; those that coincide with a vertex are left out.
 fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
@@ -24,11 +26,20 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
         }
         if let Some(start) = delaunay.locate(near, &points[vertex as usize]) {
             delaunay.find_cavity(start, &points[vertex as usize], &mut cavity).unwrap();
+            assert_apices(&delaunay, &cavity);
             delaunay.insert(vertex, &cavity, &mut created).unwrap();
             near = created[0];
         }
     }
     Some(delaunay)
+}
+
+/// They are all the corners that the first simplex of the cavity has not.
+fn assert_apices<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
+    let vertices = |simplex: &u32| delaunay.complex().vertices(*simplex).iter().copied();
+    let found = vertices(&cavity.simplices[0]).chain(cavity.apices.iter().copied());
+    let corners: BTreeSet<u32> = cavity.simplices.iter().flat_map(vertices).collect();
+    assert_eq!(found.collect::<BTreeSet<_>>(), corners);
 }
 
 fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<u32> {
@@ -68,6 +79,10 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
             let missing = shared.filter(|&(_, v)| !complex.vertices(neighbor).contains(v));
             assert_eq!(missing.map(|(i, _)| i).collect::<Vec<_>>(), [index]);
         }
+    }
+    for vertex in (0..delaunay.point_count() as u32).filter(|&v| complex.contains_vertex(v)) {
+        let incident = complex.incident(vertex);
+        assert!(complex.is_live(incident) && complex.vertices(incident).contains(&vertex));
     }
 }
 
@@ -131,6 +146,28 @@ fn cospherical_points_leave_no_gap() {
         .collect();
     // 12 distinct points on a circle: 10 triangles and 12 hull edges.
     assert_eq!(check(&circle), Some(22));
+}
+
+/// More vertices round a cavity than a table has room for, and few before and afterwards.
+#[test]
+fn cavities_of_any_size_are_linked() {
+    fn check_round<const D: usize>(count: usize) {
+        let mut random = Random(D as u64);
+        let mut points: Vec<[f64; D]> = Vec::new();
+        for center in [0.0, 4.0] {
+            for _ in 0..count {
+                let direction: [f64; D] = std::array::from_fn(|_| random.unit());
+                let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+                points.push(direction.map(|x| center + x / length));
+            }
+            points.push([center; D]);
+            points.extend((0..10).map(|_| std::array::from_fn(|_| center + 0.5 * random.unit())));
+        }
+        assert!(check(&points).is_some());
+    }
+    check_round::<2>(100);
+    check_round::<3>(100);
+    check_round::<4>(30);
 }
 
 #[test]

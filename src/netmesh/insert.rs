@@ -81,11 +81,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn collect_cavity_corners(&mut self) -> Fallible<()> {
         let Scratch { cavity, corners, .. } = &mut self.scratch;
         corners.restart(self.delaunay.point_count())?;
-        for &simplex in &cavity.simplices {
-            for vertex in self.delaunay.complex().vertices(simplex).iter().copied() {
-                if some(vertex).is_some() {
-                    corners.insert(vertex)?;
-                }
+        let first = self.delaunay.complex().vertices(cavity.simplices[0]);
+        for &vertex in first.iter().chain(&cavity.apices) {
+            if some(vertex).is_some() {
+                corners.insert(vertex)?;
             }
         }
         Ok(())

@@ -26,9 +26,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let mut near = 0;
             for &vertex in vertices {
                 let cell = &mut self.cells[vertex as usize];
-                if radius > cell.farthest {
-                    cell.farthest = radius;
-                }
+                // Written in any case: whether it grows no processor can foresee.
+                cell.farthest = if radius > cell.farthest { radius } else { cell.farthest };
                 near += usize::from(cell.nearest < allowed);
             }
             if near >= near_of_bad || !self.hierarchy.is_alike(vertices) {

@@ -74,13 +74,7 @@ impl<const D: usize> Complex<D> {
         self.records.copy_within(from..from + Self::CORNERS, to);
         self.records[to + index] = vertex;
         self.neighbors_mut(simplex)[index] = facet.beyond;
-        let beyond = self.neighbors_mut(facet.beyond);
-        let mut mirror = 0;
-        // Without a branch: it may be any.
-        for (at, &neighbor) in beyond.iter().enumerate() {
-            mirror = if neighbor == facet.simplex { at } else { mirror };
-        }
-        beyond[mirror] = simplex;
+        self.neighbors_mut(facet.beyond)[facet.mirror as usize] = simplex;
         simplex
     }
 
@@ -133,14 +127,12 @@ impl<const D: usize> Complex<D> {
                     return 0;
                 }
                 // Meanwhile that is a vertex's number, if the number is the vertex's.
-                let number = &mut incident[vertex as usize];
-                let is_known =
-                    (*number as usize) < count && vertices[*number as usize % NUMBERS][0] == vertex;
-                if !is_known {
-                    *number = count.min(NUMBERS - 1) as u32;
-                    count += 1;
-                }
-                let number = *number as usize % NUMBERS;
+                let place = &mut incident[vertex as usize];
+                let number = *place as usize;
+                let is_known = number < count && vertices[number % NUMBERS][0] == vertex;
+                let number = if is_known { number } else { count.min(NUMBERS - 1) } % NUMBERS;
+                count += usize::from(!is_known);
+                *place = number as u32;
                 vertices[number] = [vertex, simplex];
                 number
             };

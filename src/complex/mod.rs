@@ -28,6 +28,8 @@ pub(crate) struct Facet {
     pub simplex: u32,
     pub index: u32,
     pub beyond: u32,
+    /// Where `beyond` has `simplex` among its neighbours.
+    pub mirror: u32,
 }
 
 pub(crate) struct Complex<const D: usize> {
@@ -93,6 +95,12 @@ impl<const D: usize> Complex<D> {
     #[inline(always)]
     pub fn prefetch(&self, simplex: u32) {
         prefetch(&self.records[simplex as usize * Self::RECORD..][..Self::RECORD]);
+    }
+
+    /// Where `simplex` has its neighbour `neighbor`. Without a branch: it may be anywhere.
+    #[inline(always)]
+    pub fn index_of_neighbor(&self, simplex: u32, neighbor: u32) -> usize {
+        index_of(self.neighbors(simplex), neighbor)
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {
@@ -215,11 +223,6 @@ impl<const D: usize> Complex<D> {
     }
 
     #[inline]
-    pub fn mark_outside(&mut self, simplex: u32) {
-        *self.mark_mut(simplex) = self.epoch + 1;
-    }
-
-    #[inline]
     pub fn is_inside(&self, simplex: u32) -> bool {
         self.mark(simplex) == self.epoch
     }
@@ -227,6 +230,11 @@ impl<const D: usize> Complex<D> {
     #[inline]
     pub fn is_marked(&self, simplex: u32) -> bool {
         self.mark(simplex) >= self.epoch
+    }
+
+    #[inline]
+    pub fn mark_either(&mut self, simplex: u32, is_inside: bool) {
+        *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);
     }
 
     #[inline]
@@ -254,6 +262,12 @@ impl<const D: usize> Complex<D> {
     fn neighbors_mut(&mut self, simplex: u32) -> &mut [u32] {
         &mut self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
     }
+}
+
+/// Where `id` stands last in `ids`, 0 if nowhere, without a branch.
+#[inline(always)]
+fn index_of(ids: &[u32], id: u32) -> usize {
+    ids.iter().enumerate().fold(0, |found, (at, &other)| if other == id { at } else { found })
 }
 
 /// Where `id` stands in `ids`; the caller knows that it does.

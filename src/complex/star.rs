@@ -1,12 +1,13 @@
 //! The star of a vertex.
 
 use super::Complex;
-use crate::memory::{Fallible, TryGrow};
+use super::index_of;
+use crate::memory::{Array, Fallible, TryGrow};
 
 impl<const D: usize> Complex<D> {
     /// Collects the live simplices at `vertex` into `star` (cleared first), infinite ones included.
     /// Uses the marks.
-    pub fn star(&mut self, vertex: u32, star: &mut Vec<u32>) -> Fallible<()> {
+    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> Fallible<()> {
         star.clear();
         self.begin_marks();
         let first = self.incident(vertex);
@@ -16,15 +17,13 @@ impl<const D: usize> Complex<D> {
         while next < star.len() {
             let simplex = star[next];
             next += 1;
-            for index in 0..=D {
-                if self.vertices(simplex)[index] == vertex {
-                    continue;
-                }
+            star.make_room(D)?;
+            // All but that opposite the vertex.
+            let opposite = index_of(self.vertices(simplex), vertex);
+            for index in (0..D).map(|i| i + usize::from(i >= opposite)) {
                 let neighbor = self.neighbors(simplex)[index];
-                if !self.is_inside(neighbor) {
-                    self.mark_inside(neighbor);
-                    star.try_push(neighbor)?;
-                }
+                star.push_if(!self.is_inside(neighbor), neighbor);
+                self.mark_inside(neighbor);
             }
         }
         Ok(())

@@ -2,41 +2,22 @@
 //! perturbation: a point conflicts only with a ball that it is strictly inside, and a cavity built
 //! so is star-shaped from the point and yields no flat simplex (DESIGN section 3).
 
+mod cavity;
 mod locate;
 mod overlap;
 mod part;
 #[cfg(test)]
 mod tests;
 
-use crate::complex::{Complex, Facet, INFINITE};
-use crate::memory::{Array, Fallible, TryGrow, make_room, prefetch};
+use crate::complex::{Complex, INFINITE};
+use crate::memory::{Array, Fallible, TryGrow, make_room};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
+pub(crate) use cavity::Cavity;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Corners of a simplex of the highest dimension.
 const MAX_CORNERS: usize = crate::mesh::MAX_DIM + 1;
-
-/// The simplices whose D-balls hold a point: what the point's insertion destroys.
-#[derive(Debug, Default)]
-pub(crate) struct Cavity {
-    pub simplices: Vec<u32>,
-    /// The facets round the cavity, grouped by `simplices`.
-    pub boundary: Vec<Facet>,
-    /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
-    pub starts: Vec<u32>,
-    /// Beside the corners of the first simplex, those of the others: one of each, opposite the facet where
-    /// the search came in. A vertex may come more than once.
-    pub apices: Vec<u32>,
-    /// The search that marked `simplices`.
-    search: u32,
-}
-
-/// Of ids, to tell one of them from the others'.
-#[inline(always)]
-fn sum(ids: &[u32]) -> u32 {
-    ids.iter().fold(0, |sum, &id| sum.wrapping_add(id))
-}
 
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
@@ -100,7 +81,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// See [`Complex::star`].
-    pub fn star(&mut self, vertex: u32, star: &mut Vec<u32>) -> Fallible<()> {
+    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> Fallible<()> {
         self.complex.star(vertex, star)
     }
 
@@ -198,60 +179,6 @@ impl<const D: usize> Delaunay<D> {
             // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
             Sign::Zero if self.complex.is_rim(simplex, infinite) => true,
             Sign::Zero => self.in_conflict(self.complex.neighbors(simplex)[infinite], q),
-        }
-    }
-
-    /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
-    pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) -> Fallible<()> {
-        cavity.simplices.clear();
-        cavity.boundary.clear();
-        cavity.starts.clear();
-        cavity.apices.clear();
-        cavity.search = self.complex.begin_marks();
-        self.complex.mark_inside(start);
-        cavity.simplices.try_push(start)?;
-        let mut next = 0;
-        while next < cavity.simplices.len() {
-            let simplex = cavity.simplices[next];
-            next += 1;
-            cavity.starts.try_push(cavity.boundary.len() as u32)?;
-            let (mut vertices, mut neighbors) = ([0; MAX_CORNERS], [0; MAX_CORNERS]);
-            vertices[..=D].copy_from_slice(self.complex.vertices(simplex));
-            neighbors[..=D].copy_from_slice(self.complex.neighbors(simplex));
-            let all = sum(&vertices[..=D]);
-            for (index, &beyond) in neighbors[..=D].iter().enumerate() {
-                if self.complex.is_inside(beyond) {
-                    continue;
-                }
-                if !self.complex.is_marked(beyond) {
-                    if self.in_conflict(beyond, q) {
-                        self.complex.mark_inside(beyond);
-                        cavity.simplices.try_push(beyond)?;
-                        // What one has more than the facet, which is what the other has.
-                        let facet = all.wrapping_sub(vertices[index]);
-                        let apex = sum(self.complex.vertices(beyond)).wrapping_sub(facet);
-                        cavity.apices.try_push(apex)?;
-                        self.prefetch_neighbors(beyond);
-                        continue;
-                    }
-                    self.complex.mark_outside(beyond);
-                }
-                cavity.boundary.try_push(Facet { simplex, index: index as u32, beyond })?;
-            }
-        }
-        cavity.starts.try_push(cavity.boundary.len() as u32)?;
-        Ok(())
-    }
-
-    /// Begins to load what a search that has come to `simplex` will look at next. In the plane a search
-    /// is over before that helps.
-    #[inline(always)]
-    fn prefetch_neighbors(&self, simplex: u32) {
-        if D > 2 {
-            for &neighbor in self.complex.neighbors(simplex) {
-                self.complex.prefetch(neighbor);
-                prefetch(std::slice::from_ref(&self.balls[neighbor as usize]));
-            }
         }
     }
 

@@ -4,7 +4,7 @@
 //! cavity may be connected only through infinite simplices, so these are all passed through.
 
 use super::Delaunay;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{Array, Fallible, TryGrow};
 use crate::numerics::{Circumball, norm};
 
 impl<const D: usize> Delaunay<D> {
@@ -15,7 +15,7 @@ impl<const D: usize> Delaunay<D> {
         &mut self,
         simplex: u32,
         most: usize,
-        found: &mut Vec<u32>,
+        found: &mut Array<u32>,
     ) -> Fallible<u64> {
         found.clear();
         self.complex.begin_marks();
@@ -74,7 +74,7 @@ impl<const D: usize> Delaunay<D> {
                 let reach = radius + self.ball(beyond).map_or(0.0, Circumball::radius);
                 // Out of range, or infinite: taken to meet.
                 if gap.is_some_and(|gap| gap > reach) {
-                    self.complex.mark_outside(beyond);
+                    self.complex.mark_either(beyond, false);
                 } else {
                     self.complex.mark_inside(beyond);
                     found.try_push(beyond)?;

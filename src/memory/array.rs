@@ -181,6 +181,18 @@ impl<T: Copy> Array<T> {
         Ok(())
     }
 
+    /// Appends `value` if it is wanted, without a branch; there is room for it in any case.
+    #[inline(always)]
+    pub fn push_if(&mut self, is_wanted: bool, value: T) {
+        assert!(self.length < self.capacity, "room is made before");
+        // SAFETY: within the stretch, by the assertion.
+        #[allow(unsafe_code)]
+        unsafe {
+            self.start.add(self.length).write(value);
+        }
+        self.length += usize::from(is_wanted);
+    }
+
     /// Appends `value` until there are `length`, for which there is room.
     #[inline]
     pub fn resize_within(&mut self, length: usize, value: T) {

@@ -164,7 +164,7 @@ impl Cell {
 struct Scratch {
     cavity: Cavity,
     created: Vec<u32>,
-    star: Vec<u32>,
+    star: Array<u32>,
     /// Vertices whose nearest distance fell.
     nearer: Vec<u32>,
     /// The neighbours of the last inserted vertex, or the corners of the last cavity.
@@ -178,7 +178,7 @@ struct Scratch {
 
 /// A set of vertex ids that is emptied in constant time.
 struct VertexSet {
-    ids: Vec<u32>,
+    ids: Array<u32>,
     marks: Vec<u32>,
     epoch: u32,
 }
@@ -186,7 +186,7 @@ struct VertexSet {
 impl Default for VertexSet {
     fn default() -> Self {
         // A new id's mark is 0, which must not be the first epoch.
-        Self { ids: Vec::new(), marks: Vec::new(), epoch: 1 }
+        Self { ids: Array::new(), marks: Vec::new(), epoch: 1 }
     }
 }
 
@@ -207,10 +207,10 @@ impl VertexSet {
     #[inline(always)]
     fn insert(&mut self, id: u32) -> Fallible<()> {
         let mark = &mut self.marks[id as usize];
-        if *mark != self.epoch {
-            *mark = self.epoch;
-            self.ids.try_push(id)?;
-        }
+        self.ids.make_room(1)?;
+        // Without a branch on what no processor can foresee.
+        self.ids.push_if(*mark != self.epoch, id);
+        *mark = self.epoch;
         Ok(())
     }
 }

@@ -178,6 +178,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         counts: impl Fn(&mut Self, u32) -> bool,
     ) -> Option<u32> {
         let mut least = self.nearest_allowed(radius);
+        // The worst of all, without a branch: mostly it counts, or is not bad.
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let all = vertices.iter().fold((least, NONE), |(least, worst), &vertex| {
+            let nearest = self.cells[vertex as usize].nearest;
+            if nearest < least { (nearest, vertex) } else { (least, worst) }
+        });
+        if all.1 == NONE || counts(self, all.1) {
+            return some(all.1);
+        }
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.delaunay.complex().vertices(simplex)[index];

@@ -73,7 +73,7 @@ fn greedy_net<const D: usize>(
     let mut delaunay = Delaunay::new(Array::copied(&points)?)?;
     let first = collected(0..=D as u32)?;
     delaunay.begin(&first)?;
-    let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Vec::new());
+    let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Array::new());
     let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| -> Fallible<()> {
         let x = *delaunay.point(vertex);
         let start = delaunay.locate(near, &x).expect("the directions are distinct");

@@ -10,7 +10,7 @@
 //! not count; none is wanted beyond the diameter of Omega's ball.
 
 use crate::error::Result;
-use crate::memory::Fallible;
+use crate::memory::{Array, Fallible};
 use crate::netmesh::domains::ROOT;
 use crate::netmesh::{Mesher, VertexSet, some};
 use crate::numerics::distance;
@@ -34,7 +34,7 @@ pub(super) struct Search {
     queue: BinaryHeap<Reverse<(u64, u32, bool)>>,
     seen: VertexSet,
     children: VertexSet,
-    star: Vec<u32>,
+    star: Array<u32>,
     /// Simplices visited in all searches.
     pub work: u64,
 }

@@ -9,11 +9,11 @@
 
 use crate::complex::INFINITE;
 use crate::delaunay::Delaunay;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{Array, Fallible, TryGrow};
 
 /// Counts points around the edges at a vertex; keeps its buffers.
 pub(super) struct Rings<const D: usize> {
-    star: Vec<u32>,
+    star: Array<u32>,
     /// The other ends of the edges; the infinite vertex is that after the last.
     others: Vec<u32>,
     /// Other end -> the D largest counts of points in the D-balls around the edge.
@@ -28,7 +28,7 @@ pub(super) struct Rings<const D: usize> {
 impl<const D: usize> Default for Rings<D> {
     fn default() -> Self {
         Self {
-            star: Vec::new(),
+            star: Array::new(),
             others: Vec::new(),
             largest: Vec::new(),
             fullest: Vec::new(),

@@ -232,6 +232,7 @@ impl<const D: usize> Complex<D> {
         self.mark(simplex) >= self.epoch
     }
 
+    /// Marks `simplex` as inside, or else as outside.
     #[inline]
     pub fn mark_either(&mut self, simplex: u32, is_inside: bool) {
         *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);

@@ -1,7 +1,6 @@
 //! The star of a vertex.
 
-use super::Complex;
-use super::index_of;
+use super::{Complex, index_of};
 use crate::memory::{Array, Fallible, TryGrow};
 
 impl<const D: usize> Complex<D> {

@@ -44,7 +44,7 @@ impl<const D: usize> Delaunay<D> {
     pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) -> Fallible<()> {
         cavity.restart();
         cavity.search = self.complex.begin_marks();
-        self.complex.mark_either(start, true);
+        self.complex.mark_inside(start);
         // The search came to the first through no facet.
         cavity.queue.try_push(Found { simplex: start, entry: D as u32 + 1 })?;
         let mut next = 0;

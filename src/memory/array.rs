@@ -376,6 +376,28 @@ mod tests {
     }
 
     #[test]
+    fn what_is_not_wanted_leaves_no_trace() {
+        let mut array = filled(0..2);
+        array.make_room(2).unwrap();
+        for (value, is_wanted) in [(7, false), (8, true), (9, false), (10, true), (11, false)] {
+            array.make_room(1).unwrap();
+            array.push_if(is_wanted, value);
+        }
+        assert_eq!(*array, [0, 1, 8, 10]);
+    }
+
+    #[test]
+    #[should_panic = "room is made before"]
+    fn nothing_is_written_beyond_the_room() {
+        let mut lent = filled(0..3).lend(&[0]);
+        // Whatever room is left is the last one's.
+        let last = lent.as_mut().unwrap().last_mut().unwrap();
+        for _ in 0..=last.spare() {
+            last.push_if(true, 1);
+        }
+    }
+
+    #[test]
     fn what_was_lent_comes_back_in_its_place() {
         let mut array = filled(0..3);
         array.expect(100);

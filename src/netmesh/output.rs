@@ -210,11 +210,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 /// The vertex of the result that `vertex` is.
-#[inline]
 fn output_id(order: &[u32], vertex: u32) -> u32 {
-    // Without a branch: inputs and others alternate.
-    let input = order[(vertex as usize).min(order.len() - 1)];
-    if (vertex as usize) < order.len() { input } else { vertex }
+    order.get(vertex as usize).copied().unwrap_or(vertex)
 }
 
 /// Room in `array`, which is empty, for so many ids each.

@@ -86,6 +86,20 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     }
 }
 
+/// The star of a vertex has all simplices there, each once.
+fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
+    let live = live_simplices(delaunay);
+    let mut star = Array::new();
+    for vertex in 0..delaunay.point_count() as u32 {
+        if delaunay.complex().contains_vertex(vertex) {
+            delaunay.star(vertex, &mut star).unwrap();
+            star.sort_unstable();
+            let has = |&&simplex: &&u32| delaunay.complex().vertices(simplex).contains(&vertex);
+            assert!(live.iter().filter(has).eq(&star));
+        }
+    }
+}
+
 /// The order of locality has every live simplex once: by its least vertex where all vertices are
 /// anchors, and by the steps from the star of the only one where that is vertex 0.
 fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
@@ -110,8 +124,9 @@ fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
 }
 
 fn check<const D: usize>(points: &[[f64; D]]) -> Option<usize> {
-    let delaunay = triangulate(points)?;
+    let mut delaunay = triangulate(points)?;
     assert_closed(&delaunay);
+    assert_stars(&mut delaunay);
     assert_order(&delaunay);
     assert_delaunay(&delaunay);
     let mut distinct: Vec<_> = points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();

@@ -1,10 +1,8 @@
 //! Affinely independent points among many.
 
+use super::MAX_DIM;
 use super::orientation::orientation;
 use std::ops::Deref;
-
-/// As many dimensions as the signs know.
-const MAX_DIM: usize = 8;
 
 /// Indices of affinely independent points among `count`, greedily: index 0, then each index whose
 /// point is not in the affine hull of those taken before, until `D + 1` are found. Empty if `count`

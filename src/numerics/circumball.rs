@@ -1,5 +1,6 @@
 //! The circumball of a simplex with a rigorous error bound: the filter of all conflict tests.
 
+use super::MAX_DIM;
 use super::cramer::{self, Center, MAX_CRAMER, square};
 use super::exact::circumcenter_exact;
 use super::length::{largest_magnitude, norm};
@@ -28,9 +29,6 @@ pub struct Circumball<const D: usize> {
 /// A centre whose largest component is not known better than this, relatively, is recomputed in
 /// integers.
 const ACCEPTED: f64 = 1e-9;
-
-/// Corners of a simplex of the highest dimension, 8.
-const MAX_POINTS: usize = 9;
 
 /// Exponent of the balls that [`Circumball::side`] need not scale.
 const PLAIN: i16 = -1;
@@ -69,11 +67,11 @@ impl<const D: usize> Circumball<D> {
     /// The same of the points `corner(0)` to `corner(D)`.
     #[inline(always)]
     pub fn of<'a>(corner: impl Fn(usize) -> &'a [f64; D]) -> Self {
-        const { assert!(D >= 2 && D < MAX_POINTS) };
+        const { assert!(D >= 2 && D <= MAX_DIM) };
         match Self::by_cramer(&corner, 0, FLAT) {
             Some(ball) => ball,
             None => {
-                let points: [_; MAX_POINTS] = std::array::from_fn(|i| corner(i.min(D)));
+                let points: [_; MAX_DIM + 1] = std::array::from_fn(|i| corner(i.min(D)));
                 Self::with_care(&points[..D + 1])
             }
         }

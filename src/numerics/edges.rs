@@ -4,12 +4,11 @@
 //! A determinant is computed modulo as many primes as the bound of its magnitude asks for: nothing
 //! is rounded, and no memory grows with the numbers.
 
+use super::MAX_DIM;
 use super::integer::{Integer, primes_for};
 use super::power::decompose;
 use super::residues::Field;
 use super::sign::Sign;
-
-const MAX_DIM: usize = 8;
 
 /// The most rows or columns of a matrix.
 const MAX_SIZE: usize = MAX_DIM + 1;

@@ -36,3 +36,6 @@ pub use in_ball::in_ball;
 pub use length::{distance, norm, shortest_distance};
 pub use orientation::{orientation, orientation_filtered};
 pub use sign::Sign;
+
+/// As many dimensions as all in here know.
+const MAX_DIM: usize = 8;

@@ -9,14 +9,16 @@
 mod cone;
 mod locality;
 mod part;
+mod records;
 mod ridges;
 mod star;
 
-use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room, prefetch};
+use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room};
 use crate::mesh::NONE;
 use cone::Edges;
 pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
+pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
@@ -83,24 +85,12 @@ impl<const D: usize> Complex<D> {
 
     #[inline]
     pub fn vertices(&self, simplex: u32) -> &[u32] {
-        &self.records[simplex as usize * Self::RECORD..][..Self::CORNERS]
+        self.records().vertices(simplex)
     }
 
     #[inline]
     pub fn neighbors(&self, simplex: u32) -> &[u32] {
-        &self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
-    }
-
-    /// Begins to load the record of `simplex`.
-    #[inline(always)]
-    pub fn prefetch(&self, simplex: u32) {
-        prefetch(&self.records[simplex as usize * Self::RECORD..][..Self::RECORD]);
-    }
-
-    /// Where `simplex` has its neighbour `neighbor`. Without a branch: it may be anywhere.
-    #[inline(always)]
-    pub fn index_of_neighbor(&self, simplex: u32, neighbor: u32) -> usize {
-        index_of(self.neighbors(simplex), neighbor)
+        self.records().neighbors(simplex)
     }
 
     pub fn is_live(&self, simplex: u32) -> bool {

@@ -98,9 +98,9 @@ impl<const D: usize> Complex<D> {
         self.records.lend(&rooms)
     }
 
-    /// Whether the whole goes on beyond the facet of `simplex`, of a part, opposite its corner `index`.
+    /// See [`Records::is_rim`](super::Records::is_rim).
     pub fn is_rim(&self, simplex: u32, index: usize) -> bool {
-        self.neighbors(simplex)[index] == simplex
+        self.records().is_rim(simplex, index)
     }
 
     /// Appends the simplices of `part`, dead ones too, under new ids, which `names` knows afterwards; it

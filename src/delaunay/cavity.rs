@@ -1,9 +1,10 @@
 //! The search of a cavity. Which way it goes no processor can foresee, so it branches seldom: a simplex is
 //! written where it may belong, and stays if it does.
 
-use super::{Delaunay, MAX_CORNERS};
-use crate::complex::Facet;
-use crate::memory::{Array, Fallible, TryGrow, prefetch};
+use super::Delaunay;
+use super::conflict::Conflicts;
+use crate::complex::{Facet, Marking};
+use crate::memory::{Array, Fallible, TryGrow};
 
 /// The simplices whose D-balls hold a point: what the point's insertion destroys.
 #[derive(Default)]
@@ -30,56 +31,86 @@ struct Found {
 }
 
 impl Cavity {
-    fn restart(&mut self) {
+    fn restart(&mut self, search: u32) {
+        self.search = search;
         self.simplices.clear();
         self.boundary.clear();
         self.starts.clear();
         self.apices.clear();
         self.queue.clear();
     }
+
+    /// Goes on with `simplex`, whose facets there is room for then.
+    #[inline(always)]
+    fn begin_simplex<const D: usize>(&mut self, simplex: u32) -> Fallible<()> {
+        self.queue.make_room(D + 1)?;
+        self.boundary.make_room(D + 1)?;
+        self.starts.try_push(self.boundary.len() as u32)?;
+        self.simplices.try_push(simplex)
+    }
 }
 
 impl<const D: usize> Delaunay<D> {
     /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
     pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) -> Fallible<()> {
-        cavity.restart();
-        cavity.search = self.complex.begin_marks();
-        self.complex.mark_inside(start);
-        // The search came to the first through no facet.
-        cavity.queue.try_push(Found { simplex: start, entry: D as u32 + 1 })?;
+        let Self { complex, points, balls, exact_fallbacks } = self;
+        let mut search = Search {
+            marking: complex.marking(),
+            conflicts: Conflicts { points, balls, exact_fallbacks },
+            q,
+        };
+        cavity.restart(search.marking.number());
+        search.marking.mark(start, true);
+        cavity.begin_simplex::<D>(start)?;
+        for index in 0..=D {
+            let beyond = search.marking.records().neighbors(start)[index];
+            search.cross(start, index, beyond, cavity);
+        }
         let mut next = 0;
         while let Some(&Found { simplex, entry }) = cavity.queue.get(next) {
             next += 1;
             if let Some(ahead) = cavity.queue.get(next) {
-                self.prefetch_neighbors(ahead.simplex);
+                search.prefetch_neighbors(ahead.simplex);
             }
-            cavity.queue.make_room(D + 1)?;
-            cavity.boundary.make_room(D + 1)?;
-            cavity.starts.try_push(cavity.boundary.len() as u32)?;
-            cavity.simplices.try_push(simplex)?;
             let entry = entry as usize;
-            let mut facets = D + 1;
-            if entry <= D {
-                cavity.apices.try_push(self.complex.vertices(simplex)[entry])?;
-                facets = D;
-            }
-            let mut neighbors = [0; MAX_CORNERS];
-            neighbors[..=D].copy_from_slice(self.complex.neighbors(simplex));
-            for index in (0..facets).map(|i| i + usize::from(i >= entry)) {
-                let beyond = neighbors[index];
-                if self.complex.is_inside(beyond) {
-                    continue;
-                }
-                let mirror = self.complex.index_of_neighbor(beyond, simplex) as u32;
-                let is_inside = !self.complex.is_marked(beyond) && self.in_conflict(beyond, q);
-                self.complex.mark_either(beyond, is_inside);
-                cavity.queue.push_if(is_inside, Found { simplex: beyond, entry: mirror });
-                let facet = Facet { simplex, index: index as u32, beyond, mirror };
-                cavity.boundary.push_if(!is_inside, facet);
+            cavity.begin_simplex::<D>(simplex)?;
+            cavity.apices.try_push(search.marking.records().vertices(simplex)[entry])?;
+            let neighbors = search.marking.records().neighbors(simplex);
+            let others: [u32; D] = std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
+            for (i, beyond) in others.into_iter().enumerate() {
+                search.cross(simplex, i + usize::from(i >= entry), beyond, cavity);
             }
         }
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
         Ok(())
+    }
+}
+
+struct Search<'a, const D: usize> {
+    marking: Marking<'a, D>,
+    conflicts: Conflicts<'a, D>,
+    q: &'a [f64; D],
+}
+
+impl<const D: usize> Search<'_, D> {
+    /// Crosses the facet with number `index` of the cavity's `simplex`, to `beyond`. What was seen before
+    /// is tested once more: that is faster than to go another way for it.
+    #[inline(always)]
+    fn cross(&mut self, simplex: u32, index: usize, beyond: u32, cavity: &mut Cavity) {
+        let seen = self.marking.see(beyond, simplex);
+        let is_new = !self.marking.is_marked(&seen);
+        let side = self.conflicts.side(beyond, self.q);
+        let is_found = is_new & side.unwrap_or_else(|| is_new && self.test_with_care(beyond));
+        let is_inside = is_found | self.marking.is_inside(&seen);
+        self.marking.mark(beyond, is_inside);
+        let mirror = seen.mirror;
+        cavity.queue.push_if(is_found, Found { simplex: beyond, entry: mirror });
+        let facet = Facet { simplex, index: index as u32, beyond, mirror };
+        cavity.boundary.push_if(!is_inside, facet);
+    }
+
+    fn test_with_care(&self, simplex: u32) -> bool {
+        self.conflicts.test_with_care(self.marking.records(), simplex, self.q)
     }
 
     /// Begins to load what a search that has come to `simplex` will look at next. In the plane a search
@@ -87,9 +118,9 @@ impl<const D: usize> Delaunay<D> {
     #[inline(always)]
     fn prefetch_neighbors(&self, simplex: u32) {
         if D > 2 {
-            for &neighbor in self.complex.neighbors(simplex) {
-                self.complex.prefetch(neighbor);
-                prefetch(std::slice::from_ref(&self.balls[neighbor as usize]));
+            for &neighbor in self.marking.records().neighbors(simplex) {
+                self.marking.records().prefetch(neighbor);
+                self.conflicts.prefetch(neighbor);
             }
         }
     }

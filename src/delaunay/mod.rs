@@ -3,6 +3,7 @@
 //! so is star-shaped from the point and yields no flat simplex (DESIGN section 3).
 
 mod cavity;
+mod conflict;
 mod locate;
 mod overlap;
 mod part;
@@ -12,8 +13,9 @@ mod tests;
 use crate::complex::{Complex, INFINITE};
 use crate::memory::{Array, Fallible, TryGrow, make_room};
 use crate::mesh::NONE;
-use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
+use crate::numerics::{Circumball, Sign, norm, orientation};
 pub(crate) use cavity::Cavity;
+use conflict::Conflicts;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Corners of a simplex of the highest dimension.
@@ -131,17 +133,16 @@ impl<const D: usize> Delaunay<D> {
         Some(norm(&offset))
     }
 
-    /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly
-    /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
+    /// See [`Conflicts::test`].
     #[inline]
     pub fn in_conflict(&self, simplex: u32, q: &[f64; D]) -> bool {
-        let Some((ball, anchor)) = self.ball_and_anchor(simplex) else {
-            return self.beyond_hull(simplex, q);
-        };
-        match ball.side(anchor, q) {
-            Some(inside) => inside,
-            None => self.in_ball_exactly(simplex, q),
-        }
+        self.conflicts().test(self.complex.records(), simplex, q)
+    }
+
+    #[inline]
+    fn conflicts(&self) -> Conflicts<'_, D> {
+        let Self { points, balls, exact_fallbacks, .. } = self;
+        Conflicts { points, balls, exact_fallbacks }
     }
 
     /// About the power of `q` to the D-ball of `simplex`, the lower the further inside; infinite or
@@ -151,34 +152,6 @@ impl<const D: usize> Delaunay<D> {
         match self.ball_and_anchor(simplex) {
             Some((ball, anchor)) => ball.power(anchor, q),
             None => f64::INFINITY,
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn in_ball_exactly(&self, simplex: u32, q: &[f64; D]) -> bool {
-        self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
-        let corners = self.corner_points(self.complex.vertices(simplex));
-        in_ball(&corners[..=D], q) == Sign::Positive
-    }
-
-    /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
-    #[inline(never)]
-    fn beyond_hull(&self, simplex: u32, q: &[f64; D]) -> bool {
-        let vertices = self.complex.vertices(simplex);
-        let infinite = crate::complex::position(vertices, INFINITE);
-        let mut corners = [q; MAX_CORNERS];
-        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-            if vertex != INFINITE {
-                *corner = self.point(vertex);
-            }
-        }
-        match orientation(&corners[..=D]) {
-            Sign::Positive => true,
-            Sign::Negative => false,
-            // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
-            Sign::Zero if self.complex.is_rim(simplex, infinite) => true,
-            Sign::Zero => self.in_conflict(self.complex.neighbors(simplex)[infinite], q),
         }
     }
 
@@ -224,10 +197,6 @@ impl<const D: usize> Delaunay<D> {
     }
 
     fn corner_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_CORNERS] {
-        let mut corners = [&self.points[0]; MAX_CORNERS];
-        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
-            *corner = self.point(vertex);
-        }
-        corners
+        self.conflicts().corner_points(vertices)
     }
 }

@@ -8,7 +8,7 @@ mod prefetch;
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
 use pages::prefer_large_pages;
-pub use prefetch::prefetch;
+pub use prefetch::prefetch_at;
 use std::collections::{TryReserveError, VecDeque};
 
 /// What ran out. One byte: results that carry it cost what a `bool` costs.

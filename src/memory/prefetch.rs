@@ -1,12 +1,13 @@
 //! Memory asked for before it is needed: a search that hops from simplex to simplex waits for each of
 //! them otherwise, since the processor cannot foresee where it goes.
 
-/// Begins to load the cache lines where `values` begin and end. Changes nothing.
+/// Begins to load the cache lines where `count` of `values` from `first` on begin and end, if there are
+/// so many. Changes nothing.
 #[inline(always)]
-pub fn prefetch<T>(values: &[T]) {
-    let range = values.as_ptr_range();
-    hint(range.start.cast());
-    hint(range.end.cast::<u8>().wrapping_sub(1));
+pub fn prefetch_at<T>(values: &[T], first: usize, count: usize) {
+    let start = values.as_ptr().wrapping_add(first);
+    hint(start.cast());
+    hint(start.wrapping_add(count).cast::<u8>().wrapping_sub(1));
 }
 
 #[cfg(all(target_arch = "x86_64", not(miri)))]

@@ -1,0 +1,79 @@
+//! Conflicts: whether a point is in a D-ball.
+
+use super::MAX_CORNERS;
+use crate::complex::{INFINITE, Records, position};
+use crate::memory::prefetch_at;
+use crate::numerics::{Circumball, Sign, in_ball, orientation};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// What tells conflicts, beside the records of the simplices.
+#[derive(Clone, Copy)]
+pub(super) struct Conflicts<'a, const D: usize> {
+    pub points: &'a [[f64; D]],
+    pub balls: &'a [Circumball<D>],
+    pub exact_fallbacks: &'a AtomicU64,
+}
+
+impl<'a, const D: usize> Conflicts<'a, D> {
+    /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly
+    /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
+    #[inline(always)]
+    pub fn test(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+        self.side(simplex, q).unwrap_or_else(|| self.test_with_care(records, simplex, q))
+    }
+
+    /// As [`Self::test`] if the D-ball as it is kept can tell.
+    #[inline(always)]
+    pub fn side(&self, simplex: u32, q: &[f64; D]) -> Option<bool> {
+        let ball = &self.balls[simplex as usize];
+        // An infinite simplex has no ball, and that none an anchor.
+        ball.side(self.points.get(ball.anchor as usize)?, q)
+    }
+
+    /// As [`Self::test`] where [`Self::side`] cannot tell.
+    #[cold]
+    #[inline(never)]
+    pub fn test_with_care(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+        let vertices = records.vertices(simplex);
+        match vertices.contains(&INFINITE) {
+            true => self.beyond_hull(records, simplex, q),
+            false => {
+                self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
+                let corners = self.corner_points(vertices);
+                in_ball(&corners[..=D], q) == Sign::Positive
+            }
+        }
+    }
+
+    /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
+    fn beyond_hull(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+        let vertices = records.vertices(simplex);
+        let infinite = position(vertices, INFINITE);
+        let mut corners = self.corner_points(vertices);
+        corners[infinite] = q;
+        match orientation(&corners[..=D]) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
+            Sign::Zero if records.is_rim(simplex, infinite) => true,
+            Sign::Zero => self.test(records, records.neighbors(simplex)[infinite], q),
+        }
+    }
+
+    /// The points of finite vertices.
+    pub fn corner_points(&self, vertices: &[u32]) -> [&'a [f64; D]; MAX_CORNERS] {
+        let mut corners = [&self.points[0]; MAX_CORNERS];
+        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+            if vertex != INFINITE {
+                *corner = &self.points[vertex as usize];
+            }
+        }
+        corners
+    }
+
+    /// Begins to load the D-ball of `simplex`.
+    #[inline(always)]
+    pub fn prefetch(&self, simplex: u32) {
+        prefetch_at(self.balls, simplex as usize, 1);
+    }
+}

@@ -169,8 +169,8 @@ impl<const D: usize> Delaunay<D> {
         }
         self.complex.retriangulate(vertex, &cavity.simplices, &cavity.boundary, created);
         self.cover_balls()?;
-        for &simplex in created.iter() {
-            self.compute_ball(simplex);
+        for pair in created.chunks(2) {
+            self.compute_balls([pair[0], pair[pair.len() - 1]]);
         }
         Ok(())
     }
@@ -180,6 +180,25 @@ impl<const D: usize> Delaunay<D> {
         self.balls.cover(self.complex.simplex_bound(), Self::NO_BALL)
     }
 
+    #[inline(always)]
+    fn compute_balls(&mut self, [first, second]: [u32; 2]) {
+        let (a, b) = (self.complex.vertices(first), self.complex.vertices(second));
+        let is_finite = |vertices: &[u32]| vertices.iter().all(|&v| (v as usize) < self.points.len());
+        let anchors = [a[0], b[0]];
+        let pair = match is_finite(a) && is_finite(b) {
+            true => Circumball::ordinary_pair(|i| self.point(a[i]), |i| self.point(b[i])),
+            false => None,
+        };
+        match pair {
+            Some(balls) => {
+                self.balls[first as usize] = balls[0].anchored(anchors[0]);
+                self.balls[second as usize] = balls[1].anchored(anchors[1]);
+            }
+            None => [first, second].into_iter().for_each(|simplex| self.compute_ball(simplex)),
+        }
+    }
+
+    #[inline(never)]
     fn compute_ball(&mut self, simplex: u32) {
         let vertices = self.complex.vertices(simplex);
         self.balls[simplex as usize] = match vertices.contains(&INFINITE) {

@@ -1,9 +1,10 @@
 //! The circumball of a simplex with a rigorous error bound: the filter of all conflict tests.
 
 use super::MAX_DIM;
-use super::cramer::{self, Center, MAX_CRAMER, square};
+use super::cramer::{self, MAX_CRAMER, square};
 use super::exact::circumcenter_exact;
 use super::length::{largest_magnitude, norm};
+use super::pair::{Pair, Real};
 use super::power::{TINY, UNIT, biased_exponent, power_of_two, scale_by_power};
 use super::solve::solve;
 use std::ops::RangeInclusive;
@@ -68,13 +69,33 @@ impl<const D: usize> Circumball<D> {
     #[inline(always)]
     pub fn of<'a>(corner: impl Fn(usize) -> &'a [f64; D]) -> Self {
         const { assert!(D >= 2 && D <= MAX_DIM) };
-        match Self::by_cramer(&corner, 0, FLAT) {
-            Some(ball) => ball,
-            None => {
-                let points: [_; MAX_DIM + 1] = std::array::from_fn(|i| corner(i.min(D)));
-                Self::with_care(&points[..D + 1])
-            }
+        Self::by_cramer(&corner, 0, FLAT).unwrap_or_else(|| Self::with_care(&corner))
+    }
+
+    /// The circumballs of two simplices, for less than twice the price, if the size and the shape of both
+    /// are nothing special; `None` otherwise.
+    #[inline(always)]
+    pub fn ordinary_pair<'a>(
+        first: impl Fn(usize) -> &'a [f64; D],
+        second: impl Fn(usize) -> &'a [f64; D],
+    ) -> Option<[Self; 2]> {
+        if D > MAX_CRAMER {
+            return None;
         }
+        let both = |i: usize, k: usize| Pair::new(first(i)[k], second(i)[k]);
+        let origin: [Pair; D] = std::array::from_fn(|k| both(0, k));
+        let edge = |r| std::array::from_fn(|k| both(r + 1, k) - origin[k]);
+        let centers = cramer::circumcenter(&std::array::from_fn(edge));
+        if !centers.is_usable(FLAT) || !is_ordinary(centers.diameter) {
+            return None;
+        }
+        let error = (centers.error + Pair::of(side_units(D)) * centers.diameter).get();
+        let [first, second] = std::array::from_fn(|lane| Self {
+            center: centers.twice.map(|x| x.get()[lane]),
+            anchor: 0,
+            precision: Precision::plain(error[lane]),
+        });
+        Some([first, second])
     }
 
     /// The ball of a simplex whose size and shape are nothing special; `None` otherwise, and beyond
@@ -88,18 +109,24 @@ impl<const D: usize> Circumball<D> {
         if D > MAX_CRAMER {
             return None;
         }
-        let edges = edges(corner, anchor);
-        let Center { twice, diameter, error } = cramer::circumcenter(&edges, flatness)?;
-        if !(ORDINARY.0..ORDINARY.1).contains(&diameter) {
+        let center = cramer::circumcenter(&edges(corner, anchor));
+        if !center.is_usable(flatness) || !is_ordinary(center.diameter) {
             return None;
         }
-        let precision = Precision::plain(error + side_units(D) * diameter);
-        Some(Self { center: twice, anchor: anchor as u32, precision })
+        let precision = Precision::plain(center.error + side_units(D) * center.diameter);
+        Some(Self { center: center.twice, anchor: anchor as u32, precision })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn with_care<'a>(corner: &impl Fn(usize) -> &'a [f64; D]) -> Self {
+        let points: [_; MAX_DIM + 1] = std::array::from_fn(|i| corner(i.min(D)));
+        Self::relative_to_shortest_edge(&points[..D + 1])
     }
 
     /// The ball relative to an endpoint of the shortest edge.
     #[inline(never)]
-    fn with_care(points: &[&[f64; D]]) -> Self {
+    fn relative_to_shortest_edge(points: &[&[f64; D]]) -> Self {
         let anchor = shortest_edge(points);
         Self::by_cramer(&|i| points[i], anchor, FLATTER)
             .or_else(|| Self::in_floats(points, anchor))
@@ -280,7 +307,12 @@ impl<const D: usize> Circumball<D> {
 }
 
 /// Diameters of balls with the unit 2^[`PLAIN`].
-const ORDINARY: (f64, f64) = (power_of_two(*REACH.start()), power_of_two(*REACH.end()));
+const ORDINARY: RangeInclusive<f64> = power_of_two(*REACH.start())..=power_of_two(*REACH.end());
+
+#[inline(always)]
+fn is_ordinary<R: Real>(diameter: R) -> bool {
+    R::of(*ORDINARY.start()).is_at_most(diameter) && diameter.is_at_most(R::of(*ORDINARY.end()))
+}
 
 /// An error bound and an exponent in four bytes: a positive number of single precision with the
 /// exponent, less [`PLAIN`], in place of its last bits.

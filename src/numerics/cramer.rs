@@ -2,19 +2,25 @@
 //! square roots instead of a permanent for each determinant. For edges of everyday lengths, which
 //! need no scaling.
 
+use super::pair::Real;
 use super::power::{UNIT, power_of_two};
 
 /// The highest dimension that [`circumcenter`] knows.
 pub(super) const MAX_CRAMER: usize = 4;
 
 /// The centre of a sphere through an origin and D other points, relative to the origin.
-pub(super) struct Center<const D: usize> {
+pub(super) struct Center<const D: usize, R = f64> {
     /// Twice the centre.
-    pub twice: [f64; D],
+    pub twice: [R; D],
     /// The sphere's diameter: the length of `twice`.
-    pub diameter: f64,
+    pub diameter: R,
     /// No component of `twice` is further from the exact one than this.
-    pub error: f64,
+    pub error: R,
+    /// The squares of the edges' lengths: their sum and their product.
+    total: R,
+    product: R,
+    /// The product of the lengths by the volume that the edges span.
+    ratio: R,
 }
 
 /// Edges with lengths from 2^-`reach` to 2^`reach` need no scaling. [`circumcenter`] lets no length
@@ -28,13 +34,24 @@ const fn reach(dim: usize) -> i32 {
 const NUMERATOR: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 8.0, 13.0, 26.0];
 const DETERMINANT: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 5.0, 12.0, 31.0];
 
+impl<const D: usize, R: Real> Center<D, R> {
+    /// Whether lengths are within [`reach`], and the volume that the edges span is at least 1/`flatness`
+    /// (which is at most 2^12) of that of a box with such edges.
+    ///
+    /// The distance of two ends of edges is then at least 1/`flatness` of both their distances to the
+    /// origin, less roundoff: edges i and j span a volume with the others that is at most their difference
+    /// times the length of i times those of the others, and the same for j.
+    #[inline(always)]
+    pub fn is_usable(&self, flatness: f64) -> bool {
+        // Infinite squares, and the NaN that they lead to, fail the first comparison.
+        self.total.is_at_most(R::of(power_of_two(2 * reach(D))))
+            && R::of(power_of_two(-2 * D as i32 * reach(D))).is_at_most(self.product)
+            && self.ratio.is_at_most(R::of(flatness))
+    }
+}
+
 /// Solves v_i . x = |v_i|^2 for `edges` v_i that are rounded differences of finite points, in dimension
-/// 2 to [`MAX_CRAMER`]. `None` if lengths are out of [`reach`], or if the volume that the edges span is
-/// less than 1/`flatness` (which is at most 2^12) of that of a box with such edges.
-///
-/// Otherwise the distance of two ends of edges is at least 1/`flatness` of both their distances to
-/// the origin, less roundoff: edges i and j span a volume with the others that is at most their
-/// difference times the length of i times those of the others, and the same for j.
+/// 2 to [`MAX_CRAMER`]. Nothing is known of the result where it is not [usable](Center::is_usable).
 ///
 /// Proof of the bound. Let r be the product of the lengths, d the determinant, u the roundoff. An
 /// edge's component carries 1 rounding, its square length D + 2 (two components, a product, D - 1
@@ -51,44 +68,36 @@ const DETERMINANT: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 5.0, 12.0, 31.0];
 /// order and for the roundings here. What underflows, at most 2^-1075 in a product, has become at
 /// most 2^-700 in the end, where the bound is at least u r times a length, 2^-510. Nothing overflows.
 #[inline(always)]
-pub(super) fn circumcenter<const D: usize>(
-    edges: &[[f64; D]; D],
-    flatness: f64,
-) -> Option<Center<D>> {
-    let squares: [f64; D] = std::array::from_fn(|i| square(&edges[i]));
-    let total = squares[1..].iter().fold(squares[0], |sum, x| sum + x);
-    let product = squares[1..].iter().fold(squares[0], |product, x| product * x);
+pub(super) fn circumcenter<const D: usize, R: Real>(edges: &[[R; D]; D]) -> Center<D, R> {
+    let squares: [R; D] = std::array::from_fn(|i| square(&edges[i]));
+    let total = squares[1..].iter().fold(squares[0], |sum, &x| sum + x);
+    let product = squares[1..].iter().fold(squares[0], |product, &x| product * x);
     let (numerators, determinant) = match D {
         2 => in_two(edges, &squares),
         3 => in_three(edges, &squares),
         _ => in_four(edges, &squares),
     };
-    let inverse = 1.0 / determinant;
+    let inverse = R::of(1.0) / determinant;
     let ratio = product.sqrt() * inverse.abs();
-    // Infinite squares, and the NaN that they lead to, fail the first comparison.
-    let is_usable = total <= power_of_two(2 * reach(D))
-        && product >= power_of_two(-2 * D as i32 * reach(D))
-        && ratio <= flatness;
-    if !is_usable {
-        return None;
-    }
     let twice = numerators.map(|x| x * inverse);
     let diameter = square(&twice).sqrt();
-    let from_numerator = ratio * (UNIT * NUMERATOR[D]) * (D as f64 * total).sqrt();
-    let from_determinant = ratio * (UNIT * DETERMINANT[D]) + 2.0 * UNIT;
-    Some(Center { twice, diameter, error: from_numerator + from_determinant * diameter })
+    let length = (R::of(D as f64) * total).sqrt();
+    let from_numerator = ratio * R::of(UNIT * NUMERATOR[D]) * length;
+    let from_determinant = ratio * R::of(UNIT * DETERMINANT[D]) + R::of(2.0 * UNIT);
+    let error = from_numerator + from_determinant * diameter;
+    Center { twice, diameter, error, total, product, ratio }
 }
 
 /// The squared length.
 #[inline(always)]
-pub(super) fn square<const D: usize>(v: &[f64; D]) -> f64 {
-    v[1..].iter().fold(v[0] * v[0], |sum, x| sum + x * x)
+pub(super) fn square<const D: usize, R: Real>(v: &[R; D]) -> R {
+    v[1..].iter().fold(v[0] * v[0], |sum, &x| sum + x * x)
 }
 
 /// Numerators and the determinant in the plane.
 #[inline(always)]
-fn in_two<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
-    let mut numerators = [0.0; D];
+fn in_two<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
+    let mut numerators = [R::of(0.0); D];
     numerators[0] = b[0] * a[1][1] - b[1] * a[0][1];
     numerators[1] = b[1] * a[0][0] - b[0] * a[1][0];
     (numerators, a[0][0] * a[1][1] - a[0][1] * a[1][0])
@@ -96,9 +105,9 @@ fn in_two<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
 
 /// Numerators and the determinant in space, from the cross products of the rows.
 #[inline(always)]
-fn in_three<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
+fn in_three<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let (m0, m1, m2) = (cross(&a[1], &a[2]), cross(&a[2], &a[0]), cross(&a[0], &a[1]));
-    let mut numerators = [0.0; D];
+    let mut numerators = [R::of(0.0); D];
     for i in 0..3 {
         numerators[i] = b[0] * m0[i] + b[1] * m1[i] + b[2] * m2[i];
     }
@@ -106,7 +115,7 @@ fn in_three<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) 
 }
 
 #[inline(always)]
-fn cross<const D: usize>(r: &[f64; D], s: &[f64; D]) -> [f64; 3] {
+fn cross<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 3] {
     [r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]]
 }
 
@@ -114,12 +123,12 @@ fn cross<const D: usize>(r: &[f64; D], s: &[f64; D]) -> [f64; 3] {
 /// of minors of these times complementary minors of the other two. Where the right side is a column of
 /// the matrix, the minors with it are the components of `u` and `v`.
 #[inline(always)]
-fn in_four<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
+fn in_four<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let [m01, m02, m03, m12, m13, m23] = minors(&a[0], &a[1]);
     let [n01, n02, n03, n12, n13, n23] = minors(&a[2], &a[3]);
-    let u: [f64; 4] = std::array::from_fn(|k| b[0] * a[1][k] - b[1] * a[0][k]);
-    let v: [f64; 4] = std::array::from_fn(|k| b[2] * a[3][k] - b[3] * a[2][k]);
-    let mut x = [0.0; D];
+    let u: [R; 4] = std::array::from_fn(|k| b[0] * a[1][k] - b[1] * a[0][k]);
+    let v: [R; 4] = std::array::from_fn(|k| b[2] * a[3][k] - b[3] * a[2][k]);
+    let mut x = [R::of(0.0); D];
     x[0] = (u[1] * n23 - u[2] * n13 + u[3] * n12) + (v[1] * m23 - v[2] * m13 + v[3] * m12);
     x[1] = (u[2] * n03 - u[0] * n23 - u[3] * n02) + (v[2] * m03 - v[0] * m23 - v[3] * m02);
     x[2] = (u[0] * n13 - u[1] * n03 + u[3] * n01) + (v[0] * m13 - v[1] * m03 + v[3] * m01);
@@ -130,7 +139,7 @@ fn in_four<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
 
 /// The 2x2 minors of two rows by columns 01, 02, 03, 12, 13, 23.
 #[inline(always)]
-fn minors<const D: usize>(r: &[f64; D], s: &[f64; D]) -> [f64; 6] {
+fn minors<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 6] {
     let minor = |i: usize, j: usize| r[i] * s[j] - r[j] * s[i];
     [minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)]
 }
@@ -160,7 +169,10 @@ mod tests {
         let mut random = Random(D as u64 * 100 + depth as u64);
         let found = |_: &usize| {
             let edges = draw::<D>(depth, &mut random);
-            let Some(center) = circumcenter(&edges, 4096.0) else { return false };
+            let center = circumcenter(&edges);
+            if !center.is_usable(4096.0) {
+                return false;
+            }
             let exact: Vec<_> = edges.iter().map(|row| row.map(integer).to_vec()).collect();
             let denominator = laplace(&exact);
             for k in 0..D {
@@ -196,7 +208,7 @@ mod tests {
         fn check<const D: usize>(numerator: f64, determinant: f64) {
             for size in [1.0, 8.0] {
                 let edge = |i| std::array::from_fn(|k| if i == k { size } else { 0.0 });
-                let center = circumcenter::<D>(&std::array::from_fn(edge), 1.0).expect("a cube");
+                let center = circumcenter::<D, f64>(&std::array::from_fn(edge));
                 let (length, diameter) = (D as f64 * size, (D as f64).sqrt() * size);
                 let expected = UNIT * (numerator * length + (determinant + 2.0) * diameter);
                 assert_eq!(center.twice, [size; D]);
@@ -249,12 +261,12 @@ mod tests {
         // The volume is 1/sqrt(1 + t^2) of that of the box.
         for tangent in [3.0f64, 50.0, 1000.0] {
             let ratio = 1.0 + tangent * tangent;
-            let found = |flatness: f64| circumcenter(&[[1.0, 0.0], [tangent, 1.0]], flatness);
-            assert!(found(ratio.sqrt() * 1.001).is_some());
-            assert!(found(ratio.sqrt() * 0.999).is_none());
+            let found: Center<2> = circumcenter(&[[1.0, 0.0], [tangent, 1.0]]);
+            assert!(found.is_usable(ratio.sqrt() * 1.001));
+            assert!(!found.is_usable(ratio.sqrt() * 0.999));
         }
-        assert!(circumcenter(&[[1.0; 3], [2.0; 3], [3.0, 1.0, 1.0]], 4096.0).is_none());
-        assert!(circumcenter(&[[0.0; 2], [1.0, 2.0]], 4096.0).is_none());
+        assert!(!circumcenter(&[[1.0; 3], [2.0; 3], [3.0, 1.0, 1.0]]).is_usable(4096.0));
+        assert!(!circumcenter(&[[0.0; 2], [1.0, 2.0]]).is_usable(4096.0));
     }
 
     #[test]
@@ -263,22 +275,22 @@ mod tests {
             let cube = |exponents: [i32; D]| {
                 let edge =
                     |i| std::array::from_fn(|k| if i == k { 2f64.powi(exponents[i]) } else { 0.0 });
-                circumcenter::<D>(&std::array::from_fn(edge), 2.0)
+                circumcenter::<D, f64>(&std::array::from_fn(edge)).is_usable(2.0)
             };
             let reach = reach(D);
-            assert!(cube([reach - 1; D]).is_some() && cube([-reach; D]).is_some());
-            assert!(cube([reach + 1; D]).is_none() && cube([-reach - 1; D]).is_none());
+            assert!(cube([reach - 1; D]) && cube([-reach; D]));
+            assert!(!cube([reach + 1; D]) && !cube([-reach - 1; D]));
             let mut mixed = [reach - 1; D];
             mixed[D - 1] = -reach + 1;
-            assert!(cube(mixed).is_some());
+            assert!(cube(mixed));
             mixed[0] = 1020;
-            assert!(cube(mixed).is_none());
+            assert!(!cube(mixed));
             for wrong in [f64::INFINITY, f64::MAX, f64::NAN] {
                 for (i, k) in [(0, 0), (0, 1), (D - 1, 0), (D - 1, D - 1)] {
                     let edge = |i| std::array::from_fn(|k| if i == k { 1.0 } else { 0.0 });
                     let mut edges: [[f64; D]; D] = std::array::from_fn(edge);
                     edges[i][k] = wrong;
-                    assert!(circumcenter(&edges, 4096.0).is_none());
+                    assert!(!circumcenter(&edges).is_usable(4096.0));
                 }
             }
         }

@@ -17,6 +17,7 @@ mod integer;
 mod length;
 mod natural;
 mod orientation;
+mod pair;
 mod power;
 mod residues;
 mod sign;

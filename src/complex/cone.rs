@@ -5,48 +5,34 @@
 //! a hash table finds: the first two have no branch that depends on either.
 
 use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
-use super::{Complex, Facet, INFINITE, position};
-use crate::memory::{Fallible, filled};
+use super::{Complex, Facet, INFINITE, VertexSet, position};
 use crate::mesh::NONE;
 
-/// Vertices of a boundary that [`Edges`] has numbers for.
+/// Vertices of a boundary, the infinite one counted, whose edges have a place in the table.
 const NUMBERS: usize = 64;
+
+/// Length of the table of the directed edges round a cavity in space: at `NUMBERS * i + j` is the simplex
+/// that passes from the vertex with number i to that with number j. It holds what earlier cones left where
+/// this one has no edge.
+pub(super) const EDGES: usize = NUMBERS * NUMBERS;
 
 /// Triangles with an apex, as the tetrahedron with number `i` for its apex is turned: all cones look at
 /// theirs from the same side, so two that share an edge pass it in opposite directions.
 const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
 /// The same in the plane: where the edge opposite each corner starts and ends.
-const EDGES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
-
-/// The directed edges round the cavity in space, by numbers given to their vertices.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Edges {
-    /// The simplex that passes from vertex `i` to vertex `j`, at `NUMBERS * i + j`. Holds what earlier
-    /// cones left where this one has no edge.
-    simplices: Vec<u32>,
-    /// By number: a vertex, and the last simplex at it. The first is the infinite vertex.
-    vertices: Vec<[u32; 2]>,
-}
-
-impl Edges {
-    pub fn reserve(&mut self) -> Fallible<()> {
-        if self.vertices.is_empty() {
-            self.simplices = filled(NUMBERS * NUMBERS, 0)?;
-            self.vertices = filled(NUMBERS, [INFINITE; 2])?;
-        }
-        Ok(())
-    }
-}
+const SIDES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 impl<const D: usize> Complex<D> {
     /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
-    /// `vertex` over its `boundary`. `created[i]` is the new simplex on `boundary[i]`.
+    /// `vertex` over its `boundary`, whose finite vertices are `corners`. `created[i]` is the new simplex on
+    /// `boundary[i]`.
     pub fn retriangulate(
         &mut self,
         vertex: u32,
         cavity: &[u32],
         boundary: &[Facet],
+        corners: &VertexSet,
         created: &mut Vec<u32>,
     ) {
         created.clear();
@@ -55,7 +41,7 @@ impl<const D: usize> Complex<D> {
         }
         match D {
             2 => self.link_round(boundary, created),
-            3 if self.link_by_edges(boundary, created) => {}
+            3 if self.link_by_edges(boundary, corners, created) => {}
             4..=MAX_TABLE_DIM => self.link_by_table(boundary, created),
             _ => self.link_by_pivots(boundary, created),
         }
@@ -87,74 +73,58 @@ impl<const D: usize> Complex<D> {
         };
         let mut at_infinity = 0;
         for (at, facet) in boundary.iter().enumerate() {
-            let [start, _] = EDGES[facet.index as usize];
+            let [start, _] = SIDES[facet.index as usize];
             match corner(self, at, start) {
                 INFINITE => at_infinity = at as u32,
                 vertex => self.incident[vertex as usize] = at as u32,
             }
         }
         for (at, facet) in boundary.iter().enumerate() {
-            let [start, end] = EDGES[facet.index as usize];
+            let [start, end] = SIDES[facet.index as usize];
             let following = match corner(self, at, end) {
                 INFINITE => &mut at_infinity,
                 vertex => &mut self.incident[vertex as usize],
             };
             let next = *following as usize;
             *following = created[at.max(next)];
-            let [_, next_end] = EDGES[boundary[next].index as usize];
+            let [_, next_end] = SIDES[boundary[next].index as usize];
             self.neighbors_mut(created[at])[start] = created[next];
             self.neighbors_mut(created[next])[next_end] = created[at];
         }
     }
 
-    /// Links the cones in space, if the vertices round the cavity are few enough for numbers.
+    /// Links the cones in space, if the vertices round the cavity are few enough.
     #[inline(always)]
-    fn link_by_edges(&mut self, boundary: &[Facet], created: &[u32]) -> bool {
+    fn link_by_edges(&mut self, boundary: &[Facet], corners: &VertexSet, created: &[u32]) -> bool {
+        if corners.ids.len() >= NUMBERS {
+            return false;
+        }
         let Self { edges, records, incident, .. } = self;
-        let sides: &mut [u32; NUMBERS * NUMBERS] =
-            (&mut edges.simplices[..]).try_into().expect("there is room for all");
-        let vertices: &mut [[u32; 2]; NUMBERS] =
-            (&mut edges.vertices[..]).try_into().expect("there is room for all");
-        debug_assert!(vertices[0][0] == INFINITE);
-        let mut count = 1;
+        let edges: &mut [u32; EDGES] = (&mut edges[..]).try_into().expect("there is room for all");
+        let mut last = [NONE; NUMBERS];
         for (facet, &simplex) in boundary.iter().zip(created) {
-            let (corners, neighbors) =
+            let (vertices, neighbors) =
                 records[simplex as usize * Self::RECORD..][..8].split_at_mut(4);
-            let [i, j, k] = TRIANGLES[facet.index as usize];
-            let mut number = |corner: usize| {
-                let vertex = corners[corner];
-                if vertex == INFINITE {
-                    return 0;
-                }
-                // Meanwhile that is a vertex's number, if the number is the vertex's.
-                let place = &mut incident[vertex as usize];
-                let number = *place as usize;
-                let is_known = number < count && vertices[number % NUMBERS][0] == vertex;
-                let number = if is_known { number } else { count.min(NUMBERS - 1) } % NUMBERS;
-                count += usize::from(!is_known);
-                *place = number as u32;
-                vertices[number] = [vertex, simplex];
-                number
-            };
+            let [i, j, k] = TRIANGLES[facet.index as usize].map(|corner| corner % 4);
+            let number = |corner: usize| corners.number(vertices[corner]) as usize % NUMBERS;
             let (a, b, c) = (number(i), number(j), number(k));
-            if count > NUMBERS {
-                return false;
-            }
-            sides[NUMBERS * a + b] = simplex;
-            sides[NUMBERS * b + c] = simplex;
-            sides[NUMBERS * c + a] = simplex;
+            edges[NUMBERS * a + b] = simplex;
+            edges[NUMBERS * b + c] = simplex;
+            edges[NUMBERS * c + a] = simplex;
             // Where the other side of each edge is to be found.
             neighbors[k] = (NUMBERS * b + a) as u32;
             neighbors[i] = (NUMBERS * c + b) as u32;
             neighbors[j] = (NUMBERS * a + c) as u32;
+            (last[a], last[b], last[c]) = (simplex, simplex, simplex);
         }
         for (facet, &simplex) in boundary.iter().zip(created) {
             let neighbors = &mut records[simplex as usize * Self::RECORD..][4..8];
             for index in TRIANGLES[facet.index as usize] {
-                neighbors[index] = sides[neighbors[index] as usize % (NUMBERS * NUMBERS)];
+                let neighbor = &mut neighbors[index % 4];
+                *neighbor = edges[*neighbor as usize % EDGES];
             }
         }
-        for &[vertex, simplex] in &vertices[1..count] {
+        for (&vertex, &simplex) in corners.ids.iter().zip(&last[1..]) {
             incident[vertex as usize] = simplex;
         }
         true

@@ -12,14 +12,16 @@ mod part;
 mod records;
 mod ridges;
 mod star;
+mod vertices;
 
 use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room};
 use crate::mesh::NONE;
-use cone::Edges;
+use cone::EDGES;
 pub(crate) use locality::Anchored;
 pub(crate) use part::{Ids, Names};
 pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
+pub(crate) use vertices::VertexSet;
 
 /// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
 pub(crate) const INFINITE: u32 = NONE;
@@ -41,7 +43,8 @@ pub(crate) struct Complex<const D: usize> {
     /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
     incident: Array<u32>,
     epoch: u32,
-    edges: Edges,
+    /// The directed edges round a cavity in space, see `cone`.
+    edges: Vec<u32>,
     ridges: Ridges,
     /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
     id_limit: usize,
@@ -60,7 +63,7 @@ impl<const D: usize> Complex<D> {
             free: Vec::new(),
             incident: Array::filled(vertices, NONE)?,
             epoch: 0,
-            edges: Edges::default(),
+            edges: Vec::new(),
             ridges: Ridges::default(),
             id_limit: NONE as usize,
         })
@@ -147,7 +150,7 @@ impl<const D: usize> Complex<D> {
         }
         match D {
             2 => {}
-            3 => self.edges.reserve()?,
+            3 => self.edges.cover(EDGES, 0)?,
             4..=MAX_TABLE_DIM => self.ridges.reserve::<D>(created)?,
             _ => {}
         }

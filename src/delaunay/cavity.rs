@@ -3,7 +3,7 @@
 
 use super::Delaunay;
 use super::conflict::Conflicts;
-use crate::complex::{Facet, Marking};
+use crate::complex::{Facet, Marking, VertexSet};
 use crate::memory::{Array, Fallible, TryGrow};
 
 /// The simplices whose D-balls hold a point: what the point's insertion destroys.
@@ -14,9 +14,9 @@ pub(crate) struct Cavity {
     pub boundary: Array<Facet>,
     /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
     pub starts: Vec<u32>,
-    /// Beside the corners of the first simplex, those of the others: one of each, opposite the facet where
-    /// the search came in. A vertex may come more than once.
-    pub apices: Vec<u32>,
+    /// The finite vertices of `simplices`. Those of the first, then one of each other, opposite the facet
+    /// where the search came in.
+    pub corners: VertexSet,
     /// The search that marked `simplices`.
     pub(super) search: u32,
     /// What the search comes to.
@@ -36,7 +36,6 @@ impl Cavity {
         self.simplices.clear();
         self.boundary.clear();
         self.starts.clear();
-        self.apices.clear();
         self.queue.clear();
     }
 
@@ -62,6 +61,10 @@ impl<const D: usize> Delaunay<D> {
         cavity.restart(search.marking.number());
         search.marking.mark(start, true);
         cavity.begin_simplex::<D>(start)?;
+        cavity.corners.restart(points.len())?;
+        for &vertex in search.marking.records().vertices(start) {
+            cavity.corners.insert_finite(vertex)?;
+        }
         for index in 0..=D {
             let beyond = search.marking.records().neighbors(start)[index];
             search.cross(start, index, beyond, cavity);
@@ -74,7 +77,7 @@ impl<const D: usize> Delaunay<D> {
             }
             let entry = entry as usize;
             cavity.begin_simplex::<D>(simplex)?;
-            cavity.apices.try_push(search.marking.records().vertices(simplex)[entry])?;
+            cavity.corners.insert_finite(search.marking.records().vertices(simplex)[entry])?;
             let neighbors = search.marking.records().neighbors(simplex);
             let others: [u32; D] = std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
             for (i, beyond) in others.into_iter().enumerate() {

@@ -167,7 +167,13 @@ impl<const D: usize> Delaunay<D> {
                 self.complex.mark_inside(simplex);
             }
         }
-        self.complex.retriangulate(vertex, &cavity.simplices, &cavity.boundary, created);
+        self.complex.retriangulate(
+            vertex,
+            &cavity.simplices,
+            &cavity.boundary,
+            &cavity.corners,
+            created,
+        );
         self.cover_balls()?;
         for pair in created.chunks(2) {
             self.compute_balls([pair[0], pair[pair.len() - 1]]);
@@ -183,7 +189,8 @@ impl<const D: usize> Delaunay<D> {
     #[inline(always)]
     fn compute_balls(&mut self, [first, second]: [u32; 2]) {
         let (a, b) = (self.complex.vertices(first), self.complex.vertices(second));
-        let is_finite = |vertices: &[u32]| vertices.iter().all(|&v| (v as usize) < self.points.len());
+        let is_finite =
+            |vertices: &[u32]| vertices.iter().all(|&v| (v as usize) < self.points.len());
         let anchors = [a[0], b[0]];
         let pair = match is_finite(a) && is_finite(b) {
             true => Circumball::ordinary_pair(|i| self.point(a[i]), |i| self.point(b[i])),

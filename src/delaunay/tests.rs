@@ -26,7 +26,7 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
         }
         if let Some(start) = delaunay.locate(near, &points[vertex as usize]) {
             delaunay.find_cavity(start, &points[vertex as usize], &mut cavity).unwrap();
-            assert_apices(&delaunay, &cavity);
+            assert_corners(&delaunay, &cavity);
             delaunay.insert(vertex, &cavity, &mut created).unwrap();
             near = created[0];
         }
@@ -34,12 +34,13 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     Some(delaunay)
 }
 
-/// They are all the corners that the first simplex of the cavity has not.
-fn assert_apices<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
+/// The finite vertices of the cavity's simplices, one of each.
+fn assert_corners<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
     let vertices = |simplex: &u32| delaunay.complex().vertices(*simplex).iter().copied();
-    let found = vertices(&cavity.simplices[0]).chain(cavity.apices.iter().copied());
-    let corners: BTreeSet<u32> = cavity.simplices.iter().flat_map(vertices).collect();
-    assert_eq!(found.collect::<BTreeSet<_>>(), corners);
+    let corners = cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != INFINITE);
+    let found = BTreeSet::from_iter(cavity.corners.ids.iter().copied());
+    assert_eq!(found, corners.collect());
+    assert_eq!(found.len(), cavity.corners.ids.len());
 }
 
 fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<u32> {

@@ -79,7 +79,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         };
         self.delaunay.find_cavity(home, &x, &mut self.scratch.cavity)?;
-        self.collect_cavity_corners()?;
         let nearest = self.nearest_corner(&x);
         if nearest < PACKING * self.parameters.delta * self.sphere_radius(cage) {
             self.limit_cage(cage);
@@ -89,7 +88,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Some(input) => {
                 self.stats.yields += 1;
                 self.find_cavity_of_input(input)?;
-                self.collect_cavity_corners()?;
                 input
             }
             None => {
@@ -121,7 +119,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn nearest_corner(&self, x: &[f64; D]) -> f64 {
-        let gaps = self.scratch.corners.ids.iter().map(|&v| distance(x, self.delaunay.point(v)));
+        let gaps =
+            self.scratch.cavity.corners.ids.iter().map(|&v| distance(x, self.delaunay.point(v)));
         gaps.fold(f64::INFINITY, f64::min)
     }
 

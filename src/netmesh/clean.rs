@@ -55,7 +55,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
             return Ok(());
         }
-        self.collect_cavity_corners()?;
         if !self.may_insert(&x) {
             self.refine.limit(simplex);
             return Ok(());

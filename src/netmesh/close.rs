@@ -195,7 +195,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn finds_room(&mut self, near: u32, domain: u32, x: &[f64; D]) -> Fallible<bool> {
         let Some(start) = self.delaunay.locate(near, x) else { return Ok(false) };
         self.delaunay.find_cavity(start, x, &mut self.scratch.cavity)?;
-        self.collect_cavity_corners()?;
         Ok(self.nearest_corner(x) >= SPACING * self.sphere_radius(domain))
     }
 

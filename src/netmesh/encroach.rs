@@ -22,8 +22,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return self.hierarchy.climb_to(domain, x);
         }
         let mut innermost = ROOT;
-        for at in 0..self.scratch.corners.ids.len() {
-            let from = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
+        for at in 0..self.scratch.cavity.corners.ids.len() {
+            let from = self.hierarchy.domain_of(self.scratch.cavity.corners.ids[at]);
             let domain = self.hierarchy.climb_to(from, x);
             if self.hierarchy.node(domain).radius < self.hierarchy.node(innermost).radius {
                 innermost = domain;
@@ -34,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The domain of all of U(x), where that is known without a climb.
     pub(super) fn common_domain(&mut self) -> Option<u32> {
-        let corners = &self.scratch.corners.ids;
+        let corners = &self.scratch.cavity.corners.ids;
         self.hierarchy.is_alike(corners).then(|| self.hierarchy.domain_of(corners[0]))
     }
 
@@ -77,8 +77,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         let reach = self.parameters.encroachment / self.parameters.epsilon;
-        for at in 0..self.scratch.corners.ids.len() {
-            let mut domain = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
+        for at in 0..self.scratch.cavity.corners.ids.len() {
+            let mut domain = self.hierarchy.domain_of(self.scratch.cavity.corners.ids[at]);
             while !self.hierarchy.contains(domain, x) {
                 let gap = self.hierarchy.distance_to_center(domain, x);
                 let parent = self.hierarchy.parent(domain);

@@ -20,9 +20,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.find_cavity_of_input(input)?;
         match self.parameters.algorithm {
-            Algorithm::Netmesh => self.collect_cavity_corners()?,
+            Algorithm::Netmesh => {}
             Algorithm::Svr => {
-                self.collect_cavity_corners()?;
                 self.hierarchy.set_domain(input, ROOT);
                 return self.insert_into_cavity(input).map(|()| true);
             }
@@ -67,7 +66,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(false);
         }
         self.find_cavity_of_input(input)?;
-        self.collect_cavity_corners()?;
         Ok(true)
     }
 
@@ -75,19 +73,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let q = *self.delaunay.point(input);
         let home = self.location.home(input);
         self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity)
-    }
-
-    /// The vertices U(x) of the scratch cavity.
-    pub(super) fn collect_cavity_corners(&mut self) -> Fallible<()> {
-        let Scratch { cavity, corners, .. } = &mut self.scratch;
-        corners.restart(self.delaunay.point_count())?;
-        let first = self.delaunay.complex().vertices(cavity.simplices[0]);
-        for &vertex in first.iter().chain(&cavity.apices) {
-            if some(vertex).is_some() {
-                corners.insert(vertex)?;
-            }
-        }
-        Ok(())
     }
 
     /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity, its corners
@@ -119,7 +104,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// neighbours are the corners of its cavity: no vertex is inside that, for all keep a star.
     fn update_star(&mut self, vertex: u32) -> Fallible<()> {
         let mut nearest = f64::INFINITY;
-        let neighbors = std::mem::take(&mut self.scratch.corners.ids);
+        let neighbors = std::mem::take(&mut self.scratch.cavity.corners.ids);
         let x = *self.delaunay.point(vertex);
         let mut nearer = std::mem::take(&mut self.scratch.nearer);
         nearer.clear();
@@ -135,7 +120,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if !self.hierarchy.is_single() {
             self.update_clearances(vertex, &neighbors)?;
         }
-        self.scratch.corners.ids = neighbors;
+        self.scratch.cavity.corners.ids = neighbors;
         self.examine_created()?;
         for &neighbor in &nearer {
             self.examine_cell(neighbor)?;

@@ -34,9 +34,10 @@ mod template;
 mod threads;
 mod watch;
 
+use crate::complex::VertexSet;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Array, Fallible, TryGrow, expect, filled};
+use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, NONE, Stats, Triangulation};
 use crate::options::{Algorithm, Options, Output, Phase, ProgressFn};
 use domains::Hierarchy;
@@ -167,52 +168,11 @@ struct Scratch {
     star: Array<u32>,
     /// Vertices whose nearest distance fell.
     nearer: Vec<u32>,
-    /// The neighbours of the last inserted vertex, or the corners of the last cavity.
-    corners: VertexSet,
     /// The vertices next to a cage that is released.
     affected: VertexSet,
     /// Simplices, and their inputs' distances, near a cage that is wanted.
     near: Vec<u32>,
     gaps: Vec<Reverse<u64>>,
-}
-
-/// A set of vertex ids that is emptied in constant time.
-struct VertexSet {
-    ids: Array<u32>,
-    marks: Vec<u32>,
-    epoch: u32,
-}
-
-impl Default for VertexSet {
-    fn default() -> Self {
-        // A new id's mark is 0, which must not be the first epoch.
-        Self { ids: Array::new(), marks: Vec::new(), epoch: 1 }
-    }
-}
-
-impl VertexSet {
-    /// Empties the set, and makes room for the marks of so many vertices.
-    fn restart(&mut self, vertices: usize) -> Fallible<()> {
-        self.marks.cover(vertices, 0)?;
-        self.ids.clear();
-        if self.epoch == u32::MAX {
-            self.marks.fill(0);
-            self.epoch = 0;
-        }
-        self.epoch += 1;
-        Ok(())
-    }
-
-    // A call would cost as much as what is done.
-    #[inline(always)]
-    fn insert(&mut self, id: u32) -> Fallible<()> {
-        let mark = &mut self.marks[id as usize];
-        self.ids.make_room(1)?;
-        // Without a branch on what no processor can foresee.
-        self.ids.push_if(*mark != self.epoch, id);
-        *mark = self.epoch;
-        Ok(())
-    }
 }
 
 impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {

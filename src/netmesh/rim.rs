@@ -142,8 +142,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return true;
             }
         }
-        for at in 0..self.scratch.corners.ids.len() {
-            let mut domain = self.hierarchy.domain_of(self.scratch.corners.ids[at]);
+        for at in 0..self.scratch.cavity.corners.ids.len() {
+            let mut domain = self.hierarchy.domain_of(self.scratch.cavity.corners.ids[at]);
             while !self.hierarchy.contains(domain, x) {
                 if self.rim.is_foreign(domain) {
                     return false;

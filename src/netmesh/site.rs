@@ -104,8 +104,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn nearest_in_domain(&mut self, x: &[f64; D], omega: u32) -> Option<(u32, f64)> {
         let mut nearest = None;
         let mut least = f64::INFINITY;
-        for at in 0..self.scratch.corners.ids.len() {
-            let corner = self.scratch.corners.ids[at];
+        for at in 0..self.scratch.cavity.corners.ids.len() {
+            let corner = self.scratch.cavity.corners.ids[at];
             let Some(vertex) = self.hierarchy.representative(corner, omega) else { continue };
             let gap = distance(x, self.delaunay.point(vertex));
             if gap < least {

@@ -68,7 +68,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let start = self.delaunay.complex().incident(near);
         let start = self.delaunay.locate(start, &x).expect("cage vertices are distinct");
         self.delaunay.find_cavity(start, &x, &mut self.scratch.cavity)?;
-        self.collect_cavity_corners()?;
         self.hierarchy.set_domain(vertex, ROOT);
         self.insert_into_cavity(vertex)
     }

@@ -9,10 +9,11 @@
 //! followed only when the search comes to it from there.) Vertices outside Omega are followed, and do
 //! not count; none is wanted beyond the diameter of Omega's ball.
 
+use crate::complex::VertexSet;
 use crate::error::Result;
 use crate::memory::{Array, Fallible};
 use crate::netmesh::domains::ROOT;
-use crate::netmesh::{Mesher, VertexSet, some};
+use crate::netmesh::{Mesher, some};
 use crate::numerics::distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

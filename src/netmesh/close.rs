@@ -14,6 +14,7 @@
 //! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
 //! not cover, [`SPACING`] ends; no run with default options came to that.
 
+use super::sight::Look;
 use super::{Mesher, some};
 use crate::error::Result;
 use crate::memory::Fallible;
@@ -36,13 +37,18 @@ const SPACING: f64 = 1.0 / 64.0;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Refines until no cell is bad over all its corners. Insertions examine what they change; but a
     /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
-    /// when its clearance falls: hence until a look at all simplices finds nothing.
+    /// when its clearance falls: hence until a look at all that have vertices of several domains finds
+    /// nothing.
     pub(super) fn close(&mut self) -> Result<()> {
         self.begin_closing()?;
+        let mut look = Look::AtAll;
         if self.delaunay.complex().simplex_count() > SMALL && !self.is_nearly_closed() {
             self.close_tiles()?;
+            look = Look::AtDivided;
         }
-        while self.close_all()? {}
+        while self.close_all(look)? {
+            look = Look::AtDivided;
+        }
         self.closed = 1.0;
         self.report_progress()
     }
@@ -87,8 +93,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Mends all simplices that are bad; whether any was.
-    fn close_all(&mut self) -> Result<bool> {
-        for simplex in self.suspects()?.into_iter().flatten() {
+    fn close_all(&mut self, look: Look) -> Result<bool> {
+        for simplex in self.suspects(look)?.into_iter().flatten() {
             self.watch.tick(2)?;
             self.examine_suspect(simplex)?;
         }

@@ -3,9 +3,9 @@
 
 use super::domains::ROOT;
 use super::encroach::LEVELS;
-use super::{Mesher, Scratch, some};
+use super::{Cell, Mesher, Scratch, some};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::Fallible;
 use crate::numerics::distance;
 use crate::options::Algorithm;
 
@@ -108,20 +108,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let x = *self.delaunay.point(vertex);
         let mut nearer = std::mem::take(&mut self.scratch.nearer);
         nearer.clear();
+        nearer.make_room(neighbors.len())?;
+        let cells: &mut [Cell] = &mut self.cells;
         for &neighbor in &neighbors {
             let gap = distance(&x, self.delaunay.point(neighbor));
             nearest = nearest.min(gap);
-            if gap < self.cells[neighbor as usize].nearest {
-                self.cells[neighbor as usize].nearest = gap;
-                nearer.try_push(neighbor)?;
-            }
+            let cell = &mut cells[neighbor as usize];
+            let is_nearer = gap < cell.nearest;
+            cell.nearest = if is_nearer { gap } else { cell.nearest };
+            nearer.push_if(is_nearer, neighbor);
         }
-        self.cells[vertex as usize].nearest = nearest;
-        if !self.hierarchy.is_single() {
+        cells[vertex as usize].nearest = nearest;
+        let are_alike =
+            self.hierarchy.is_alike(&neighbors) && self.hierarchy.is_alike(&[vertex, neighbors[0]]);
+        if !are_alike {
             self.update_clearances(vertex, &neighbors)?;
         }
         self.scratch.cavity.corners.ids = neighbors;
-        self.examine_created()?;
+        self.examine_created(are_alike)?;
         for &neighbor in &nearer {
             self.examine_cell(neighbor)?;
         }

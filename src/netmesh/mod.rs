@@ -167,7 +167,9 @@ struct Scratch {
     created: Vec<u32>,
     star: Array<u32>,
     /// Vertices whose nearest distance fell.
-    nearer: Vec<u32>,
+    nearer: Array<u32>,
+    /// New simplices that may be bad.
+    suspects: Array<u32>,
     /// The vertices next to a cage that is released.
     affected: VertexSet,
     /// Simplices, and their inputs' distances, near a cage that is wanted.

@@ -6,7 +6,7 @@
 //! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
 //! Without it CLEAN inserts points beside the cages and destroys them. `close` lifts it at the end.
 
-use super::{Cell, Mesher, some};
+use super::{Cell, Mesher, Scratch, some};
 use crate::memory::Fallible;
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::shortest_distance;
@@ -14,25 +14,33 @@ use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and lets their vertices know of the
-    /// corners that have come.
-    pub(super) fn examine_created(&mut self) -> Fallible<()> {
-        let near_of_bad = self.sight().near_of_bad();
-        for at in 0..self.scratch.created.len() {
-            let simplex = self.scratch.created[at];
-            let Some(ball) = self.delaunay.ball(simplex) else { continue };
+    /// corners that have come. Whether all vertices `are_alike` ([`is_alike`]).
+    ///
+    /// [`is_alike`]: super::domains::Hierarchy::is_alike
+    pub(super) fn examine_created(&mut self, are_alike: bool) -> Fallible<()> {
+        let measure = self.measure();
+        let Self { delaunay, hierarchy, cells, .. } = self;
+        let cells: &mut [Cell] = cells;
+        let Scratch { created, suspects, .. } = &mut self.scratch;
+        suspects.clear();
+        suspects.make_room(created.len())?;
+        for &simplex in created.iter() {
+            let Some(ball) = delaunay.ball(simplex) else { continue };
             let radius = ball.radius();
-            let allowed = self.nearest_allowed(radius);
-            let vertices = self.delaunay.complex().vertices(simplex);
+            let allowed = measure.nearest_allowed(radius);
+            let vertices = delaunay.complex().vertices(simplex);
             let mut near = 0;
             for &vertex in vertices {
-                let cell = &mut self.cells[vertex as usize];
+                let cell = &mut cells[vertex as usize];
                 // Written in any case: whether it grows no processor can foresee.
                 cell.farthest = if radius > cell.farthest { radius } else { cell.farthest };
                 near += usize::from(cell.nearest < allowed);
             }
-            if near >= near_of_bad || !self.hierarchy.is_alike(vertices) {
-                self.examine_suspect(simplex)?;
-            }
+            let is_near = near >= measure.near_of_bad();
+            suspects.push_if(is_near || !(are_alike || hierarchy.is_alike(vertices)), simplex);
+        }
+        for at in 0..self.scratch.suspects.len() {
+            self.examine_suspect(self.scratch.suspects[at])?;
         }
         Ok(())
     }
@@ -123,10 +131,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// See [`super::sight::Sight::nearest_allowed`].
+    /// See [`super::sight::Measure::nearest_allowed`].
     #[inline]
     fn nearest_allowed(&self, radius: f64) -> f64 {
-        self.sight().nearest_allowed(radius)
+        self.measure().nearest_allowed(radius)
     }
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.

@@ -53,6 +53,9 @@ impl Rim {
 
     /// Forgets what was known of ids that new simplices have taken.
     pub fn forget(&mut self, created: &[u32]) {
+        if self.held.is_empty() {
+            return;
+        }
         for &simplex in created {
             if let Some(is_held) = self.held.get_mut(simplex as usize) {
                 *is_held = false;

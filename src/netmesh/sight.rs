@@ -12,8 +12,22 @@ pub(super) struct Sight<'a, const D: usize> {
     delaunay: &'a Delaunay<D>,
     hierarchy: &'a Hierarchy<D>,
     cells: &'a [Cell],
-    criterion: Criterion,
-    bound: f64,
+    measure: Measure,
+}
+
+/// Which simplices are looked at.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Look {
+    AtAll,
+    /// Those with vertices of several domains.
+    AtDivided,
+}
+
+/// What a simplex is measured by.
+#[derive(Clone, Copy)]
+pub(super) struct Measure {
+    pub criterion: Criterion,
+    pub bound: f64,
 }
 
 impl<const D: usize> Sight<'_, D> {
@@ -22,13 +36,22 @@ impl<const D: usize> Sight<'_, D> {
     #[inline]
     pub fn is_suspect(&self, simplex: u32) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
-        let allowed = self.nearest_allowed(ball.radius());
+        let allowed = self.measure.nearest_allowed(ball.radius());
         let vertices = self.delaunay.complex().vertices(simplex);
         let is_near = |&&vertex: &&u32| self.cells[vertex as usize].nearest < allowed;
-        vertices.iter().filter(is_near).count() >= self.near_of_bad()
+        vertices.iter().filter(is_near).count() >= self.measure.near_of_bad()
             || !self.hierarchy.is_alike(vertices)
     }
 
+    /// Whether a live simplex has vertices of several domains.
+    #[inline]
+    fn is_divided(&self, simplex: u32) -> bool {
+        let is_finite = self.delaunay.ball(simplex).is_some();
+        is_finite && !self.hierarchy.is_alike(self.delaunay.complex().vertices(simplex))
+    }
+}
+
+impl Measure {
     /// How many vertices of a bad simplex, whose vertices are of one domain, are too near to others: an edge
     /// has two ends.
     #[inline]
@@ -52,22 +75,33 @@ impl<const D: usize> Sight<'_, D> {
 impl<const D: usize> Mesher<'_, '_, D> {
     #[inline]
     pub(super) fn sight(&self) -> Sight<'_, D> {
-        let criterion = self.parameters.criterion;
-        let Self { delaunay, hierarchy, cells, bound, .. } = self;
-        Sight { delaunay, hierarchy, cells, criterion, bound: *bound }
+        let Self { delaunay, hierarchy, cells, .. } = self;
+        Sight { delaunay, hierarchy, cells, measure: self.measure() }
     }
 
-    /// All live simplices that are suspect, in rising order, in pieces.
-    pub(super) fn suspects(&mut self) -> Result<Vec<Vec<u32>>> {
+    #[inline]
+    pub(super) fn measure(&self) -> Measure {
+        Measure { criterion: self.parameters.criterion, bound: self.bound }
+    }
+
+    /// All live simplices that are suspect among those that are looked at, in rising order, in pieces.
+    pub(super) fn suspects(&mut self, look: Look) -> Result<Vec<Vec<u32>>> {
+        if look == Look::AtDivided && self.hierarchy.is_single() {
+            return Ok(Vec::new());
+        }
         let threads = self.threads();
-        let criterion = self.parameters.criterion;
-        let Self { delaunay, hierarchy, cells, bound, watch, .. } = self;
+        let measure = self.measure();
+        let Self { delaunay, hierarchy, cells, watch, .. } = self;
         let complex = delaunay.complex();
-        let sight = Sight { delaunay, hierarchy, cells, criterion, bound: *bound };
+        let sight = Sight { delaunay, hierarchy, cells, measure };
         on_threads(threads, watch, pieces(complex.simplex_bound()), |piece| {
             let mut suspects = Vec::new();
             for simplex in piece {
-                if complex.is_live(simplex) && sight.is_suspect(simplex) {
+                let is_suspect = match look {
+                    Look::AtAll => sight.is_suspect(simplex),
+                    Look::AtDivided => sight.is_divided(simplex),
+                };
+                if is_suspect && complex.is_live(simplex) {
                     suspects.try_push(simplex)?;
                 }
             }

@@ -56,10 +56,10 @@ impl<const D: usize> Complex<D> {
     fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
         let simplex = self.allocate();
         let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
-        let to = simplex as usize * Self::RECORD;
-        self.records.copy_within(from..from + Self::CORNERS, to);
-        self.records[to + index] = vertex;
-        self.neighbors_mut(simplex)[index] = facet.beyond;
+        self.records.copy_within(from..from + Self::CORNERS, simplex as usize * Self::RECORD);
+        let (vertices, others) = self.record_mut(simplex).split_at_mut(Self::CORNERS);
+        let (neighbors, mark) = others.split_at_mut(Self::CORNERS);
+        (vertices[index], neighbors[index], mark[0]) = (vertex, facet.beyond, 0);
         self.neighbors_mut(facet.beyond)[facet.mirror as usize] = simplex;
         simplex
     }

@@ -231,16 +231,19 @@ impl<const D: usize> Complex<D> {
         *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);
     }
 
-    #[inline]
+    /// A record that the caller fills in; one that no simplex had is all zeros.
+    #[inline(always)]
     fn allocate(&mut self) -> u32 {
         if let Some(simplex) = self.free.pop() {
-            *self.mark_mut(simplex) = 0;
             return simplex;
         }
         let simplex = self.simplex_bound() as u32;
-        self.records.resize_within(self.records.len() + Self::MARK, NONE);
-        self.records.resize_within(self.records.len() + 1, 0);
+        self.records.resize_within(self.records.len() + Self::RECORD, 0);
         simplex
+    }
+
+    fn record_mut(&mut self, simplex: u32) -> &mut [u32] {
+        &mut self.records[simplex as usize * Self::RECORD..][..Self::RECORD]
     }
 
     fn release(&mut self, simplex: u32) {

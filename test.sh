@@ -47,7 +47,7 @@ thread_sanitizer_tests
 step "Miri"
 miri="$(miri_toolchain)"
 if [ -n "$miri" ]; then
-  MIRIFLAGS=-Zmiri-disable-isolation cargo "+$miri" miri test --package netmesh --lib -- capi memory
+  MIRIFLAGS=-Zmiri-disable-isolation cargo "+$miri" miri test --package netmesh --lib -- capi memory pair::
 else
   echo "skipped: no nightly toolchain with the component miri"
 fi

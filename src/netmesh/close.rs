@@ -49,6 +49,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         while self.close_all(look)? {
             look = Look::AtDivided;
         }
+        debug_assert!(!self.is_any_open(), "what is not divided was seen when it changed");
         self.closed = 1.0;
         self.report_progress()
     }
@@ -101,6 +102,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let was_bad = !self.refine.is_empty();
         self.clean()?;
         Ok(was_bad)
+    }
+
+    fn is_any_open(&mut self) -> bool {
+        let bound = self.delaunay.complex().simplex_bound() as u32;
+        (0..bound).any(|simplex| {
+            self.delaunay.complex().is_live(simplex) && self.open_domain(simplex).is_some()
+        })
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.

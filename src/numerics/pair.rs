@@ -190,3 +190,46 @@ mod lanes {
         [a[0] / b[0], a[1] / b[1]]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::Random;
+
+    /// One formula with every operation, of values from everywhere.
+    fn formula<R: Real>([a, b, c, d]: [R; 4]) -> [R; 4] {
+        [a * b - c / d, (a + c).abs().sqrt(), (b * b + d * d).sqrt() / R::of(3.0), (c - a).abs()]
+    }
+
+    #[test]
+    fn both_come_to_the_bits_of_one() {
+        let mut random = Random(1);
+        let specials = [0.0, -0.0, f64::INFINITY, f64::NAN, f64::MAX, f64::from_bits(1)];
+        // Miri takes a hundred times as long.
+        for trial in 0..if cfg!(miri) { 100 } else { 10_000 } {
+            let mut value = || match random.integer(0, 15) as usize {
+                special @ 0..6 if trial % 2 == 0 => specials[special],
+                _ => random.raw(),
+            };
+            let (first, second): ([f64; 4], [f64; 4]) =
+                ([(); 4].map(|()| value()), [(); 4].map(|()| value()));
+            let both = formula(std::array::from_fn(|i| Pair::new(first[i], second[i])));
+            for (lane, values) in [first, second].into_iter().enumerate() {
+                for (both, one) in both.into_iter().zip(formula(values)) {
+                    let both = both.get()[lane];
+                    // Which NaN comes out is not laid down.
+                    assert!(both.to_bits() == one.to_bits() || both.is_nan() && one.is_nan());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_are_at_most_as_large() {
+        let values = [1.0, 2.0, f64::NEG_INFINITY, f64::NAN];
+        for [a, b, c, d] in (0..256).map(|i| [0, 2, 4, 6].map(|shift| values[i >> shift & 3])) {
+            let are_at_most = Pair::new(a, b).is_at_most(Pair::new(c, d));
+            assert_eq!(are_at_most, a <= c && b <= d, "{a} {b} {c} {d}");
+        }
+    }
+}

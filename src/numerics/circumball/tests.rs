@@ -393,3 +393,43 @@ fn powers_are_those_of_the_real_ball() {
         assert!(tested > 100, "{tested}");
     }
 }
+
+/// Two balls at a time are those that come one at a time, or none.
+fn pairs_are_single_balls<const D: usize>() {
+    let mut random = Random(90 + D as u64);
+    let mut found = 0;
+    for family in FAMILIES {
+        for _ in 0..300 {
+            let mut draw = || points::<D>(family, D + 1, &mut random);
+            let (first, second) = (draw(), draw());
+            let one = |corners: &[[f64; D]]| Circumball::by_cramer(&|i| &corners[i], 0, FLAT);
+            let expected = one(&first).zip(one(&second)).map(|(first, second)| [first, second]);
+            let pair = Circumball::ordinary_pair(|i| &first[i], |i| &second[i]);
+            assert_eq!(pair, expected, "{family:?} {first:?} {second:?}");
+            found += usize::from(pair.is_some());
+        }
+    }
+    assert_eq!(found > 300, D <= MAX_CRAMER, "{found}");
+}
+
+#[test]
+fn two_balls_at_a_time_are_those_that_come_one_at_a_time() {
+    pairs_are_single_balls::<2>();
+    pairs_are_single_balls::<3>();
+    pairs_are_single_balls::<4>();
+    pairs_are_single_balls::<5>();
+}
+
+#[test]
+fn one_flat_simplex_is_enough_to_look_at_each_alone() {
+    let round = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let flat = [[0.0, 0.0], [1.0, 0.0], [2.0, 1e-9]];
+    let huge = round.map(|point| point.map(|x| x * 1e200));
+    let is_some = |first: &[[f64; 2]; 3], second: &[[f64; 2]; 3]| {
+        Circumball::ordinary_pair(|i| &first[i], |i| &second[i]).is_some()
+    };
+    assert!(is_some(&round, &round));
+    for other in [flat, huge] {
+        assert!(!is_some(&round, &other) && !is_some(&other, &round));
+    }
+}

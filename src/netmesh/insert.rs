@@ -75,9 +75,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity)
     }
 
-    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity, its corners
-    /// collected, and whose domain is set, to the Voronoi diagram; updates homes, distances and the
-    /// refine list.
+    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity and whose
+    /// domain is set, to the Voronoi diagram; updates homes, distances and the refine list.
     pub(super) fn insert_into_cavity(&mut self, vertex: u32) -> Result<()> {
         let Scratch { cavity, created, .. } = &mut self.scratch;
         let work = 4 * cavity.boundary.len() as u32;

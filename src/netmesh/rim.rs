@@ -131,7 +131,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             || !self.scratch.cavity.simplices.iter().any(|&simplex| self.rim.is_frozen(simplex))
     }
 
-    /// Whether `x`, whose conflicts are the scratch cavity, its corners collected, may be inserted, and
+    /// Whether `x`, whose conflicts are the scratch cavity, may be inserted, and
     /// release the cages that it encroaches from outside.
     pub(super) fn may_insert(&mut self, x: &[f64; D]) -> bool {
         if !self.rim.is_some() {

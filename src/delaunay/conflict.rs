@@ -3,7 +3,7 @@
 use super::MAX_CORNERS;
 use crate::complex::{INFINITE, Records, position};
 use crate::memory::prefetch_at;
-use crate::numerics::{Circumball, Sign, in_ball, orientation};
+use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// What tells conflicts, beside the records of the simplices.
@@ -40,7 +40,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
             false => {
                 self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
                 let corners = self.corner_points(vertices);
-                in_ball(&corners[..=D], q) == Sign::Positive
+                in_ball_exact(&corners[..=D], q) == Sign::Positive
             }
         }
     }

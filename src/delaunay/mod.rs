@@ -134,7 +134,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// See [`Conflicts::test`].
-    #[inline]
+    #[inline(always)]
     pub fn in_conflict(&self, simplex: u32, q: &[f64; D]) -> bool {
         self.conflicts().test(self.complex.records(), simplex, q)
     }

@@ -1,12 +1,12 @@
-//! The edges of a simplex as integers, and exact determinants of matrices made of them. One common
-//! power of two scales all the coordinates, which makes them integers and changes no sign.
+//! The edges of a simplex as integers, and exact determinants of matrices made of them, whatever the sizes of
+//! the coordinates. One common power of two scales all of them, which makes them integers and changes no sign.
 //!
 //! A determinant is computed modulo as many primes as the bound of its magnitude asks for: nothing
 //! is rounded, and no memory grows with the numbers.
 
 use super::MAX_DIM;
 use super::integer::{Integer, primes_for};
-use super::power::decompose;
+use super::power::{bits_of, decompose, unit_and_span};
 use super::residues::Field;
 use super::sign::Sign;
 
@@ -84,15 +84,7 @@ impl Coordinate {
 impl<const D: usize> Edges<D> {
     pub fn new<'a>(origin: &'a [f64; D], ends: impl Iterator<Item = &'a [f64; D]> + Clone) -> Self {
         const { assert!(D <= MAX_DIM) };
-        let (mut unit, mut top) = (i32::MAX, i32::MIN);
-        for x in ends.clone().chain([origin]).flatten().filter(|x| **x != 0.0) {
-            let (mantissa, exponent) = decompose(*x);
-            unit = unit.min(exponent);
-            top = top.max(exponent + mantissa.unsigned_abs().ilog2() as i32 + 1);
-        }
-        if unit > top {
-            (unit, top) = (0, 0);
-        }
+        let (unit, span) = unit_and_span(ends.clone().chain([origin]).flatten()).unwrap_or((0, 0));
         let scaled = |p: &[f64; D]| p.map(|x| Coordinate::new(x, unit));
         let mut edges = Self {
             origin: scaled(origin),
@@ -100,8 +92,8 @@ impl<const D: usize> Edges<D> {
             count: 0,
             unit,
             // A difference is less than twice the larger of two.
-            bits: (top - unit) as usize + 1,
-            folds: (top - unit) as usize / 63,
+            bits: span + 1,
+            folds: span / 63,
         };
         for p in ends {
             edges.ends[edges.count] = scaled(p);
@@ -178,7 +170,6 @@ impl<const D: usize> Edges<D> {
     /// Leibniz formula it is the sum of n! products of one entry from each of n columns. At most
     /// 21012, for the sphere in eight dimensions through points at both ends of the doubles.
     fn bits_of_determinants(&self, columns: &[Column]) -> usize {
-        let bits_of = |count: usize| count.next_power_of_two().ilog2() as usize;
         let entries = columns.iter().map(|column| match column {
             Column::Component(_) => self.bits,
             Column::Square => 2 * self.bits + bits_of(D),
@@ -307,12 +298,17 @@ mod tests {
     #[test]
     fn a_small_stack_is_enough() {
         let points = at_the_ends::<8>(&mut Random(1));
+        let near = points.iter().map(|point| point.map(|x| x.signum() * 2f64.powi(61) + 1024.0));
+        let near: Vec<_> = near.collect();
         let work = move || {
+            for points in [&near, &points] {
+                let (simplex, q) = (references(&points[..9]), &points[9]);
+                assert_eq!(in_ball_exact(&simplex, q), in_ball_oracle(&simplex, q));
+            }
             let simplex = references(&points[..9]);
-            assert_eq!(in_ball_exact(&simplex, &points[9]), in_ball_exact(&simplex, &points[9]));
             assert!(circumcenter_exact(&simplex, 0).is_some());
         };
-        let thread = std::thread::Builder::new().stack_size(48 << 10).spawn(work);
+        let thread = std::thread::Builder::new().stack_size(64 << 10).spawn(work);
         thread.expect("a thread").join().expect("no overflow, which would end the process");
     }
 

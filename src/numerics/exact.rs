@@ -4,15 +4,19 @@
 use super::edges::{Column, Edges};
 use super::power::scale_by_power;
 use super::sign::Sign;
+use super::wide::Rows;
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, in integers.
 ///
-/// O(2^D D) products modulo each of b/63 primes and O(b^2) to put them together, for b bits: `D` times
-/// those that the coordinates span together (at most 2100).
+/// O(2^D D) products of a number of words, where coordinates span no more than 62 bits together; else (at
+/// most 2100) modulo each of b/63 primes for b bits, `D` times those, and O(b^2) to put them together.
 pub fn orientation_exact<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     debug_assert_eq!(simplex.len(), D + 1);
-    let edges = Edges::new(simplex[0], simplex[1..].iter().copied());
-    edges.sign_of_determinant(&components::<D>())
+    let ends = simplex[1..].iter().copied();
+    match Rows::new(simplex[0], ends.clone()) {
+        Some(rows) => rows.orientation(),
+        None => Edges::new(simplex[0], ends).sign_of_determinant(&components::<D>()),
+    }
 }
 
 /// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the sphere
@@ -22,11 +26,17 @@ pub fn orientation_exact<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
 /// As [`orientation_exact`], for `D + 2` times the bits that the coordinates span.
 pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     debug_assert_eq!(simplex.len(), D + 1);
-    let edges = Edges::new(simplex[0], simplex[1..].iter().copied().chain([q]));
-    let mut columns = [Column::Square; 9];
-    columns[..D].copy_from_slice(&components::<D>());
+    let ends = simplex[1..].iter().copied().chain([q]);
     // With rows v_i, |v_i|^2 and w, |w|^2 the determinant is det(v) (|w|^2 - 2 w.c), c the centre.
-    edges.sign_of_determinant(&columns[..=D]).flip()
+    let outward = match Rows::new(simplex[0], ends.clone()) {
+        Some(rows) => rows.lifted_orientation(),
+        None => {
+            let mut columns = [Column::Square; 9];
+            columns[..D].copy_from_slice(&components::<D>());
+            Edges::new(simplex[0], ends).sign_of_determinant(&columns[..=D])
+        }
+    };
+    outward.flip()
 }
 
 /// A point relative to a vertex: `center * 2^exponent` in real units. The largest magnitude among

@@ -3,13 +3,13 @@
 //!
 //! Everything is generic in the dimension `D`, 2 to 8 (checked at compile time), and expects finite
 //! coordinates; the whole finite range counts, subnormals and 1e308 included. A simplex is a slice
-//! of `D + 1` points. Signs are exact: a filter in f64 decides nearly all of them, adaptive
-//! expansions (`robust`) or integers of a fixed size
-//! decide the rest, without an allocation.
+//! of `D + 1` points. Signs are exact: a filter in f64 decides nearly all of them, integers of
+//! a fixed size decide the rest, without an allocation.
 
 mod affine;
 mod circumball;
 mod cramer;
+mod determinant;
 mod edges;
 mod exact;
 mod in_ball;
@@ -22,7 +22,7 @@ mod power;
 mod residues;
 mod sign;
 mod solve;
-mod window;
+mod wide;
 
 #[cfg(test)]
 pub(crate) mod testing;

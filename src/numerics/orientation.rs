@@ -1,22 +1,19 @@
 //! The orientation of a simplex, exactly.
 
+use super::determinant::{MAX_SIZE, certain_sign, determinant};
 use super::exact::orientation_exact;
 use super::length::largest_magnitude;
 use super::power::{TINY, UNIT, biased_exponent, power_of_two};
 use super::sign::Sign;
-use super::window::{in_window, planar, spatial};
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` points: positive if they turn
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
-/// nearly in one hyperplane cost as many modulo each of several primes.
+/// nearly in one hyperplane cost as many in integers.
 #[inline]
 pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
-    match orientation_filtered(simplex) {
-        Some(sign) => sign,
-        None => orientation_undecided(simplex),
-    }
+    orientation_filtered(simplex).unwrap_or_else(|| orientation_exact(simplex))
 }
 
 /// The sign of [`orientation`] if floating-point arithmetic with an error bound can tell it; never
@@ -29,36 +26,11 @@ pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sig
         let (p, origin) = (simplex[i + 1], simplex[0]);
         std::array::from_fn(|j| p[j] - origin[j])
     });
-    let (determinant, bound) = match D {
+    certain_sign(match D {
         2 => planar_determinant(&rows),
         3 => spatial_determinant(&rows),
-        _ => laplace_determinant(&normalise(rows)?),
-    };
-    // An overflow makes the bound infinite or the determinant NaN: neither comparison holds.
-    if determinant > bound {
-        Some(Sign::Positive)
-    } else if determinant < -bound {
-        Some(Sign::Negative)
-    } else {
-        None
-    }
-}
-
-/// What the filter left open.
-#[cold]
-#[inline(never)]
-fn orientation_undecided<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
-    if D > 3 || !in_window(simplex.iter().copied()) {
-        return orientation_exact(simplex);
-    }
-    if D == 2 {
-        let [a, b, c] = [0, 1, 2].map(|i| planar(simplex[i]));
-        Sign::of(robust::orient2d(a, b, c))
-    } else {
-        // Positive there is det[a - d, b - d, c - d] > 0, the negative of ours.
-        let [a, b, c, d] = [0, 1, 2, 3].map(|i| spatial(simplex[i]));
-        Sign::of(robust::orient3d(a, b, c, d)).flip()
-    }
+        _ => normal_determinant(&normalise(rows)?),
+    })
 }
 
 /// The determinant of two rows of rounded differences and a bound of its error. Each product
@@ -102,28 +74,14 @@ fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
     Some(rows)
 }
 
-/// The determinant of normalised rows and a bound of its error, by Laplace expansion over all sets
-/// of columns: entry s is the minor of the first |s| rows and the columns in s, beside its
-/// permanent of absolute values. Each of the D levels adds at most D + 2 roundings to a product.
-fn laplace_determinant<const D: usize>(rows: &[[f64; D]; D]) -> (f64, f64) {
-    let mut minors = [(1.0f64, 1.0f64); 256];
-    for set in 1..1usize << D {
-        let row = &rows[set.count_ones() as usize - 1];
-        let (mut minor, mut permanent) = (0.0, 0.0);
-        // Columns from the highest: expansion along the last row, signs alternate from plus.
-        let (mut rest, mut sign) = (set, 1.0);
-        while rest != 0 {
-            let column = rest.ilog2() as usize;
-            rest ^= 1 << column;
-            let (m, p) = minors[set ^ (1 << column)];
-            minor += sign * row[column] * m;
-            permanent += row[column].abs() * p;
-            sign = -sign;
-        }
-        minors[set] = (minor, permanent);
+/// The determinant of normalised rows and a bound of its error.
+fn normal_determinant<const D: usize>(rows: &[[f64; D]; D]) -> (f64, f64) {
+    let mut matrix = [[0.0; MAX_SIZE]; MAX_SIZE];
+    for (entries, row) in matrix.iter_mut().zip(rows) {
+        entries[..D].copy_from_slice(row);
     }
-    let (determinant, permanent) = minors[(1 << D) - 1];
-    (determinant, 2.0 * (D * (D + 3)) as f64 * UNIT * permanent + TINY)
+    // Each difference carries a rounding.
+    determinant(&matrix, D, D)
 }
 
 #[cfg(test)]

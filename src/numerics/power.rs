@@ -48,6 +48,27 @@ pub(super) fn decompose(value: f64) -> (i64, i32) {
     (if value < 0.0 { -odd } else { odd }, exponent)
 }
 
+/// The exponent of the largest power of two that divides all coordinates, and the least span such that they
+/// are smaller than 2^(unit + span); `None` if all are zero.
+pub(super) fn unit_and_span<'a>(
+    coordinates: impl Iterator<Item = &'a f64>,
+) -> Option<(i32, usize)> {
+    let (mut unit, mut top) = (i32::MAX, i32::MIN);
+    for &x in coordinates {
+        let (mantissa, exponent) = decompose(x);
+        if mantissa != 0 {
+            unit = unit.min(exponent);
+            top = top.max(exponent + mantissa.unsigned_abs().ilog2() as i32 + 1);
+        }
+    }
+    (unit <= top).then(|| (unit, (top - unit) as usize))
+}
+
+/// A sum of `count` numbers has so many bits more than the largest.
+pub(super) fn bits_of(count: usize) -> usize {
+    count.next_power_of_two().ilog2() as usize
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,6 +84,16 @@ mod tests {
         assert_eq!(decompose(-0.75), (-3, -2));
         assert_eq!(decompose(1.0 + f64::EPSILON), ((1 << 52) + 1, -52));
         assert_eq!(decompose(f64::from_bits(6)), (3, -1073));
+    }
+
+    #[test]
+    fn spans_reach_from_the_last_bit_to_the_first() {
+        let span = |coordinates: &[f64]| unit_and_span(coordinates.iter());
+        assert_eq!(span(&[0.0, -0.0]), None);
+        assert_eq!(span(&[6.0, 0.0]), Some((1, 2)));
+        assert_eq!(span(&[-0.75, 4.0]), Some((-2, 5)));
+        assert_eq!(span(&[f64::MAX, f64::from_bits(1)]), Some((-1074, 2098)));
+        assert_eq!([1, 2, 3, 4, 5].map(bits_of), [0, 1, 2, 2, 3]);
     }
 
     #[test]

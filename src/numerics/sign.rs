@@ -25,6 +25,16 @@ impl Sign {
         }
     }
 
+    /// The sign of `value`, a whole number.
+    #[inline]
+    pub(super) fn of_integer(value: i64) -> Self {
+        match value {
+            ..0 => Self::Negative,
+            0 => Self::Zero,
+            1.. => Self::Positive,
+        }
+    }
+
     /// The sign of the negated number.
     #[inline]
     pub fn flip(self) -> Self {

@@ -50,7 +50,7 @@ fn report<const D: usize>(family: Family) {
 #[test]
 #[ignore = "a measurement, not a check"]
 fn hot_functions() {
-    for family in [Family::Uniform, Family::FarCluster, Family::NearlyFlat] {
+    for family in [Family::Uniform, Family::Grid, Family::FarCluster, Family::NearlyFlat] {
         report::<2>(family);
         report::<3>(family);
         report::<4>(family);

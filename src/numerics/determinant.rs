@@ -1,0 +1,92 @@
+//! Determinants in floating point, with a bound of their error.
+
+use super::MAX_DIM;
+use super::power::{TINY, UNIT};
+use super::sign::Sign;
+
+/// The most rows or columns of a matrix.
+pub(super) const MAX_SIZE: usize = MAX_DIM + 1;
+
+pub(super) type Matrix = [[f64; MAX_SIZE]; MAX_SIZE];
+
+/// The sign of a determinant of which the value and a bound of its error are known; never
+/// `Some(Sign::Zero)`.
+#[inline]
+pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
+    // An overflow makes the bound infinite or the determinant NaN: neither comparison holds.
+    if determinant > bound {
+        Some(Sign::Positive)
+    } else if determinant < -bound {
+        Some(Sign::Negative)
+    } else {
+        None
+    }
+}
+
+/// The determinant of the first `size` rows and columns, and a bound of its error. `roundings`: those that
+/// a product of one entry from each row carries already. Entries are at most 4 [`MAX_DIM`] in magnitude.
+pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64, f64) {
+    let (determinant, permanent) = match size {
+        ..=4 => laplace::<16>(rows, size),
+        5 => laplace::<32>(rows, size),
+        _ => laplace::<512>(rows, size),
+    };
+    // Each level of the expansion adds at most `size` + 2 roundings to a product.
+    let roundings = size * (size + 2) + roundings;
+    (determinant, 2.0 * roundings as f64 * UNIT * permanent + TINY)
+}
+
+/// By Laplace expansion over all sets of columns, as many as `SETS`: entry s is the minor of the first |s|
+/// rows and the columns in s, beside its permanent of absolute values.
+fn laplace<const SETS: usize>(rows: &Matrix, size: usize) -> (f64, f64) {
+    let mut minors = [(1.0f64, 1.0f64); SETS];
+    for set in 1..1usize << size {
+        let row = &rows[set.count_ones() as usize - 1];
+        let (mut minor, mut permanent) = (0.0, 0.0);
+        // Columns from the highest: expansion along the last row, signs alternate from plus.
+        let (mut rest, mut sign) = (set, 1.0);
+        while rest != 0 {
+            let column = rest.ilog2() as usize;
+            rest ^= 1 << column;
+            let (m, p) = minors[set ^ (1 << column)];
+            minor += sign * row[column] * m;
+            permanent += row[column].abs() * p;
+            sign = -sign;
+        }
+        minors[set] = (minor, permanent);
+    }
+    minors[(1 << size) - 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_determinant_is_within_its_bound() {
+        let mut rows = [[0.0; MAX_SIZE]; MAX_SIZE];
+        // Vandermonde's, whose value is a product of differences.
+        let nodes: [f64; MAX_SIZE] = [0.25, -1.0, 0.5, 1.25, -0.75, 1.5, -1.25, 0.125, 1.0];
+        for size in 2..=MAX_SIZE {
+            for (row, node) in rows.iter_mut().zip(nodes) {
+                (0..size).for_each(|power| row[power] = node.powi(power as i32));
+            }
+            let pairs = (0..size).flat_map(|i| (0..i).map(move |j| nodes[i] - nodes[j]));
+            let exact: f64 = pairs.product();
+            let (value, bound) = determinant(&rows, size, 0);
+            assert!((value - exact).abs() <= bound && bound < 1e-3 * exact.abs(), "{size}");
+            assert_eq!(certain_sign((value, bound)), Some(Sign::of(exact)));
+            rows[1] = rows[0];
+            assert_eq!(certain_sign(determinant(&rows, size, 0)), None, "equal rows, {size}");
+        }
+    }
+
+    #[test]
+    fn what_overflows_has_no_certain_sign() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0] {
+            assert_eq!(certain_sign((value, f64::INFINITY)), None);
+        }
+        assert_eq!(certain_sign((-3.0, 2.0)), Some(Sign::Negative));
+        assert_eq!(certain_sign((2.0, 2.0)), None);
+    }
+}

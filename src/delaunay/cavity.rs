@@ -80,9 +80,13 @@ impl<const D: usize> Delaunay<D> {
             cavity.corners.insert_finite(search.marking.records().vertices(simplex)[entry])?;
             let neighbors = search.marking.records().neighbors(simplex);
             let others: [u32; D] = std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
-            for (i, beyond) in others.into_iter().enumerate() {
-                search.cross(simplex, i + usize::from(i >= entry), beyond, cavity);
-            }
+            // Two by name: the compiler does not unroll a loop as long as that.
+            let mut cross = |i: usize| {
+                search.cross(simplex, i + usize::from(i >= entry), others[i], cavity);
+            };
+            cross(0);
+            cross(1);
+            (2..D).for_each(cross);
         }
         cavity.starts.try_push(cavity.boundary.len() as u32)?;
         Ok(())

@@ -1,11 +1,8 @@
 //! Determinants in floating point, with a bound of their error.
 
-use super::MAX_DIM;
+use super::MAX_SIZE;
 use super::power::{TINY, UNIT};
 use super::sign::Sign;
-
-/// The most rows or columns of a matrix.
-pub(super) const MAX_SIZE: usize = MAX_DIM + 1;
 
 pub(super) type Matrix = [[f64; MAX_SIZE]; MAX_SIZE];
 
@@ -24,7 +21,7 @@ pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
 }
 
 /// The determinant of the first `size` rows and columns, and a bound of its error. `roundings`: those that
-/// a product of one entry from each row carries already. Entries are at most 4 [`MAX_DIM`] in magnitude.
+/// a product of one entry from each row carries already. Entries are at most 4 [`MAX_DIM`](super::MAX_DIM) in magnitude.
 pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64, f64) {
     let (determinant, permanent) = match size {
         ..=4 => laplace::<16>(rows, size),

@@ -4,14 +4,11 @@
 //! A determinant is computed modulo as many primes as the bound of its magnitude asks for: nothing
 //! is rounded, and no memory grows with the numbers.
 
-use super::MAX_DIM;
 use super::integer::{Integer, primes_for};
 use super::power::{bits_of, decompose, unit_and_span};
 use super::residues::Field;
 use super::sign::Sign;
-
-/// The most rows or columns of a matrix.
-const MAX_SIZE: usize = MAX_DIM + 1;
+use super::{MAX_DIM, MAX_SIZE};
 
 /// Folds of the largest coordinate in units of the smallest, 2^2098, and one.
 const MAX_FOLDS: usize = 2098 / 63 + 1;

@@ -1,6 +1,7 @@
 //! Exact signs and circumcentres in integers of a fixed size, without an allocation. Right for every
 //! finite input; microseconds where the filters need nanoseconds.
 
+use super::MAX_SIZE;
 use super::edges::{Column, Edges};
 use super::power::scale_by_power;
 use super::sign::Sign;
@@ -31,7 +32,7 @@ pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sig
     let outward = match Rows::new(simplex[0], ends.clone()) {
         Some(rows) => rows.lifted_orientation(),
         None => {
-            let mut columns = [Column::Square; 9];
+            let mut columns = [Column::Square; MAX_SIZE];
             columns[..D].copy_from_slice(&components::<D>());
             Edges::new(simplex[0], ends).sign_of_determinant(&columns[..=D])
         }

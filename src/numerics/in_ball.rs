@@ -1,6 +1,7 @@
 //! Which side of a circumsphere a point is on, exactly.
 
-use super::determinant::{MAX_SIZE, certain_sign, determinant};
+use super::MAX_SIZE;
+use super::determinant::{certain_sign, determinant};
 use super::exact::in_ball_exact;
 use super::power::{biased_exponent, power_of_two};
 use super::sign::Sign;

@@ -40,3 +40,6 @@ pub use sign::Sign;
 
 /// As many dimensions as all in here know.
 const MAX_DIM: usize = 8;
+
+/// The most rows or columns of a matrix.
+const MAX_SIZE: usize = MAX_DIM + 1;

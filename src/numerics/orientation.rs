@@ -1,6 +1,7 @@
 //! The orientation of a simplex, exactly.
 
-use super::determinant::{MAX_SIZE, certain_sign, determinant};
+use super::MAX_SIZE;
+use super::determinant::{certain_sign, determinant};
 use super::exact::orientation_exact;
 use super::length::largest_magnitude;
 use super::power::{TINY, UNIT, biased_exponent, power_of_two};

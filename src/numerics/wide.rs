@@ -4,12 +4,9 @@
 //! A determinant is computed modulo 2^(64 L). Whatever wraps on the way, it is right in the end if its
 //! magnitude is below 2^(64 L - 1), and L is chosen so.
 
-use super::MAX_DIM;
 use super::power::{bits_of, power_of_two, unit_and_span};
 use super::sign::Sign;
-
-/// The most rows or columns of a matrix.
-const MAX_SIZE: usize = MAX_DIM + 1;
+use super::{MAX_DIM, MAX_SIZE};
 
 /// Coordinates that are smaller than 2 to this in their common unit, so that edges fit in a word.
 const MAX_SPAN: usize = 62;

@@ -3,7 +3,7 @@
 //! corrupt) every part of it.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Shortage, filled, with_room};
+use crate::memory::{AllocError, filled, with_room};
 use crate::netmesh;
 use crate::netmesh::parameters::Parameters;
 use crate::options::{Options, ProgressFn};
@@ -245,7 +245,7 @@ fn no_room(n: usize, dim: usize) -> Error {
     let bytes = n as u128 * dim as u128 * size_of::<f64>() as u128;
     let message = message!("cannot allocate a copy of the points: n = {n}, {bytes} bytes");
     if message.is_empty() {
-        return Shortage::Memory.into();
+        return AllocError::Memory.into();
     }
     Error::new(ErrorKind::OutOfMemory, message)
 }

@@ -14,7 +14,7 @@ mod ridges;
 mod star;
 mod vertices;
 
-use crate::memory::{Array, Fallible, Shortage, TryGrow, make_room};
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, make_room};
 use crate::mesh::NONE;
 use cone::EDGES;
 pub(crate) use locality::Anchored;
@@ -57,7 +57,7 @@ impl<const D: usize> Complex<D> {
     const RECORD: usize = Self::MARK + 1;
 
     /// An empty complex that knows `vertices` ids, none of them inserted.
-    pub fn new(vertices: usize) -> Fallible<Self> {
+    pub fn new(vertices: usize) -> AllocResult<Self> {
         Ok(Self {
             records: Array::new(),
             free: Vec::new(),
@@ -115,13 +115,13 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Makes room for a new vertex id.
-    pub fn add_vertex(&mut self) -> Fallible<u32> {
+    pub fn add_vertex(&mut self) -> AllocResult<u32> {
         self.incident.try_push(NONE)?;
         Ok(self.incident.len() as u32 - 1)
     }
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
-    pub fn begin(&mut self, corners: &[u32]) -> Fallible<()> {
+    pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
         assert!(self.records.is_empty() && corners.len() == Self::CORNERS);
         self.reserve(D + 2, 0)?;
         let finite = self.allocate();
@@ -143,10 +143,10 @@ impl<const D: usize> Complex<D> {
 
     /// Makes room for `created` new simplices and for `released` more dead ones, so that neither
     /// has to ask for memory. The caller then makes at most so many.
-    pub fn reserve(&mut self, created: usize, released: usize) -> Fallible<()> {
+    pub fn reserve(&mut self, created: usize, released: usize) -> AllocResult<()> {
         let appended = created.saturating_sub(self.free.len());
         if appended > self.id_limit.saturating_sub(self.simplex_bound()) {
-            return Err(Shortage::Ids);
+            return Err(AllocError::Ids);
         }
         match D {
             2 => {}

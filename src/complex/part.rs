@@ -2,7 +2,7 @@
 
 use super::{Complex, INFINITE};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, Shortage, TryGrow, collected};
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected};
 use crate::mesh::NONE;
 
 /// What the simplices and vertices of a part are called in the whole, by their ids in the part.
@@ -88,7 +88,7 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<u32>) -> Fallible<()> {
+    pub fn move_to(&mut self, room: Array<u32>) -> AllocResult<()> {
         self.records.move_into(room)
     }
 
@@ -115,7 +115,7 @@ impl<const D: usize> Complex<D> {
         let base = self.simplex_bound() as u32;
         let count = part.simplex_bound();
         if count > self.id_limit.saturating_sub(base as usize) {
-            return Err(Shortage::Ids.into());
+            return Err(AllocError::Ids.into());
         }
         self.records.absorb(part.records)?;
         for &simplex in &part.free {

@@ -2,7 +2,7 @@
 //! each of which comes up twice. Pivoting round a ridge through the cavity does without a table, but
 //! how many steps that takes no processor can foresee.
 
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{AllocResult, TryGrow};
 
 /// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
 pub(super) const MAX_TABLE_DIM: usize = 5;
@@ -37,7 +37,7 @@ pub(super) struct Ridges {
 
 impl Ridges {
     /// Makes room for the ridges between `facets` of dimension D - 1: D/2 of each.
-    pub fn reserve<const D: usize>(&mut self, facets: usize) -> Fallible<()> {
+    pub fn reserve<const D: usize>(&mut self, facets: usize) -> AllocResult<()> {
         self.slots.cover(slots(D, facets), Slot::FREE)
     }
 

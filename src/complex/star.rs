@@ -1,12 +1,12 @@
 //! The star of a vertex.
 
 use super::{Complex, index_of};
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 
 impl<const D: usize> Complex<D> {
     /// Collects the live simplices at `vertex` into `star` (cleared first), infinite ones included.
     /// Uses the marks.
-    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> Fallible<()> {
+    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> AllocResult<()> {
         star.clear();
         self.begin_marks();
         let first = self.incident(vertex);

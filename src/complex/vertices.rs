@@ -1,6 +1,6 @@
 //! Sets of vertices.
 
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 
 /// A set of vertex ids that is emptied in constant time, and numbers its members in the order in which
 /// they came.
@@ -20,7 +20,7 @@ impl Default for VertexSet {
 
 impl VertexSet {
     /// Empties the set, and makes room for the marks of so many vertices.
-    pub fn restart(&mut self, vertices: usize) -> Fallible<()> {
+    pub fn restart(&mut self, vertices: usize) -> AllocResult<()> {
         self.marks.cover(vertices, 0)?;
         self.base += self.ids.len() as u32;
         self.ids.clear();
@@ -33,7 +33,7 @@ impl VertexSet {
 
     // A call would cost as much as what is done.
     #[inline(always)]
-    pub fn insert(&mut self, id: u32) -> Fallible<()> {
+    pub fn insert(&mut self, id: u32) -> AllocResult<()> {
         self.ids.make_room(1)?;
         let mark = &mut self.marks[id as usize];
         // Without a branch on what no processor can foresee.
@@ -46,7 +46,7 @@ impl VertexSet {
 
     /// The same for a corner of a simplex, which may be at infinity: that is in no set.
     #[inline(always)]
-    pub fn insert_finite(&mut self, corner: u32) -> Fallible<()> {
+    pub fn insert_finite(&mut self, corner: u32) -> AllocResult<()> {
         match (corner as usize) < self.marks.len() {
             true => self.insert(corner),
             false => Ok(()),

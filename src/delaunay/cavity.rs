@@ -4,7 +4,7 @@
 use super::Delaunay;
 use super::conflict::Conflicts;
 use crate::complex::{Facet, Marking, VertexSet};
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 
 /// The simplices whose D-balls hold a point: what the point's insertion destroys.
 #[derive(Default)]
@@ -41,7 +41,7 @@ impl Cavity {
 
     /// Goes on with `simplex`, whose facets there is room for then.
     #[inline(always)]
-    fn begin_simplex<const D: usize>(&mut self, simplex: u32) -> Fallible<()> {
+    fn begin_simplex<const D: usize>(&mut self, simplex: u32) -> AllocResult<()> {
         self.queue.make_room(D + 1)?;
         self.boundary.make_room(D + 1)?;
         self.starts.try_push(self.boundary.len() as u32)?;
@@ -51,7 +51,12 @@ impl Cavity {
 
 impl<const D: usize> Delaunay<D> {
     /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
-    pub fn find_cavity(&mut self, start: u32, q: &[f64; D], cavity: &mut Cavity) -> Fallible<()> {
+    pub fn find_cavity(
+        &mut self,
+        start: u32,
+        q: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> AllocResult<()> {
         let Self { complex, points, balls, exact_fallbacks } = self;
         let mut search = Search {
             marking: complex.marking(),

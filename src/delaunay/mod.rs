@@ -11,7 +11,7 @@ mod part;
 mod tests;
 
 use crate::complex::{Complex, INFINITE};
-use crate::memory::{Array, Fallible, TryGrow, make_room};
+use crate::memory::{AllocResult, Array, TryGrow, make_room};
 use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, norm, orientation};
 pub(crate) use cavity::Cavity;
@@ -35,7 +35,7 @@ impl<const D: usize> Delaunay<D> {
     const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(NONE);
 
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
-    pub fn new(points: Array<[f64; D]>) -> Fallible<Self> {
+    pub fn new(points: Array<[f64; D]>) -> AllocResult<Self> {
         Ok(Self {
             complex: Complex::new(points.len())?,
             points,
@@ -77,18 +77,18 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Gives `point` an id; it is not inserted yet.
-    pub fn add_point(&mut self, point: [f64; D]) -> Fallible<u32> {
+    pub fn add_point(&mut self, point: [f64; D]) -> AllocResult<u32> {
         self.points.try_push(point)?;
         self.complex.add_vertex()
     }
 
     /// See [`Complex::star`].
-    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> Fallible<()> {
+    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> AllocResult<()> {
         self.complex.star(vertex, star)
     }
 
     /// Starts the complex with D + 1 affinely independent points.
-    pub fn begin(&mut self, corners: &[u32]) -> Fallible<()> {
+    pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
         let mut ordered = [0; MAX_CORNERS];
         let ordered = &mut ordered[..=D];
         ordered.copy_from_slice(corners);
@@ -157,7 +157,12 @@ impl<const D: usize> Delaunay<D> {
 
     /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex
     /// on `cavity.boundary[i]`. O(cavity). The complex is useless after an error.
-    pub fn insert(&mut self, vertex: u32, cavity: &Cavity, created: &mut Vec<u32>) -> Fallible<()> {
+    pub fn insert(
+        &mut self,
+        vertex: u32,
+        cavity: &Cavity,
+        created: &mut Vec<u32>,
+    ) -> AllocResult<()> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
         make_room(created, cavity.boundary.len())?;
@@ -182,7 +187,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Makes the array of D-balls as long as that of the simplices.
-    fn cover_balls(&mut self) -> Fallible<()> {
+    fn cover_balls(&mut self) -> AllocResult<()> {
         self.balls.cover(self.complex.simplex_bound(), Self::NO_BALL)
     }
 

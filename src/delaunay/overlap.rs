@@ -4,7 +4,7 @@
 //! cavity may be connected only through infinite simplices, so these are all passed through.
 
 use super::Delaunay;
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 use crate::numerics::{Circumball, norm};
 
 impl<const D: usize> Delaunay<D> {
@@ -16,7 +16,7 @@ impl<const D: usize> Delaunay<D> {
         simplex: u32,
         most: usize,
         found: &mut Array<u32>,
-    ) -> Fallible<u64> {
+    ) -> AllocResult<u64> {
         found.clear();
         self.complex.begin_marks();
         self.complex.mark_inside(simplex);
@@ -51,7 +51,7 @@ impl<const D: usize> Delaunay<D> {
         radius: f64,
         most: usize,
         found: &mut Vec<u32>,
-    ) -> Fallible<bool> {
+    ) -> AllocResult<bool> {
         let x = *self.point(center);
         found.clear();
         self.complex.begin_marks();

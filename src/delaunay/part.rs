@@ -5,7 +5,7 @@
 use super::Delaunay;
 use crate::complex::{Ids, Names};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::numerics::Circumball;
 
@@ -43,7 +43,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Goes on in `room`.
-    pub fn move_to(&mut self, room: Room<D>) -> Fallible<()> {
+    pub fn move_to(&mut self, room: Room<D>) -> AllocResult<()> {
         self.complex.move_to(room.records)?;
         self.balls.move_into(room.balls)
     }

@@ -3,7 +3,7 @@
 
 use super::{Cavity, Delaunay};
 use crate::complex::INFINITE;
-use crate::memory::{Array, Shortage};
+use crate::memory::{AllocError, Array};
 use crate::numerics::testing::Random;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 use proptest::prelude::*;
@@ -263,7 +263,7 @@ fn too_many_simplices_are_refused() {
     delaunay.complex.limit_ids(8);
     delaunay.begin(&[0, 1, 2]).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
-    for (vertex, expected) in [(3, Ok(())), (4, Err(Shortage::Ids))] {
+    for (vertex, expected) in [(3, Ok(())), (4, Err(AllocError::Ids))] {
         let q = corners[vertex as usize];
         let start = delaunay.locate(delaunay.complex().incident(0), &q).unwrap();
         delaunay.find_cavity(start, &q, &mut cavity).unwrap();

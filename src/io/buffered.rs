@@ -1,7 +1,7 @@
 //! A buffer before a writer, as `BufWriter`, but it asks for its memory, and what it holds when it is
 //! dropped is gone: a writer that failed is not called again.
 
-use crate::memory::{Fallible, with_room};
+use crate::memory::{AllocResult, with_room};
 use std::io::{Result, Write};
 
 pub(crate) struct Buffered<W> {
@@ -11,7 +11,7 @@ pub(crate) struct Buffered<W> {
 }
 
 impl<W: Write> Buffered<W> {
-    pub fn new(room: usize, out: W) -> Fallible<Self> {
+    pub fn new(room: usize, out: W) -> AllocResult<Self> {
         Ok(Self { out, bytes: with_room(room)? })
     }
 

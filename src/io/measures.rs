@@ -1,6 +1,6 @@
 //! Quality per simplex and per vertex, for the formats that viewers colour.
 
-use crate::memory::{Fallible, TryGrow, with_room};
+use crate::memory::{AllocResult, TryGrow, with_room};
 use crate::mesh::Triangulation;
 use crate::quality::cells::Cells;
 use crate::quality::view::View;
@@ -14,7 +14,7 @@ pub(super) struct Measures {
 
 impl Measures {
     /// Of a mesh in dimension `D`.
-    pub fn new<const D: usize>(mesh: &Triangulation) -> Fallible<Self> {
+    pub fn new<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
         let view = View::<D> { mesh };
         let mut radius_edge = with_room(mesh.simplex_count())?;
         let cells =
@@ -37,7 +37,10 @@ mod tests {
     #[test]
     fn the_worst_are_those_of_the_quality() {
         for (mesh, measures) in [
-            (samples::finished(2), Measures::new::<2> as fn(&Triangulation) -> Fallible<Measures>),
+            (
+                samples::finished(2),
+                Measures::new::<2> as fn(&Triangulation) -> AllocResult<Measures>,
+            ),
             (samples::finished(3), Measures::new::<3>),
         ] {
             let triangulation = mesh.triangulation().unwrap();

@@ -51,7 +51,7 @@ pub(crate) use buffered::Buffered;
 pub use format::Format;
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::Shortage;
+use crate::memory::AllocError;
 use crate::mesh::{Mesh, Triangulation};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
@@ -239,8 +239,8 @@ fn auto_without_path() -> Error {
     Error::new(ErrorKind::InvalidArgument, message)
 }
 
-/// A shortage as a writer answers it; [`io_error`] makes it `OutOfMemory` again.
-fn shortage(_: Shortage) -> std::io::Error {
+/// A refused allocation as a writer answers it; [`io_error`] makes it `OutOfMemory` again.
+fn allocation_failed(_: AllocError) -> std::io::Error {
     std::io::ErrorKind::OutOfMemory.into()
 }
 
@@ -251,7 +251,7 @@ fn io_error(what: &str, error: &std::io::Error) -> Error {
     };
     match message!("{what}: {error}") {
         // Not even for that there was memory.
-        message if message.is_empty() => Shortage::Memory.into(),
+        message if message.is_empty() => AllocError::Memory.into(),
         message => Error::new(kind, message),
     }
 }

@@ -1,6 +1,6 @@
 //! The Voronoi diagram of the vertices as JSON: a corner for each simplex, a cell for each vertex.
 
-use super::{json, shortage};
+use super::{json, allocation_failed};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use crate::quality::corner::Corner;
@@ -56,13 +56,13 @@ fn write_cells<const D: usize>(
     inputs: &Inputs,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let stars = view.stars().map_err(shortage)?;
-    let on_hull = view.hull_vertices().map_err(shortage)?;
-    let mut seen = filled(view.vertex_count(), NONE).map_err(shortage)?;
+    let stars = view.stars().map_err(allocation_failed)?;
+    let on_hull = view.hull_vertices().map_err(allocation_failed)?;
+    let mut seen = filled(view.vertex_count(), NONE).map_err(allocation_failed)?;
     let (mut corners, mut neighbors) = (Vec::new(), Vec::new());
     json::lines(out, 0..view.vertex_count(), |out, site| {
         corners.clear();
-        corners.try_extend(stars.of(site)).map_err(shortage)?;
+        corners.try_extend(stars.of(site)).map_err(allocation_failed)?;
         if D == 2 {
             go_round(view, site as u32, &mut corners);
         }
@@ -70,7 +70,7 @@ fn write_cells<const D: usize>(
         for &vertex in stars.of(site).iter().flat_map(|&simplex| view.simplex(simplex as usize)) {
             if vertex != site as u32 && seen[vertex as usize] != site as u32 {
                 seen[vertex as usize] = site as u32;
-                neighbors.try_push(vertex).map_err(shortage)?;
+                neighbors.try_push(vertex).map_err(allocation_failed)?;
             }
         }
         neighbors.sort_unstable();

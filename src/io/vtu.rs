@@ -1,7 +1,7 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
 use super::measures::Measures;
-use super::shortage;
+use super::allocation_failed;
 use super::simplex_domain::domain_of;
 use crate::mesh::{Inputs, NONE, Triangulation};
 use std::fmt;
@@ -28,7 +28,7 @@ pub(super) fn write(inputs: &Inputs, mesh: &Triangulation, out: &mut dyn Write) 
         2 => Measures::new::<2>(mesh),
         _ => Measures::new::<3>(mesh),
     };
-    let source = Source { inputs, mesh, measures: measures.map_err(shortage)? };
+    let source = Source { inputs, mesh, measures: measures.map_err(allocation_failed)? };
     let arrays = arrays(mesh);
     let mut offset: u64 = arrays.iter().map(Array::size_with_length).sum();
     let declarations = arrays.each_ref().map(|array| {

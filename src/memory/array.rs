@@ -2,7 +2,7 @@
 //! on threads of their own, and what they made is taken back without being copied.
 
 use super::pages::{give_back, prefer_large_pages};
-use super::{Fallible, TryGrow, copied, with_room};
+use super::{AllocResult, TryGrow, copied, with_room};
 use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ops::{Deref, DerefMut};
 use std::ptr::NonNull;
@@ -41,7 +41,7 @@ struct Shared<T> {
 }
 
 impl<T> Room<T> {
-    fn new(memory: Vec<MaybeUninit<T>>) -> Fallible<Self> {
+    fn new(memory: Vec<MaybeUninit<T>>) -> AllocResult<Self> {
         let mut holder = with_room(1)?;
         let capacity = holder.capacity();
         holder.push(Shared { rooms: AtomicUsize::new(1), memory, capacity });
@@ -111,21 +111,21 @@ impl<T: Copy> Array<T> {
     }
 
     /// `length` times `value`.
-    pub fn filled(length: usize, value: T) -> Fallible<Self> {
+    pub fn filled(length: usize, value: T) -> AllocResult<Self> {
         let mut array = Self::with_room(length)?;
         array.resize_within(length, value);
         Ok(array)
     }
 
     /// A copy of `values`.
-    pub fn copied(values: &[T]) -> Fallible<Self> {
+    pub fn copied(values: &[T]) -> AllocResult<Self> {
         let mut array = Self::new();
         array.try_extend(values)?;
         Ok(array)
     }
 
     /// An empty array with room for so many values.
-    pub fn with_room(capacity: usize) -> Fallible<Self> {
+    pub fn with_room(capacity: usize) -> AllocResult<Self> {
         let mut array = Self::new();
         array.make_room(capacity)?;
         Ok(array)
@@ -137,7 +137,7 @@ impl<T: Copy> Array<T> {
 
     /// Room for `additional` more values, amortised.
     #[inline]
-    pub fn make_room(&mut self, additional: usize) -> Fallible<()> {
+    pub fn make_room(&mut self, additional: usize) -> AllocResult<()> {
         if additional > self.capacity - self.length { self.grow(additional) } else { Ok(()) }
     }
 
@@ -151,14 +151,14 @@ impl<T: Copy> Array<T> {
 
     #[cold]
     #[inline(never)]
-    fn grow(&mut self, additional: usize) -> Fallible<()> {
+    fn grow(&mut self, additional: usize) -> AllocResult<()> {
         let needed = self.length.saturating_add(additional);
         self.move_to(needed.max(self.length.saturating_mul(2)).max(4))
     }
 
     /// Moves to a room for `capacity` values of its own.
     #[allow(unsafe_code)]
-    fn move_to(&mut self, capacity: usize) -> Fallible<()> {
+    fn move_to(&mut self, capacity: usize) -> AllocResult<()> {
         let own = self.room.as_mut().and_then(Room::alone);
         // The system may make a large room larger without moving what is there.
         let is_mapped = |room: &[MaybeUninit<T>]| size_of_val(room) >= MAPPED;
@@ -209,7 +209,7 @@ impl<T: Copy> Array<T> {
 
     /// The values as a vector; not copied where they have a room of their own.
     #[allow(unsafe_code)]
-    pub fn into_vec(mut self) -> Fallible<Vec<T>> {
+    pub fn into_vec(mut self) -> AllocResult<Vec<T>> {
         let (start, length, capacity) = (self.start, self.length, self.capacity);
         let room = self.room.as_mut().and_then(Room::alone);
         match room.filter(|room| room.len() == capacity) {
@@ -254,7 +254,7 @@ impl<T: Copy> Array<T> {
     }
 
     /// Goes on in the stretch of `room`, an empty array.
-    pub fn move_into(&mut self, mut room: Self) -> Fallible<()> {
+    pub fn move_into(&mut self, mut room: Self) -> AllocResult<()> {
         room.try_extend(self)?;
         *self = room;
         Ok(())
@@ -262,7 +262,7 @@ impl<T: Copy> Array<T> {
 
     /// Appends the values of `other`. If that has the stretch after this array's, both become one.
     #[allow(unsafe_code)]
-    pub fn absorb(&mut self, other: Self) -> Fallible<()> {
+    pub fn absorb(&mut self, other: Self) -> AllocResult<()> {
         let is_shared = match (&self.room, &other.room) {
             (Some(own), Some(others)) => own.is_same(others),
             _ => false,
@@ -292,14 +292,14 @@ impl<T: Copy> Array<T> {
 
 impl<T: Copy> TryGrow<T> for Array<T> {
     #[inline]
-    fn try_push(&mut self, value: T) -> Fallible<()> {
+    fn try_push(&mut self, value: T) -> AllocResult<()> {
         self.make_room(1)?;
         self.resize_within(self.length + 1, value);
         Ok(())
     }
 
     #[allow(unsafe_code)]
-    fn try_extend(&mut self, values: &[T]) -> Fallible<()> {
+    fn try_extend(&mut self, values: &[T]) -> AllocResult<()> {
         self.make_room(values.len())?;
         let values_start = NonNull::from(values).cast::<T>();
         // SAFETY: there is room for them, in which no other array's values are.
@@ -309,7 +309,7 @@ impl<T: Copy> TryGrow<T> for Array<T> {
     }
 
     #[inline]
-    fn cover(&mut self, length: usize, value: T) -> Fallible<()> {
+    fn cover(&mut self, length: usize, value: T) -> AllocResult<()> {
         if self.length < length {
             self.make_room(length - self.length)?;
             self.resize_within(length, value);

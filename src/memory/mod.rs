@@ -1,5 +1,5 @@
 //! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
-//! grows with the input grows through this module instead, which answers a [`Shortage`].
+//! grows with the input grows through this module instead, which answers a [`AllocError`].
 
 mod array;
 mod pages;
@@ -13,27 +13,27 @@ use std::collections::{TryReserveError, VecDeque};
 
 /// What ran out. One byte: results that carry it cost what a `bool` costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shortage {
+pub enum AllocError {
     /// The allocator refused.
     Memory,
     /// Simplices or domains beyond what 32-bit ids can name.
     Ids,
 }
 
-pub type Fallible<T> = std::result::Result<T, Shortage>;
+pub type AllocResult<T> = std::result::Result<T, AllocError>;
 
-impl From<TryReserveError> for Shortage {
+impl From<TryReserveError> for AllocError {
     fn from(_: TryReserveError) -> Self {
         Self::Memory
     }
 }
 
-impl From<Shortage> for Error {
+impl From<AllocError> for Error {
     /// Allocates nothing: there may be nothing left.
-    fn from(shortage: Shortage) -> Self {
-        match shortage {
-            Shortage::Memory => Self::new(ErrorKind::OutOfMemory, "an allocation failed"),
-            Shortage::Ids => Self::new(
+    fn from(error: AllocError) -> Self {
+        match error {
+            AllocError::Memory => Self::new(ErrorKind::OutOfMemory, "an allocation failed"),
+            AllocError::Ids => Self::new(
                 ErrorKind::Limit,
                 "the mesh needs more simplices than 32-bit ids can name",
             ),
@@ -43,26 +43,26 @@ impl From<Shortage> for Error {
 
 /// Growth that is refused instead of fatal, amortised as that of `Vec`.
 pub trait TryGrow<T> {
-    fn try_push(&mut self, value: T) -> Fallible<()>;
-    fn try_extend(&mut self, values: &[T]) -> Fallible<()>
+    fn try_push(&mut self, value: T) -> AllocResult<()>;
+    fn try_extend(&mut self, values: &[T]) -> AllocResult<()>
     where
         T: Copy;
     /// Appends `value` until there are `length` of them; never shortens.
-    fn cover(&mut self, length: usize, value: T) -> Fallible<()>
+    fn cover(&mut self, length: usize, value: T) -> AllocResult<()>
     where
         T: Clone;
 }
 
 impl<T> TryGrow<T> for Vec<T> {
     #[inline]
-    fn try_push(&mut self, value: T) -> Fallible<()> {
+    fn try_push(&mut self, value: T) -> AllocResult<()> {
         make_room(self, 1)?;
         self.push(value);
         Ok(())
     }
 
     #[inline]
-    fn try_extend(&mut self, values: &[T]) -> Fallible<()>
+    fn try_extend(&mut self, values: &[T]) -> AllocResult<()>
     where
         T: Copy,
     {
@@ -72,7 +72,7 @@ impl<T> TryGrow<T> for Vec<T> {
     }
 
     #[inline]
-    fn cover(&mut self, length: usize, value: T) -> Fallible<()>
+    fn cover(&mut self, length: usize, value: T) -> AllocResult<()>
     where
         T: Clone,
     {
@@ -86,13 +86,13 @@ impl<T> TryGrow<T> for Vec<T> {
 
 /// Room for `additional` more elements, amortised.
 #[inline]
-pub fn make_room<T>(vec: &mut Vec<T>, additional: usize) -> Fallible<()> {
+pub fn make_room<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     if additional > vec.capacity() - vec.len() { grow(vec, additional) } else { Ok(()) }
 }
 
 #[cold]
 #[inline(never)]
-fn grow<T>(vec: &mut Vec<T>, additional: usize) -> Fallible<()> {
+fn grow<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     vec.try_reserve(additional)?;
     prefer_large_pages(vec, vec.capacity());
     Ok(())
@@ -109,7 +109,7 @@ pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
 
 /// Appends to a queue, as [`TryGrow::try_push`].
 #[inline]
-pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> Fallible<()> {
+pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> AllocResult<()> {
     if queue.len() == queue.capacity() {
         queue.try_reserve(1)?;
     }
@@ -118,7 +118,7 @@ pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> Fallible<()> {
 }
 
 /// An empty vector with room for exactly `capacity` elements.
-pub fn with_room<T>(capacity: usize) -> Fallible<Vec<T>> {
+pub fn with_room<T>(capacity: usize) -> AllocResult<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity)?;
     prefer_large_pages(&vec, capacity);
@@ -126,14 +126,14 @@ pub fn with_room<T>(capacity: usize) -> Fallible<Vec<T>> {
 }
 
 /// `vec![value; length]`.
-pub fn filled<T: Clone>(length: usize, value: T) -> Fallible<Vec<T>> {
+pub fn filled<T: Clone>(length: usize, value: T) -> AllocResult<Vec<T>> {
     let mut vec = with_room(length)?;
     vec.resize(length, value);
     Ok(vec)
 }
 
 /// `iterator.collect()`; exact where the iterator knows its length.
-pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> Fallible<Vec<T>> {
+pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> AllocResult<Vec<T>> {
     let iterator = iterator.into_iter();
     let mut vec = with_room(iterator.size_hint().0)?;
     for value in iterator {
@@ -143,7 +143,7 @@ pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> Fallible<Vec<T>> {
 }
 
 /// A copy of `values`.
-pub fn copied<T: Copy>(values: &[T]) -> Fallible<Vec<T>> {
+pub fn copied<T: Copy>(values: &[T]) -> AllocResult<Vec<T>> {
     let mut vec = with_room(values.len())?;
     vec.extend_from_slice(values);
     Ok(vec)
@@ -155,10 +155,10 @@ mod tests {
 
     #[test]
     fn what_cannot_be_had_is_refused() {
-        assert_eq!(with_room::<u64>(usize::MAX / 4).unwrap_err(), Shortage::Memory);
-        assert_eq!(filled(usize::MAX, 0u64).unwrap_err(), Shortage::Memory);
+        assert_eq!(with_room::<u64>(usize::MAX / 4).unwrap_err(), AllocError::Memory);
+        assert_eq!(filled(usize::MAX, 0u64).unwrap_err(), AllocError::Memory);
         let mut vec = vec![1u64];
-        assert_eq!(vec.cover(usize::MAX / 4, 0), Err(Shortage::Memory));
+        assert_eq!(vec.cover(usize::MAX / 4, 0), Err(AllocError::Memory));
         assert_eq!(vec, [1]);
     }
 
@@ -178,8 +178,8 @@ mod tests {
     }
 
     #[test]
-    fn a_shortage_has_its_status() {
-        assert_eq!(Error::from(Shortage::Memory).kind(), ErrorKind::OutOfMemory);
-        assert_eq!(Error::from(Shortage::Ids).kind(), ErrorKind::Limit);
+    fn an_allocation_error_has_its_status() {
+        assert_eq!(Error::from(AllocError::Memory).kind(), ErrorKind::OutOfMemory);
+        assert_eq!(Error::from(AllocError::Ids).kind(), ErrorKind::Limit);
     }
 }

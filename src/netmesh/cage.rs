@@ -4,7 +4,7 @@ use super::site::CageSite;
 use super::template::{cage_points, turned};
 use super::{Mesher, some};
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{AllocResult, TryGrow};
 use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
@@ -173,7 +173,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
     /// their neighbours, whose corners were exempt inside the cage, are examined anew.
-    pub(super) fn release_cage(&mut self, cage: u32) -> Fallible<()> {
+    pub(super) fn release_cage(&mut self, cage: u32) -> AllocResult<()> {
         debug_assert!(!self.rim.is_foreign(cage));
         self.hierarchy.release(cage);
         self.stats.cages_released += 1;
@@ -199,7 +199,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
     /// a cage vertex.
-    fn measure_clearance(&mut self, cage: u32) -> Fallible<()> {
+    fn measure_clearance(&mut self, cage: u32) -> AllocResult<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
             let vertex = self.hierarchy.node(cage).cage[at];
             self.delaunay.star(vertex, &mut self.scratch.star)?;
@@ -227,7 +227,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After `vertex` went in: it and its neighbours may be the nearest outside of each other's
     /// cages.
-    pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) -> Fallible<()> {
+    pub(super) fn update_clearances(&mut self, vertex: u32, neighbors: &[u32]) -> AllocResult<()> {
         for &neighbor in neighbors {
             if self.hierarchy.is_alike(&[vertex, neighbor]) {
                 continue;

@@ -5,7 +5,7 @@ use super::Mesher;
 use super::refine::Entry;
 use super::steiner::SteinerPoint;
 use crate::error::Result;
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 use crate::numerics::distance;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -28,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// An input that was yielded to may lie on the D-ball within rounding, and a further cage vertex
     /// beyond it: they leave the simplex.
-    fn queue_again(&mut self, entry: Entry) -> Fallible<()> {
+    fn queue_again(&mut self, entry: Entry) -> AllocResult<()> {
         if self.refine.is_current(entry) && self.delaunay.complex().is_live(entry.simplex) {
             self.examine(entry.simplex)?;
         }
@@ -80,7 +80,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for at in 0..self.scratch.cavity.simplices.len() {
             let simplex = self.scratch.cavity.simplices[at];
             for input in self.location.inhabitants(simplex) {
-                self.watch.tick(1)?;
+                self.watch.poll_after(1)?;
                 let gap = distance(x, self.delaunay.point(input));
                 if gap < best_gap {
                     best_gap = gap;

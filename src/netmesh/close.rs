@@ -17,7 +17,7 @@
 use super::sight::Look;
 use super::{Mesher, some};
 use crate::error::Result;
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 use crate::mesh::NONE;
 use crate::numerics::norm;
 use crate::options::{Criterion, Phase};
@@ -73,7 +73,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn close_tiles(&mut self) -> Result<()> {
         let watch = &mut self.watch;
         let complex = self.delaunay.complex();
-        let order = complex.order_by_anchor(self.inputs, || watch.tick(1))?.order;
+        let order = complex.order_by_anchor(self.inputs, || watch.poll_after(1))?.order;
         for (at, tile) in order.chunks(TILE).enumerate() {
             self.close_simplices(tile)?;
             self.closed = (at * TILE) as f64 / order.len() as f64;
@@ -85,7 +85,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Mends those of some simplices that are bad, with all that gets bad by it.
     fn close_simplices(&mut self, simplices: &[u32]) -> Result<()> {
         for &simplex in simplices {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if self.delaunay.complex().is_live(simplex) {
                 self.examine(simplex)?;
             }
@@ -96,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Mends all simplices that are bad; whether any was.
     fn close_all(&mut self, look: Look) -> Result<bool> {
         for simplex in self.suspects(look)?.into_iter().flatten() {
-            self.watch.tick(2)?;
+            self.watch.poll_after(2)?;
             self.examine_suspect(simplex)?;
         }
         let was_bad = !self.refine.is_empty();
@@ -171,7 +171,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` is inside the cage sphere by a part of its radius, and all
     /// that it would be next to is inside the domain.
-    fn is_clear_of_cage(&mut self, simplex: u32, domain: u32) -> Fallible<bool> {
+    fn is_clear_of_cage(&mut self, simplex: u32, domain: u32) -> AllocResult<bool> {
         let center = self.hierarchy.node(domain).point;
         let Some(gap) = self.delaunay.corner_distance(simplex, &center) else { return Ok(false) };
         let radius = self.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius());
@@ -206,7 +206,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Finds the cavity of `x` and tells whether `x` is far enough from its corners.
-    fn finds_room(&mut self, near: u32, domain: u32, x: &[f64; D]) -> Fallible<bool> {
+    fn finds_room(&mut self, near: u32, domain: u32, x: &[f64; D]) -> AllocResult<bool> {
         let Some(start) = self.delaunay.locate(near, x) else { return Ok(false) };
         self.delaunay.find_cavity(start, x, &mut self.scratch.cavity)?;
         Ok(self.nearest_corner(x) >= SPACING * self.sphere_radius(domain))

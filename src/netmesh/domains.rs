@@ -6,7 +6,7 @@ mod part;
 
 pub(super) use part::DomainNames;
 
-use crate::memory::{Array, Fallible, Shortage, TryGrow, with_room};
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
 
@@ -47,7 +47,7 @@ pub(super) struct Hierarchy<const D: usize> {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    pub fn new(vertices: usize) -> Fallible<Self> {
+    pub fn new(vertices: usize) -> AllocResult<Self> {
         Ok(Self { nodes: Vec::new(), places: Array::filled(vertices, Place::NOWHERE)?, alive: 0 })
     }
 
@@ -56,7 +56,7 @@ impl<const D: usize> Hierarchy<D> {
         self.places.expect(vertices);
     }
 
-    pub fn add_vertex(&mut self) -> Fallible<()> {
+    pub fn add_vertex(&mut self) -> AllocResult<()> {
         self.places.try_push(Place::NOWHERE)
     }
 
@@ -87,10 +87,10 @@ impl<const D: usize> Hierarchy<D> {
         radius: f64,
         parent: u32,
         cage_size: usize,
-    ) -> Fallible<u32> {
+    ) -> AllocResult<u32> {
         let cage = with_room(cage_size)?;
         if self.nodes.len() >= NONE as usize {
-            return Err(Shortage::Ids);
+            return Err(AllocError::Ids);
         }
         self.nodes.try_push(Node {
             center,
@@ -166,7 +166,7 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// Makes `vertex` part of the cage of `domain`.
-    pub fn join_cage(&mut self, vertex: u32, domain: u32) -> Fallible<()> {
+    pub fn join_cage(&mut self, vertex: u32, domain: u32) -> AllocResult<()> {
         self.places[vertex as usize].cage = domain;
         self.node_mut(domain).cage.try_push(vertex)
     }

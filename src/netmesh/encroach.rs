@@ -3,7 +3,7 @@
 
 use super::Mesher;
 use super::domains::ROOT;
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
@@ -67,7 +67,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
     /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
-    pub(super) fn enter(&mut self, x: &[f64; D]) -> Fallible<u32> {
+    pub(super) fn enter(&mut self, x: &[f64; D]) -> AllocResult<u32> {
         if self.hierarchy.is_single() {
             return Ok(ROOT);
         }

@@ -5,7 +5,7 @@ use super::domains::ROOT;
 use super::encroach::LEVELS;
 use super::{Cell, Mesher, Scratch, some};
 use crate::error::Result;
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 use crate::numerics::distance;
 use crate::options::Algorithm;
 
@@ -61,7 +61,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
-    fn look_again(&mut self, input: u32) -> Fallible<bool> {
+    fn look_again(&mut self, input: u32) -> AllocResult<bool> {
         if self.is_inserted(input) {
             return Ok(false);
         }
@@ -69,7 +69,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(true)
     }
 
-    pub(super) fn find_cavity_of_input(&mut self, input: u32) -> Fallible<()> {
+    pub(super) fn find_cavity_of_input(&mut self, input: u32) -> AllocResult<()> {
         let q = *self.delaunay.point(input);
         let home = self.location.home(input);
         self.delaunay.find_cavity(home, &q, &mut self.scratch.cavity)
@@ -101,7 +101,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in. Its
     /// neighbours are the corners of its cavity: no vertex is inside that, for all keep a star.
-    fn update_star(&mut self, vertex: u32) -> Fallible<()> {
+    fn update_star(&mut self, vertex: u32) -> AllocResult<()> {
         let mut nearest = f64::INFINITY;
         let neighbors = std::mem::take(&mut self.scratch.cavity.corners.ids);
         let x = *self.delaunay.point(vertex);

@@ -9,7 +9,7 @@ use super::watch::Watch;
 use crate::complex::Names;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 use crate::mesh::NONE;
 
 /// What a simplex is as a home.
@@ -68,7 +68,7 @@ impl Iterator for Inhabitants<'_> {
 }
 
 impl Location {
-    pub fn new(inputs: usize) -> Fallible<Self> {
+    pub fn new(inputs: usize) -> AllocResult<Self> {
         Ok(Self {
             homes: Array::new(),
             inputs: Array::filled(inputs, Inhabitant::HOMELESS)?,
@@ -120,7 +120,7 @@ impl Location {
     }
 
     /// Makes room for inputs in the simplices below `bound`.
-    pub fn cover(&mut self, bound: usize) -> Fallible<()> {
+    pub fn cover(&mut self, bound: usize) -> AllocResult<()> {
         self.homes.cover(bound, Home::EMPTY)
     }
 
@@ -175,7 +175,7 @@ impl Location {
     }
 
     /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<Home>) -> Fallible<()> {
+    pub fn move_to(&mut self, room: Array<Home>) -> AllocResult<()> {
         self.homes.move_into(room)
     }
 
@@ -191,7 +191,7 @@ impl Location {
     }
 
     /// Takes over where the inputs of a part are that has joined: the last of `bound` simplices are its.
-    pub fn join(&mut self, mut part: Self, names: &Names, bound: usize) -> Fallible<()> {
+    pub fn join(&mut self, mut part: Self, names: &Names, bound: usize) -> AllocResult<()> {
         part.homes.fill(Home::EMPTY);
         part.cover(names.simplices.len())?;
         self.cover(bound - names.simplices.len())?;
@@ -233,7 +233,7 @@ impl Location {
             let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
             let mut guess = created[own.start.min(created.len() - 1)];
             while input != NONE {
-                watch.tick(4)?;
+                watch.poll_after(4)?;
                 let next = self.inputs[input as usize].next;
                 if input == inserted {
                     self.inputs[input as usize].home = NONE;

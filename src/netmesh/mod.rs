@@ -86,7 +86,7 @@ fn mesh<const D: usize>(
     let begun = Instant::now();
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
-    watch.call()?;
+    watch.report()?;
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
     if mesher.parameters.algorithm == Algorithm::Delaunay {
         mesher.start_delaunay()?;
@@ -186,15 +186,15 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         let order = by_locality::<D>(inputs, &mut watch)?;
         let mut points = Array::with_room(count)?;
         for &input in &order {
-            watch.tick(1)?;
+            watch.poll_after(1)?;
             points.try_push(inputs.distinct_point(input as usize).try_into().expect("dim is D"))?;
         }
         let delaunay = Delaunay::new(points)?;
-        watch.look()?;
+        watch.poll()?;
         let hierarchy = Hierarchy::new(count)?;
-        watch.look()?;
+        watch.poll()?;
         let location = Location::new(count)?;
-        watch.look()?;
+        watch.poll()?;
         let mut mesher = Self {
             random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ u128::from(parameters.seed)),
             delaunay,
@@ -220,7 +220,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             scratch: Scratch::default(),
             parameters,
         };
-        mesher.watch.look()?;
+        mesher.watch.poll()?;
         if count >= MANY {
             mesher.expect_usual_size();
         }
@@ -271,7 +271,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 
     fn report_progress(&mut self) -> Result<()> {
         self.note_progress();
-        self.watch.call()
+        self.watch.report()
     }
 
     fn note_progress(&mut self) {

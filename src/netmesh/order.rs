@@ -5,7 +5,7 @@
 
 use super::watch::Watch;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, collected, filled};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::Inputs;
 
 /// Bits of a key in all, and of one that buckets are made of.
@@ -32,7 +32,7 @@ pub(super) fn by_locality<const D: usize>(
         let cells = Cells::<D>::around(inputs, own, watch)?;
         keyed.clear();
         for &input in own.iter() {
-            watch.tick(1)?;
+            watch.poll_after(1)?;
             keyed.try_push((cells.key(point(inputs, input)), input))?;
         }
         let is_crowd = |length: usize| length > FEW && length < range.len();
@@ -68,7 +68,7 @@ fn sort_into_buckets(
     let bucket = |key: u64| (key >> shift) as usize;
     let mut starts = filled((1 << BUCKET_BITS) + 1, 0)?;
     for &(key, _) in keyed {
-        watch.tick(1)?;
+        watch.poll_after(1)?;
         starts[bucket(key) + 1] += 1;
     }
     for at in 1..starts.len() {
@@ -76,7 +76,7 @@ fn sort_into_buckets(
     }
     let mut next = collected(starts.iter().copied())?;
     for &(key, id) in keyed {
-        watch.tick(1)?;
+        watch.poll_after(1)?;
         let at = &mut next[bucket(key)];
         sorted[*at] = id;
         *at += 1;
@@ -105,7 +105,7 @@ impl<const D: usize> Cells<D> {
         let mut low = point::<D>(inputs, named[0]).map(|x| 0.5 * x);
         let mut high = low;
         for &input in named {
-            watch.tick(1)?;
+            watch.poll_after(1)?;
             for (axis, &x) in point::<D>(inputs, input).iter().enumerate() {
                 low[axis] = low[axis].min(0.5 * x);
                 high[axis] = high[axis].max(0.5 * x);
@@ -138,7 +138,7 @@ impl<const D: usize> Cells<D> {
     }
 }
 
-fn spread<const D: usize>() -> Fallible<Vec<u64>> {
+fn spread<const D: usize>() -> AllocResult<Vec<u64>> {
     let bit = |byte: usize, at: usize| ((byte >> at) as u64 & 1) << (at * D);
     collected((0..256).map(|byte| (0..8).fold(0, |bits, at| bits | bit(byte, at))))
 }

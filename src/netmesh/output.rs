@@ -6,7 +6,7 @@ use super::threads::{PIECE, on_threads, pieces};
 use super::{Mesher, Scratch};
 use crate::complex::INFINITE;
 use crate::error::Result;
-use crate::memory::{Array, Fallible, Shortage, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
@@ -35,7 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut kinds = with_room(vertices)?;
         let mut limited = with_room(vertices)?;
         for vertex in places.into_iter().chain(self.inputs as u32..vertices as u32) {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             limited.push(precision_limited[vertex as usize]);
             points.extend_from_slice(self.delaunay.point(vertex));
             let cage = renumbered(self.hierarchy.cage_of(vertex));
@@ -78,7 +78,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn places(&mut self) -> Result<Vec<u32>> {
         let mut places = filled(self.inputs, NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             places[input as usize] = vertex as u32;
         }
         Ok(places)
@@ -156,7 +156,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let mut domains = with_room(living.len())?;
         for &domain in &living {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let parent = match self.hierarchy.parent(domain) {
                 NONE => NONE,
                 parent => ids[parent as usize],
@@ -187,7 +187,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             *limited |= cell.nearest < SUBNORMAL;
         }
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if self.refine.is_limited(simplex) && self.delaunay.complex().is_live(simplex) {
                 for &vertex in self.delaunay.complex().vertices(simplex) {
                     limited[vertex as usize] = true;
@@ -215,7 +215,7 @@ fn output_id(order: &[u32], vertex: u32) -> u32 {
 }
 
 /// Room in `array`, which is empty, for so many ids each.
-fn lent(array: &mut Array<u32>, rooms: &[usize]) -> Fallible<Vec<Array<u32>>> {
+fn lent(array: &mut Array<u32>, rooms: &[usize]) -> AllocResult<Vec<Array<u32>>> {
     array.make_room(rooms.iter().sum())?;
-    array.lend(rooms).ok_or(Shortage::Memory)
+    array.lend(rooms).ok_or(AllocError::Memory)
 }

@@ -7,7 +7,7 @@
 //! Without it CLEAN inserts points beside the cages and destroys them. `close` lifts it at the end.
 
 use super::{Cell, Mesher, Scratch, some};
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::shortest_distance;
 use crate::options::Criterion;
@@ -17,7 +17,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// corners that have come. Whether all vertices `are_alike` ([`is_alike`]).
     ///
     /// [`is_alike`]: super::domains::Hierarchy::is_alike
-    pub(super) fn examine_created(&mut self, are_alike: bool) -> Fallible<()> {
+    pub(super) fn examine_created(&mut self, are_alike: bool) -> AllocResult<()> {
         let measure = self.measure();
         let Self { delaunay, hierarchy, cells, .. } = self;
         let cells: &mut [Cell] = cells;
@@ -46,7 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Queues the bad ones among the simplices at `vertex`.
-    pub(super) fn examine_star(&mut self, vertex: u32) -> Fallible<()> {
+    pub(super) fn examine_star(&mut self, vertex: u32) -> AllocResult<()> {
         self.examine_corners(vertex, |mesher, simplex, _| mesher.examine(simplex))
     }
 
@@ -55,8 +55,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn examine_corners(
         &mut self,
         vertex: u32,
-        examine: impl Fn(&mut Self, u32, f64) -> Fallible<()>,
-    ) -> Fallible<()> {
+        examine: impl Fn(&mut Self, u32, f64) -> AllocResult<()>,
+    ) -> AllocResult<()> {
         self.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
         for at in 0..self.scratch.star.len() {
@@ -74,7 +74,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
     /// edges there are what they were, and so is all that other cells depend on. The cell of a cage's
     /// vertex has no bound of its own.
-    pub(super) fn examine_cell(&mut self, vertex: u32) -> Fallible<()> {
+    pub(super) fn examine_cell(&mut self, vertex: u32) -> AllocResult<()> {
         let Cell { nearest, farthest } = self.cells[vertex as usize];
         if self.parameters.criterion == Criterion::RadiusEdge
             || nearest >= self.nearest_allowed(farthest)
@@ -96,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After the clearance of `cage` fell: its union cell may have gone bad over the corners at its
     /// vertices that are beyond the bound now. All other cells are what they were.
-    pub(super) fn examine_union_cell(&mut self, cage: u32) -> Fallible<()> {
+    pub(super) fn examine_union_cell(&mut self, cage: u32) -> AllocResult<()> {
         let farthest = self.cage_bound(cage);
         for at in 0..self.hierarchy.node(cage).cage.len() {
             let vertex = self.hierarchy.node(cage).cage[at];
@@ -113,18 +113,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Queues the bad ones among the simplices round `cage`.
-    pub(super) fn examine_cage(&mut self, cage: u32) -> Fallible<()> {
+    pub(super) fn examine_cage(&mut self, cage: u32) -> AllocResult<()> {
         for at in 0..self.hierarchy.node(cage).cage.len() {
             self.examine_star(self.hierarchy.node(cage).cage[at])?;
         }
         Ok(())
     }
 
-    pub(super) fn examine(&mut self, simplex: u32) -> Fallible<()> {
+    pub(super) fn examine(&mut self, simplex: u32) -> AllocResult<()> {
         if self.sight().is_suspect(simplex) { self.examine_suspect(simplex) } else { Ok(()) }
     }
 
-    pub(super) fn examine_suspect(&mut self, simplex: u32) -> Fallible<()> {
+    pub(super) fn examine_suspect(&mut self, simplex: u32) -> AllocResult<()> {
         if self.open_domain(simplex).is_some() || (!self.is_bad_open() && self.is_bad(simplex)) {
             self.queue(simplex)?;
         }
@@ -138,7 +138,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.
-    fn queue(&mut self, simplex: u32) -> Fallible<()> {
+    fn queue(&mut self, simplex: u32) -> AllocResult<()> {
         let length = match self.parameters.criterion {
             _ if !self.refine.is_sorted() => 0.0,
             Criterion::VoronoiAspect => self.nearest_of(simplex),

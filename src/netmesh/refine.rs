@@ -10,7 +10,7 @@
 //! eight steps between powers of two, which is as good as sorting. The list then has the simplices of
 //! one tile at a time (`close`).
 
-use crate::memory::{Array, Fallible, TryGrow, enqueue, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_room};
 use std::collections::VecDeque;
 
 const QUEUED: u8 = 1;
@@ -44,7 +44,7 @@ pub(super) struct RefineList {
 }
 
 impl RefineList {
-    pub fn new() -> Fallible<Self> {
+    pub fn new() -> AllocResult<Self> {
         let mut list = Self::default();
         list.make_buckets(1)?;
         Ok(list)
@@ -57,13 +57,13 @@ impl RefineList {
     }
 
     /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<u8>) -> Fallible<()> {
+    pub fn move_to(&mut self, room: Array<u8>) -> AllocResult<()> {
         self.flags.move_into(room)
     }
 
     /// Makes the last `count` of `bound` simplices those of a part that has joined; nothing is known
     /// of them.
-    pub fn join(&mut self, mut part: Self, count: usize, bound: usize) -> Fallible<()> {
+    pub fn join(&mut self, mut part: Self, count: usize, bound: usize) -> AllocResult<()> {
         part.flags.fill(0);
         part.flags.cover(count, 0)?;
         self.flags.cover(bound - count, 0)?;
@@ -71,12 +71,12 @@ impl RefineList {
     }
 
     /// From now on the simplex with the smallest length comes first. The list must be empty.
-    pub fn sort_by_length(&mut self) -> Fallible<()> {
+    pub fn sort_by_length(&mut self) -> AllocResult<()> {
         debug_assert!(self.is_empty());
         self.make_buckets(BUCKETS)
     }
 
-    fn make_buckets(&mut self, count: usize) -> Fallible<()> {
+    fn make_buckets(&mut self, count: usize) -> AllocResult<()> {
         let mut buckets = with_room(count)?;
         buckets.extend((0..count).map(|_| VecDeque::new()));
         self.buckets = buckets;
@@ -96,7 +96,7 @@ impl RefineList {
     }
 
     /// Forgets what was known of ids that new simplices have taken.
-    pub fn forget(&mut self, created: &[u32], bound: usize) -> Fallible<()> {
+    pub fn forget(&mut self, created: &[u32], bound: usize) -> AllocResult<()> {
         self.flags.cover(bound, 0)?;
         for &simplex in created {
             let flags = &mut self.flags[simplex as usize];
@@ -106,7 +106,7 @@ impl RefineList {
     }
 
     /// Queues `simplex`, which has the given `length`, unless it is queued.
-    pub fn push(&mut self, simplex: u32, length: f64) -> Fallible<()> {
+    pub fn push(&mut self, simplex: u32, length: f64) -> AllocResult<()> {
         let flags = &mut self.flags[simplex as usize];
         if *flags & QUEUED != 0 {
             return Ok(());

@@ -6,7 +6,7 @@ use super::Mesher;
 use super::domains::ROOT;
 use super::site::CageSite;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow};
+use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
 
 /// So many simplices are looked at round a cage that is wanted. One that meets more is the whole's.
@@ -45,7 +45,7 @@ impl Rim {
     }
 
     /// An input of `simplex` could not be inserted, or is to wait.
-    pub fn hold(&mut self, simplex: u32) -> Fallible<()> {
+    pub fn hold(&mut self, simplex: u32) -> AllocResult<()> {
         self.held.cover(simplex as usize + 1, false)?;
         self.held[simplex as usize] = true;
         Ok(())
@@ -85,7 +85,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let bound = self.delaunay.complex().simplex_bound();
         self.refine.forget(&[], bound)?;
         for simplex in 0..bound as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let is_frozen = (0..=D).any(|index| self.delaunay.complex().is_rim(simplex, index))
                 || self.divides_foreign_domain(simplex);
             self.rim.frozen.try_push(is_frozen)?;
@@ -98,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Leaves the inputs of the home of `input` alone, in a part, until the home is replaced.
-    pub(super) fn postpone(&mut self, input: u32) -> Fallible<()> {
+    pub(super) fn postpone(&mut self, input: u32) -> AllocResult<()> {
         if self.rim.is_some() { self.rim.hold(self.location.home(input)) } else { Ok(()) }
     }
 
@@ -107,7 +107,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let bound = self.delaunay.complex().simplex_bound();
         self.rim.frozen.cover(bound, false)?;
         for simplex in 0..bound as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if self.location.count(simplex) > 0 {
                 self.rim.frozen[simplex as usize] = true;
                 self.refine.limit(simplex);
@@ -159,7 +159,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether a cage may be made at `site`: nothing that must stay is in conflict with a point of its
     /// sphere, and no domain between there and the parent must stay.
-    pub(super) fn may_make_cage(&mut self, site: &CageSite) -> Fallible<bool> {
+    pub(super) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
         if !self.rim.is_some() {
             return Ok(true);
         }

@@ -135,7 +135,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // A heap, since often a few of very many are looked at.
         let mut gaps = BinaryHeap::from(self.gaps_nearby(center, child, range)?);
         while let Some(Reverse(bits)) = gaps.pop() {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let gap = f64::from_bits(bits);
             if gap >= reach * radius || radius > most {
                 break;
@@ -177,7 +177,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         near.dedup();
         for &simplex in near.iter() {
             for input in self.location.inhabitants(simplex) {
-                self.watch.tick(1)?;
+                self.watch.poll_after(1)?;
                 let gap = distance(self.delaunay.point(input), self.delaunay.point(center));
                 if range.contains(&gap) {
                     gaps.try_push(Reverse(gap.to_bits()))?;

@@ -92,7 +92,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.location.cover(self.delaunay.complex().simplex_bound())?;
         let mut home = self.delaunay.complex().incident(near);
         for input in 0..self.inputs as u32 {
-            self.watch.tick(4)?;
+            self.watch.poll_after(4)?;
             if self.is_inserted(input) {
                 self.location.dismiss_homeless();
             } else {
@@ -111,7 +111,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut low = *self.delaunay.point(0);
         let mut high = low;
         for input in 1..self.inputs as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             for (axis, &x) in self.delaunay.point(input).iter().enumerate() {
                 low[axis] = low[axis].min(x);
                 high[axis] = high[axis].max(x);
@@ -120,7 +120,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
         let (mut best, mut least) = (0, f64::INFINITY);
         for input in 0..self.inputs as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let gap = distance(self.delaunay.point(input), &middle);
             if gap < least {
                 (best, least) = (input, gap);
@@ -134,7 +134,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
         let mut radius = 0.0f64;
         for input in 0..self.inputs as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             radius = radius.max(distance(self.delaunay.point(input), center));
         }
         let spacing = 4.0 * REPRESENTABLE * spacing_near(center);

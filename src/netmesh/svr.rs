@@ -6,7 +6,7 @@
 use super::Mesher;
 use super::domains::ROOT;
 use crate::error::Result;
-use crate::memory::{Fallible, enqueue};
+use crate::memory::{AllocResult, enqueue};
 use std::collections::VecDeque;
 
 /// Simplices that had inputs when they were queued, oldest first: the coarse ones come before those
@@ -34,14 +34,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Queues the simplices just created that are homes.
-    pub(super) fn queue_crowded(&mut self) -> Fallible<()> {
+    pub(super) fn queue_crowded(&mut self) -> AllocResult<()> {
         for at in 0..self.scratch.created.len() {
             self.queue_if_crowded(self.scratch.created[at])?;
         }
         Ok(())
     }
 
-    fn queue_if_crowded(&mut self, simplex: u32) -> Fallible<()> {
+    fn queue_if_crowded(&mut self, simplex: u32) -> AllocResult<()> {
         if self.is_crowded(simplex) { enqueue(&mut self.crowded.queue, simplex) } else { Ok(()) }
     }
 

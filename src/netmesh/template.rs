@@ -4,7 +4,7 @@
 use super::watch::Watch;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, collected, copied, with_room};
+use crate::memory::{AllocResult, Array, collected, copied, with_room};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, TAU};
@@ -23,7 +23,7 @@ pub(super) fn cage_template<const D: usize>(
 }
 
 /// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's corners.
-fn polygon<const D: usize>(delta: f64) -> Fallible<Vec<[f64; D]>> {
+fn polygon<const D: usize>(delta: f64) -> AllocResult<Vec<[f64; D]>> {
     let count = (PI / (2.0 * (delta / 2.0).asin())).ceil();
     let corner = |i: u32| {
         let mut point = [0.0; D];
@@ -39,7 +39,7 @@ pub(super) fn cage_points<const D: usize>(
     template: &[[f64; D]],
     center: &[f64; D],
     radius: f64,
-) -> Fallible<Vec<[f64; D]>> {
+) -> AllocResult<Vec<[f64; D]>> {
     let point =
         |direction: &[f64; D]| std::array::from_fn(|axis| center[axis] + radius * direction[axis]);
     collected(template.iter().map(point))
@@ -47,7 +47,10 @@ pub(super) fn cage_points<const D: usize>(
 
 /// T with its axes permuted and reflected as `bits` say, which is exact: cages about one centre that
 /// are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
-pub(super) fn turned<const D: usize>(template: &[[f64; D]], bits: u64) -> Fallible<Vec<[f64; D]>> {
+pub(super) fn turned<const D: usize>(
+    template: &[[f64; D]],
+    bits: u64,
+) -> AllocResult<Vec<[f64; D]>> {
     let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
     let mut choice = bits >> 32;
     for axis in (1..D).rev() {
@@ -74,7 +77,7 @@ fn greedy_net<const D: usize>(
     let first = collected(0..=D as u32)?;
     delaunay.begin(&first)?;
     let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Array::new());
-    let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| -> Fallible<()> {
+    let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| -> AllocResult<()> {
         let x = *delaunay.point(vertex);
         let start = delaunay.locate(near, &x).expect("the directions are distinct");
         delaunay.find_cavity(start, &x, &mut cavity)?;
@@ -85,7 +88,7 @@ fn greedy_net<const D: usize>(
     let widest = 0.5 / (1.0 - 0.5 * delta * delta);
     loop {
         delaunay.star(0, &mut star)?;
-        watch.tick(star.len() as u32)?;
+        watch.poll_after(star.len() as u32)?;
         let (facet, radius) = widest_facet(&delaunay, &star)?;
         if radius <= widest || delaunay.point_count() as u64 > most.saturating_add(1) {
             return Ok(collected((1..delaunay.point_count() as u32).map(|v| *delaunay.point(v)))?);
@@ -97,7 +100,7 @@ fn greedy_net<const D: usize>(
 }
 
 /// The simplex with the largest D-ball; among equals within rounding the first.
-fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> Fallible<(u32, f64)> {
+fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> AllocResult<(u32, f64)> {
     let radius = |simplex: u32| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
     let mut sorted = copied(star)?;
     sorted.sort_unstable();
@@ -109,7 +112,7 @@ fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> Fallibl
 
 /// D orthonormal directions, turned at random so that grids do not align with them, and the one
 /// that balances them: together they hold the origin inside.
-fn spanning_directions<const D: usize>() -> Fallible<Vec<[f64; D]>> {
+fn spanning_directions<const D: usize>() -> AllocResult<Vec<[f64; D]>> {
     let mut random = Pcg64Mcg::new(0x5eed);
     let mut directions: Vec<[f64; D]> = with_room(D + 1)?;
     while directions.len() < D {

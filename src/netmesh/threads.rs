@@ -4,7 +4,7 @@
 use super::Mesher;
 use super::watch::Watch;
 use crate::error::Result;
-use crate::memory::{Fallible, TryGrow, collected, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, with_room};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -40,13 +40,13 @@ pub(super) fn on_threads<W: Send, T: Send>(
     threads: usize,
     watch: &mut Watch<'_, '_>,
     pieces: impl Iterator<Item = W> + Send,
-    act: impl Fn(W) -> Fallible<T> + Sync,
+    act: impl Fn(W) -> AllocResult<T> + Sync,
 ) -> Result<Vec<T>> {
     let crew =
         Crew { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act };
     // A scope asks for memory that cannot be refused.
     let mut done = match threads {
-        0 | 1 => crew.work(|| watch.look())?,
+        0 | 1 => crew.work(|| watch.poll())?,
         _ => crew.work_together(threads, watch)?,
     };
     done.sort_unstable_by_key(|&(at, _)| at);
@@ -68,7 +68,7 @@ impl<Q, A> Crew<Q, A> {
     ) -> Result<Vec<(usize, T)>>
     where
         Q: Iterator<Item = (usize, W)> + Send,
-        A: Fn(W) -> Fallible<T> + Sync,
+        A: Fn(W) -> AllocResult<T> + Sync,
         T: Send,
     {
         std::thread::scope(|scope| {
@@ -77,7 +77,7 @@ impl<Q, A> Crew<Q, A> {
                 let builder = std::thread::Builder::new();
                 others.extend(builder.spawn_scoped(scope, || self.work(|| Ok(()))));
             }
-            let mut done = self.work(|| watch.look())?;
+            let mut done = self.work(|| watch.poll())?;
             for other in others {
                 let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 for made in other? {
@@ -92,7 +92,7 @@ impl<Q, A> Crew<Q, A> {
     fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
     where
         Q: Iterator<Item = (usize, W)>,
-        A: Fn(W) -> Fallible<T>,
+        A: Fn(W) -> AllocResult<T>,
     {
         let mut done = Vec::new();
         while !self.is_stopped.load(Ordering::Relaxed) {
@@ -115,7 +115,7 @@ impl<Q, A> Crew<Q, A> {
 mod tests {
     use super::*;
     use crate::error::ErrorKind;
-    use crate::memory::Shortage;
+    use crate::memory::AllocError;
     use crate::options::Progress;
     use std::time::Duration;
 
@@ -135,7 +135,8 @@ mod tests {
     #[test]
     fn all_give_up_when_one_does() {
         for threads in [1, 2, 3] {
-            let refused = |piece: u32| if piece == 40 { Err(Shortage::Memory) } else { Ok(piece) };
+            let refused =
+                |piece: u32| if piece == 40 { Err(AllocError::Memory) } else { Ok(piece) };
             let error =
                 on_threads(threads, &mut Watch::new(None), 0..1 << 30, refused).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::OutOfMemory);

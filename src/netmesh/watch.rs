@@ -81,7 +81,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         }
     }
 
-    /// Whether it is time to [`Self::call`], after so much more `work`.
+    /// Whether it is time to [`Self::report`], after so much more `work`.
     #[inline]
     pub fn is_due(&mut self, work: u32) -> bool {
         if work < self.countdown {
@@ -102,16 +102,16 @@ impl<'a, 'b> Watch<'a, 'b> {
     /// # Errors
     /// `Cancelled` if the caller says so.
     #[inline]
-    pub fn tick(&mut self, work: u32) -> Result<()> {
-        if self.is_due(work) { self.call() } else { Ok(()) }
+    pub fn poll_after(&mut self, work: u32) -> Result<()> {
+        if self.is_due(work) { self.report() } else { Ok(()) }
     }
 
-    /// As [`Self::tick`], after work that was long.
+    /// As [`Self::poll_after`], after work that was long.
     ///
     /// # Errors
     /// `Cancelled` if the caller says so.
-    pub fn look(&mut self) -> Result<()> {
-        self.tick(STRIDE)
+    pub fn poll(&mut self) -> Result<()> {
+        self.poll_after(STRIDE)
     }
 
     /// What the next call tells the caller; its fraction never falls.
@@ -144,7 +144,7 @@ impl<'a, 'b> Watch<'a, 'b> {
     /// # Errors
     /// `Cancelled` if the caller says so.
     #[cold]
-    pub fn call(&mut self) -> Result<()> {
+    pub fn report(&mut self) -> Result<()> {
         let progress = &self.progress;
         let go_on = self.callback.as_mut().is_none_or(|callback| callback(progress));
         // The caller's own time is not the run's.

@@ -5,7 +5,7 @@ use super::corner::Corner;
 use super::length::Length;
 use super::tree::DomainTree;
 use super::view::View;
-use crate::memory::{Fallible, collected, filled};
+use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::NONE;
 
 /// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
@@ -49,7 +49,7 @@ impl Cells {
         tree: Option<&DomainTree>,
         slack: f64,
         mut visit: impl FnMut(&SimplexCell),
-    ) -> Fallible<Self> {
+    ) -> AllocResult<Self> {
         let mut cells = Self::empty(view.vertex_count(), view.mesh.domains.len())?;
         let limits = limits(view, slack)?;
         let mut climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
@@ -92,7 +92,7 @@ impl Cells {
         2.0 * self.cage_farthest_anywhere[domain].ratio(twice_inner)
     }
 
-    fn empty(vertices: usize, domains: usize) -> Fallible<Self> {
+    fn empty(vertices: usize, domains: usize) -> AllocResult<Self> {
         Ok(Self {
             nearest: filled(vertices, Length::INFINITE)?,
             farthest: filled(vertices, Length::ZERO)?,
@@ -202,7 +202,7 @@ impl<const D: usize> Star<'_, D> {
 }
 
 /// Domain -> the distance from its centre within which corners count.
-fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> Fallible<Vec<Length>> {
+fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Length>> {
     let factor =
         view.mesh.parameters.corner_restriction() * view.mesh.parameters.cage_scale * slack;
     collected(view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)))

@@ -1,6 +1,6 @@
 //! Lists of ids per id, in one array: the simplices of each vertex, the children of each domain.
 
-use crate::memory::{Fallible, filled};
+use crate::memory::{AllocResult, filled};
 
 /// For each of `0..count` the list of those that name it.
 pub(crate) struct Incidence {
@@ -15,7 +15,7 @@ impl Incidence {
     pub fn new<I: Iterator<Item = (u32, u32)>>(
         count: usize,
         pairs: impl Fn() -> I,
-    ) -> Fallible<Self> {
+    ) -> AllocResult<Self> {
         let mut starts = filled(count + 1, 0usize)?;
         let within = |owner: u32| (owner as usize) < count;
         for (owner, _) in pairs().filter(|(owner, _)| within(*owner)) {

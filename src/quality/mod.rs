@@ -11,7 +11,7 @@ pub(crate) mod tree;
 pub(crate) mod view;
 
 use crate::error::Result;
-use crate::memory::{Fallible, collected, filled};
+use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{NONE, Triangulation};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
@@ -78,7 +78,7 @@ pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
     Ok(quality?)
 }
 
-fn measure_in<const D: usize>(mesh: &Triangulation) -> Fallible<Quality> {
+fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let view = View::<D> { mesh };
     let on_hull = view.hull_vertices()?;
     let tree = DomainTree::new(&mesh.domains)?;
@@ -145,7 +145,7 @@ fn add_aspects(quality: &mut Quality, mesh: &Triangulation, cells: &Cells, on_hu
     }
 }
 
-fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> Fallible<f64> {
+fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> AllocResult<f64> {
     let limited = precision_limited_cages(mesh)?;
     let cages = mesh.domains.iter().enumerate().skip(1).filter(|&(i, _)| !limited[i]);
     let aspects = cages.map(|(i, domain)| cells.cage_aspect(i, domain.radius));
@@ -154,7 +154,7 @@ fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> Fallible<f64> {
 
 /// Domain -> whether its centre or a vertex of its cage is precision-limited, which exempts the
 /// cage from its bounds. Ids must be in range.
-pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Fallible<Vec<bool>> {
+pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<bool>> {
     let centers = mesh.domains.iter().map(|domain| mesh.precision_limited[domain.center as usize]);
     let mut limited = collected(centers)?;
     for (&cage, _) in mesh.cage_of.iter().zip(&mesh.precision_limited).filter(|(_, l)| **l) {
@@ -166,7 +166,7 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> Fallible<Vec<bool
 }
 
 /// Largest number of distinct vertices that share a simplex with one vertex. O(simplices).
-fn max_degree<const D: usize>(view: View<'_, D>) -> Fallible<u32> {
+fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
     let stars = view.stars()?;
     let mut seen_from = filled(view.vertex_count(), NONE)?;
     let mut largest = 0;

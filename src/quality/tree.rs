@@ -1,6 +1,6 @@
 //! The domain hierarchy (§4) as a tree that answers "does this domain hold that one" at once.
 
-use crate::memory::{Fallible, collected, copied, filled};
+use crate::memory::{AllocResult, collected, copied, filled};
 use crate::mesh::{Domain, NONE};
 
 /// Nested intervals of a walk over the tree of domains; child lists.
@@ -14,7 +14,7 @@ pub(crate) struct DomainTree {
 
 impl DomainTree {
     /// `None` unless domain 0 is the only root and every parent stands before its children.
-    pub fn new(domains: &[Domain]) -> Fallible<Option<Self>> {
+    pub fn new(domains: &[Domain]) -> AllocResult<Option<Self>> {
         if first_misplaced(domains).is_some() {
             return Ok(None);
         }

@@ -1,7 +1,7 @@
 //! A [`Triangulation`] read with its dimension as a type.
 
 use super::incidence::Incidence;
-use crate::memory::{Fallible, filled};
+use crate::memory::{AllocResult, filled};
 use crate::mesh::{MAX_DIM, NONE, Triangulation};
 
 #[derive(Clone, Copy)]
@@ -45,7 +45,7 @@ impl<'a, const D: usize> View<'a, D> {
     }
 
     /// Vertex -> the simplices there, ascending. O(simplices).
-    pub fn stars(self) -> Fallible<Incidence> {
+    pub fn stars(self) -> AllocResult<Incidence> {
         Incidence::new(self.vertex_count(), || {
             let corners = self.mesh.simplices.iter().enumerate();
             corners.map(|(index, &vertex)| (vertex, (index / Self::CORNERS) as u32))
@@ -53,7 +53,7 @@ impl<'a, const D: usize> View<'a, D> {
     }
 
     /// Vertex -> whether it is on the hull.
-    pub fn hull_vertices(self) -> Fallible<Vec<bool>> {
+    pub fn hull_vertices(self) -> AllocResult<Vec<bool>> {
         let mut on_hull = filled(self.vertex_count(), false)?;
         for s in 0..self.simplex_count() {
             let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));

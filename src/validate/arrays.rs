@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, filled};
+use crate::memory::{AllocResult, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 
 /// Checks lengths, coordinates and ids; returns whether arrays may be indexed by the ids in them.
@@ -10,7 +10,7 @@ pub(super) fn check(
     inputs: &Inputs,
     mesh: &Triangulation,
     findings: &mut Findings,
-) -> Fallible<bool> {
+) -> AllocResult<bool> {
     if !check_lengths(inputs, mesh, findings) {
         return Ok(false);
     }
@@ -78,7 +78,7 @@ fn check_ids(mesh: &Triangulation, findings: &mut Findings) -> bool {
 }
 
 /// No vertex twice in a simplex, and none in no simplex.
-fn check_use(mesh: &Triangulation, findings: &mut Findings) -> Fallible<()> {
+fn check_use(mesh: &Triangulation, findings: &mut Findings) -> AllocResult<()> {
     let mut used = filled(mesh.kinds.len(), false)?;
     for s in 0..mesh.simplex_count() {
         let vertices = mesh.simplex(s);

@@ -4,7 +4,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::Fallible;
+use crate::memory::AllocResult;
 use crate::mesh::NONE;
 use crate::options::Criterion;
 use crate::quality::cells::{Cells, SimplexCell};
@@ -21,7 +21,7 @@ pub(super) fn survey<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
     findings: &mut Findings,
-) -> Fallible<Cells> {
+) -> AllocResult<Cells> {
     let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
     Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
         if per_simplex && is_promised(view, cell) {
@@ -35,7 +35,7 @@ pub(super) fn check<const D: usize>(
     view: View<'_, D>,
     cells: &Cells,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     if view.mesh.parameters.criterion == Criterion::VoronoiAspect {
         (0..view.vertex_count())
             .filter(|&v| is_bounded(view, v))
@@ -84,7 +84,7 @@ fn check_cages<const D: usize>(
     view: View<'_, D>,
     cells: &Cells,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let limited = precision_limited_cages(view.mesh)?;
     let cages = view.mesh.domains.iter().enumerate().skip(1);
     for (i, domain) in cages.filter(|&(i, _)| !limited[i]) {

@@ -1,6 +1,6 @@
 //! A tree of boxes over sibling balls, to find those near a point or a ball without trying all.
 
-use crate::memory::{Fallible, TryGrow, collected};
+use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::Domain;
 use crate::quality::view::View;
 
@@ -53,7 +53,7 @@ pub(super) struct BoxTree<const D: usize> {
 
 impl<const D: usize> BoxTree<D> {
     /// Of the balls of `ids`, whose centres are vertices. O(n log n).
-    pub fn new(view: View<'_, D>, domains: &[Domain], ids: &[u32]) -> Fallible<Self> {
+    pub fn new(view: View<'_, D>, domains: &[Domain], ids: &[u32]) -> AllocResult<Self> {
         let bounds = |&id: &u32| {
             let domain = &domains[id as usize];
             (Bounds::of_ball(view.point(domain.center), domain.radius), id)
@@ -65,7 +65,7 @@ impl<const D: usize> BoxTree<D> {
         Ok(tree)
     }
 
-    fn build(&mut self, start: usize, end: usize) -> Fallible<()> {
+    fn build(&mut self, start: usize, end: usize) -> AllocResult<()> {
         let node = self.nodes.len();
         let items = &mut self.items[start..end];
         let bounds = items[1..].iter().fold(items[0].0, |all, item| all.merged(&item.0));

@@ -3,7 +3,7 @@
 use super::hierarchy::ROUNDING;
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, filled};
+use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, VertexKind};
 use crate::quality::cells::Cells;
 use crate::quality::length::Length;
@@ -21,7 +21,7 @@ pub(super) fn check<const D: usize>(
     tree: &DomainTree,
     cells: &Cells,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     check_membership(view, tree, findings);
     check_positions(view, findings)?;
     check_hull(view, findings)?;
@@ -48,7 +48,7 @@ fn check_membership<const D: usize>(view: View<'_, D>, tree: &DomainTree, findin
 }
 
 /// Nearness (§4) of each cage vertex, and enough of them; the root's cage is a matter of taste.
-fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let mut sizes = filled(view.mesh.domains.len(), 0usize)?;
     for (v, &cage) in view.mesh.cage_of.iter().enumerate().filter(|(_, cage)| **cage != NONE) {
         sizes[cage as usize] += 1;
@@ -91,7 +91,7 @@ fn check_nearness<const D: usize>(
     });
 }
 
-fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     for (v, &on_hull) in view.hull_vertices()?.iter().enumerate() {
         let cage = view.mesh.cage_of[v];
         findings.check(!on_hull || cage == 0, || {
@@ -147,7 +147,7 @@ fn check_inner<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let sheltered = sheltered_domains(view, tree)?;
     let mut climbs = view.vertex_count().saturating_mul(CLIMBS_PER_VERTEX);
     let inputs = |&v: &usize| view.mesh.kinds[v] == VertexKind::Input;
@@ -187,7 +187,10 @@ fn check_input<const D: usize>(
 
 /// Domain -> whether its whole ball is within epsilon r of the centre of every ancestor but the
 /// root, so that its vertices encroach none of them.
-fn sheltered_domains<const D: usize>(view: View<'_, D>, tree: &DomainTree) -> Fallible<Vec<bool>> {
+fn sheltered_domains<const D: usize>(
+    view: View<'_, D>,
+    tree: &DomainTree,
+) -> AllocResult<Vec<bool>> {
     let domains = &view.mesh.domains;
     let mut sheltered = filled(domains.len(), true)?;
     for i in 1..domains.len() {

@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -16,7 +16,10 @@ struct Facet<const D: usize> {
 
 /// Checks that every facet is in one or two simplices, and that the neighbours say so too.
 /// Returns the number of distinct facets.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<usize> {
+pub(super) fn check<const D: usize>(
+    view: View<'_, D>,
+    findings: &mut Findings,
+) -> AllocResult<usize> {
     let facets = sorted_facets(view)?;
     let groups = facets.chunk_by(|a, b| a.vertices == b.vertices);
     let mut count = 0;
@@ -30,7 +33,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
     Ok(count)
 }
 
-fn sorted_facets<const D: usize>(view: View<'_, D>) -> Fallible<Vec<Facet<D>>> {
+fn sorted_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<Facet<D>>> {
     let mut facets = with_room(view.mesh.simplices.len())?;
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
@@ -53,7 +56,7 @@ fn check_duplicates<const D: usize>(
     view: View<'_, D>,
     group: &[Facet<D>],
     findings: &mut Findings,
-) -> Fallible<bool> {
+) -> AllocResult<bool> {
     let mut apexes: Vec<(u32, u32)> = Vec::new();
     if let [a, b] = group {
         if apex(view, a) == apex(view, b) {
@@ -121,7 +124,7 @@ fn describe<const D: usize>(
     (ViolationKind::NeighborFacet, message)
 }
 
-fn check_connected<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+fn check_connected<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let mut reached = filled(view.simplex_count(), false)?;
     let mut stack = collected([0])?;
     reached[0] = true;

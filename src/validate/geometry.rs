@@ -2,14 +2,17 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, with_room};
+use crate::memory::{AllocResult, with_room};
 use crate::mesh::NONE;
 use crate::numerics::{Sign, in_ball, orientation};
 use crate::quality::view::View;
 
 /// Checks orientations, folds and local Delaunay-ness; level 1 must hold. Returns whether all
 /// simplices are positively oriented and none is folded onto a neighbour.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<bool> {
+pub(super) fn check<const D: usize>(
+    view: View<'_, D>,
+    findings: &mut Findings,
+) -> AllocResult<bool> {
     let mut positive = with_room(view.simplex_count())?;
     positive.extend((0..view.simplex_count()).map(|s| check_orientation(view, s, findings)));
     let mut unfolded = true;

@@ -4,7 +4,7 @@
 use super::boxes::{Bounds, BoxTree};
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, with_room};
+use crate::memory::{AllocResult, with_room};
 use crate::quality::length::Length;
 use crate::quality::tree::{DomainTree, first_misplaced};
 use crate::quality::view::View;
@@ -16,7 +16,7 @@ pub(super) const ROUNDING: f64 = 1e-9;
 pub(super) fn check<const D: usize>(
     view: View<'_, D>,
     findings: &mut Findings,
-) -> Fallible<Option<DomainTree>> {
+) -> AllocResult<Option<DomainTree>> {
     let Some(tree) = check_tree(view, findings)? else { return Ok(None) };
     if !check_balls(view, findings) || !check_labels_exist(view, findings) {
         return Ok(None);
@@ -39,7 +39,7 @@ pub(super) fn check<const D: usize>(
 fn check_tree<const D: usize>(
     view: View<'_, D>,
     findings: &mut Findings,
-) -> Fallible<Option<DomainTree>> {
+) -> AllocResult<Option<DomainTree>> {
     let domains = &view.mesh.domains;
     let misplaced = first_misplaced(domains);
     findings.check(misplaced.is_none(), || {

@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -20,7 +20,7 @@ struct Ridge<const D: usize> {
 }
 
 /// Checks the hull of a complex whose facets and neighbours hold.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let facets = hull_facets(view)?;
     let exists = findings.check(!facets.is_empty(), || {
         Violation::new(ViolationKind::HullRidge, "the mesh has no hull facet")
@@ -48,7 +48,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
     Ok(())
 }
 
-fn hull_facets<const D: usize>(view: View<'_, D>) -> Fallible<Vec<HullFacet<D>>> {
+fn hull_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<HullFacet<D>>> {
     let mut facets = Vec::new();
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
@@ -60,7 +60,7 @@ fn hull_facets<const D: usize>(view: View<'_, D>) -> Fallible<Vec<HullFacet<D>>>
     Ok(facets)
 }
 
-fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> Fallible<Vec<Ridge<D>>> {
+fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> AllocResult<Vec<Ridge<D>>> {
     let mut ridges = with_room(facets.len() * D)?;
     for (f, facet) in facets.iter().enumerate() {
         for skipped in 0..D {
@@ -113,7 +113,7 @@ fn check_links<const D: usize>(
     facets: &[HullFacet<D>],
     around: &mut Sets,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let mut components = filled(view.vertex_count(), NONE)?;
     for (f, facet) in facets.iter().enumerate() {
         for (k, &v) in facet.vertices.iter().enumerate() {
@@ -138,7 +138,7 @@ struct Sets {
 }
 
 impl Sets {
-    fn new(count: usize) -> Fallible<Self> {
+    fn new(count: usize) -> AllocResult<Self> {
         Ok(Self { parents: collected(0..count as u32)? })
     }
 

@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, TryGrow, collected, copied, filled};
+use crate::memory::{AllocResult, TryGrow, collected, copied, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -16,7 +16,7 @@ pub(super) fn check<const D: usize>(
     view: View<'_, D>,
     facets: usize,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let stars = Stars::new(view)?;
     let mut seen = filled(view.simplex_count(), NONE)?;
     let mut totals = [0u64; D];
@@ -47,7 +47,7 @@ struct Stars {
 }
 
 impl Stars {
-    fn new<const D: usize>(view: View<'_, D>) -> Fallible<Self> {
+    fn new<const D: usize>(view: View<'_, D>) -> AllocResult<Self> {
         let mut start = filled(view.vertex_count() + 1, 0usize)?;
         for &v in &view.mesh.simplices {
             start[v as usize + 1] += 1;
@@ -76,7 +76,7 @@ fn check_star<const D: usize>(
     star: &[u32],
     seen: &mut [u32],
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let mut stack = collected(star.iter().take(1).copied())?;
     stack.iter().for_each(|&s| seen[s as usize] = v as u32);
     let mut reached = 0;
@@ -107,7 +107,7 @@ fn count_faces<const D: usize>(
     star: &[u32],
     size: usize,
     keys: &mut Vec<[u32; D]>,
-) -> Fallible<u64> {
+) -> AllocResult<u64> {
     keys.clear();
     for &s in star {
         let counts = |w: u32| w != v && (D <= LINK_COUNT_DIM || w > v);
@@ -130,7 +130,7 @@ fn push_subsets<const D: usize>(
     vertices: &[u32],
     size: usize,
     keys: &mut Vec<[u32; D]>,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     for mask in 0u32..1 << vertices.len() {
         if mask.count_ones() as usize != size {
             continue;

@@ -38,7 +38,7 @@ mod turns;
 pub use report::{Report, Violation, ViolationKind};
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{Fallible, TryGrow, collected};
+use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation};
 use crate::options::{Algorithm, Output};
 use crate::quality::view::View;
@@ -75,7 +75,7 @@ fn check<const D: usize>(
     inputs: &Inputs,
     mesh: &Triangulation,
     level: u32,
-) -> Fallible<Vec<Findings>> {
+) -> AllocResult<Vec<Findings>> {
     let view = View::<D> { mesh };
     let mut topology = Findings::default();
     check_topology(inputs, view, &mut topology)?;
@@ -100,7 +100,7 @@ fn check_topology<const D: usize>(
     inputs: &Inputs,
     view: View<'_, D>,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     if !arrays::check(inputs, view.mesh, findings)? {
         return Ok(());
     }
@@ -116,7 +116,7 @@ fn check_paper<const D: usize>(
     inputs: &Inputs,
     view: View<'_, D>,
     findings: &mut Findings,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     let mesh = view.mesh;
     inputs::check(inputs, mesh, findings);
     if mesh.parameters.algorithm == Algorithm::Delaunay {
@@ -137,7 +137,7 @@ fn check_paper<const D: usize>(
     Ok(())
 }
 
-fn wrong_dimension(dim: usize) -> Fallible<Vec<Findings>> {
+fn wrong_dimension(dim: usize) -> AllocResult<Vec<Findings>> {
     let mut findings = Findings::default();
     findings.check(false, || {
         let message = message!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");

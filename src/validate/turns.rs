@@ -10,7 +10,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{Fallible, filled};
+use crate::memory::{AllocResult, filled};
 use crate::mesh::{MAX_DIM, NONE};
 use crate::numerics::{Sign, orientation};
 use crate::quality::view::View;
@@ -38,7 +38,7 @@ impl Step {
 
 /// Checks the turns round all faces of codimension two. Level 1 must hold, and all simplices be
 /// positively oriented and unfolded. O(simplices D^2) orientation tests.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> Fallible<()> {
+pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let mut done = filled(view.simplex_count(), 0u64)?;
     for simplex in 0..view.simplex_count() {
         for to in 1..View::<D>::CORNERS {

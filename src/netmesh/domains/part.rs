@@ -4,7 +4,7 @@
 
 use super::{Hierarchy, Node, Place, ROOT};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 
 /// A part's domains in the whole.
@@ -23,7 +23,7 @@ impl DomainNames {
     }
 
     /// Domain of the part -> whether it must stay as it is.
-    pub fn foreign(&self) -> Fallible<Vec<bool>> {
+    pub fn foreign(&self) -> AllocResult<Vec<bool>> {
         collected(self.is_own.iter().map(|&is_own| !is_own))
     }
 }
@@ -74,7 +74,7 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// The domains of `vertices` and their cages, with all around them, in rising order.
-    fn domains_at(&mut self, vertices: &[u32]) -> Fallible<Vec<u32>> {
+    fn domains_at(&mut self, vertices: &[u32]) -> AllocResult<Vec<u32>> {
         let mut is_known = filled(self.nodes.len(), false)?;
         let mut names = Vec::new();
         names.try_push(ROOT)?;

@@ -57,7 +57,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let cavity = &self.scratch.cavity.simplices;
             ply.add(cavity.iter().filter(|&&s| self.delaunay.ball(s).is_some()).count() as u64);
             work += cavity.len() as u64;
-            self.watch.tick(cavity.len() as u32)?;
+            self.watch.poll_after(cavity.len() as u32)?;
         }
         self.stats.ply_probes = ply.counts;
         self.stats.max_ply = ply.max;
@@ -75,7 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let found = &mut self.scratch.star;
             met.add(self.delaunay.count_meeting(simplex, MEETING_LIMIT, found)?);
             work += found.len() as u64;
-            self.watch.tick(found.len() as u32)?;
+            self.watch.poll_after(found.len() as u32)?;
         }
         self.stats.max_ball_intersections = met.max;
         self.stats.mean_ball_intersections = met.mean();
@@ -89,13 +89,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
         let mut count = 0;
         for simplex in 0..bound {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             count += usize::from(is_finite(simplex));
         }
         let step = stride(count, most);
         let mut probes = Vec::new();
         for (at, simplex) in (0..bound).filter(|&s| is_finite(s)).enumerate() {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if at % step == 0 {
                 probes.try_push(simplex)?;
             }

@@ -11,7 +11,7 @@
 
 use crate::complex::VertexSet;
 use crate::error::Result;
-use crate::memory::{Array, Fallible};
+use crate::memory::{AllocResult, Array};
 use crate::netmesh::domains::ROOT;
 use crate::netmesh::{Mesher, some};
 use crate::numerics::distance;
@@ -41,13 +41,13 @@ pub(super) struct Search {
 }
 
 impl Search {
-    fn restart(&mut self, vertices: usize, domains: usize) -> Fallible<()> {
+    fn restart(&mut self, vertices: usize, domains: usize) -> AllocResult<()> {
         self.queue.clear();
         self.seen.restart(vertices)?;
         self.children.restart(domains)
     }
 
-    fn push(&mut self, gap: f64, vertex: u32, is_center: bool) -> Fallible<()> {
+    fn push(&mut self, gap: f64, vertex: u32, is_center: bool) -> AllocResult<()> {
         if self.queue.len() == self.queue.capacity() {
             self.queue.try_reserve(1)?;
         }
@@ -62,7 +62,7 @@ impl Search {
 }
 
 /// Whether `id` was not in `set`, where it is now.
-fn is_new(set: &mut VertexSet, id: u32) -> Fallible<bool> {
+fn is_new(set: &mut VertexSet, id: u32) -> AllocResult<bool> {
     let before = set.ids.len();
     set.insert(id)?;
     Ok(set.ids.len() > before)
@@ -121,7 +121,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         search.push(0.0, vertex, false)?;
         let mut met = Met::default();
         for _ in 0..MOST_VISITED {
-            self.watch.tick(16)?;
+            self.watch.poll_after(16)?;
             let Some((gap, at, is_center)) = search.pop() else { return Ok(Some(met.sizes)) };
             if gap > diameter {
                 return Ok(Some(met.sizes));
@@ -145,7 +145,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: u32,
         x: &[f64; D],
         omega: u32,
-    ) -> Fallible<()> {
+    ) -> AllocResult<()> {
         let child = self.hierarchy.child_towards(omega, vertex);
         if let Some(child) = child {
             if is_new(&mut search.children, child)? {
@@ -169,7 +169,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x: &[f64; D],
         omega: u32,
         child: Option<u32>,
-    ) -> Fallible<()> {
+    ) -> AllocResult<()> {
         self.delaunay.star(vertex, &mut search.star)?;
         search.work += search.star.len() as u64;
         for at in 0..search.star.len() {

@@ -14,7 +14,7 @@
 //! The coordinates are rounded, relative to the median and to the median distance from it. That
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.
 
-use crate::memory::{Fallible, TryGrow, make_room};
+use crate::memory::{AllocResult, TryGrow, make_room};
 
 /// A subset, and the point of its hull that is over the medians so far.
 struct Part<const D: usize> {
@@ -61,7 +61,7 @@ impl<const D: usize> Default for Center<D> {
 
 impl<const D: usize> Center<D> {
     /// X for the `members` of `points`, which are not none; the most central point first.
-    pub fn support(&mut self, points: &[[f64; D]], members: &[u32]) -> Fallible<&[u32]> {
+    pub fn support(&mut self, points: &[[f64; D]], members: &[u32]) -> AllocResult<&[u32]> {
         self.lift(points, members)?;
         for axis in 0..=D {
             self.pair_off(axis)?;
@@ -87,7 +87,7 @@ impl<const D: usize> Center<D> {
     }
 
     /// Makes a part of every point.
-    fn lift(&mut self, points: &[[f64; D]], members: &[u32]) -> Fallible<()> {
+    fn lift(&mut self, points: &[[f64; D]], members: &[u32]) -> AllocResult<()> {
         self.parts.clear();
         self.level.clear();
         make_room(&mut self.parts, members.len())?;
@@ -110,7 +110,7 @@ impl<const D: usize> Center<D> {
         Ok(())
     }
 
-    fn median(&mut self, values: impl ExactSizeIterator<Item = f64>) -> Fallible<f64> {
+    fn median(&mut self, values: impl ExactSizeIterator<Item = f64>) -> AllocResult<f64> {
         self.values.clear();
         make_room(&mut self.values, values.len())?;
         self.values.extend(values);
@@ -120,7 +120,7 @@ impl<const D: usize> Center<D> {
 
     /// Joins parts below the median in coordinate `axis` with parts above it; the median's own
     /// part stays as it is and comes first.
-    fn pair_off(&mut self, axis: usize) -> Fallible<()> {
+    fn pair_off(&mut self, axis: usize) -> AllocResult<()> {
         let Self { parts, level, paired, .. } = self;
         let middle = level.len() / 2;
         let value = |parts: &[Part<D>], i: u32| parts[i as usize].coordinate(axis);
@@ -150,7 +150,7 @@ impl<const D: usize> Center<D> {
     }
 
     /// The numbers of the points of part `root`.
-    fn collect(&mut self, root: u32) -> Fallible<()> {
+    fn collect(&mut self, root: u32) -> AllocResult<()> {
         self.support.clear();
         self.paired.clear();
         self.paired.try_push(root)?;

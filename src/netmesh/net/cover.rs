@@ -9,7 +9,7 @@
 
 use crate::complex::INFINITE;
 use crate::delaunay::Delaunay;
-use crate::memory::{Array, Fallible, TryGrow};
+use crate::memory::{AllocResult, Array, TryGrow};
 
 /// Counts points around the edges at a vertex; keeps its buffers.
 pub(super) struct Rings<const D: usize> {
@@ -40,7 +40,7 @@ impl<const D: usize> Default for Rings<D> {
 
 impl<const D: usize> Rings<D> {
     /// Prepares for other points, so many.
-    pub fn restart(&mut self, points: usize) -> Fallible<()> {
+    pub fn restart(&mut self, points: usize) -> AllocResult<()> {
         self.marks.clear();
         self.unions = 0;
         self.marks.cover(points, 0)
@@ -54,7 +54,7 @@ impl<const D: usize> Rings<D> {
         inside: &[Vec<u32>],
         vertex: u32,
         threshold: u32,
-    ) -> Fallible<Option<u32>> {
+    ) -> AllocResult<Option<u32>> {
         self.count(delaunay, inside, vertex)?;
         let mut best = None;
         let mut most = 0;
@@ -78,7 +78,7 @@ impl<const D: usize> Rings<D> {
         delaunay: &mut Delaunay<D>,
         inside: &[Vec<u32>],
         vertex: u32,
-    ) -> Fallible<()> {
+    ) -> AllocResult<()> {
         let infinite = delaunay.point_count();
         for &other in &self.others {
             self.largest[other as usize] = [0; D];

@@ -18,14 +18,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (mut inputs, mut points) = (Vec::new(), Vec::new());
         let mut selected = Vec::new();
         for home in 0..self.delaunay.complex().simplex_bound() as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let count = self.location.count(home);
             if count == 0 || !self.rim.admits(home) {
                 continue;
             }
             inputs.clear();
             for input in self.location.inhabitants(home) {
-                self.watch.tick(1)?;
+                self.watch.poll_after(1)?;
                 inputs.try_push(input)?;
             }
             if count <= EXHAUSTED * share {

@@ -30,7 +30,7 @@ use super::center::Center;
 use super::cover::Rings;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, make_room};
+use crate::memory::{AllocResult, Array, TryGrow, make_room};
 use crate::mesh::MAX_DIM;
 use crate::netmesh::watch::Watch;
 
@@ -51,7 +51,7 @@ pub(super) struct Net<const D: usize> {
 }
 
 impl<const D: usize> Net<D> {
-    pub fn new() -> Fallible<Self> {
+    pub fn new() -> AllocResult<Self> {
         Ok(Self {
             delaunay: Delaunay::new(Array::new())?,
             inside: Vec::new(),
@@ -125,7 +125,7 @@ impl<const D: usize> Net<D> {
             let inside = &mut self.inside[simplex as usize];
             inside.clear();
             for (i, point) in points.iter().enumerate() {
-                watch.tick(1)?;
+                watch.poll_after(1)?;
                 if self.delaunay.in_conflict(simplex, point) {
                     inside.try_push(i as u32)?;
                 }
@@ -135,7 +135,7 @@ impl<const D: usize> Net<D> {
         Ok(())
     }
 
-    fn cover_simplices(&mut self) -> Fallible<()> {
+    fn cover_simplices(&mut self) -> AllocResult<()> {
         while self.inside.len() < self.delaunay.complex().simplex_bound() {
             self.inside.try_push(Vec::new())?;
         }
@@ -143,7 +143,7 @@ impl<const D: usize> Net<D> {
     }
 
     /// The point to choose in the D-ball of `simplex`, which holds one.
-    fn pick(&mut self, simplex: u32, points: &[[f64; D]]) -> Fallible<u32> {
+    fn pick(&mut self, simplex: u32, points: &[[f64; D]]) -> AllocResult<u32> {
         let members = &self.inside[simplex as usize];
         if let Some(&point) = members.iter().find(|&&i| self.waiting[i as usize]) {
             return Ok(point);
@@ -180,7 +180,7 @@ impl<const D: usize> Net<D> {
             })?;
             self.inside[created as usize] = list;
             self.tests += work as u64;
-            watch.tick(work as u32)?;
+            watch.poll_after(work as u32)?;
         }
         Ok(())
     }
@@ -193,7 +193,7 @@ fn merge(
     beyond: &[u32],
     list: &mut Vec<u32>,
     holds: impl Fn(u32) -> bool,
-) -> Fallible<()> {
+) -> AllocResult<()> {
     list.clear();
     make_room(list, within.len() + beyond.len())?;
     let (mut a, mut b) = (0, 0);

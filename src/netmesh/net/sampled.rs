@@ -12,7 +12,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn select_sample(&mut self, per_ball: u32, crowd: u32) -> Result<Vec<u32>> {
         let mut selected = Vec::new();
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             let count = self.location.count(simplex);
             if count > crowd && self.rim.admits(simplex) {
                 self.sample(simplex, count, per_ball.min(count), &mut selected)?;
@@ -37,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let (begin, end) = (stretch(i), stretch(i + 1));
             let pick = begin + scaled(self.random.next_u32(), end - begin);
             while pick - at >= STEP {
-                self.watch.tick(STEP / 8)?;
+                self.watch.poll_after(STEP / 8)?;
                 inhabitants.nth(STEP as usize - 1);
                 at += STEP;
             }

@@ -89,7 +89,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 next += 1;
             }
             self.watch.note_tally(tally);
-            self.watch.look()?;
+            self.watch.poll()?;
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn cut(&mut self, simplices: Array<u32>, ids: &mut Ids) -> Result<Part<D>> {
         let mut vertices = Array::new();
         for &simplex in &simplices {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             for input in self.location.take_out(simplex) {
                 vertices.try_push(input)?;
             }
@@ -29,14 +29,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut names = Names { simplices, vertices };
         ids.give(&names);
         let watch = &mut self.watch;
-        let delaunay = self.delaunay.part(&mut names, ids, || watch.tick(1))?;
-        self.watch.look()?;
+        let delaunay = self.delaunay.part(&mut names, ids, || watch.poll_after(1))?;
+        self.watch.poll()?;
         let location = self.location.part(&names, &ids.simplices, inputs)?;
         let shared = delaunay.rim_vertices()?;
-        self.watch.look()?;
+        self.watch.poll()?;
         let (hierarchy, domains) = self.hierarchy.part(&names.vertices, &shared, &ids.vertices)?;
         ids.take(&names);
-        self.watch.look()?;
+        self.watch.poll()?;
         let mut cells = Array::with_room(names.vertices.len())?;
         let mut precision_limited = with_room(names.vertices.len())?;
         for &vertex in &names.vertices {

@@ -17,14 +17,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let taken = std::mem::take(&mut names.simplices);
         let watch = &mut self.watch;
-        self.delaunay.join(delaunay, &mut names, || watch.tick(1))?;
+        self.delaunay.join(delaunay, &mut names, || watch.poll_after(1))?;
         for (&simplex, &name) in taken.iter().zip(&names.simplices) {
             moved[simplex as usize] = name;
         }
-        self.watch.look()?;
+        self.watch.poll()?;
         self.hierarchy.join(hierarchy, &mut domains, &names.vertices, &shared)?;
         for (own, (&vertex, &cell)) in names.vertices.iter().zip(&part.cells).enumerate() {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if own >= known {
                 self.cells.try_push(cell)?;
                 self.precision_limited.try_push(part.precision_limited[own])?;
@@ -41,9 +41,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.precision_limited[vertex as usize] |= part.precision_limited[own];
         }
         let bound = self.delaunay.complex().simplex_bound();
-        self.watch.look()?;
+        self.watch.poll()?;
         self.location.join(part.location, &names, bound)?;
-        self.watch.look()?;
+        self.watch.poll()?;
         self.refine.join(part.refine, names.simplices.len(), bound)?;
         for &(cage, input) in &part.rim.postponed {
             let input = names.vertices[input as usize];

@@ -94,10 +94,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             parts.push(self.cut(run, &mut ids)?);
         }
         drop(ids);
-        self.watch.look()?;
+        self.watch.poll()?;
         self.refine_parts(parts, &mut moved)?;
         let watch = &mut self.watch;
-        self.delaunay.replace_joined(&moved, || watch.tick(1))?;
+        self.delaunay.replace_joined(&moved, || watch.poll_after(1))?;
         self.make_postponed_room()
     }
 
@@ -132,7 +132,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts what can be inserted, when rounds are not worth it any more.
     fn insert_stragglers(&mut self) -> Result<()> {
         for input in 0..self.inputs as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if !self.is_inserted(input) && self.rim.admits(self.location.home(input)) {
                 if !self.insert_input(input)? {
                     self.postpone(input)?;

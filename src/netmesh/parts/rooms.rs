@@ -1,7 +1,7 @@
 //! Parts that become the whole grow in its spare room, so that nothing has to be copied when they join.
 
 use super::Part;
-use crate::memory::{Fallible, collected};
+use crate::memory::{AllocResult, collected};
 use crate::netmesh::Mesher;
 
 /// What parts are lent of the spare room, where there are several: what they leave of that has to be
@@ -13,7 +13,7 @@ const ALL: f64 = 0.999;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Divides the spare room for simplices among `parts`, by their inputs. Where that is not enough a part
     /// moves to room of its own as it grows.
-    pub(super) fn lend_room(&mut self, parts: &mut [Part<D>]) -> Fallible<()> {
+    pub(super) fn lend_room(&mut self, parts: &mut [Part<D>]) -> AllocResult<()> {
         let bound = self.delaunay.complex().simplex_bound();
         let inputs = |part: &Part<D>| part.location.remaining() as f64;
         let share = self.delaunay.spare_simplices() as f64 / parts.iter().map(inputs).sum::<f64>();

@@ -5,12 +5,12 @@
 use super::{FEW, Mesher};
 use crate::complex::Anchored;
 use crate::error::Result;
-use crate::memory::{Array, Fallible, TryGrow, collected, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, collected, with_room};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The inputs at which parts begin, but for the first: each has as many inputs as the others. A
     /// simplex is of the part of its anchor.
-    pub(super) fn walls(&self, count: usize) -> Fallible<Vec<u32>> {
+    pub(super) fn walls(&self, count: usize) -> AllocResult<Vec<u32>> {
         collected((1..count).map(|part| (part * self.inputs / count) as u32))
     }
 
@@ -22,7 +22,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for &wall in walls.iter().chain([&(self.inputs as u32)]) {
             let mut run = Array::new();
             for anchor in begin..wall {
-                self.watch.tick(1)?;
+                self.watch.poll_after(1)?;
                 run.try_extend(anchored.of(anchor))?;
             }
             if !run.is_empty() {
@@ -35,7 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     fn anchored(&mut self) -> Result<Anchored> {
         let watch = &mut self.watch;
-        self.delaunay.complex().order_by_anchor(self.inputs, || watch.tick(1))
+        self.delaunay.complex().order_by_anchor(self.inputs, || watch.poll_after(1))
     }
 
     /// Passes over the homes at walls alone.
@@ -58,7 +58,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn hold_all_but(&mut self, walls: &[u32]) -> Result<()> {
         self.rim.admit_all();
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
-            self.watch.tick(1)?;
+            self.watch.poll_after(1)?;
             if self.location.count(simplex) > 0 && !self.is_at_wall(simplex, walls) {
                 self.rim.hold(simplex)?;
             }

@@ -10,7 +10,9 @@ pub mod mesh;
 pub(crate) mod netmesh;
 pub mod numerics;
 pub mod options;
+pub mod parameters;
 pub mod quality;
+mod run;
 pub mod validate;
 
 #[allow(unsafe_code)]
@@ -20,7 +22,7 @@ pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
 pub use mesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
-pub use netmesh::parameters::{self, Parameters};
 pub use options::{
     Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
 };
+pub use parameters::Parameters;

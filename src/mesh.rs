@@ -4,9 +4,7 @@
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, filled, with_room};
-use crate::netmesh;
-use crate::netmesh::parameters::Parameters;
-use crate::options::{Options, ProgressFn};
+use crate::parameters::Parameters;
 
 /// No id: a hull facet's missing neighbour, the root's missing parent.
 pub const NONE: u32 = u32::MAX;
@@ -49,7 +47,7 @@ pub struct Stats {
     pub exact_fallbacks: u64,
     /// Vertices whose cell is out of reach of the bound in double precision.
     pub precision_limited: u64,
-    /// Without the time that [`Options::instruments`] takes.
+    /// Without the time that [`crate::Options::instruments`] takes.
     pub seconds: f64,
     /// Nets or samples taken in all rounds.
     pub passes: u64,
@@ -65,7 +63,7 @@ pub struct Stats {
     pub yields: u64,
     /// Those of `cage_points` that closed slits between the vertices of a cage at the end.
     pub closing_points: u64,
-    /// What follows is measured if [`Options::instruments`] asks for it, and 0 if not. Probe points:
+    /// What follows is measured if [`crate::Options::instruments`] asks for it, and 0 if not. Probe points:
     /// Voronoi corners.
     pub ply_probes: u64,
     /// D-balls that hold one probe point (Definition 1).
@@ -309,16 +307,6 @@ impl Mesh {
         Ok(Self { inputs: Inputs::new(dim, n, points, stride)?, triangulation: None })
     }
 
-    /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
-    ///
-    /// # Errors
-    /// `InvalidArgument` (an option out of range), `DegenerateInput` (plain Delaunay of inputs of
-    /// lower affine rank), `Limit`, `Cancelled`, `OutOfMemory`.
-    pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
-        self.triangulation = Some(netmesh::run(&self.inputs, options, progress)?);
-        Ok(())
-    }
-
     /// A mesh with a result that no run made.
     #[cfg(test)]
     pub(crate) fn from_parts(inputs: Inputs, triangulation: Triangulation) -> Self {
@@ -327,6 +315,11 @@ impl Mesh {
 
     pub fn inputs(&self) -> &Inputs {
         &self.inputs
+    }
+
+    /// Replaces the result.
+    pub(crate) fn set_triangulation(&mut self, triangulation: Triangulation) {
+        self.triangulation = Some(triangulation);
     }
 
     /// The result of the last successful run.

@@ -1,4 +1,4 @@
-//! What a caller may ask of a run. Zero means "the default for the dimension"; `netmesh::parameters`
+//! What a caller may ask of a run. Zero means "the default for the dimension"; [`crate::parameters`]
 //! resolves, documents the ranges and refuses what lies outside them.
 
 /// What the run leaves behind.

@@ -1,6 +1,6 @@
 //! The hierarchy of domains as JSON.
 
-use super::{json, allocation_failed};
+use super::{allocation_failed, json};
 use crate::mesh::Triangulation;
 use crate::quality::incidence::Incidence;
 use std::io::{self, Write};
@@ -14,7 +14,8 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
     let cages = Incidence::new(domains.len(), || {
         triangulation.cage_of.iter().enumerate().map(|(vertex, &cage)| (cage, vertex as u32))
     });
-    let (children, cages) = (children.map_err(allocation_failed)?, cages.map_err(allocation_failed)?);
+    let (children, cages) =
+        (children.map_err(allocation_failed)?, cages.map_err(allocation_failed)?);
     let dim = triangulation.dim;
     write!(out, r#"{{"format":"netmesh domains","version":1,"dim":{dim},"domains":"#)?;
     json::lines(out, domains.iter().enumerate(), |out, (index, domain)| {

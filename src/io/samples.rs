@@ -2,8 +2,8 @@
 //! geometry: the coordinates are there to be hard to write, not to make a mesh.
 
 use crate::mesh::{Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
-use crate::netmesh::parameters::Parameters;
 use crate::options::{Algorithm, Options, Output};
+use crate::parameters::Parameters;
 
 /// Doubles that careless writers and readers change: signs of zero, subnormals, the ends of the
 /// range, ties, 17 digits, and the ends of the range that is written without an exponent.

@@ -1,6 +1,6 @@
 //! The Voronoi diagram of the vertices as JSON: a corner for each simplex, a cell for each vertex.
 
-use super::{json, allocation_failed};
+use super::{allocation_failed, json};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use crate::quality::corner::Corner;

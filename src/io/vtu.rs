@@ -1,7 +1,7 @@
 //! VTK's XML unstructured grid, with the arrays as appended raw binary: small, and exact.
 
-use super::measures::Measures;
 use super::allocation_failed;
+use super::measures::Measures;
 use super::simplex_domain::domain_of;
 use crate::mesh::{Inputs, NONE, Triangulation};
 use std::fmt;

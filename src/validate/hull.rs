@@ -161,8 +161,8 @@ impl Sets {
 mod tests {
     use super::*;
     use crate::mesh::{Stats, Triangulation, VertexKind};
-    use crate::netmesh::parameters::Parameters;
     use crate::options::Options;
+    use crate::parameters::Parameters;
 
     /// The first violation of the hull of a complex of which only the simplices matter.
     fn first_violation<const D: usize>(simplices: &[Vec<u32>]) -> Option<ViolationKind> {

@@ -3,10 +3,10 @@
 use super::features::FeatureSizes;
 use crate::mesh::Inputs;
 use crate::netmesh::Mesher;
-use crate::netmesh::parameters::Parameters;
 use crate::netmesh::watch::Watch;
 use crate::numerics::distance;
 use crate::options::Options;
+use crate::parameters::Parameters;
 
 /// Points of three scales, in pairs 2^-30 apart at the largest one.
 fn points(dim: usize, n: usize) -> Vec<f64> {

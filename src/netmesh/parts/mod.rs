@@ -19,7 +19,6 @@ mod walls;
 
 use super::domains::{DomainNames, Hierarchy};
 use super::location::Location;
-use super::parameters::Parameters;
 use super::refine::RefineList;
 use super::rim::Rim;
 use super::{Cell, Mesher};
@@ -29,6 +28,7 @@ use crate::error::Result;
 use crate::memory::{Array, with_room};
 use crate::mesh::{NONE, Stats};
 use crate::options::{Algorithm, Output};
+use crate::parameters::Parameters;
 
 /// In higher dimensions rims are most of the mesh.
 const MAX_DIM: usize = 3;

@@ -1,10 +1,10 @@
 use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
-use crate::netmesh::parameters::Parameters;
 use crate::netmesh::watch::Watch;
 use crate::netmesh::{Mesher, mesh};
 use crate::numerics::testing::Random;
 use crate::options::{Criterion, NetOrdering, Options, Output, Progress};
+use crate::parameters::Parameters;
 use crate::validate::validate;
 
 /// Inputs of a part in these tests, where a mesh of some thousands has several.

@@ -1,10 +1,13 @@
 //! What the documents say is what the code does.
 
+mod workbench;
+
 use netmesh::{Criterion, Mesh, Options};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use workbench::Workbench;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
@@ -111,4 +114,34 @@ fn the_c_example_in_the_readme_compiles() {
     input.write_all(example.as_bytes()).expect("cc reads");
     drop(input);
     assert!(compiler.wait().expect("cc ends").success());
+}
+
+/// The lines of a summary that are the same on every machine.
+fn without_times(summary: &str) -> Vec<&str> {
+    summary.lines().filter(|line| !line.starts_with("time ")).collect()
+}
+
+#[test]
+fn the_figures_of_the_demo_are_those_that_it_prints() {
+    let readme = read("README.md");
+    let (_, rest) = readme.split_once("runs the command line, `netmesh ").expect("the command");
+    let (command, rest) = rest.split_once('`').expect("its end");
+    let printed = rest.lines().skip_while(|line| !line.starts_with("    ")).map(str::trim_end);
+    let printed = printed.map_while(|line| line.strip_prefix("    ")).collect::<Vec<_>>();
+    let bench = Workbench::new("demo");
+    bench.write("samples/knot_3d.xyz", &read("samples/knot_3d.xyz"));
+    bench.write("target/README", "the demo writes beside this file\n");
+    let outcome = bench.run(command);
+    outcome.assert_success();
+    assert_eq!(without_times(&printed.join("\n")), without_times(&outcome.stdout));
+    assert_eq!(printed.len(), 11);
+}
+
+#[test]
+fn the_demo_runs_the_command_of_the_readme() {
+    let demo = read("demo");
+    let (_, arguments) = demo.split_once("netmesh-cli -- \\\n").expect("the arguments");
+    let arguments = arguments.replace("--output", "-o").replace("\"$@\"", "");
+    let command = arguments.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(read("README.md").contains(&format!("`netmesh {command}`")), "{command}");
 }

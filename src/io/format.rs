@@ -16,8 +16,8 @@ pub enum Format {
     /// Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or [`crate::NONE`]), `input` (the
     /// first input that is this vertex, or [`crate::NONE`]), `precision_limited` (0 or 1) and
     /// `aspect` (of the Voronoi cell, over all its corners; NaN on the hull, where cells are
-    /// unbounded). Per cell: `domain` (the innermost that holds all corners, or [`crate::NONE`]) and
-    /// `radius_edge` (circumradius over shortest edge).
+    /// unbounded, and for the vertices of cages). Per cell: `cell_domain` (the innermost domain that
+    /// holds all vertices, or [`crate::NONE`]) and `radius_edge` (circumradius over shortest edge).
     Vtu = 1,
     /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
     ///
@@ -26,7 +26,7 @@ pub enum Format {
     /// with `.ele` the points are in its `.node` sibling.
     TetgenNode = 2,
     /// Gmsh's `.msh`, version 4.1 as text: triangles (z = 0) or tetrahedra in one entity and one
-    /// physical group, `kind` as node data and `domain` (as in [`Format::Vtu`], 0 without domains) as
+    /// physical group, `kind` as node data and `domain` (VTU's `cell_domain`, 0 without domains) as
     /// element data. Dimensions 2 and 3.
     ///
     /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z is

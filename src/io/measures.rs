@@ -1,14 +1,16 @@
 //! Quality per simplex and per vertex, for the formats that viewers colour.
 
 use crate::memory::{AllocResult, TryGrow, with_room};
-use crate::mesh::Triangulation;
+use crate::mesh::{NONE, Triangulation};
 use crate::quality::cells::Cells;
 use crate::quality::view::View;
 
 pub(super) struct Measures {
     /// Simplex -> circumradius over shortest edge; infinite where no double is large enough.
     pub radius_edge: Vec<f64>,
-    /// Vertex -> aspect of its Voronoi cell over all corners; NaN on the hull.
+    /// Vertex -> aspect of its Voronoi cell over all corners; NaN on the hull and for the vertices of
+    /// a cage. Cells of a cage span the empty region around it, so their aspects would take up the
+    /// whole range of a colour map.
     pub aspect: Vec<f64>,
 }
 
@@ -22,7 +24,9 @@ impl Measures {
         let on_hull = view.hull_vertices()?;
         let mut aspect = with_room(mesh.vertex_count())?;
         for (vertex, &on_hull) in on_hull.iter().enumerate() {
-            aspect.try_push(if on_hull { f64::NAN } else { cells.aspect_anywhere(vertex) })?;
+            let is_measured = !on_hull && mesh.cage_of[vertex] == NONE;
+            let value = if is_measured { cells.aspect_anywhere(vertex) } else { f64::NAN };
+            aspect.try_push(value)?;
         }
         Ok(Self { radius_edge, aspect })
     }
@@ -48,18 +52,39 @@ mod tests {
             let quality = quality::measure(triangulation).unwrap();
             assert_eq!(measures.radius_edge.len(), triangulation.simplex_count());
             assert_eq!(measures.aspect.len(), triangulation.vertex_count());
-            let off_hull = |vertices: &[u32]| {
-                vertices.iter().all(|&vertex| !measures.aspect[vertex as usize].is_nan())
-            };
+            let on_hull = hull_vertices(triangulation);
+            let off_hull =
+                |vertices: &[u32]| vertices.iter().all(|&vertex| !on_hull[vertex as usize]);
             let simplices = triangulation.simplices.chunks_exact(triangulation.dim + 1);
             let inside = simplices.zip(&measures.radius_edge).filter(|(v, _)| off_hull(v));
             let worst = inside.map(|(_, ratio)| *ratio).fold(0.0, f64::max);
             assert_eq!(worst, quality.worst_radius_edge);
             // The mesh has one domain and nothing is precision-limited: all other cells count.
-            let cells = measures.aspect.iter().zip(&triangulation.cage_of);
-            let cells = cells.filter(|(aspect, cage)| !aspect.is_nan() && **cage == crate::NONE);
-            let worst = cells.map(|(aspect, _)| *aspect).fold(0.0, f64::max);
+            let cells = measures.aspect.iter().filter(|aspect| !aspect.is_nan());
+            let worst = cells.fold(0.0, |worst: f64, aspect| worst.max(*aspect));
             assert!(worst > 1.0 && quality.worst_aspect_anywhere == worst, "{worst}");
         }
+    }
+
+    fn hull_vertices(mesh: &Triangulation) -> Vec<bool> {
+        match mesh.dim {
+            2 => View::<2> { mesh }.hull_vertices().unwrap(),
+            _ => View::<3> { mesh }.hull_vertices().unwrap(),
+        }
+    }
+
+    #[test]
+    fn cages_and_the_hull_have_no_aspect() {
+        let mesh = samples::nested(3);
+        let triangulation = mesh.triangulation().unwrap();
+        let measures = Measures::new::<3>(triangulation).unwrap();
+        let on_hull = hull_vertices(triangulation);
+        let mut inner_cages = 0;
+        for (vertex, aspect) in measures.aspect.iter().enumerate() {
+            let of_cage = triangulation.cage_of[vertex] != NONE;
+            assert_eq!(aspect.is_nan(), of_cage || on_hull[vertex], "{vertex}");
+            inner_cages += usize::from(of_cage && !on_hull[vertex]);
+        }
+        assert!(inner_cages > 0);
     }
 }

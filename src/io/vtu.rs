@@ -161,7 +161,8 @@ fn arrays(mesh: &Triangulation) -> [Array; 11] {
         array("aspect", "Float64", 8, vertices, |source, out| {
             source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
-        array("domain", "UInt32", 4, cells, |source, out| {
+        // Not `domain`: viewers list the arrays of points and cells together.
+        array("cell_domain", "UInt32", 4, cells, |source, out| {
             let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
             simplices.try_for_each(|simplex| {
                 out.write_all(&domain_of(source.mesh, simplex).to_le_bytes())
@@ -257,6 +258,29 @@ mod tests {
         }
     }
 
+    /// ParaView lists the arrays of points and cells together, and some readers take an array without
+    /// a number of components as one of none.
+    #[test]
+    fn arrays_have_names_of_their_own_and_a_number_of_components() {
+        let mut file = Vec::new();
+        write(&samples::mesh(3), Format::Vtu, &mut file).unwrap();
+        let text = String::from_utf8_lossy(&file);
+        let declarations = text.lines().filter(|line| line.starts_with("<DataArray "));
+        let mut names: Vec<&str> = declarations
+            .map(|line| {
+                let name = line.split("Name=\"").nth(1).unwrap().split('"').next().unwrap();
+                let components = if name == "Points" { 3 } else { 1 };
+                let expected = format!(" NumberOfComponents=\"{components}\" ");
+                assert!(line.contains(&expected), "{line}");
+                name
+            })
+            .collect();
+        assert_eq!(names.len(), 11);
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), 11, "{names:?}");
+    }
+
     #[test]
     fn names_the_formats_that_hold_higher_dimensions() {
         let error = write(&samples::mesh(4), Format::Vtu, &mut Vec::new()).unwrap_err();
@@ -274,7 +298,7 @@ mod tests {
         let expected: Vec<u8> = [0u32, 2, 4].iter().flat_map(|i| i.to_le_bytes()).collect();
         assert_eq!(array_of(&file, "input"), expected);
         let none: Vec<u8> = NONE.to_le_bytes().to_vec();
-        assert_eq!(array_of(&file, "CellData/domain"), none);
+        assert_eq!(array_of(&file, "CellData/cell_domain"), none);
         // The hypotenuse is twice the radius.
         assert_eq!(doubles(array_of(&file, "radius_edge")), [0.5f64.sqrt()]);
         assert!(doubles(array_of(&file, "aspect")).iter().all(|aspect| aspect.is_nan()));
@@ -287,7 +311,7 @@ mod tests {
             let triangulation = mesh.triangulation().unwrap();
             let mut file = Vec::new();
             write(&mesh, Format::Vtu, &mut file).unwrap();
-            let domains = array_of(&file, "CellData/domain").chunks_exact(4);
+            let domains = array_of(&file, "CellData/cell_domain").chunks_exact(4);
             let domains: Vec<u32> =
                 domains.map(|b| u32::from_le_bytes(b.try_into().unwrap())).collect();
             let simplices = triangulation.simplices.chunks_exact(dim + 1);

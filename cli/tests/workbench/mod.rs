@@ -24,8 +24,12 @@ impl Workbench {
         Self { directory }
     }
 
+    /// Writes a file; `name` may begin with a directory, which is made.
     pub fn write(&self, name: &str, text: &str) {
-        fs::write(self.directory.join(name), text).expect("the test file can be written");
+        let path = self.directory.join(name);
+        let directory = path.parent().expect("the test directory");
+        fs::create_dir_all(directory).expect("the directory can be made");
+        fs::write(path, text).expect("the test file can be written");
     }
 
     #[allow(dead_code)] // not every test file reads outputs
@@ -40,6 +44,7 @@ impl Workbench {
     }
 
     /// Names of all files, sorted.
+    #[allow(dead_code)] // not every test file looks at what is there
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.directory).expect("the test directory can be listed");
         let mut names: Vec<String> = entries

@@ -37,7 +37,7 @@ fn assert_reads_vtu(script: &str, reader: &str, types: [&str; 2]) {
         for (which, mesh) in meshes(dim) {
             let triangulation = mesh.triangulation().unwrap();
             let arguments =
-                [cell_type, "kind", "domain", "input", "precision_limited", "cell domain"];
+                [cell_type, "kind", "domain", "input", "precision_limited", "cell cell_domain"];
             let name = format!("{reader}-{which}-{dim}.vtu");
             let read = as_read_by(script, &mesh, &name, &arguments);
             let limited: Vec<u8> =

@@ -56,9 +56,9 @@ impl<const D: usize> Complex<D> {
     fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
         let simplex = self.allocate();
         let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
-        self.records.copy_within(from..from + Self::CORNERS, simplex as usize * Self::RECORD);
-        let (vertices, others) = self.record_mut(simplex).split_at_mut(Self::CORNERS);
-        let (neighbors, mark) = others.split_at_mut(Self::CORNERS);
+        self.records.copy_within(from..from + Self::VERTICES, simplex as usize * Self::RECORD);
+        let (vertices, others) = self.record_mut(simplex).split_at_mut(Self::VERTICES);
+        let (neighbors, mark) = others.split_at_mut(Self::VERTICES);
         (vertices[index], neighbors[index], mark[0]) = (vertex, facet.beyond, 0);
         self.neighbors_mut(facet.beyond)[facet.mirror as usize] = simplex;
         simplex
@@ -131,10 +131,10 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Every corner of the cones is incident to the last one that has it.
-    fn touch_corners(&mut self, created: &[u32]) {
+    fn touch_vertices(&mut self, created: &[u32]) {
         for &simplex in created {
             let at = simplex as usize * Self::RECORD;
-            for &corner in &self.records[at..][..Self::CORNERS] {
+            for &corner in &self.records[at..][..Self::VERTICES] {
                 if corner != INFINITE {
                     self.incident[corner as usize] = simplex;
                 }
@@ -153,7 +153,7 @@ impl<const D: usize> Complex<D> {
                 }
             }
         }
-        self.touch_corners(created);
+        self.touch_vertices(created);
     }
 
     /// Links the cones by pivoting round the ridges through the cavity.
@@ -166,7 +166,7 @@ impl<const D: usize> Complex<D> {
             self.neighbors_mut(facet.simplex)[facet.index as usize] = simplex;
         }
         for (facet, &simplex) in boundary.iter().zip(created) {
-            for ridge in (0..Self::CORNERS).filter(|&ridge| ridge != facet.index as usize) {
+            for ridge in (0..Self::VERTICES).filter(|&ridge| ridge != facet.index as usize) {
                 if self.neighbors(simplex)[ridge] == NONE {
                     let (neighbor, index) = self.pivot(facet, ridge);
                     self.neighbors_mut(simplex)[ridge] = neighbor;
@@ -174,7 +174,7 @@ impl<const D: usize> Complex<D> {
                 }
             }
         }
-        self.touch_corners(created);
+        self.touch_vertices(created);
     }
 
     /// Turns round the ridge of `facet` without corner `leave` until the cavity ends; returns the

@@ -8,7 +8,7 @@
 
 mod cone;
 mod locality;
-mod part;
+mod partition;
 mod records;
 mod ridges;
 mod star;
@@ -18,7 +18,7 @@ use crate::memory::{AllocError, AllocResult, Array, TryGrow, make_room};
 use crate::mesh::NONE;
 use cone::EDGES;
 pub(crate) use locality::Anchored;
-pub(crate) use part::{Ids, Names};
+pub(crate) use partition::{GlobalToLocal, LocalToGlobal};
 pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
 pub(crate) use vertices::VertexSet;
@@ -51,9 +51,9 @@ pub(crate) struct Complex<const D: usize> {
 }
 
 impl<const D: usize> Complex<D> {
-    const CORNERS: usize = D + 1;
+    const VERTICES: usize = D + 1;
     /// Where a record's mark is, and its length.
-    const MARK: usize = 2 * Self::CORNERS;
+    const MARK: usize = 2 * Self::VERTICES;
     const RECORD: usize = Self::MARK + 1;
 
     /// An empty complex that knows `vertices` ids, none of them inserted.
@@ -122,17 +122,17 @@ impl<const D: usize> Complex<D> {
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
     pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
-        assert!(self.records.is_empty() && corners.len() == Self::CORNERS);
+        assert!(self.records.is_empty() && corners.len() == Self::VERTICES);
         self.reserve(D + 2, 0)?;
         let finite = self.allocate();
         self.vertices_mut(finite).copy_from_slice(corners);
-        for opposite in 0..Self::CORNERS {
+        for opposite in 0..Self::VERTICES {
             let infinite = self.allocate();
             let vertices = self.vertices_mut(infinite);
             vertices.copy_from_slice(corners);
             vertices[opposite] = INFINITE;
             // Seen from beyond the facet the corners turn the other way.
-            vertices.swap((opposite + 1) % Self::CORNERS, (opposite + 2) % Self::CORNERS);
+            vertices.swap((opposite + 1) % Self::VERTICES, (opposite + 2) % Self::VERTICES);
         }
         self.link_all();
         for &corner in corners {
@@ -174,7 +174,7 @@ impl<const D: usize> Complex<D> {
     fn link_all(&mut self) {
         let count = self.simplex_bound() as u32;
         for simplex in 0..count {
-            for index in 0..Self::CORNERS {
+            for index in 0..Self::VERTICES {
                 let missing = self.vertices(simplex)[index];
                 let neighbor = (0..count)
                     .find(|&other| other != simplex && !self.vertices(other).contains(&missing));
@@ -252,12 +252,12 @@ impl<const D: usize> Complex<D> {
     }
 
     fn vertices_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.records[simplex as usize * Self::RECORD..][..Self::CORNERS]
+        &mut self.records[simplex as usize * Self::RECORD..][..Self::VERTICES]
     }
 
     #[inline]
     fn neighbors_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.records[simplex as usize * Self::RECORD..][Self::CORNERS..Self::MARK]
+        &mut self.records[simplex as usize * Self::RECORD..][Self::VERTICES..Self::MARK]
     }
 }
 

@@ -23,12 +23,12 @@ pub(crate) struct Sighting {
 impl<'a, const D: usize> Records<'a, D> {
     #[inline]
     pub fn vertices(self, simplex: u32) -> &'a [u32] {
-        &self.record(simplex)[..Complex::<D>::CORNERS]
+        &self.record(simplex)[..Complex::<D>::VERTICES]
     }
 
     #[inline]
     pub fn neighbors(self, simplex: u32) -> &'a [u32] {
-        &self.record(simplex)[Complex::<D>::CORNERS..Complex::<D>::MARK]
+        &self.record(simplex)[Complex::<D>::VERTICES..Complex::<D>::MARK]
     }
 
     /// Begins to load the record of `simplex`.
@@ -38,7 +38,7 @@ impl<'a, const D: usize> Records<'a, D> {
     }
 
     /// Whether the whole goes on beyond the facet of `simplex`, of a part, opposite its corner `index`.
-    pub fn is_rim(self, simplex: u32, index: usize) -> bool {
+    pub fn is_interface(self, simplex: u32, index: usize) -> bool {
         self.neighbors(simplex)[index] == simplex
     }
 
@@ -63,7 +63,7 @@ impl<const D: usize> Marking<'_, D> {
     #[inline(always)]
     pub fn see(&self, simplex: u32, before: u32) -> Sighting {
         let record = self.records().record(simplex);
-        let neighbors = &record[Complex::<D>::CORNERS..Complex::<D>::MARK];
+        let neighbors = &record[Complex::<D>::VERTICES..Complex::<D>::MARK];
         Sighting { mirror: index_of(neighbors, before) as u32, mark: record[Complex::<D>::MARK] }
     }
 

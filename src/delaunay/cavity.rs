@@ -16,7 +16,7 @@ pub(crate) struct Cavity {
     pub starts: Vec<u32>,
     /// The finite vertices of `simplices`. Those of the first, then one of each other, opposite the facet
     /// where the search came in.
-    pub corners: VertexSet,
+    pub vertices: VertexSet,
     /// The search that marked `simplices`.
     pub(super) search: u32,
     /// What the search comes to.
@@ -66,9 +66,9 @@ impl<const D: usize> Delaunay<D> {
         cavity.restart(search.marking.number());
         search.marking.mark(start, true);
         cavity.begin_simplex::<D>(start)?;
-        cavity.corners.restart(points.len())?;
+        cavity.vertices.restart(points.len())?;
         for &vertex in search.marking.records().vertices(start) {
-            cavity.corners.insert_finite(vertex)?;
+            cavity.vertices.insert_finite(vertex)?;
         }
         for index in 0..=D {
             let beyond = search.marking.records().neighbors(start)[index];
@@ -82,7 +82,7 @@ impl<const D: usize> Delaunay<D> {
             }
             let entry = entry as usize;
             cavity.begin_simplex::<D>(simplex)?;
-            cavity.corners.insert_finite(search.marking.records().vertices(simplex)[entry])?;
+            cavity.vertices.insert_finite(search.marking.records().vertices(simplex)[entry])?;
             let neighbors = search.marking.records().neighbors(simplex);
             let others: [u32; D] = std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
             // Two by name: the compiler does not unroll a loop as long as that.

@@ -1,6 +1,6 @@
 //! Conflicts: whether a point is in a D-ball.
 
-use super::MAX_CORNERS;
+use super::MAX_SIMPLEX_VERTICES;
 use crate::complex::{INFINITE, Records, position};
 use crate::memory::prefetch_at;
 use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
@@ -39,7 +39,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
             true => self.beyond_hull(records, simplex, q),
             false => {
                 self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
-                let corners = self.corner_points(vertices);
+                let corners = self.vertex_points(vertices);
                 in_ball_exact(&corners[..=D], q) == Sign::Positive
             }
         }
@@ -49,20 +49,20 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     fn beyond_hull(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
         let vertices = records.vertices(simplex);
         let infinite = position(vertices, INFINITE);
-        let mut corners = self.corner_points(vertices);
+        let mut corners = self.vertex_points(vertices);
         corners[infinite] = q;
         match orientation(&corners[..=D]) {
             Sign::Positive => true,
             Sign::Negative => false,
             // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
-            Sign::Zero if records.is_rim(simplex, infinite) => true,
+            Sign::Zero if records.is_interface(simplex, infinite) => true,
             Sign::Zero => self.test(records, records.neighbors(simplex)[infinite], q),
         }
     }
 
     /// The points of finite vertices.
-    pub fn corner_points(&self, vertices: &[u32]) -> [&'a [f64; D]; MAX_CORNERS] {
-        let mut corners = [&self.points[0]; MAX_CORNERS];
+    pub fn vertex_points(&self, vertices: &[u32]) -> [&'a [f64; D]; MAX_SIMPLEX_VERTICES] {
+        let mut corners = [&self.points[0]; MAX_SIMPLEX_VERTICES];
         for (corner, &vertex) in corners.iter_mut().zip(vertices) {
             if vertex != INFINITE {
                 *corner = &self.points[vertex as usize];

@@ -1,7 +1,7 @@
 //! Location of a point that no list knows (a cage vertex): a visibility walk with exact signs
 //! from a simplex nearby. Never used from far away.
 
-use super::{Delaunay, MAX_CORNERS};
+use super::{Delaunay, MAX_SIMPLEX_VERTICES};
 use crate::complex::INFINITE;
 use crate::numerics::{Sign, orientation};
 
@@ -47,7 +47,7 @@ impl<const D: usize> Delaunay<D> {
     /// The neighbour across a facet that has `q` strictly on its other side.
     fn step_towards(&self, simplex: u32, q: &[f64; D]) -> Option<u32> {
         let vertices = self.complex.vertices(simplex);
-        let mut corners: [&[f64; D]; MAX_CORNERS] = self.corner_points(vertices);
+        let mut corners: [&[f64; D]; MAX_SIMPLEX_VERTICES] = self.vertex_points(vertices);
         for index in 0..=D {
             let kept = std::mem::replace(&mut corners[index], q);
             if orientation(&corners[..=D]) == Sign::Negative {

@@ -6,7 +6,7 @@ mod cavity;
 mod conflict;
 mod locate;
 mod overlap;
-mod part;
+mod partition;
 #[cfg(test)]
 mod tests;
 
@@ -19,7 +19,7 @@ use conflict::Conflicts;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Corners of a simplex of the highest dimension.
-const MAX_CORNERS: usize = crate::mesh::MAX_DIM + 1;
+const MAX_SIMPLEX_VERTICES: usize = crate::mesh::MAX_DIM + 1;
 
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
@@ -89,10 +89,10 @@ impl<const D: usize> Delaunay<D> {
 
     /// Starts the complex with D + 1 affinely independent points.
     pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
-        let mut ordered = [0; MAX_CORNERS];
+        let mut ordered = [0; MAX_SIMPLEX_VERTICES];
         let ordered = &mut ordered[..=D];
         ordered.copy_from_slice(corners);
-        let sign = orientation(&self.corner_points(ordered)[..=D]);
+        let sign = orientation(&self.vertex_points(ordered)[..=D]);
         debug_assert!(sign != Sign::Zero, "the first simplex has a volume");
         if sign == Sign::Negative {
             ordered.swap(0, 1);
@@ -176,7 +176,7 @@ impl<const D: usize> Delaunay<D> {
             vertex,
             &cavity.simplices,
             &cavity.boundary,
-            &cavity.corners,
+            &cavity.vertices,
             created,
         );
         self.cover_balls()?;
@@ -227,7 +227,7 @@ impl<const D: usize> Delaunay<D> {
         self.balls = Array::new();
     }
 
-    fn corner_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_CORNERS] {
-        self.conflicts().corner_points(vertices)
+    fn vertex_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_SIMPLEX_VERTICES] {
+        self.conflicts().vertex_points(vertices)
     }
 }

@@ -70,10 +70,10 @@ impl<const D: usize> Delaunay<D> {
                 if self.complex.is_marked(beyond) {
                     continue;
                 }
-                let gap = self.corner_distance(beyond, &x);
-                let reach = radius + self.ball(beyond).map_or(0.0, Circumball::radius);
+                let distance = self.corner_distance(beyond, &x);
+                let max_distance = radius + self.ball(beyond).map_or(0.0, Circumball::radius);
                 // Out of range, or infinite: taken to meet.
-                if gap.is_some_and(|gap| gap > reach) {
+                if distance.is_some_and(|distance| distance > max_distance) {
                     self.complex.mark_either(beyond, false);
                 } else {
                     self.complex.mark_inside(beyond);

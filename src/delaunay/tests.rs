@@ -38,9 +38,9 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
 fn assert_corners<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
     let vertices = |simplex: &u32| delaunay.complex().vertices(*simplex).iter().copied();
     let corners = cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != INFINITE);
-    let found = BTreeSet::from_iter(cavity.corners.ids.iter().copied());
+    let found = BTreeSet::from_iter(cavity.vertices.ids.iter().copied());
     assert_eq!(found, corners.collect());
-    assert_eq!(found.len(), cavity.corners.ids.len());
+    assert_eq!(found.len(), cavity.vertices.ids.len());
 }
 
 fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<u32> {
@@ -59,7 +59,7 @@ fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
             let q = delaunay.point(other);
             assert!(!delaunay.in_conflict(simplex, q), "{vertices:?} conflicts with {other}");
             if !vertices.contains(&INFINITE) {
-                let corners = delaunay.corner_points(vertices);
+                let corners = delaunay.vertex_points(vertices);
                 assert_eq!(orientation(&corners[..=D]), Sign::Positive, "{vertices:?}");
                 assert_ne!(in_ball(&corners[..=D], q), Sign::Positive, "{vertices:?} {other}");
             }

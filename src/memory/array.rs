@@ -231,7 +231,7 @@ impl<T: Copy> Array<T> {
     /// Divides the room that is spare into empty arrays, with room for so many values each; the last has
     /// the rest as well. `None` if it is not enough.
     #[allow(unsafe_code)]
-    pub fn lend(&mut self, rooms: &[usize]) -> Option<Vec<Self>> {
+    pub fn split_reserve(&mut self, rooms: &[usize]) -> Option<Vec<Self>> {
         let spare = self.spare();
         let needed = rooms.iter().try_fold(0usize, |sum, &room| sum.checked_add(room))?;
         let mut lent: Vec<Self> = with_room(rooms.len()).ok()?;
@@ -389,7 +389,7 @@ mod tests {
     #[test]
     #[should_panic = "room is made before"]
     fn nothing_is_written_beyond_the_room() {
-        let mut lent = filled(0..3).lend(&[0]);
+        let mut lent = filled(0..3).split_reserve(&[0]);
         // Whatever room is left is the last one's.
         let last = lent.as_mut().unwrap().last_mut().unwrap();
         for _ in 0..=last.spare() {
@@ -402,8 +402,8 @@ mod tests {
         let mut array = filled(0..3);
         array.expect(100);
         let start = array.as_ptr();
-        let mut lent = array.lend(&[10, 20, 30]).unwrap();
-        assert!(array.lend(&[1]).is_none());
+        let mut lent = array.split_reserve(&[10, 20, 30]).unwrap();
+        assert!(array.split_reserve(&[1]).is_none());
         std::thread::scope(|scope| {
             for (at, part) in lent.iter_mut().enumerate() {
                 scope.spawn(move || {
@@ -427,7 +427,7 @@ mod tests {
         let mut array = filled(0..3);
         array.expect(100);
         let start = array.as_ptr();
-        let mut lent = array.lend(&[10, 20]).unwrap();
+        let mut lent = array.split_reserve(&[10, 20]).unwrap();
         lent.iter_mut().for_each(|part| part.try_push(7).unwrap());
         let last = lent.pop().unwrap();
         array.absorb(lent.pop().unwrap()).unwrap();
@@ -439,7 +439,7 @@ mod tests {
         assert_ne!(vec.as_ptr(), start);
         let mut array = filled(0..1000);
         array.expect(3000);
-        let lent = array.lend(&[500]).unwrap();
+        let lent = array.split_reserve(&[500]).unwrap();
         lent.into_iter().for_each(|part| array.absorb(part).unwrap());
         let start = array.as_ptr();
         let mut vec = array.into_vec().unwrap();
@@ -456,7 +456,7 @@ mod tests {
         let units = |count: u32| (count * unit) as usize;
         let mut array = filled(0..7);
         array.expect(units(1700));
-        let mut lent = array.lend(&[units(800), units(800)]).unwrap();
+        let mut lent = array.split_reserve(&[units(800), units(800)]).unwrap();
         for (at, count) in [(0, 350), (1, 790)] {
             (0..count * unit).for_each(|i| lent[at].try_push(i).unwrap());
         }
@@ -479,7 +479,7 @@ mod tests {
     fn a_stretch_that_is_not_the_next_is_copied() {
         let mut array = filled(0..3);
         array.expect(40);
-        let mut lent = array.lend(&[5, 5]).unwrap();
+        let mut lent = array.split_reserve(&[5, 5]).unwrap();
         let mut last = lent.pop().unwrap();
         last.try_extend(&[7, 8]).unwrap();
         array.absorb(last).unwrap();
@@ -493,7 +493,7 @@ mod tests {
     fn what_outgrew_its_room_comes_back_too() {
         let mut array = filled(0..3);
         array.expect(20);
-        let mut lent = array.lend(&[2, 2]).unwrap();
+        let mut lent = array.split_reserve(&[2, 2]).unwrap();
         (0..50).for_each(|i| lent[0].try_push(i).unwrap());
         lent[1].try_push(99).unwrap();
         // The lender may grow meanwhile, too.
@@ -510,10 +510,10 @@ mod tests {
         let mut array = filled(0..4);
         array.expect(10);
         let spare = array.capacity - 4;
-        assert!(array.lend(&[spare, 1]).is_none());
-        assert!(array.lend(&[usize::MAX, 2]).is_none());
-        assert!(array.lend(&[]).is_none());
-        assert_eq!(array.lend(&[spare]).unwrap().len(), 1);
-        assert!(Array::<u32>::new().lend(&[0]).is_some_and(|lent| lent[0].is_empty()));
+        assert!(array.split_reserve(&[spare, 1]).is_none());
+        assert!(array.split_reserve(&[usize::MAX, 2]).is_none());
+        assert!(array.split_reserve(&[]).is_none());
+        assert_eq!(array.split_reserve(&[spare]).unwrap().len(), 1);
+        assert!(Array::<u32>::new().split_reserve(&[0]).is_some_and(|lent| lent[0].is_empty()));
     }
 }

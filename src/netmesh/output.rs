@@ -1,28 +1,28 @@
 //! From the state of a run to plain data: finite simplices and living domains, renumbered.
 
-use super::domains::ROOT;
-use super::refine::RefineList;
-use super::threads::{PIECE, on_threads, pieces};
 use super::{Mesher, Scratch};
 use crate::complex::INFINITE;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
+use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
+use crate::netmesh::refinement::refine_list::RefineList;
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn into_triangulation(mut self, begun: Instant) -> Result<Triangulation> {
-        self.phase = Phase::Export;
+        self.state.stage.phase = Phase::Export;
         self.report_progress()?;
         let precision_limited = self.limited_vertices()?;
-        self.stats.exact_fallbacks = self.delaunay.exact_fallbacks();
-        self.stats.touches = self.location.total_touches();
-        self.stats.max_touches = u64::from(self.location.max_touches());
+        self.state.stats.exact_fallbacks = self.state.delaunay.exact_fallbacks();
+        self.state.stats.touches = self.state.conflict_lists.total_touches();
+        self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices()?;
-        let vertices = self.delaunay.point_count();
+        let vertices = self.state.delaunay.point_count();
         let (domains, ids) = self.living_domains()?;
         let renumbered = |domain: u32| match domain {
             NONE => NONE,
@@ -34,20 +34,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut vertex_domains = with_room(vertices)?;
         let mut kinds = with_room(vertices)?;
         let mut limited = with_room(vertices)?;
-        for vertex in places.into_iter().chain(self.inputs as u32..vertices as u32) {
+        for vertex in places.into_iter().chain(self.state.inputs as u32..vertices as u32) {
             self.watch.poll_after(1)?;
             limited.push(precision_limited[vertex as usize]);
-            points.extend_from_slice(self.delaunay.point(vertex));
-            let cage = renumbered(self.hierarchy.cage_of(vertex));
+            points.extend_from_slice(self.state.delaunay.point(vertex));
+            let cage = renumbered(self.state.hierarchy.cage_of(vertex));
             cage_of.push(cage);
             vertex_domains.push(match domains.is_empty() {
                 true => NONE,
-                false => renumbered(self.hierarchy.domain_of(vertex)),
+                false => renumbered(self.state.hierarchy.domain_of(vertex)),
             });
             kinds.push(self.kind(vertex, cage));
         }
         self.count_vertices(&kinds, &limited);
-        self.stats.seconds = begun.elapsed().as_secs_f64();
+        self.state.stats.seconds = begun.elapsed().as_secs_f64();
         Ok(Triangulation {
             dim: D,
             points,
@@ -58,25 +58,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cage_of,
             domains,
             precision_limited: limited,
-            parameters: self.parameters,
-            stats: self.stats,
+            parameters: self.state.parameters,
+            stats: self.state.stats,
         })
     }
 
     /// Frees what the result is not made from, a piece at a time: giving memory back to the system
     /// takes a while, and the caller may want to cancel.
     fn free_what_is_done(&mut self) -> Result<()> {
-        self.delaunay.forget_balls();
+        self.state.delaunay.forget_balls();
         self.report_progress()?;
-        self.refine = RefineList::default();
+        self.state.refine_list = RefineList::default();
         self.scratch = Scratch::default();
-        self.cells = Array::new();
+        self.state.cells = Array::new();
         Ok(())
     }
 
     /// Distinct input -> vertex.
     fn places(&mut self) -> Result<Vec<u32>> {
-        let mut places = filled(self.inputs, NONE)?;
+        let mut places = filled(self.state.inputs, NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
             self.watch.poll_after(1)?;
             places[input as usize] = vertex as u32;
@@ -87,8 +87,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Simplex -> its number among the finite ones, [`NONE`] for others; and how many each piece has.
     fn numbers(&mut self) -> Result<(Vec<u32>, Vec<usize>)> {
         let threads = self.threads();
-        let Self { delaunay, watch, .. } = self;
-        let complex = delaunay.complex();
+        let Self { state, watch, .. } = self;
+        let complex = state.delaunay.complex();
         let bound = complex.simplex_bound();
         let is_finite = |&s: &u32| complex.is_live(s) && !complex.is_infinite(s);
         let counts =
@@ -111,13 +111,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Vertices and neighbours of the finite simplices.
     fn finite_simplices(&mut self) -> Result<(Vec<u32>, Vec<u32>)> {
         let (numbers, counts) = self.numbers()?;
-        let rooms = collected(counts.iter().map(|count| count * (D + 1)))?;
+        let reserves = collected(counts.iter().map(|count| count * (D + 1)))?;
         let (mut simplices, mut neighbors) = (Array::new(), Array::new());
-        let lent = lent(&mut simplices, &rooms)?.into_iter().zip(lent(&mut neighbors, &rooms)?);
+        let shares =
+            shares(&mut simplices, &reserves)?.into_iter().zip(shares(&mut neighbors, &reserves)?);
         let threads = self.threads();
-        let Self { delaunay, order, watch, .. } = self;
-        let complex = delaunay.complex();
-        let work = pieces(numbers.len()).zip(lent);
+        let Self { state, order, watch, .. } = self;
+        let complex = state.delaunay.complex();
+        let work = pieces(numbers.len()).zip(shares);
         let filled =
             on_threads(threads, watch, work, |(piece, (mut simplices, mut neighbors))| {
                 let mut row = [NONE; MAX_DIM + 1];
@@ -142,11 +143,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The living domains, parents before children, and the map from ids to their indices.
     fn living_domains(&mut self) -> Result<(Vec<Domain>, Vec<u32>)> {
-        let count = self.hierarchy.len();
-        let mut living = collected((0..count).filter(|&domain| self.hierarchy.node(domain).alive))?;
+        let count = self.state.hierarchy.len();
+        let mut living =
+            collected((0..count).filter(|&domain| self.state.hierarchy.node(domain).alive))?;
         // A parent's ball contains its children's: by falling radius parents come first.
         living.sort_unstable_by(|&a, &b| {
-            let radius = |domain: u32| self.hierarchy.node(domain).radius;
+            let radius = |domain: u32| self.state.hierarchy.node(domain).radius;
             radius(b).total_cmp(&radius(a)).then(a.cmp(&b))
         });
         debug_assert!(living.first().is_none_or(|&domain| domain == ROOT));
@@ -157,11 +159,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut domains = with_room(living.len())?;
         for &domain in &living {
             self.watch.poll_after(1)?;
-            let parent = match self.hierarchy.parent(domain) {
+            let parent = match self.state.hierarchy.parent(domain) {
                 NONE => NONE,
                 parent => ids[parent as usize],
             };
-            let node = self.hierarchy.node(domain);
+            let node = self.state.hierarchy.node(domain);
             let center = output_id(&self.order, node.center);
             domains.push(Domain { center, parent, radius: node.radius });
         }
@@ -182,14 +184,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// near to another that ratios of radii and distances drown in the rounding of subnormals.
     fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
-        let mut limited = std::mem::take(&mut self.precision_limited);
-        for (limited, cell) in limited.iter_mut().zip(&self.cells) {
+        let mut limited = std::mem::take(&mut self.state.precision_limited);
+        for (limited, cell) in limited.iter_mut().zip(&self.state.cells) {
             *limited |= cell.nearest < SUBNORMAL;
         }
-        for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
+        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
             self.watch.poll_after(1)?;
-            if self.refine.is_limited(simplex) && self.delaunay.complex().is_live(simplex) {
-                for &vertex in self.delaunay.complex().vertices(simplex) {
+            if self.state.refine_list.is_limited(simplex)
+                && self.state.delaunay.complex().is_live(simplex)
+            {
+                for &vertex in self.state.delaunay.complex().vertices(simplex) {
                     limited[vertex as usize] = true;
                 }
             }
@@ -199,12 +203,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     fn count_vertices(&mut self, kinds: &[VertexKind], limited: &[bool]) {
         let count = |kind| kinds.iter().filter(|&&k| k == kind).count() as u64;
-        self.stats.input_vertices = count(VertexKind::Input);
-        self.stats.steiner_vertices = count(VertexKind::Steiner);
-        self.stats.cage_vertices = count(VertexKind::Cage);
-        self.stats.precision_limited = limited.iter().filter(|&&l| l).count() as u64;
+        self.state.stats.input_vertices = count(VertexKind::Input);
+        self.state.stats.steiner_vertices = count(VertexKind::Steiner);
+        self.state.stats.cage_vertices = count(VertexKind::Cage);
+        self.state.stats.precision_limited = limited.iter().filter(|&&l| l).count() as u64;
         debug_assert!(
-            self.parameters.algorithm != Algorithm::Delaunay || self.hierarchy.len() == 0
+            self.state.parameters.algorithm != Algorithm::Delaunay
+                || self.state.hierarchy.len() == 0
         );
     }
 }
@@ -215,7 +220,7 @@ fn output_id(order: &[u32], vertex: u32) -> u32 {
 }
 
 /// Room in `array`, which is empty, for so many ids each.
-fn lent(array: &mut Array<u32>, rooms: &[usize]) -> AllocResult<Vec<Array<u32>>> {
-    array.make_room(rooms.iter().sum())?;
-    array.lend(rooms).ok_or(AllocError::Memory)
+fn shares(array: &mut Array<u32>, reserves: &[usize]) -> AllocResult<Vec<Array<u32>>> {
+    array.make_room(reserves.iter().sum())?;
+    array.split_reserve(reserves).ok_or(AllocError::Memory)
 }

@@ -66,12 +66,12 @@ impl<'a, 'b> Watch<'a, 'b> {
     }
 
     /// Of a thread of its own, for a part of the mesh.
-    pub fn of_part(tally: &'a Tally) -> Self {
+    pub fn of_partition(tally: &'a Tally) -> Self {
         Self { tally: Some(tally), ..Self::new(None) }
     }
 
     /// For a part of the mesh on the caller's thread.
-    pub fn lend<'c>(&'c mut self, tally: &'c Tally) -> Watch<'c, 'b> {
+    pub fn split<'c>(&'c mut self, tally: &'c Tally) -> Watch<'c, 'b> {
         Watch {
             callback: self.callback.as_deref_mut(),
             last: self.last,
@@ -122,7 +122,7 @@ impl<'a, 'b> Watch<'a, 'b> {
     }
 
     /// Notes what a part has now, where it had `before`.
-    pub fn note_part(&mut self, before: &[u64; 3], now: &[u64; 3]) {
+    pub fn note_partition(&mut self, before: &[u64; 3], now: &[u64; 3]) {
         if let Some(tally) = self.tally {
             tally.add(before, now);
             self.note_tally(tally);

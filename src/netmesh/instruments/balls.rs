@@ -1,6 +1,7 @@
 //! Ply (Definition 1) at Voronoi corners, and how many D-balls meet one D-ball (Theorem 4).
 
 use super::stride;
+use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::Mesher;
@@ -42,26 +43,29 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The D-balls with a point inside are the finite simplices of its cavity.
     pub(super) fn measure_ply(&mut self) -> Result<()> {
         let mut ply = Tally::default();
+        let mut cavity = Cavity::default();
         let mut work = 0;
         for simplex in self.probes(PLY_PROBES)? {
             if work > WORK {
                 break;
             }
-            let Some(corner) = self.delaunay.corner(simplex) else { continue };
+            let Some(corner) = self.state.delaunay.corner(simplex) else { continue };
             // Rounding may have moved it out of its own D-ball.
             let is_finite = corner.iter().all(|x| x.is_finite());
-            if !is_finite || !self.delaunay.in_conflict(simplex, &corner) {
+            if !is_finite || !self.state.delaunay.in_conflict(simplex, &corner) {
                 continue;
             }
-            self.delaunay.find_cavity(simplex, &corner, &mut self.scratch.cavity)?;
-            let cavity = &self.scratch.cavity.simplices;
-            ply.add(cavity.iter().filter(|&&s| self.delaunay.ball(s).is_some()).count() as u64);
-            work += cavity.len() as u64;
-            self.watch.poll_after(cavity.len() as u32)?;
+            self.state.delaunay.find_cavity(simplex, &corner, &mut cavity)?;
+            let holders = &cavity.simplices;
+            ply.add(
+                holders.iter().filter(|&&s| self.state.delaunay.ball(s).is_some()).count() as u64
+            );
+            work += holders.len() as u64;
+            self.watch.poll_after(holders.len() as u32)?;
         }
-        self.stats.ply_probes = ply.counts;
-        self.stats.max_ply = ply.max;
-        self.stats.mean_ply = ply.mean();
+        self.state.stats.ply_probes = ply.counts;
+        self.state.stats.max_ply = ply.max;
+        self.state.stats.mean_ply = ply.mean();
         Ok(())
     }
 
@@ -73,18 +77,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 break;
             }
             let found = &mut self.scratch.star;
-            met.add(self.delaunay.count_meeting(simplex, MEETING_LIMIT, found)?);
+            met.add(self.state.delaunay.count_meeting(simplex, MEETING_LIMIT, found)?);
             work += found.len() as u64;
             self.watch.poll_after(found.len() as u32)?;
         }
-        self.stats.max_ball_intersections = met.max;
-        self.stats.mean_ball_intersections = met.mean();
+        self.state.stats.max_ball_intersections = met.max;
+        self.state.stats.mean_ball_intersections = met.mean();
         Ok(())
     }
 
     /// Every so many-th live finite simplex, at most `most`.
     fn probes(&mut self, most: usize) -> Result<Vec<u32>> {
-        let complex = self.delaunay.complex();
+        let complex = self.state.delaunay.complex();
         let bound = complex.simplex_bound() as u32;
         let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
         let mut count = 0;

@@ -31,7 +31,7 @@ pub(super) struct Pending {
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
     pub(super) fn measure_feature_size_constant(&mut self) -> Result<()> {
-        let count = self.delaunay.point_count();
+        let count = self.state.delaunay.point_count();
         let step = stride(count, FEATURE_PROBES);
         let sweep = |first: usize| (first * step..count).step_by(SWEEPS * step);
         self.instruments.search.work = 0;
@@ -46,14 +46,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// In all domains that have `vertex`.
     fn compare_feature_sizes_at(&mut self, vertex: u32) -> Result<()> {
-        let mut omega = self.hierarchy.domain_of(vertex);
+        let mut omega = self.state.hierarchy.domain_of(vertex);
         loop {
             self.compare_feature_sizes(vertex, omega)?;
             // The centre of a domain is a vertex of the enclosing one too.
-            if self.hierarchy.node(omega).center != vertex {
+            if self.state.hierarchy.node(omega).center != vertex {
                 return Ok(());
             }
-            omega = self.hierarchy.parent(omega);
+            omega = self.state.hierarchy.parent(omega);
             if omega == NONE {
                 return Ok(());
             }
@@ -63,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn compare_feature_sizes(&mut self, vertex: u32, omega: u32) -> Result<()> {
         let Some(sizes) = self.feature_sizes(vertex, omega)? else { return Ok(()) };
         if let (Some(mesh), Some(inputs)) = (sizes.mesh, sizes.inputs) {
-            let constant = &mut self.stats.feature_size_constant;
+            let constant = &mut self.state.stats.feature_size_constant;
             *constant = constant.max(inputs / mesh);
         }
         Ok(())
@@ -71,9 +71,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After `vertex` went in: f_P^Omega(v) / lambda_v, if it is one of those to be observed.
     pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: u32) -> Result<()> {
-        let is_cage_vertex = self.hierarchy.cage_of(vertex) != NONE;
+        let is_cage_vertex = self.state.hierarchy.cage_of(vertex) != NONE;
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();
-        let inserted = self.delaunay.point_count() - self.location.remaining();
+        let inserted = self.state.delaunay.point_count() - self.state.conflict_lists.remaining();
         let rarity = (inserted / INSERTION_PROBES + 1).next_power_of_two();
         let is_probe = inserted % rarity == 0;
         if !(settles || is_probe) || self.instruments.search.work > WORK {
@@ -91,13 +91,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn compare_insertion_radius(&mut self, vertex: u32, is_cage_vertex: bool) -> Result<()> {
-        let omega = self.hierarchy.domain_of(vertex);
+        let omega = self.state.hierarchy.domain_of(vertex);
         let sizes = self.feature_sizes(vertex, omega)?.unwrap_or_default();
         let Some(insertion_radius) = sizes.mesh else { return Ok(()) };
         let constant = match (is_cage_vertex, self.is_input(vertex)) {
-            (true, _) => &mut self.stats.insertion_constant_cage,
-            (false, true) => &mut self.stats.insertion_constant_input,
-            (false, false) => &mut self.stats.insertion_constant_corner,
+            (true, _) => &mut self.state.stats.insertion_constant_cage,
+            (false, true) => &mut self.state.stats.insertion_constant_input,
+            (false, false) => &mut self.state.stats.insertion_constant_corner,
         };
         if let Some(inputs) = sizes.inputs {
             *constant = constant.max(inputs / insertion_radius);
@@ -115,10 +115,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut kept = 0;
         for at in 0..pending.len() {
             let Pending { vertex, insertion_radius } = pending[at];
-            let omega = self.hierarchy.domain_of(vertex);
+            let omega = self.state.hierarchy.domain_of(vertex);
             let sizes = self.feature_sizes(vertex, omega)?.unwrap_or_default();
             if let Some(inputs) = sizes.inputs {
-                let constant = &mut self.stats.insertion_constant_cage;
+                let constant = &mut self.state.stats.insertion_constant_cage;
                 *constant = constant.max(inputs / insertion_radius);
             } else if !last {
                 pending.swap(kept, at);

@@ -12,8 +12,8 @@
 use crate::complex::VertexSet;
 use crate::error::Result;
 use crate::memory::{AllocResult, Array};
-use crate::netmesh::domains::ROOT;
-use crate::netmesh::{Mesher, some};
+use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::{Mesher, is_valid};
 use crate::numerics::distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -47,11 +47,11 @@ impl Search {
         self.children.restart(domains)
     }
 
-    fn push(&mut self, gap: f64, vertex: u32, is_center: bool) -> AllocResult<()> {
+    fn push(&mut self, distance: f64, vertex: u32, is_center: bool) -> AllocResult<()> {
         if self.queue.len() == self.queue.capacity() {
             self.queue.try_reserve(1)?;
         }
-        self.queue.push(Reverse((gap.to_bits(), vertex, is_center)));
+        self.queue.push(Reverse((distance.to_bits(), vertex, is_center)));
         Ok(())
     }
 
@@ -77,15 +77,15 @@ struct Met {
 }
 
 impl Met {
-    fn add(&mut self, gap: f64, is_input: bool) {
+    fn add(&mut self, distance: f64, is_input: bool) {
         self.points += 1;
         if self.points == 2 {
-            self.sizes.mesh = Some(gap);
+            self.sizes.mesh = Some(distance);
         }
         if is_input {
             self.inputs += 1;
             if self.inputs == 2 {
-                self.sizes.inputs = Some(gap);
+                self.sizes.inputs = Some(distance);
             }
         }
     }
@@ -111,23 +111,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: u32,
         omega: u32,
     ) -> Result<Option<FeatureSizes>> {
-        let x = *self.delaunay.point(vertex);
+        let x = *self.state.delaunay.point(vertex);
         let diameter = match omega {
             ROOT => f64::INFINITY,
-            _ => 2.0 * self.hierarchy.node(omega).radius,
+            _ => 2.0 * self.state.hierarchy.node(omega).radius,
         };
-        search.restart(self.delaunay.point_count(), self.hierarchy.len() as usize)?;
+        search.restart(self.state.delaunay.point_count(), self.state.hierarchy.len() as usize)?;
         search.seen.insert(vertex)?;
         search.push(0.0, vertex, false)?;
         let mut met = Met::default();
         for _ in 0..MOST_VISITED {
             self.watch.poll_after(16)?;
-            let Some((gap, at, is_center)) = search.pop() else { return Ok(Some(met.sizes)) };
-            if gap > diameter {
+            let Some((distance, at, is_center)) = search.pop() else { return Ok(Some(met.sizes)) };
+            if distance > diameter {
                 return Ok(Some(met.sizes));
             }
-            if is_center || self.hierarchy.domain_of(at) == omega {
-                met.add(gap, self.is_input(at));
+            if is_center || self.state.hierarchy.domain_of(at) == omega {
+                met.add(distance, self.is_input(at));
                 if met.sizes.inputs.is_some() {
                     return Ok(Some(met.sizes));
                 }
@@ -146,13 +146,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x: &[f64; D],
         omega: u32,
     ) -> AllocResult<()> {
-        let child = self.hierarchy.child_towards(omega, vertex);
+        let child = self.state.hierarchy.child_towards(omega, vertex);
         if let Some(child) = child {
             if is_new(&mut search.children, child)? {
-                let node = self.hierarchy.node(child);
+                let node = self.state.hierarchy.node(child);
                 search.push(distance(x, &node.point), node.center, true)?;
-                for at in 0..self.hierarchy.node(child).cage.len() {
-                    let vertex = self.hierarchy.node(child).cage[at];
+                for at in 0..self.state.hierarchy.node(child).cage.len() {
+                    let vertex = self.state.hierarchy.node(child).cage[at];
                     search.seen.insert(vertex)?;
                     self.push_neighbors(search, vertex, x, omega, Some(child))?;
                 }
@@ -170,15 +170,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         omega: u32,
         child: Option<u32>,
     ) -> AllocResult<()> {
-        self.delaunay.star(vertex, &mut search.star)?;
+        self.state.delaunay.star(vertex, &mut search.star)?;
         search.work += search.star.len() as u64;
         for at in 0..search.star.len() {
             for index in 0..=D {
-                let neighbor = self.delaunay.complex().vertices(search.star[at])[index];
-                let skipped = some(neighbor).is_none()
-                    || child.is_some() && self.hierarchy.child_towards(omega, neighbor) == child;
+                let neighbor = self.state.delaunay.complex().vertices(search.star[at])[index];
+                let skipped = !is_valid(neighbor)
+                    || child.is_some()
+                        && self.state.hierarchy.child_towards(omega, neighbor) == child;
                 if !skipped && is_new(&mut search.seen, neighbor)? {
-                    search.push(distance(x, self.delaunay.point(neighbor)), neighbor, false)?;
+                    search.push(
+                        distance(x, self.state.delaunay.point(neighbor)),
+                        neighbor,
+                        false,
+                    )?;
                 }
             }
         }

@@ -28,13 +28,13 @@ pub(super) struct Instruments {
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Measures the complete mesh, if that is asked for. Returns the time that all instruments took.
     pub(super) fn measure_instruments(&mut self) -> Result<Duration> {
-        if !self.parameters.instruments {
+        if !self.state.parameters.instruments {
             return Ok(Duration::ZERO);
         }
         let begun = Instant::now();
         self.measure_ply()?;
         self.measure_intersections()?;
-        if self.parameters.algorithm != Algorithm::Delaunay {
+        if self.state.parameters.algorithm != Algorithm::Delaunay {
             self.measure_feature_size_constant()?;
         }
         Ok(std::mem::take(&mut self.instruments).spent + begun.elapsed())

@@ -1,6 +1,7 @@
 //! The constants of Definition 8, and which kind a Steiner point has, at every single insertion.
 
 use super::features::FeatureSizes;
+use crate::delaunay::Cavity;
 use crate::mesh::Inputs;
 use crate::netmesh::Mesher;
 use crate::netmesh::watch::Watch;
@@ -29,13 +30,15 @@ fn points(dim: usize, n: usize) -> Vec<f64> {
 
 /// M_Omega and P_Omega, from the labels of all vertices.
 fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: u32) -> Vec<u32> {
-    let vertices = 0..mesher.delaunay.point_count() as u32;
+    let vertices = 0..mesher.state.delaunay.point_count() as u32;
     let inserted: Vec<u32> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
     let mut members = inserted;
-    members.retain(|&v| mesher.hierarchy.domain_of(v) == omega);
-    for domain in 1..mesher.hierarchy.len() {
-        if mesher.hierarchy.node(domain).alive && mesher.hierarchy.parent(domain) == omega {
-            members.push(mesher.hierarchy.node(domain).center);
+    members.retain(|&v| mesher.state.hierarchy.domain_of(v) == omega);
+    for domain in 1..mesher.state.hierarchy.len() {
+        if mesher.state.hierarchy.node(domain).alive
+            && mesher.state.hierarchy.parent(domain) == omega
+        {
+            members.push(mesher.state.hierarchy.node(domain).center);
         }
     }
     members
@@ -48,19 +51,20 @@ fn feature_sizes<const D: usize>(
     omega: u32,
 ) -> FeatureSizes {
     let members = members(mesher, omega);
-    let x = *mesher.delaunay.point(vertex);
+    let x = *mesher.state.delaunay.point(vertex);
     let second = |of: &dyn Fn(u32) -> bool| {
         let set = members.iter().copied().filter(|&v| of(v));
-        let mut gaps: Vec<f64> = set.map(|v| distance(&x, mesher.delaunay.point(v))).collect();
-        gaps.sort_by(f64::total_cmp);
-        gaps.get(1).copied()
+        let mut distances: Vec<f64> =
+            set.map(|v| distance(&x, mesher.state.delaunay.point(v))).collect();
+        distances.sort_by(f64::total_cmp);
+        distances.get(1).copied()
     };
     FeatureSizes { mesh: second(&|_| true), inputs: second(&|v| mesher.is_input(v)) }
 }
 
 /// f_P / f_M at the vertex that has just gone in; 0 if there are too few inputs.
 fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: u32) -> f64 {
-    let omega = mesher.hierarchy.domain_of(vertex);
+    let omega = mesher.state.hierarchy.domain_of(vertex);
     let sizes = feature_sizes(mesher, vertex, omega);
     assert_eq!(mesher.feature_sizes(vertex, omega).unwrap(), Some(sizes));
     sizes.inputs.map_or(0.0, |inputs| inputs / sizes.mesh.expect("no fewer points than inputs"))
@@ -77,17 +81,17 @@ struct Seen {
 
 /// INSERTINPUT, and the constants that it left behind.
 fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: u32, seen: &mut Seen) {
-    let domains = mesher.hierarchy.len();
-    mesher.stats.insertion_constant_input = 0.0;
-    mesher.stats.insertion_constant_cage = 0.0;
-    mesher.insert_input(input).unwrap();
-    if mesher.hierarchy.cage_of(input) != crate::mesh::NONE {
+    let domains = mesher.state.hierarchy.len();
+    mesher.state.stats.insertion_constant_input = 0.0;
+    mesher.state.stats.insertion_constant_cage = 0.0;
+    mesher.insert_input(input, &mut Cavity::default()).unwrap();
+    if mesher.state.hierarchy.cage_of(input) != crate::mesh::NONE {
         return;
     }
     let expected = ratio(mesher, input);
-    assert_eq!(mesher.stats.insertion_constant_input, expected);
+    assert_eq!(mesher.state.stats.insertion_constant_input, expected);
     seen.inputs += u32::from(expected > 0.0);
-    if mesher.hierarchy.len() == domains + 1 && mesher.hierarchy.node(domains).alive {
+    if mesher.state.hierarchy.len() == domains + 1 && mesher.state.hierarchy.node(domains).alive {
         check_cage(mesher, domains);
         seen.cages += 1;
     }
@@ -95,39 +99,47 @@ fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: u32, seen: &mut
 
 /// A cage vertex v went in between its centre, which was there, and the vertices that are there now.
 fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: u32) {
-    let sphere = mesher.parameters.cage_scale * mesher.hierarchy.node(cage).radius;
+    let sphere = mesher.state.parameters.cage_scale * mesher.state.hierarchy.node(cage).radius;
     let (mut least, mut most) = (0.0f64, 0.0f64);
-    for vertex in mesher.hierarchy.node(cage).cage.clone() {
+    for vertex in mesher.state.hierarchy.node(cage).cage.clone() {
         let sizes = feature_sizes(mesher, vertex, cage);
         let inputs = sizes.inputs.expect("the centre and the input, or the cage was not needed");
         least = least.max(inputs / (1.1 * sphere));
         most = most.max(inputs / sizes.mesh.expect("the centre is one"));
     }
-    let constant = mesher.stats.insertion_constant_cage;
+    let constant = mesher.state.stats.insertion_constant_cage;
     assert!((least..=most).contains(&constant), "{least} {constant} {most}");
 }
 
 /// CLEAN, a step at a time.
 fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
-    while let Some(entry) = mesher.refine.pop() {
+    while let Some(entry) = mesher.state.refine_list.pop() {
         let simplex = entry.simplex;
-        if !mesher.delaunay.complex().is_live(simplex) || !mesher.is_bad(simplex) {
+        if !mesher.state.delaunay.complex().is_live(simplex) || !mesher.is_bad(simplex) {
             continue;
         }
-        let corner = mesher.delaunay.corner(simplex).expect("a finite simplex");
-        let before = (mesher.stats.far_corners, mesher.stats.off_centers, mesher.stats.yields);
-        let vertex = mesher.delaunay.point_count() as u32;
-        mesher.stats.insertion_constant_corner = 0.0;
-        mesher.refine_corner(simplex).unwrap();
-        let after = (mesher.stats.far_corners, mesher.stats.off_centers, mesher.stats.yields);
-        if after.2 > before.2 || vertex == mesher.delaunay.point_count() as u32 {
+        let corner = mesher.state.delaunay.corner(simplex).expect("a finite simplex");
+        let before = (
+            mesher.state.stats.far_corners,
+            mesher.state.stats.off_centers,
+            mesher.state.stats.yields,
+        );
+        let vertex = mesher.state.delaunay.point_count() as u32;
+        mesher.state.stats.insertion_constant_corner = 0.0;
+        mesher.refine_corner(simplex, &mut Cavity::default()).unwrap();
+        let after = (
+            mesher.state.stats.far_corners,
+            mesher.state.stats.off_centers,
+            mesher.state.stats.yields,
+        );
+        if after.2 > before.2 || vertex == mesher.state.delaunay.point_count() as u32 {
             continue;
         }
-        let is_corner = *mesher.delaunay.point(vertex) == corner;
+        let is_corner = *mesher.state.delaunay.point(vertex) == corner;
         let [far, off] = if is_corner { [1, 0] } else { [0, 1] };
         assert_eq!(after, (before.0 + far, before.1 + off, before.2));
         let expected = ratio(mesher, vertex);
-        assert_eq!(mesher.stats.insertion_constant_corner, expected);
+        assert_eq!(mesher.state.stats.insertion_constant_corner, expected);
         seen.corners += far as u32;
         seen.off_centers += off as u32;
     }
@@ -135,8 +147,8 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
 
 /// Every vertex in every domain, the centres of children as well.
 fn check_feature_sizes<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
-    for omega in 0..mesher.hierarchy.len() {
-        if !mesher.hierarchy.node(omega).alive {
+    for omega in 0..mesher.state.hierarchy.len() {
+        if !mesher.state.hierarchy.node(omega).alive {
             continue;
         }
         for vertex in members(mesher, omega) {
@@ -153,10 +165,10 @@ fn check<const D: usize>(n: usize) {
     let parameters = Parameters::resolve(D, &options).unwrap();
     let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
     // The bound of the end, so that there is something to refine.
-    mesher.bound = mesher.parameters.quality_bound;
-    mesher.start_netmesh().unwrap();
+    mesher.state.stage.bound = mesher.state.parameters.quality_bound;
+    mesher.start_netmesh(&mut Cavity::default()).unwrap();
     let mut seen = Seen::default();
-    while mesher.location.remaining() > 0 {
+    while mesher.state.conflict_lists.remaining() > 0 {
         for input in mesher.select_round(0, 0).unwrap() {
             if !mesher.is_inserted(input) {
                 insert(&mut mesher, input, &mut seen);

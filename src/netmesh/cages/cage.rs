@@ -1,0 +1,237 @@
+//! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::cages::site::CageSite;
+use crate::netmesh::cages::template::{cage_points, turned};
+use crate::netmesh::{Mesher, is_valid};
+use crate::numerics::distance;
+use crate::options::NetOrdering;
+use rand_core::Rng;
+
+/// A cage vertex this close to another vertex, relative to delta times the cage sphere's radius,
+/// has been displaced by rounding: the packing property leaves more room in exact arithmetic.
+const PACKING: f64 = 0.1;
+
+/// A cage grows at least by this factor: the vertices of a smaller one would coincide with those
+/// that the old cage leaves behind.
+const GROWTH: f64 = 1.5;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
+    /// concentric with it there, and the cage's vertices. `start` is a simplex near the sphere.
+    /// Where rounding leaves no room for a cage vertex there is none, and the centre is
+    /// precision-limited.
+    pub(in crate::netmesh) fn new_cage(
+        &mut self,
+        site: CageSite,
+        start: u32,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let point = *self.state.delaunay.point(site.center);
+        let cage = self.state.hierarchy.create(
+            site.center,
+            point,
+            site.radius,
+            site.parent,
+            self.state.template.len(),
+        )?;
+        self.state.stats.cages_created += 1;
+        self.adopt_center(cage, site);
+        let mut start = start;
+        let mut yielded = Vec::new();
+        let turn = self.turn_of(cage);
+        let directions = turned(&self.state.template, turn)?;
+        for x in cage_points(&directions, &point, self.sphere_radius(cage))? {
+            if let Some(vertex) = self.insert_cage_vertex(cage, x, start, cavity)? {
+                start = self.state.delaunay.complex().incident(vertex);
+                if self.is_input(vertex) {
+                    yielded.try_push(vertex)?;
+                }
+            }
+        }
+        self.measure_clearance(cage)?;
+        self.examine_cage(cage)?;
+        self.make_room_outside(cage, &yielded, cavity)
+    }
+
+    /// What turns the template for `cage`: random bits, or in a deterministic ordering those of a
+    /// fixed sequence (the fractions of multiples of the golden ratio).
+    fn turn_of(&mut self, cage: u32) -> u64 {
+        match self.state.parameters.ordering {
+            NetOrdering::SampledNet => self.state.random.next_u64(),
+            NetOrdering::DeterministicNet => u64::from(cage).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+        }
+    }
+
+    /// Puts the centre, or the outermost domain concentric with it, into the new domain.
+    fn adopt_center(&mut self, cage: u32, site: CageSite) {
+        match self.state.hierarchy.child_towards(site.parent, site.center) {
+            Some(child) => self.state.hierarchy.set_parent(child, cage),
+            None => self.state.hierarchy.set_domain(site.center, cage),
+        }
+    }
+
+    /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.
+    fn insert_cage_vertex(
+        &mut self,
+        cage: u32,
+        x: [f64; D],
+        start: u32,
+        cavity: &mut Cavity,
+    ) -> Result<Option<u32>> {
+        let start = if self.state.delaunay.complex().is_live(start) {
+            start
+        } else {
+            self.state.delaunay.complex().incident(self.state.hierarchy.node(cage).center)
+        };
+        let Some(home) = self.state.delaunay.locate(start, &x) else {
+            self.limit_cage(cage);
+            return Ok(None);
+        };
+        self.state.delaunay.find_cavity(home, &x, cavity)?;
+        let nearest = self.nearest_vertex_distance(&x, cavity);
+        if nearest < PACKING * self.state.parameters.delta * self.sphere_radius(cage) {
+            self.limit_cage(cage);
+            return Ok(None);
+        }
+        let vertex = match self.input_near(&x, self.state.parameters.gamma * nearest, cavity)? {
+            Some(input) => {
+                self.state.stats.yields += 1;
+                self.find_cavity_of_input(input, cavity)?;
+                input
+            }
+            None => {
+                self.state.stats.cage_points += 1;
+                self.add_vertex(x)?
+            }
+        };
+        self.insert_into_cage(cage, vertex, cavity)?;
+        Ok(Some(vertex))
+    }
+
+    /// Inserts `vertex`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    pub(in crate::netmesh) fn insert_into_cage(
+        &mut self,
+        domain: u32,
+        vertex: u32,
+        cavity: &Cavity,
+    ) -> Result<()> {
+        let x = *self.state.delaunay.point(vertex);
+        self.enter(&x, cavity)?;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.state.hierarchy.join_cage(vertex, domain)?;
+        self.insert_into_cavity(vertex, cavity)
+    }
+
+    /// The radius of the sphere that the vertices of the cage of `domain` are near.
+    pub(in crate::netmesh) fn sphere_radius(&self, domain: u32) -> f64 {
+        self.state.parameters.cage_scale * self.state.hierarchy.node(domain).radius
+    }
+
+    fn limit_cage(&mut self, cage: u32) {
+        let center = self.state.hierarchy.node(cage).center;
+        self.state.precision_limited[center as usize] = true;
+    }
+
+    pub(in crate::netmesh) fn nearest_vertex_distance(&self, x: &[f64; D], cavity: &Cavity) -> f64 {
+        let distances =
+            cavity.vertices.ids.iter().map(|&v| distance(x, self.state.delaunay.point(v)));
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Inputs that the new cage yielded to may encroach the domains around it from inside.
+    pub(in crate::netmesh) fn make_room_outside(
+        &mut self,
+        cage: u32,
+        yielded: &[u32],
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        for &input in yielded {
+            let x = *self.state.delaunay.point(input);
+            loop {
+                let living = self.state.hierarchy.find(cage);
+                let outer = match living == cage {
+                    true => self.state.hierarchy.parent(living),
+                    false => living,
+                };
+                let Some(domain) = self.inner_encroached_from(outer, &x) else { break };
+                let start = self.state.delaunay.complex().incident(input);
+                if !self.grow_cage_for(domain, &x, start, cavity)? {
+                    self.state.interface.deferred.try_push((cage, input))?;
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// GROWCAGE(C): a cage of radius `least` or a little more where there is room for it; then the
+    /// old one is released. The paper's radius is r / epsilon. Whether it was done (`rim`).
+    pub(in crate::netmesh) fn grow_cage(
+        &mut self,
+        cage: u32,
+        least: f64,
+        start: u32,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        if self.state.interface.is_non_owned(cage) {
+            return Ok(false);
+        }
+        if let Some(site) = self.grown_site(cage, least, cavity)? {
+            if !self.may_make_cage(&site)? {
+                return Ok(false);
+            }
+            self.state.stats.cages_grown += 1;
+            self.new_cage(site, start, cavity)?;
+        }
+        if self.state.hierarchy.node(cage).alive {
+            self.release_cage(cage)?;
+        }
+        Ok(true)
+    }
+
+    /// GROWCAGE of the cage that the point at `x` encroaches from inside.
+    pub(in crate::netmesh) fn grow_cage_for(
+        &mut self,
+        cage: u32,
+        x: &[f64; D],
+        start: u32,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let needed = self.radius_for(self.state.hierarchy.distance_to_center(cage, x));
+        let least = needed.max(GROWTH * self.state.hierarchy.node(cage).radius);
+        self.grow_cage(cage, least, start, cavity)
+    }
+
+    /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
+    /// a cage vertex.
+    fn measure_clearance(&mut self, cage: u32) -> AllocResult<()> {
+        for at in 0..self.state.hierarchy.node(cage).cage.len() {
+            let vertex = self.state.hierarchy.node(cage).cage[at];
+            self.state.delaunay.star(vertex, &mut self.scratch.star)?;
+            for at in 0..self.scratch.star.len() {
+                for index in 0..=D {
+                    let other =
+                        self.state.delaunay.complex().vertices(self.scratch.star[at])[index];
+                    if is_valid(other) {
+                        self.separate(cage, other);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Lowers the clearance of `cage` to `vertex` if that is outside.
+    pub(in crate::netmesh) fn separate(&mut self, cage: u32, vertex: u32) {
+        debug_assert!(!self.state.interface.is_non_owned(cage));
+        let distance =
+            self.state.hierarchy.distance_to_center(cage, self.state.delaunay.point(vertex));
+        let node = self.state.hierarchy.node_mut(cage);
+        if distance >= node.radius && distance < node.outside {
+            node.outside = distance;
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! The domain hierarchy (§4): a tree of balls, and for every vertex the innermost ball that holds
+//! it. A released domain forwards to its parent (union-find), so no vertex is ever relabelled for
+//! a release. Concentric chains of domains are legal.
+
+mod partition;
+
+pub(in crate::netmesh) use partition::DomainsToGlobal;
+
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, with_room};
+use crate::mesh::NONE;
+use crate::numerics::distance;
+
+/// Id of the root domain.
+pub(in crate::netmesh) const ROOT: u32 = 0;
+
+pub(in crate::netmesh) struct Node<const D: usize> {
+    /// The vertex at the centre, and its coordinates.
+    pub center: u32,
+    pub point: [f64; D],
+    pub radius: f64,
+    /// The enclosing domain when this one lives, the one that took its vertices otherwise.
+    parent: u32,
+    pub alive: bool,
+    /// Distance from the centre to the nearest vertex outside the ball.
+    pub outside: f64,
+    /// The cage C_Omega: the vertices near the cage sphere.
+    pub cage: Vec<u32>,
+}
+
+#[derive(Clone, Copy)]
+struct Place {
+    /// A domain that [`Hierarchy::find`] resolves to the innermost one; [`NONE`] if not inserted.
+    label: u32,
+    /// The domain whose cage the vertex was made for.
+    cage: u32,
+}
+
+impl Place {
+    const NOWHERE: Self = Self { label: NONE, cage: NONE };
+}
+
+pub(in crate::netmesh) struct Hierarchy<const D: usize> {
+    nodes: Vec<Node<D>>,
+    /// Vertex -> where it is.
+    places: Array<Place>,
+    alive: usize,
+}
+
+impl<const D: usize> Hierarchy<D> {
+    pub fn new(vertices: usize) -> AllocResult<Self> {
+        Ok(Self { nodes: Vec::new(), places: Array::filled(vertices, Place::NOWHERE)?, alive: 0 })
+    }
+
+    /// Makes room for so many vertices if the system gives it.
+    pub fn expect(&mut self, vertices: usize) {
+        self.places.expect(vertices);
+    }
+
+    pub fn add_vertex(&mut self) -> AllocResult<()> {
+        self.places.try_push(Place::NOWHERE)
+    }
+
+    /// Number of domains ever created; ids are below it.
+    pub fn len(&self) -> u32 {
+        self.nodes.len() as u32
+    }
+
+    /// Whether the root is the only domain, so that no cage separates anything.
+    pub fn is_single(&self) -> bool {
+        self.alive <= 1
+    }
+
+    #[inline]
+    pub fn node(&self, domain: u32) -> &Node<D> {
+        &self.nodes[domain as usize]
+    }
+
+    pub fn node_mut(&mut self, domain: u32) -> &mut Node<D> {
+        &mut self.nodes[domain as usize]
+    }
+
+    /// Adds a domain in `parent` ([`NONE`] for the root), with room for the vertices of its cage.
+    pub fn create(
+        &mut self,
+        center: u32,
+        point: [f64; D],
+        radius: f64,
+        parent: u32,
+        cage_size: usize,
+    ) -> AllocResult<u32> {
+        let cage = with_room(cage_size)?;
+        if self.nodes.len() >= NONE as usize {
+            return Err(AllocError::Ids);
+        }
+        self.nodes.try_push(Node {
+            center,
+            point,
+            radius,
+            parent,
+            alive: true,
+            outside: f64::INFINITY,
+            cage,
+        })?;
+        self.alive += 1;
+        Ok(self.len() - 1)
+    }
+
+    /// Dissolves `domain` into its parent.
+    pub fn release(&mut self, domain: u32) {
+        debug_assert!(domain != ROOT && self.node(domain).alive);
+        self.node_mut(domain).alive = false;
+        self.alive -= 1;
+    }
+
+    /// The living domain that `domain` is, or was dissolved into.
+    #[inline]
+    pub fn find(&mut self, domain: u32) -> u32 {
+        let mut current = domain;
+        while !self.nodes[current as usize].alive {
+            let parent = self.nodes[current as usize].parent;
+            let next = &self.nodes[parent as usize];
+            if !next.alive {
+                self.nodes[current as usize].parent = next.parent;
+            }
+            current = parent;
+        }
+        current
+    }
+
+    /// The living parent of a living domain; [`NONE`] for the root.
+    pub fn parent(&mut self, domain: u32) -> u32 {
+        let parent = self.node(domain).parent;
+        if parent == NONE {
+            return NONE;
+        }
+        let living = self.find(parent);
+        self.node_mut(domain).parent = living;
+        living
+    }
+
+    pub fn set_parent(&mut self, domain: u32, parent: u32) {
+        self.node_mut(domain).parent = parent;
+    }
+
+    /// The innermost domain of an inserted vertex.
+    #[inline]
+    pub fn domain_of(&mut self, vertex: u32) -> u32 {
+        let domain = self.find(self.places[vertex as usize].label);
+        self.places[vertex as usize].label = domain;
+        domain
+    }
+
+    /// Whether inserted vertices are known to be of one domain, without a climb: all have the same
+    /// label, or there is only one domain.
+    #[inline]
+    pub fn same_domain(&self, vertices: &[u32]) -> bool {
+        self.is_single() || {
+            let label = |vertex: u32| self.places[vertex as usize].label;
+            let first = label(vertices[0]);
+            vertices[1..].iter().all(|&vertex| label(vertex) == first)
+        }
+    }
+
+    pub fn set_domain(&mut self, vertex: u32, domain: u32) {
+        self.places[vertex as usize].label = domain;
+    }
+
+    /// Makes `vertex` part of the cage of `domain`.
+    pub fn join_cage(&mut self, vertex: u32, domain: u32) -> AllocResult<()> {
+        self.places[vertex as usize].cage = domain;
+        self.node_mut(domain).cage.try_push(vertex)
+    }
+
+    /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.
+    #[inline]
+    pub fn cage_of(&self, vertex: u32) -> u32 {
+        match self.places[vertex as usize].cage {
+            NONE => NONE,
+            cage if self.node(cage).alive => cage,
+            _ => NONE,
+        }
+    }
+
+    pub fn distance_to_center(&self, domain: u32, x: &[f64; D]) -> f64 {
+        distance(x, &self.node(domain).point)
+    }
+
+    pub fn contains(&self, domain: u32, x: &[f64; D]) -> bool {
+        domain == ROOT || self.distance_to_center(domain, x) < self.node(domain).radius
+    }
+
+    /// The innermost domain on the way from `domain` to the root whose ball holds `x`.
+    pub fn climb_to(&mut self, mut domain: u32, x: &[f64; D]) -> u32 {
+        while !self.contains(domain, x) {
+            domain = self.parent(domain);
+        }
+        domain
+    }
+
+    /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
+    /// in Omega, or the centre of the child of Omega that holds it, or nothing.
+    pub fn representative(&mut self, vertex: u32, omega: u32) -> Option<u32> {
+        if self.domain_of(vertex) == omega {
+            return Some(vertex);
+        }
+        self.child_towards(omega, vertex).map(|child| self.node(child).center)
+    }
+
+    /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
+    /// outside is recognised without a climb to the root.
+    pub fn child_towards(&mut self, omega: u32, vertex: u32) -> Option<u32> {
+        let mut domain = self.domain_of(vertex);
+        while self.node(domain).radius < self.node(omega).radius {
+            let parent = self.parent(domain);
+            if parent == omega {
+                return Some(domain);
+            }
+            domain = parent;
+        }
+        None
+    }
+}

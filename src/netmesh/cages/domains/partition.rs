@@ -1,0 +1,158 @@
+//! A hierarchy for a part of the mesh. It has the domains that the part's vertices are in, and those
+//! around them. The part may change those that are its own, whose centre and cage no other part has
+//! simplices at; of the others it reads what they were when it was cut out.
+
+use super::{Hierarchy, Node, Place, ROOT};
+use crate::error::Result;
+use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
+use crate::mesh::NONE;
+
+/// A part's domains in the whole.
+#[derive(Default)]
+pub(in crate::netmesh) struct DomainsToGlobal {
+    /// Domain of the part -> that of the whole. The first is the root.
+    local_to_global: Vec<u32>,
+    /// Whether the part may change it.
+    is_own: Vec<bool>,
+}
+
+impl DomainsToGlobal {
+    /// The domain of the whole.
+    pub fn name(&self, domain: u32) -> u32 {
+        self.local_to_global[domain as usize]
+    }
+
+    /// Domain of the part -> whether it must stay as it is.
+    pub fn non_owned(&self) -> AllocResult<Vec<bool>> {
+        collected(self.is_own.iter().map(|&is_own| !is_own))
+    }
+}
+
+impl<const D: usize> Hierarchy<D> {
+    /// The hierarchy of the part with the given `vertices`, inserted or not, some of them `shared` with
+    /// other parts. `ids`: vertex -> its id in the part, [`NONE`] if it is not there.
+    pub fn partition(
+        &mut self,
+        vertices: &[u32],
+        shared: &[bool],
+        ids: &[u32],
+    ) -> Result<(Self, DomainsToGlobal)> {
+        let local_to_global = self.domains_at(vertices)?;
+        let own = |vertex: u32| {
+            let id = ids[vertex as usize];
+            (id != NONE && !shared[id as usize]).then_some(id)
+        };
+        let mut nodes = with_room(local_to_global.len())?;
+        let mut is_own = with_room(local_to_global.len())?;
+        for &name in &local_to_global {
+            let parent = self.parent(name);
+            let node = self.node(name);
+            let owns = name != ROOT
+                && own(node.center).is_some()
+                && node.cage.iter().all(|&vertex| own(vertex).is_some());
+            is_own.push(owns);
+            nodes.push(Node {
+                center: own(node.center).unwrap_or(NONE),
+                point: node.point,
+                radius: node.radius,
+                parent: local(&local_to_global, parent),
+                alive: true,
+                outside: node.outside,
+                cage: match owns {
+                    true => collected(node.cage.iter().filter_map(|&vertex| own(vertex)))?,
+                    false => Vec::new(),
+                },
+            });
+        }
+        let mut places = Array::with_room(vertices.len())?;
+        for &vertex in vertices {
+            let Place { label, .. } = self.places[vertex as usize];
+            let cage = self.cage_of(vertex);
+            places.try_push(Place {
+                label: local(&local_to_global, label),
+                cage: local(&local_to_global, cage),
+            })?;
+        }
+        Ok((
+            Self { alive: nodes.len(), nodes, places },
+            DomainsToGlobal { local_to_global, is_own },
+        ))
+    }
+
+    /// The domains of `vertices` and their cages, with all around them, in rising order.
+    fn domains_at(&mut self, vertices: &[u32]) -> AllocResult<Vec<u32>> {
+        let mut is_known = filled(self.nodes.len(), false)?;
+        let mut local_to_global = Vec::new();
+        local_to_global.try_push(ROOT)?;
+        is_known[ROOT as usize] = true;
+        for &vertex in vertices {
+            if self.places[vertex as usize].label == NONE {
+                continue;
+            }
+            for mut domain in [self.domain_of(vertex), self.cage_of(vertex)] {
+                while domain != NONE && !is_known[domain as usize] {
+                    is_known[domain as usize] = true;
+                    local_to_global.try_push(domain)?;
+                    domain = self.parent(domain);
+                }
+            }
+        }
+        local_to_global.sort_unstable();
+        Ok(local_to_global)
+    }
+
+    /// Takes over what a part made of its domains and vertices; new domains get names.
+    /// `vertices`: vertex of the part -> that of the whole, where those that `shared` does not know
+    /// are not added here yet.
+    pub fn join(
+        &mut self,
+        partition: Self,
+        domains: &mut DomainsToGlobal,
+        vertices: &[u32],
+        shared: &[bool],
+    ) -> Result<()> {
+        let Self { nodes, places, .. } = partition;
+        let old = domains.local_to_global.len();
+        for at in old..nodes.len() {
+            domains.local_to_global.try_push((self.nodes.len() + at - old) as u32)?;
+        }
+        let domain = |id: u32| if id == NONE { NONE } else { domains.local_to_global[id as usize] };
+        let vertex = |id: u32| if id == NONE { NONE } else { vertices[id as usize] };
+        for (at, mut node) in nodes.into_iter().enumerate() {
+            if at < old && !domains.is_own[at] {
+                continue;
+            }
+            node.center = vertex(node.center);
+            node.parent = domain(node.parent);
+            node.cage.iter_mut().for_each(|id| *id = vertex(*id));
+            self.alive += usize::from(node.alive);
+            if at < old {
+                self.alive -= 1;
+                self.nodes[domains.local_to_global[at] as usize] = node;
+            } else {
+                self.nodes.try_push(node)?;
+            }
+        }
+        for (own, &place) in places.iter().enumerate() {
+            let is_shared = shared.get(own).copied();
+            if is_shared.is_none() {
+                self.add_vertex()?;
+            }
+            if place.label != NONE && is_shared != Some(true) {
+                self.places[vertices[own] as usize] =
+                    Place { label: domain(place.label), cage: domain(place.cage) };
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The id of the domain named `name`.
+fn local(local_to_global: &[u32], name: u32) -> u32 {
+    match name {
+        NONE => NONE,
+        _ => local_to_global
+            .binary_search(&name)
+            .expect("all domains of a partition have local_to_global") as u32,
+    }
+}

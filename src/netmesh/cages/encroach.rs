@@ -1,0 +1,108 @@
+//! Encroachment (Definition 2), read off the vertices U(x) of the D-balls that hold x, which are the
+//! corners of the scratch cavity.
+
+use crate::delaunay::Cavity;
+use crate::memory::AllocResult;
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::ROOT;
+
+/// Domains from the innermost outward that an input may encroach from inside: radii fall by
+/// epsilon per level, so a point near one sphere is far inside all but the next.
+pub(in crate::netmesh) const LEVELS: usize = 3;
+
+/// Subnormal distances are rounded to whole units: one that is not above a limit may still be.
+const SMALLEST: f64 = f64::from_bits(1);
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The innermost domain that holds `x`, over the climbs from U(x).
+    pub(in crate::netmesh) fn containing_domain(&mut self, x: &[f64; D], cavity: &Cavity) -> u32 {
+        if self.state.hierarchy.is_single() {
+            return ROOT;
+        }
+        if let Some(domain) = self.common_domain(cavity) {
+            return self.state.hierarchy.climb_to(domain, x);
+        }
+        let mut innermost = ROOT;
+        for at in 0..cavity.vertices.ids.len() {
+            let from = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
+            let domain = self.state.hierarchy.climb_to(from, x);
+            if self.state.hierarchy.node(domain).radius
+                < self.state.hierarchy.node(innermost).radius
+            {
+                innermost = domain;
+            }
+        }
+        innermost
+    }
+
+    /// The domain of all of U(x), where that is known without a climb.
+    pub(in crate::netmesh) fn common_domain(&mut self, cavity: &Cavity) -> Option<u32> {
+        let vertices = &cavity.vertices.ids;
+        self.state
+            .hierarchy
+            .same_domain(vertices)
+            .then(|| self.state.hierarchy.domain_of(vertices[0]))
+    }
+
+    /// INENCROACH: the innermost domain that `input` encroaches from inside.
+    pub(in crate::netmesh) fn inner_encroached(
+        &mut self,
+        input: u32,
+        cavity: &Cavity,
+    ) -> Option<u32> {
+        if self.state.hierarchy.is_single() {
+            return None;
+        }
+        let x = *self.state.delaunay.point(input);
+        let domain = self.containing_domain(&x, cavity);
+        self.inner_encroached_from(domain, &x)
+    }
+
+    /// The first domain from `domain` outward whose annulus (epsilon r, r) holds `x`. The root is
+    /// exempt: its ball is chosen to hold all inputs.
+    pub(in crate::netmesh) fn inner_encroached_from(
+        &mut self,
+        domain: u32,
+        x: &[f64; D],
+    ) -> Option<u32> {
+        let mut domain = domain;
+        for _ in 0..LEVELS {
+            if domain == ROOT {
+                return None;
+            }
+            let max_distance =
+                self.state.parameters.epsilon * self.state.hierarchy.node(domain).radius;
+            if self.state.hierarchy.distance_to_center(domain, x) + SMALLEST > max_distance {
+                return Some(domain);
+            }
+            domain = self.state.hierarchy.parent(domain);
+        }
+        None
+    }
+
+    /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
+    /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
+    pub(in crate::netmesh) fn enter(&mut self, x: &[f64; D], cavity: &Cavity) -> AllocResult<u32> {
+        if self.state.hierarchy.is_single() {
+            return Ok(ROOT);
+        }
+        if let Some(domain) = self.common_domain(cavity) {
+            if self.state.hierarchy.contains(domain, x) {
+                return Ok(domain);
+            }
+        }
+        let max_distance = self.state.parameters.encroachment / self.state.parameters.epsilon;
+        for at in 0..cavity.vertices.ids.len() {
+            let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
+            while !self.state.hierarchy.contains(domain, x) {
+                let distance = self.state.hierarchy.distance_to_center(domain, x);
+                let parent = self.state.hierarchy.parent(domain);
+                if distance < max_distance * self.state.hierarchy.node(domain).radius {
+                    self.release_cage(domain)?;
+                }
+                domain = parent;
+            }
+        }
+        Ok(self.containing_domain(x, cavity))
+    }
+}

@@ -1,0 +1,32 @@
+//! RELEASECAGE (§6.3).
+
+use crate::memory::AllocResult;
+use crate::netmesh::{Mesher, is_valid};
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
+    /// their neighbours, whose corners were exempt inside the cage, are examined anew.
+    pub(in crate::netmesh) fn release_cage(&mut self, cage: u32) -> AllocResult<()> {
+        debug_assert!(!self.state.interface.is_non_owned(cage));
+        self.state.hierarchy.release(cage);
+        self.state.stats.cages_released += 1;
+        let mut affected = std::mem::take(&mut self.scratch.affected);
+        affected.restart(self.state.delaunay.point_count())?;
+        for at in 0..self.state.hierarchy.node(cage).cage.len() {
+            let vertex = self.state.hierarchy.node(cage).cage[at];
+            self.state.delaunay.star(vertex, &mut self.scratch.star)?;
+            for &simplex in &self.scratch.star {
+                for &corner in self.state.delaunay.complex().vertices(simplex) {
+                    if is_valid(corner) {
+                        affected.insert(corner)?;
+                    }
+                }
+            }
+        }
+        for &vertex in &affected.ids {
+            self.examine_star(vertex)?;
+        }
+        self.scratch.affected = affected;
+        Ok(())
+    }
+}

@@ -1,0 +1,210 @@
+//! Where a cage goes and how large it is: MEDIALITY (§6.2) as INSERTINPUT needs it, and the radii
+//! that NEWCAGE and GROWCAGE take.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::TryGrow;
+use crate::netmesh::Mesher;
+use crate::netmesh::rounds::start::{REPRESENTABLE, spacing_near};
+use crate::numerics::distance;
+use crate::options::Output;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+/// Where a cage is wanted.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::netmesh) struct CageSite {
+    pub center: u32,
+    pub radius: f64,
+    pub parent: u32,
+}
+
+/// A cage for an input at distance g from its centre has at least this times g / epsilon for its
+/// radius, so that the input is strictly inside epsilon r.
+const SLACK: f64 = 1.001;
+
+/// Subnormal distances are rounded to whole units of the smallest double.
+const ROUNDING: f64 = 4.0 * f64::from_bits(1);
+
+/// How much more room than it needs a cage must have in a mesh that FINISHMESH completes: that fills
+/// the gap which the cage bridges, and the cage's vertices are then too many (docs/decisions.md).
+const ROOM_IF_FINISHED: f64 = 128.0;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
+    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
+    /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
+    /// ask for what the cage needs: no vertex within outf r / epsilon of u.
+    pub(in crate::netmesh) fn wanted_cage(
+        &mut self,
+        input: u32,
+        cavity: &Cavity,
+    ) -> Result<Option<CageSite>> {
+        let x = *self.state.delaunay.point(input);
+        let parent = self.containing_domain(&x, cavity);
+        let Some((center, distance)) = self.nearest_in_domain(&x, parent, cavity) else {
+            return Ok(None);
+        };
+        let child = self.state.hierarchy.child_towards(parent, center);
+        let clearance = match child {
+            Some(child) => self.state.hierarchy.node(child).outside,
+            None => self.state.cells[center as usize].nearest,
+        };
+        let most = self.radius_within(clearance) / self.spare_room();
+        let most = most.min(self.room_inside(parent, center));
+        let least = self.radius_for(distance).max(self.smallest_radius(center));
+        let radius = self.lasting_radius(center, child, least, most, cavity)?;
+        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+    }
+
+    /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
+    /// compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest outside
+    /// vertex's distance d tells whether the new cage is un-encroached.)
+    pub(in crate::netmesh) fn grown_site(
+        &mut self,
+        cage: u32,
+        least: f64,
+        cavity: &Cavity,
+    ) -> Result<Option<CageSite>> {
+        let parent = self.state.hierarchy.parent(cage);
+        let node = self.state.hierarchy.node(cage);
+        let (center, outside) = (node.center, node.outside);
+        let most = (outside / self.outer_encroachment()).min(self.room_inside(parent, center));
+        let radius = self.lasting_radius(center, Some(cage), least, most, cavity)?;
+        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+    }
+
+    fn spare_room(&self) -> f64 {
+        match self.state.parameters.output {
+            Output::WellSpaced => ROOM_IF_FINISHED,
+            Output::Hierarchical => 1.0,
+        }
+    }
+
+    /// The radius of a cage that has an input at distance `gap` from its centre well inside.
+    pub(in crate::netmesh) fn radius_for(&self, distance: f64) -> f64 {
+        SLACK * distance / self.state.parameters.epsilon + ROUNDING
+    }
+
+    /// The largest radius of a cage with the nearest vertex outside at distance `clearance`.
+    fn radius_within(&self, clearance: f64) -> f64 {
+        (clearance - ROUNDING) / self.outer_encroachment()
+    }
+
+    /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With epsilon
+    /// at most 0.5 the clearance asks for less.
+    fn room_inside(&self, parent: u32, center: u32) -> f64 {
+        let radius = self.state.hierarchy.node(parent).radius;
+        let distance =
+            self.state.hierarchy.distance_to_center(parent, self.state.delaunay.point(center));
+        radius * (1.0 - 1e-9) - distance
+    }
+
+    /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a
+    /// few units of roundoff apart is as large as that takes.
+    fn smallest_radius(&self, center: u32) -> f64 {
+        let spacing = spacing_near(self.state.delaunay.point(center));
+        REPRESENTABLE * spacing / (self.state.parameters.delta * self.state.parameters.cage_scale)
+    }
+
+    /// A vertex within this times r of a cage's centre outer-encroaches it.
+    pub(in crate::netmesh) fn outer_encroachment(&self) -> f64 {
+        self.state.parameters.encroachment / self.state.parameters.epsilon
+    }
+
+    /// The vertex of M_Omega nearest to `x`, and its distance.
+    fn nearest_in_domain(
+        &mut self,
+        x: &[f64; D],
+        omega: u32,
+        cavity: &Cavity,
+    ) -> Option<(u32, f64)> {
+        let mut nearest = None;
+        let mut least = f64::INFINITY;
+        for at in 0..cavity.vertices.ids.len() {
+            let vertex = cavity.vertices.ids[at];
+            let Some(member) = self.state.hierarchy.representative(vertex, omega) else { continue };
+            let distance = distance(x, self.state.delaunay.point(member));
+            if distance < least {
+                least = distance;
+                nearest = Some((member, distance));
+            }
+        }
+        nearest
+    }
+
+    /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
+    /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
+    /// soon be released and leave their vertices behind.
+    fn lasting_radius(
+        &mut self,
+        center: u32,
+        child: Option<u32>,
+        least: f64,
+        most: f64,
+        cavity: &Cavity,
+    ) -> Result<Option<f64>> {
+        if least > most {
+            return Ok(None);
+        }
+        let max_distance = self.outer_encroachment();
+        let mut radius = least;
+        let range = self.state.parameters.epsilon * least..max_distance * most;
+        // A heap, since often a few of very many are looked at.
+        let mut distances = BinaryHeap::from(self.distances_nearby(center, child, range, cavity)?);
+        while let Some(Reverse(bits)) = distances.pop() {
+            self.watch.poll_after(1)?;
+            let distance = f64::from_bits(bits);
+            if distance >= max_distance * radius || radius > most {
+                break;
+            }
+            if distance > self.state.parameters.epsilon * radius {
+                radius = self.radius_for(distance);
+            }
+        }
+        self.scratch.distances = distances.into_vec();
+        Ok((radius <= most).then_some(radius))
+    }
+
+    /// The distances in `range` from `center` to the uninserted inputs whose homes are in the
+    /// scratch cavity or next to the centre (or the cage of the `child` domain round it), as bits,
+    /// which are ordered as distances are.
+    fn distances_nearby(
+        &mut self,
+        center: u32,
+        child: Option<u32>,
+        range: Range<f64>,
+        cavity: &Cavity,
+    ) -> Result<Vec<Reverse<u64>>> {
+        let mut distances = std::mem::take(&mut self.scratch.distances);
+        distances.clear();
+        if self.state.conflict_lists.remaining() == 0 {
+            return Ok(distances);
+        }
+        let near = &mut self.scratch.near;
+        near.clear();
+        near.try_extend(&cavity.simplices)?;
+        let around: &[u32] = match child {
+            Some(child) => &self.state.hierarchy.node(child).cage,
+            None => &[center],
+        };
+        for &vertex in around {
+            self.state.delaunay.star(vertex, &mut self.scratch.star)?;
+            near.try_extend(&self.scratch.star)?;
+        }
+        near.sort_unstable();
+        near.dedup();
+        for &simplex in near.iter() {
+            for input in self.state.conflict_lists.entries(simplex) {
+                self.watch.poll_after(1)?;
+                let distance =
+                    distance(self.state.delaunay.point(input), self.state.delaunay.point(center));
+                if range.contains(&distance) {
+                    distances.try_push(Reverse(distance.to_bits()))?;
+                }
+            }
+        }
+        Ok(distances)
+    }
+}

@@ -1,0 +1,93 @@
+//! Cutting a part out of the mesh, and going on with it.
+
+use super::Partition;
+use super::interface::Interface;
+use crate::complex::{GlobalToLocal, LocalToGlobal};
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{Array, TryGrow, copied, with_room};
+use crate::mesh::Stats;
+use crate::netmesh::parameters::Parameters;
+use crate::netmesh::refinement::refine_list::RefineList;
+use crate::netmesh::watch::Watch;
+use crate::netmesh::{Mesher, Stage, State};
+use rand_pcg::Pcg64Mcg;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The live `simplices` as a part, with the inputs that are at home in them, which have no home in
+    /// the whole from then on. No id is given before or afterwards.
+    pub(super) fn cut(
+        &mut self,
+        simplices: Array<u32>,
+        ids: &mut GlobalToLocal,
+    ) -> Result<Partition<D>> {
+        let mut vertices = Array::new();
+        for &simplex in &simplices {
+            self.watch.poll_after(1)?;
+            for input in self.state.conflict_lists.take_entries(simplex) {
+                vertices.try_push(input)?;
+            }
+        }
+        // Ids are in an order of locality, here and there.
+        vertices.sort_unstable();
+        let inputs = vertices.len();
+        let mut local_to_global = LocalToGlobal { simplices, vertices };
+        ids.give(&local_to_global);
+        let watch = &mut self.watch;
+        let delaunay =
+            self.state.delaunay.partition(&mut local_to_global, ids, || watch.poll_after(1))?;
+        self.watch.poll()?;
+        let conflict_lists =
+            self.state.conflict_lists.partition(&local_to_global, &ids.simplices, inputs)?;
+        let shared = delaunay.interface_vertices()?;
+        self.watch.poll()?;
+        let (hierarchy, domains) =
+            self.state.hierarchy.partition(&local_to_global.vertices, &shared, &ids.vertices)?;
+        ids.take(&local_to_global);
+        self.watch.poll()?;
+        let mut cells = Array::with_room(local_to_global.vertices.len())?;
+        let mut precision_limited = with_room(local_to_global.vertices.len())?;
+        for &vertex in &local_to_global.vertices {
+            cells.try_push(self.state.cells[vertex as usize])?;
+            precision_limited.push(self.state.precision_limited[vertex as usize]);
+        }
+        // The vertices of other parts count against the limit as well; what they make of it is seen
+        // when all have joined.
+        let others = (self.state.delaunay.point_count() - local_to_global.vertices.len()) as u64;
+        let parameters = Parameters {
+            max_vertices: self.state.parameters.max_vertices.saturating_sub(others),
+            instruments: false,
+            ..self.state.parameters.clone()
+        };
+        let number = u64::from(local_to_global.simplices[0]) << 32
+            | self.state.delaunay.point_count() as u64;
+        let seed = u128::from(parameters.seed) << 64 | u128::from(number);
+        let state = State {
+            interface: Interface::new(domains.non_owned()?),
+            stage: Stage::of_insertion(parameters.loose_bound()),
+            template: copied(&self.state.template)?,
+            random: Pcg64Mcg::new(seed),
+            stats: Stats::default(),
+            refine_list: RefineList::new()?,
+            delaunay,
+            hierarchy,
+            conflict_lists,
+            cells,
+            precision_limited,
+            inputs,
+            parameters,
+        };
+        Ok(Partition { local_to_global, domains, shared, state })
+    }
+}
+
+impl<const D: usize> Partition<D> {
+    /// Goes through the rest of the rounds, and of the refinement.
+    pub fn refine(self, watch: Watch<'_, '_>) -> Result<Self> {
+        let mut mesher = Mesher::resume(self.state, watch);
+        mesher.state.stage.vertices_before_final = mesher.state.delaunay.point_count();
+        mesher.reported = mesher.progress_counts();
+        mesher.run_rounds(&mut Cavity::default())?;
+        Ok(Self { state: mesher.state, ..self })
+    }
+}

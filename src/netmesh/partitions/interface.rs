@@ -1,0 +1,208 @@
+//! What a part of the mesh must leave as it is (`parts`): the simplices at its rim, and those where an
+//! insertion would change a domain that is not the part's own. An operation asks before it begins;
+//! what may not be done stays undone, and the whole does it later. The whole has no rim.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use crate::mesh::NONE;
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::site::CageSite;
+
+/// So many simplices are looked at round a cage that is wanted. One that meets more is the whole's.
+const MOST_ROUND_CAGE: usize = 1 << 13;
+
+/// How much farther than the cage sphere a part must reach: cage vertices and D-balls are rounded.
+const MARGIN: f64 = 1.0 + 1e-6;
+
+#[derive(Default)]
+pub(in crate::netmesh) struct Interface {
+    /// Simplex -> whether it must stay; those that are not there need not.
+    locked: Vec<bool>,
+    /// Domain -> whether it must stay; likewise.
+    non_owned: Vec<bool>,
+    /// Simplex -> whether an input at home in it could not be inserted. Others there cannot either,
+    /// usually.
+    skipped: Vec<bool>,
+    /// Cages, and inputs that went into them, which encroach a domain around them that must stay.
+    pub deferred: Vec<(u32, u32)>,
+}
+
+impl Interface {
+    pub fn new(non_owned: Vec<bool>) -> Self {
+        Self { non_owned, ..Self::default() }
+    }
+
+    /// Whether to try and insert the inputs of `simplex`.
+    #[inline]
+    pub fn is_eligible(&self, simplex: u32) -> bool {
+        self.skipped.get(simplex as usize).is_none_or(|&is_skipped| !is_skipped)
+    }
+
+    /// Holds no inputs back any more.
+    pub fn clear_skipped(&mut self) {
+        self.skipped.clear();
+    }
+
+    /// An input of `simplex` could not be inserted, or is to wait.
+    pub fn skip(&mut self, simplex: u32) -> AllocResult<()> {
+        self.skipped.cover(simplex as usize + 1, false)?;
+        self.skipped[simplex as usize] = true;
+        Ok(())
+    }
+
+    /// Forgets what was known of ids that new simplices have taken.
+    pub fn forget(&mut self, created: &[u32]) {
+        if self.skipped.is_empty() {
+            return;
+        }
+        for &simplex in created {
+            if let Some(is_skipped) = self.skipped.get_mut(simplex as usize) {
+                *is_skipped = false;
+            }
+        }
+    }
+
+    /// Whether this is the rim of a part.
+    pub fn is_some(&self) -> bool {
+        !self.non_owned.is_empty()
+    }
+
+    #[inline]
+    pub fn is_locked(&self, simplex: u32) -> bool {
+        self.locked.get(simplex as usize).is_some_and(|&is_locked| is_locked)
+    }
+
+    #[inline]
+    pub fn is_non_owned(&self, domain: u32) -> bool {
+        self.non_owned.get(domain as usize).is_some_and(|&is_non_owned| is_non_owned)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Freezes what must stay. Cells are not refined at the corners of such simplices.
+    pub(in crate::netmesh) fn lock(&mut self) -> Result<()> {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.refine_list.forget(&[], bound)?;
+        for simplex in 0..bound as u32 {
+            self.watch.poll_after(1)?;
+            let is_locked = (0..=D)
+                .any(|index| self.state.delaunay.complex().is_interface(simplex, index))
+                || self.spans_non_owned_domain(simplex);
+            self.state.interface.locked.try_push(is_locked)?;
+            if is_locked {
+                self.state.refine_list.limit(simplex);
+                self.state.interface.skip(simplex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Leaves the inputs of the home of `input` alone, in a part, until the home is replaced.
+    pub(in crate::netmesh) fn defer(&mut self, input: u32) -> AllocResult<()> {
+        if self.state.interface.is_some() {
+            self.state.interface.skip(self.state.conflict_lists.simplex_of(input))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Freezes the homes of inputs, too: those that are left need not be looked after any more.
+    pub(in crate::netmesh) fn lock_crowded(&mut self) -> Result<()> {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.interface.locked.cover(bound, false)?;
+        for simplex in 0..bound as u32 {
+            self.watch.poll_after(1)?;
+            if self.state.conflict_lists.count(simplex) > 0 {
+                self.state.interface.locked[simplex as usize] = true;
+                self.state.refine_list.limit(simplex);
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether `simplex` has vertices inside and outside of a domain that must stay: its clearance would
+    /// change with them.
+    fn spans_non_owned_domain(&mut self, simplex: u32) -> bool {
+        !self.state.delaunay.complex().is_infinite(simplex)
+            && self
+                .spanned_domain(simplex, |mesher, domain, _| {
+                    mesher.state.interface.is_non_owned(domain)
+                })
+                .is_some()
+    }
+
+    /// Whether no simplex of the scratch cavity must stay.
+    pub(in crate::netmesh) fn may_replace_cavity(&self, cavity: &Cavity) -> bool {
+        !self.state.interface.is_some()
+            || !cavity.simplices.iter().any(|&simplex| self.state.interface.is_locked(simplex))
+    }
+
+    /// Whether `x`, whose conflicts are the scratch cavity, may be inserted, and
+    /// release the cages that it encroaches from outside.
+    pub(in crate::netmesh) fn may_insert(&mut self, x: &[f64; D], cavity: &Cavity) -> bool {
+        if !self.state.interface.is_some() {
+            return true;
+        }
+        if !self.may_replace_cavity(cavity) {
+            return false;
+        }
+        if let Some(domain) = self.common_domain(cavity) {
+            if self.state.hierarchy.contains(domain, x) {
+                return true;
+            }
+        }
+        for at in 0..cavity.vertices.ids.len() {
+            let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
+            while !self.state.hierarchy.contains(domain, x) {
+                if self.state.interface.is_non_owned(domain) {
+                    return false;
+                }
+                domain = self.state.hierarchy.parent(domain);
+            }
+        }
+        true
+    }
+
+    /// Whether a cage may be made at `site`: nothing that must stay is in conflict with a point of its
+    /// sphere, and no domain between there and the parent must stay.
+    pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
+        if !self.state.interface.is_some() {
+            return Ok(true);
+        }
+        let max_distance = MARGIN * self.state.parameters.cage_scale * site.radius;
+        let mut near = std::mem::take(&mut self.scratch.near);
+        let is_all = self.state.delaunay.meeting_ball(
+            site.center,
+            max_distance,
+            MOST_ROUND_CAGE,
+            &mut near,
+        )?;
+        let is_free = is_all
+            && near.iter().all(|&simplex| {
+                !self.state.interface.is_locked(simplex)
+                    && (0..=D).all(|index| {
+                        let vertex = self.state.delaunay.complex().vertices(simplex)[index];
+                        vertex != NONE && self.is_own_below(site.parent, vertex)
+                    })
+            });
+        self.scratch.near = near;
+        Ok(is_free)
+    }
+
+    /// Whether no domain from that of `vertex` up to `parent`, or as large, must stay.
+    fn is_own_below(&mut self, parent: u32, vertex: u32) -> bool {
+        let mut domain = self.state.hierarchy.domain_of(vertex);
+        while domain != ROOT
+            && domain != parent
+            && self.state.hierarchy.node(domain).radius < self.state.hierarchy.node(parent).radius
+        {
+            if self.state.interface.is_non_owned(domain) {
+                return false;
+            }
+            domain = self.state.hierarchy.parent(domain);
+        }
+        true
+    }
+}

@@ -1,0 +1,93 @@
+//! Where the mesh is cut. An input next to a simplex at a rim waits for the whole, and the simplices of
+//! the coarse mesh are large. So the inputs at the walls between parts go in before the mesh is
+//! cut, until the simplices there are as small as they get.
+
+use super::FEW;
+use crate::complex::Anchored;
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, Array, TryGrow, collected, with_room};
+use crate::netmesh::Mesher;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The inputs at which parts begin, but for the first: each has as many inputs as the others. A
+    /// simplex is of the part of its anchor.
+    pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<u32>> {
+        collected((1..count).map(|partition| (partition * self.state.inputs / count) as u32))
+    }
+
+    /// All simplices, those between two walls together, in an order of locality.
+    pub(super) fn between(&mut self, interfaces: &[u32]) -> Result<Vec<Array<u32>>> {
+        let anchored = self.anchored()?;
+        let mut runs = with_room(interfaces.len() + 1)?;
+        let mut begin = 0;
+        for &interface in interfaces.iter().chain([&(self.state.inputs as u32)]) {
+            let mut run = Array::new();
+            for anchor in begin..interface {
+                self.watch.poll_after(1)?;
+                run.try_extend(anchored.of(anchor))?;
+            }
+            if !run.is_empty() {
+                runs.push(run);
+            }
+            begin = interface;
+        }
+        Ok(runs)
+    }
+
+    fn anchored(&mut self) -> Result<Anchored> {
+        let watch = &mut self.watch;
+        self.state.delaunay.complex().order_by_anchor(self.state.inputs, || watch.poll_after(1))
+    }
+
+    /// Passes over the homes at walls alone.
+    pub(super) fn insert_at_interfaces(
+        &mut self,
+        interfaces: &[u32],
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let begun = self.state.conflict_lists.remaining();
+        loop {
+            let before = self.state.conflict_lists.remaining();
+            self.skip_all_but(interfaces)?;
+            self.insert_pass(0, 0, cavity)?;
+            let after = self.state.conflict_lists.remaining();
+            if before - after <= (begun - after) / FEW {
+                break;
+            }
+        }
+        self.state.interface.clear_skipped();
+        Ok(())
+    }
+
+    /// Lets no inputs in but those at walls.
+    fn skip_all_but(&mut self, interfaces: &[u32]) -> Result<()> {
+        self.state.interface.clear_skipped();
+        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+            self.watch.poll_after(1)?;
+            if self.state.conflict_lists.count(simplex) > 0
+                && !self.is_at_interface(simplex, interfaces)
+            {
+                self.state.interface.skip(simplex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the home `simplex` is at a wall, or next to one that is.
+    fn is_at_interface(&self, simplex: u32, interfaces: &[u32]) -> bool {
+        let neighbors =
+            |simplex: u32| self.state.delaunay.complex().neighbors(simplex).iter().copied();
+        let near = neighbors(simplex).flat_map(neighbors);
+        let mut partitions = near.filter_map(|other| self.part_of(other, interfaces));
+        let first = partitions.next();
+        partitions.any(|partition| Some(partition) != first)
+    }
+
+    /// The number of the part that a simplex is in, if it has an input.
+    fn part_of(&self, simplex: u32, interfaces: &[u32]) -> Option<usize> {
+        let vertices = self.state.delaunay.complex().vertices(simplex).iter().copied();
+        let anchor = vertices.filter(|&vertex| self.is_input(vertex)).min()?;
+        Some(interfaces.partition_point(|&interface| interface <= anchor))
+    }
+}

@@ -1,0 +1,111 @@
+//! The threads. They take parts in their order, and this thread lets them join, in the same order,
+//! and watches for the caller.
+
+use super::Partition;
+use crate::error::Result;
+use crate::memory::{enqueue, with_room};
+use crate::netmesh::Mesher;
+use crate::netmesh::partitions::workers::threads;
+use crate::netmesh::watch::{INTERVAL, Tally, Watch};
+use std::collections::VecDeque;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::{Mutex, PoisonError};
+
+/// Parts that no thread has taken yet, with their numbers.
+type Queue<const D: usize> = Mutex<VecDeque<(usize, Partition<D>)>>;
+type Done<const D: usize> = (usize, Result<Partition<D>>);
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Refines `parts`, and lets them join; see [`Self::join`] for `moved`.
+    pub(super) fn refine_partitions(
+        &mut self,
+        partitions: Vec<Partition<D>>,
+        moved: &mut [u32],
+    ) -> Result<()> {
+        let tally = Tally::new(self.state.inputs, self.progress_counts());
+        let threads = threads(self.state.parameters.threads).min(partitions.len());
+        if threads > 1 {
+            return self.refine_on(threads, partitions, &tally, moved);
+        }
+        for mut partition in partitions {
+            self.split_reserves(std::slice::from_mut(&mut partition))?;
+            let partition = partition.refine(self.watch.split(&tally))?;
+            self.watch.note_tally(&tally);
+            self.join(partition, moved)?;
+        }
+        Ok(())
+    }
+
+    fn refine_on(
+        &mut self,
+        threads: usize,
+        mut partitions: Vec<Partition<D>>,
+        tally: &Tally,
+        moved: &mut [u32],
+    ) -> Result<()> {
+        self.split_reserves(&mut partitions)?;
+        let count = partitions.len();
+        let mut queue = VecDeque::new();
+        for partition in partitions.into_iter().enumerate() {
+            enqueue(&mut queue, partition)?;
+        }
+        let queue = Mutex::new(queue);
+        std::thread::scope(|scope| {
+            let (sender, receiver) = mpsc::channel();
+            let spawn = |_: &usize| {
+                let (queue, sender) = (&queue, sender.clone());
+                let work = move || refine_next(queue, tally, &sender);
+                std::thread::Builder::new().spawn_scoped(scope, work).is_ok()
+            };
+            // A system that refuses a thread may have given others.
+            if (0..threads).filter(spawn).count() == 0 {
+                refine_next(&queue, tally, &sender);
+            }
+            drop(sender);
+            let gathered = self.gather(&receiver, count, tally, moved);
+            if gathered.is_err() {
+                tally.stop();
+            }
+            gathered
+        })
+    }
+
+    /// Lets `count` parts join as they come, but in their order.
+    fn gather(
+        &mut self,
+        receiver: &Receiver<Done<D>>,
+        count: usize,
+        tally: &Tally,
+        moved: &mut [u32],
+    ) -> Result<()> {
+        let mut done: Vec<Option<Result<Partition<D>>>> = with_room(count)?;
+        done.resize_with(count, || None);
+        let mut next = 0;
+        while next < count {
+            match receiver.recv_timeout(INTERVAL) {
+                Ok((at, partition)) => done[at] = Some(partition),
+                Err(RecvTimeoutError::Timeout) => {}
+                // A thread has panicked, and so will the scope.
+                Err(RecvTimeoutError::Disconnected) => break,
+            }
+            while let Some(partition) = done.get_mut(next).and_then(Option::take) {
+                self.join(partition?, moved)?;
+                next += 1;
+            }
+            self.watch.note_tally(tally);
+            self.watch.poll()?;
+        }
+        Ok(())
+    }
+}
+
+/// Refines the next of the parts until there is none.
+fn refine_next<const D: usize>(queue: &Queue<D>, tally: &Tally, sender: &Sender<Done<D>>) {
+    loop {
+        let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
+        let Some((at, partition)) = next else { return };
+        if sender.send((at, partition.refine(Watch::of_partition(tally)))).is_err() {
+            return;
+        }
+    }
+}

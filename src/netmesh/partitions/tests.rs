@@ -1,0 +1,239 @@
+use crate::delaunay::Cavity;
+use crate::error::ErrorKind;
+use crate::mesh::{Inputs, Triangulation};
+use crate::netmesh::watch::Watch;
+use crate::netmesh::{Mesher, mesh};
+use crate::numerics::testing::Random;
+use crate::options::{Criterion, NetOrdering, Options, Output, Progress};
+use crate::parameters::Parameters;
+use crate::validate::validate;
+
+/// Inputs of a part in these tests, where a mesh of some thousands has several.
+const PART: usize = 800;
+
+fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
+    Inputs::new(D, points.len(), points.as_flattened(), 0).unwrap()
+}
+
+fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
+    let resolved = Parameters::resolve(dim, options).unwrap();
+    Parameters { threads, inputs_per_partition: PART, ..resolved }
+}
+
+fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
+    mesh::<D>(inputs, parameters(D, options, threads), None).unwrap()
+}
+
+fn assert_same(a: &Triangulation, b: &Triangulation) {
+    assert_eq!(a.simplices, b.simplices);
+    assert_eq!(a.neighbors, b.neighbors);
+    assert_eq!(bits(&a.points), bits(&b.points));
+    assert_eq!(a.kinds, b.kinds);
+    assert_eq!(a.vertex_domains, b.vertex_domains);
+    assert_eq!(a.cage_of, b.cage_of);
+    assert_eq!(a.domains, b.domains);
+    assert_eq!(a.precision_limited, b.precision_limited);
+    let stats = |mesh: &Triangulation| crate::mesh::Stats { seconds: 0.0, ..mesh.stats };
+    assert_eq!(stats(a), stats(b));
+}
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+/// The mesh is the same on one, two and three threads, has a certificate, and is about as large as that
+/// made as one, but another: so it was made in parts.
+fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
+    let inputs = inputs(points);
+    let one = run::<D>(&inputs, options, 1);
+    for threads in [2, 3] {
+        assert_same(&one, &run::<D>(&inputs, options, threads));
+    }
+    let report = validate(&inputs, &one, 3).unwrap();
+    assert_eq!(report.level, 3, "{report:?}");
+    assert_eq!(one.stats.input_vertices as usize, points.len());
+    let whole = Parameters::resolve(D, options).unwrap();
+    assert!(points.len() < 2 * whole.inputs_per_partition);
+    let whole = mesh::<D>(&inputs, whole, None).unwrap();
+    assert_ne!(bits(&one.points), bits(&whole.points));
+    let ratio = one.vertex_count() as f64 / whole.vertex_count() as f64;
+    assert!((0.9..1.1).contains(&ratio), "{ratio} times the vertices");
+}
+
+fn scattered<const D: usize>(count: usize, seed: u64) -> Vec<[f64; D]> {
+    let mut random = Random(seed);
+    (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect()
+}
+
+/// Pairs of points that are 2^-30 apart: a cage to every pair, many of them at rims.
+fn pairs<const D: usize>(count: usize) -> Vec<[f64; D]> {
+    let near = |point: &[f64; D], shift: f64| point.map(|x| x + shift);
+    let points = scattered::<D>(count / 2, 5);
+    points.iter().flat_map(|point| [*point, near(point, 2f64.powi(-30))]).collect()
+}
+
+/// Pairs of neighbouring doubles, which leave no room for a cage's vertices.
+fn neighbors<const D: usize>(count: usize) -> Vec<[f64; D]> {
+    let points = scattered::<D>(count / 2, 8);
+    points.iter().flat_map(|point| [*point, point.map(f64::next_up)]).collect()
+}
+
+/// Clusters within clusters: the domains that hold them are cut.
+fn nested<const D: usize>(levels: i32, count: usize) -> Vec<[f64; D]> {
+    let shells = (0..levels).flat_map(|level| {
+        let size = 2f64.powi(-8 * level);
+        scattered::<D>(count, 10 + level as u64)
+            .into_iter()
+            .map(move |point| point.map(|x| size * x))
+    });
+    shells.collect()
+}
+
+/// Dense clusters, each large enough to be cut, with points at all distances around them: those encroach
+/// domains of more parts than one, from inside and from outside.
+fn halos<const D: usize>(clusters: usize, count: usize) -> Vec<[f64; D]> {
+    let mut random = Random(9);
+    let mut points = Vec::new();
+    for _ in 0..clusters {
+        let center: [f64; D] = std::array::from_fn(|_| random.unit());
+        for i in 0..count {
+            let size = if i % 3 == 0 { 2f64.powf(-30.0 * random.unit()) } else { 2f64.powi(-30) };
+            let offset: [f64; D] = std::array::from_fn(|_| random.unit() - 0.5);
+            points.push(std::array::from_fn(|axis| center[axis] + size * offset[axis]));
+        }
+    }
+    points
+}
+
+fn grid<const D: usize>(side: usize) -> Vec<[f64; D]> {
+    let point = |at: usize| std::array::from_fn(|axis| (at / side.pow(axis as u32) % side) as f64);
+    (0..side.pow(D as u32)).map(point).collect()
+}
+
+#[test]
+fn uniform_points() {
+    check::<2>(&scattered(8000, 1), &Options::default());
+    check::<3>(&scattered(6000, 2), &Options::default());
+}
+
+#[test]
+fn a_cage_to_every_pair() {
+    check::<2>(&pairs(4000), &Options::default());
+    check::<3>(&pairs(3000), &Options::default());
+}
+
+#[test]
+fn where_doubles_run_out() {
+    check::<2>(&neighbors(2000), &Options::default());
+    check::<3>(&neighbors(1600), &Options::default());
+}
+
+#[test]
+fn clusters_that_are_cut() {
+    check::<2>(&nested(8, 700), &Options::default());
+    check::<3>(&nested(6, 700), &Options::default());
+}
+
+#[test]
+fn domains_of_several_parts() {
+    let options = Options { epsilon: 0.6, ..Options::default() };
+    check::<2>(&halos(3, 2000), &options);
+    check::<3>(&halos(2, 2000), &Options::default());
+}
+
+#[test]
+fn cospherical_points() {
+    check::<2>(&grid(70), &Options::default());
+    check::<3>(&grid(16), &Options::default());
+}
+
+#[test]
+fn other_options() {
+    let points = scattered::<2>(5000, 3);
+    let well_spaced = Options { output: Output::WellSpaced, ..Options::default() };
+    check(&points, &well_spaced);
+    check(&nested::<2>(4, 1000), &well_spaced);
+    check(&points, &Options { ordering: NetOrdering::DeterministicNet, ..Options::default() });
+    check(&points, &Options { criterion: Criterion::RadiusEdge, ..Options::default() });
+    check(&points, &Options { instruments: true, ..Options::default() });
+}
+
+/// In 4D rims would be most of the mesh.
+#[test]
+fn higher_dimensions_go_as_one() {
+    let inputs = inputs(&scattered::<4>(800, 4));
+    let parameters = |inputs_per_partition| Parameters {
+        inputs_per_partition,
+        ..Parameters::resolve(4, &Options::default()).unwrap()
+    };
+    let [a, b] =
+        [100, 1 << 20].map(|partition| mesh::<4>(&inputs, parameters(partition), None).unwrap());
+    assert_eq!(a.simplices, b.simplices);
+}
+
+#[test]
+fn the_limit_is_that_of_the_whole() {
+    let inputs = inputs(&scattered::<2>(8000, 6));
+    let size = run::<2>(&inputs, &Options::default(), 1).vertex_count() as u64;
+    for threads in [1, 2] {
+        let limited = |max_vertices| {
+            let options = Options { max_vertices, ..Options::default() };
+            mesh::<2>(&inputs, parameters(2, &options, threads), None)
+                .map(|mesh| mesh.vertex_count())
+        };
+        assert_eq!(limited(size).unwrap() as u64, size);
+        for most in [size - 1, size / 2 + 4000] {
+            assert_eq!(limited(most).unwrap_err().kind(), ErrorKind::Limit);
+        }
+    }
+}
+
+/// What the caller is told goes up, and it can end the run at any time.
+#[test]
+fn runs_in_parts_are_watched() {
+    let inputs = inputs(&scattered::<3>(30_000, 7));
+    for threads in [1, 2] {
+        let mut calls: Vec<Progress> = Vec::new();
+        let mut watch = |progress: &Progress| {
+            calls.push(*progress);
+            true
+        };
+        let options = parameters(3, &Options::default(), threads);
+        let mesh_of = mesh::<3>(&inputs, options.clone(), Some(&mut watch)).unwrap();
+        for pair in calls.windows(2) {
+            assert!(pair[0].fraction <= pair[1].fraction);
+            assert!(pair[0].inputs_inserted <= pair[1].inputs_inserted);
+        }
+        let last = calls.last().unwrap();
+        assert_eq!(last.inputs_inserted, 30_000);
+        assert_eq!(last.vertices as usize, mesh_of.vertex_count());
+        // A part of them is in the coarse mesh and at walls, which are made as one.
+        for most in [5_000, 12_000, 25_000] {
+            let mut stop = |progress: &Progress| progress.inputs_inserted < most;
+            let error = mesh::<3>(&inputs, options.clone(), Some(&mut stop)).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Cancelled);
+        }
+    }
+}
+
+/// What is left for the whole are the inputs at walls; those were inserted before, as long as simplices
+/// there were large.
+#[test]
+fn few_inputs_wait_for_the_whole() {
+    fn check<const D: usize>(count: usize, most: f64) {
+        let inputs = inputs(&scattered::<D>(count, 12));
+        let resolved = Parameters::resolve(D, &Options::default()).unwrap();
+        let parameters = Parameters { inputs_per_partition: count / 4, ..resolved };
+        let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
+        let mut cavity = Cavity::default();
+        mesher.start_netmesh(&mut cavity).unwrap();
+        mesher.insert_rounds_until(Mesher::is_ready_for_partitions, &mut cavity).unwrap();
+        let coarse = count - mesher.state.conflict_lists.remaining();
+        assert!(coarse < count / 20, "{coarse} of {count} in the coarse mesh");
+        mesher.insert_in_partitions(&mut cavity).unwrap();
+        let waiting = mesher.state.conflict_lists.remaining() as f64 / count as f64;
+        assert!(waiting < most, "{waiting} of the inputs wait");
+    }
+    check::<2>(40_000, 0.01);
+    check::<3>(40_000, 0.08);
+}

@@ -1,0 +1,157 @@
+//! Work in pieces that do not need each other, on as many threads as the caller allows. Pieces are done
+//! in any order; what they give comes in theirs, so nothing depends on the threads.
+
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, with_room};
+use crate::netmesh::Mesher;
+use crate::netmesh::watch::Watch;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// Ids of a piece: a millisecond or a few, after which the caller may want to be called.
+pub(in crate::netmesh) const PIECE: usize = 1 << 14;
+
+/// Threads that the caller allows.
+pub(in crate::netmesh) fn threads(wanted: u32) -> usize {
+    match wanted {
+        0 => std::thread::available_parallelism().map_or(1, |count| count.get()),
+        _ => wanted as usize,
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Threads for what only looks at the mesh, no more than there are cores: the caller may allow any
+    /// number. A mesh that is not made in parts is made on one thread.
+    pub(in crate::netmesh) fn threads(&self) -> usize {
+        if self.is_partitioned() {
+            threads(self.state.parameters.threads).min(threads(0))
+        } else {
+            1
+        }
+    }
+}
+
+/// All ids below `bound`, in pieces.
+pub(in crate::netmesh) fn pieces(bound: usize) -> impl Iterator<Item = Range<u32>> + Send {
+    let end = move |begin: usize| bound.min(begin + PIECE) as u32;
+    (0..bound).step_by(PIECE).map(move |begin| begin as u32..end(begin))
+}
+
+/// What `act` makes of each of the `pieces`, in their order. This thread takes its share of them, and
+/// watches for the caller; what a system refuses of the other threads it does as well.
+pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
+    threads: usize,
+    watch: &mut Watch<'_, '_>,
+    pieces: impl Iterator<Item = W> + Send,
+    act: impl Fn(W) -> AllocResult<T> + Sync,
+) -> Result<Vec<T>> {
+    let workers =
+        Workers { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act };
+    // A scope asks for memory that cannot be refused.
+    let mut done = match threads {
+        0 | 1 => workers.work(|| watch.poll())?,
+        _ => workers.work_together(threads, watch)?,
+    };
+    done.sort_unstable_by_key(|&(at, _)| at);
+    Ok(collected(done.into_iter().map(|(_, made)| made))?)
+}
+
+struct Workers<Q, A> {
+    queue: Mutex<Q>,
+    is_stopped: AtomicBool,
+    act: A,
+}
+
+impl<Q, A> Workers<Q, A> {
+    /// [`Self::work`] on so many threads, of which this is one.
+    fn work_together<W, T>(
+        &self,
+        threads: usize,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Vec<(usize, T)>>
+    where
+        Q: Iterator<Item = (usize, W)> + Send,
+        A: Fn(W) -> AllocResult<T> + Sync,
+        T: Send,
+    {
+        std::thread::scope(|scope| {
+            let mut others = with_room(threads)?;
+            for _ in 1..threads {
+                let builder = std::thread::Builder::new();
+                others.extend(builder.spawn_scoped(scope, || self.work(|| Ok(()))));
+            }
+            let mut done = self.work(|| watch.poll())?;
+            for other in others {
+                let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+                for made in other? {
+                    done.try_push(made)?;
+                }
+            }
+            Ok(done)
+        })
+    }
+
+    /// Does pieces until there are none, or somebody gave up.
+    fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
+    where
+        Q: Iterator<Item = (usize, W)>,
+        A: Fn(W) -> AllocResult<T>,
+    {
+        let mut done = Vec::new();
+        while !self.is_stopped.load(Ordering::Relaxed) {
+            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((at, piece)) = next else { break };
+            let made = (self.act)(piece).map_err(Into::into).and_then(|made| {
+                done.try_push((at, made))?;
+                watch()
+            });
+            if made.is_err() {
+                self.is_stopped.store(true, Ordering::Relaxed);
+            }
+            made?;
+        }
+        Ok(done)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::ErrorKind;
+    use crate::memory::AllocError;
+    use crate::options::Progress;
+    use std::time::Duration;
+
+    #[test]
+    fn pieces_are_done_once_and_come_in_their_order() {
+        for threads in [1, 2, 5] {
+            for bound in [0, 1, PIECE, PIECE + 1, 9 * PIECE + 7] {
+                let ids = |range: Range<u32>| Ok(range.collect::<Vec<u32>>());
+                let made = on_threads(threads, &mut Watch::new(None), pieces(bound), ids).unwrap();
+                assert_eq!(made.len(), bound.div_ceil(PIECE));
+                assert!(made.into_iter().flatten().eq(0..bound as u32));
+            }
+        }
+    }
+
+    /// Also where another thread is refused memory, or the caller wants no more.
+    #[test]
+    fn all_give_up_when_one_does() {
+        for threads in [1, 2, 3] {
+            let refused =
+                |piece: u32| if piece == 40 { Err(AllocError::Memory) } else { Ok(piece) };
+            let error =
+                on_threads(threads, &mut Watch::new(None), 0..1 << 30, refused).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::OutOfMemory);
+            let mut cancel = |_: &Progress| false;
+            let sleep = |_| {
+                std::thread::sleep(Duration::from_millis(1));
+                Ok(())
+            };
+            let error = on_threads(threads, &mut Watch::new(Some(&mut cancel)), 0..1 << 30, sleep)
+                .unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Cancelled);
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Gaps between the vertices of a coarse cage, through which a cell looks out. The final refinement narrows
+//! them: a corner near the cage sphere or beyond it goes in as a further cage vertex, at the nearest point of
+//! the sphere, and one well inside as a Steiner point.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::AllocResult;
+use crate::netmesh::{Mesher, is_valid};
+use crate::numerics::norm;
+
+/// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
+const NEAR: f64 = 0.5;
+
+/// A further cage vertex keeps this distance from others, relative to the sphere's radius.
+const SPACING: f64 = 1.0 / 64.0;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Inserts a point that narrows the slit in the cage of `domain` that the corner of `simplex`
+    /// slips through.
+    pub(in crate::netmesh) fn narrow_cage_gap(
+        &mut self,
+        simplex: u32,
+        domain: u32,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        if self.is_clear_of_cage(simplex, domain, cavity)? {
+            return self.refine_corner(simplex, cavity);
+        }
+        match self.projected_corner(simplex, domain) {
+            Some(x)
+                if self.finds_room(simplex, domain, &x, cavity)?
+                    && self.may_join(domain, &x, cavity) =>
+            {
+                self.join_at(domain, x, cavity)
+            }
+            _ => {
+                self.state.refine_list.limit(simplex);
+                Ok(())
+            }
+        }
+    }
+
+    /// Whether the corner of `simplex` is inside the cage sphere by a part of its radius, and all
+    /// that it would be next to is inside the domain.
+    fn is_clear_of_cage(
+        &mut self,
+        simplex: u32,
+        domain: u32,
+        cavity: &mut Cavity,
+    ) -> AllocResult<bool> {
+        let center = self.state.hierarchy.node(domain).point;
+        let Some(distance) = self.state.delaunay.corner_distance(simplex, &center) else {
+            return Ok(false);
+        };
+        let radius = self.state.delaunay.ball(simplex).map_or(f64::INFINITY, |ball| ball.radius());
+        let depth = self.sphere_radius(domain) - distance;
+        let clear = depth > NEAR * radius;
+        let Some(corner) = self.state.delaunay.corner(simplex).filter(|_| clear) else {
+            return Ok(false);
+        };
+        if !self.is_inside(simplex, domain) {
+            return Ok(false);
+        }
+        self.state.delaunay.find_cavity(simplex, &corner, cavity)?;
+        Ok(cavity.simplices.iter().all(|&simplex| self.is_inside(simplex, domain)))
+    }
+
+    /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull of the
+    /// mesh.
+    fn is_inside(&self, simplex: u32, domain: u32) -> bool {
+        self.state.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
+            is_valid(vertex)
+                && self.state.hierarchy.contains(domain, self.state.delaunay.point(vertex))
+        })
+    }
+
+    /// The point of the cage sphere nearest to the corner of `simplex`.
+    fn projected_corner(&self, simplex: u32, domain: u32) -> Option<[f64; D]> {
+        let corner = self.state.delaunay.corner(simplex)?;
+        let center = &self.state.hierarchy.node(domain).point;
+        let offset: [f64; D] = std::array::from_fn(|axis| corner[axis] - center[axis]);
+        let stretch = self.sphere_radius(domain) / norm(&offset);
+        let x: [f64; D] = std::array::from_fn(|axis| center[axis] + stretch * offset[axis]);
+        x.iter().all(|x| x.is_finite()).then_some(x)
+    }
+
+    /// Finds the cavity of `x` and tells whether `x` is far enough from its corners.
+    fn finds_room(
+        &mut self,
+        near: u32,
+        domain: u32,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> AllocResult<bool> {
+        let Some(start) = self.state.delaunay.locate(near, x) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, x, cavity)?;
+        Ok(self.nearest_vertex_distance(x, cavity) >= SPACING * self.sphere_radius(domain))
+    }
+
+    fn may_join(&mut self, domain: u32, x: &[f64; D], cavity: &Cavity) -> bool {
+        !self.state.interface.is_non_owned(domain) && self.may_insert(x, cavity)
+    }
+
+    /// Inserts `x`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    fn join_at(&mut self, domain: u32, x: [f64; D], cavity: &Cavity) -> Result<()> {
+        self.state.stats.cage_points += 1;
+        self.state.stats.closing_points += 1;
+        let vertex = self.add_vertex(x)?;
+        self.insert_into_cage(domain, vertex, cavity)
+    }
+}

@@ -1,0 +1,108 @@
+//! The last refinement, once all inputs are in: to the bound that the caller asked for, over all
+//! corners of all cells.
+//!
+//! While the mesh grows its bound is looser, and a cell answers only for its corners inside the hull
+//! of its domain's cage (`quality`): refinement up to the cage would destroy it. That leaves slits,
+//! cells that look out between the vertices of a coarse cage. Now every corner counts: one near the
+//! cage sphere or beyond it goes in as a further cage vertex, at the nearest point of the sphere, and
+//! one well inside as a Steiner point. Then Definition 4 holds as it stands, over all corners.
+//!
+//! It ends as Ruppert's refinement of a domain with a smooth boundary does ("A Delaunay refinement
+//! algorithm for quality 2-dimensional mesh generation", 1995). Inputs keep away from the sphere
+//! (Definition 2), Steiner points by [`NEAR`] times their insertion radius. A corner beyond the sphere
+//! sees it through a cap that no vertex is in, so its projection is at least as far from all vertices
+//! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
+//! not cover, [`SPACING`] ends; no run with default options came to that.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::netmesh::Mesher;
+use crate::netmesh::refinement::bad_simplex::Scan;
+use crate::options::Phase;
+
+/// Simplices of a tile, and of a mesh that goes without. What is refined at a time stays in the cache,
+/// which halves the time of large meshes; the order by length is kept in tiles only, which costs up to
+/// 0.6 % more vertices, and 3 % around close pairs (docs/decisions.md).
+const TILE: usize = 1 << 12;
+const SMALL: usize = 1 << 17;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Refines until no cell is bad over all its corners. Insertions examine what they change; but a
+    /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
+    /// when its clearance falls: hence until a look at all that have vertices of several domains finds
+    /// nothing.
+    pub(in crate::netmesh) fn refine_finally(&mut self, cavity: &mut Cavity) -> Result<()> {
+        self.begin_final_refinement()?;
+        let mut scan = Scan::All;
+        if self.state.delaunay.complex().simplex_count() > SMALL && !self.is_nearly_final() {
+            self.refine_tiles(cavity)?;
+            scan = Scan::SpanningDomains;
+        }
+        while self.refine_scanned(scan, cavity)? {
+            scan = Scan::SpanningDomains;
+        }
+        debug_assert!(!self.is_any_open(), "what is not divided was seen when it changed");
+        self.state.stage.final_fraction = 1.0;
+        self.report_progress()
+    }
+
+    /// A first look at a part; what it leaves bad the whole finds.
+    pub(in crate::netmesh) fn refine_partition_finally(
+        &mut self,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        self.begin_final_refinement()?;
+        self.refine_tiles(cavity)
+    }
+
+    fn begin_final_refinement(&mut self) -> Result<()> {
+        self.state.stage.bound = self.state.parameters.quality_bound;
+        self.state.stage.is_final = true;
+        self.state.stage.vertices_before_final = self.state.delaunay.point_count();
+        self.state.stage.phase = Phase::Finish;
+        self.report_progress()?;
+        Ok(self.state.refine_list.sort_by_length()?)
+    }
+
+    /// A first look, one tile after the other.
+    fn refine_tiles(&mut self, cavity: &mut Cavity) -> Result<()> {
+        let watch = &mut self.watch;
+        let complex = self.state.delaunay.complex();
+        let order = complex.order_by_anchor(self.state.inputs, || watch.poll_after(1))?.order;
+        for (at, tile) in order.chunks(TILE).enumerate() {
+            self.refine_simplices(tile, cavity)?;
+            self.state.stage.final_fraction = (at * TILE) as f64 / order.len() as f64;
+            self.note_progress();
+        }
+        Ok(())
+    }
+
+    /// Mends those of some simplices that are bad, with all that gets bad by it.
+    fn refine_simplices(&mut self, simplices: &[u32], cavity: &mut Cavity) -> Result<()> {
+        for &simplex in simplices {
+            self.watch.poll_after(1)?;
+            if self.state.delaunay.complex().is_live(simplex) {
+                self.examine(simplex)?;
+            }
+        }
+        self.clean(cavity)
+    }
+
+    /// Mends all simplices that are bad; whether any was.
+    fn refine_scanned(&mut self, scan: Scan, cavity: &mut Cavity) -> Result<bool> {
+        for simplex in self.suspects(scan)?.into_iter().flatten() {
+            self.watch.poll_after(2)?;
+            self.examine_suspect(simplex)?;
+        }
+        let was_bad = !self.state.refine_list.is_empty();
+        self.clean(cavity)?;
+        Ok(was_bad)
+    }
+
+    fn is_any_open(&mut self) -> bool {
+        let bound = self.state.delaunay.complex().simplex_bound() as u32;
+        (0..bound).any(|simplex| {
+            self.state.delaunay.complex().is_live(simplex) && self.open_domain(simplex).is_some()
+        })
+    }
+}

@@ -1,0 +1,85 @@
+//! INSERT and INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy
+//! is changed first.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::AllocResult;
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::encroach::LEVELS;
+use crate::options::Algorithm;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
+    /// not medial, then INSERT. The paper makes the new cage first; when the nearest neighbour is
+    /// itself a vertex of the encroached cage, the new one would stick out of that, release it
+    /// from outside and leave nothing to grow. Whether nothing of that is left to do (`rim`).
+    pub(in crate::netmesh) fn insert_input(
+        &mut self,
+        input: u32,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        if self.is_inserted(input) {
+            return Ok(true);
+        }
+        self.find_cavity_of_input(input, cavity)?;
+        match self.state.parameters.algorithm {
+            Algorithm::Netmesh => {}
+            Algorithm::Svr => {
+                self.state.hierarchy.set_domain(input, ROOT);
+                return self.insert_into_cavity(input, cavity).map(|()| true);
+            }
+            Algorithm::Delaunay => return self.insert_into_cavity(input, cavity).map(|()| true),
+        }
+        let x = *self.state.delaunay.point(input);
+        if !self.may_insert(&x, cavity) {
+            return Ok(false);
+        }
+        for _ in 0..LEVELS {
+            let Some(domain) = self.inner_encroached(input, cavity) else { break };
+            let start = self.state.conflict_lists.simplex_of(input);
+            if !self.grow_cage_for(domain, &x, start, cavity)? {
+                return Ok(false);
+            }
+            if !self.look_again(input, cavity)? {
+                return Ok(true);
+            }
+        }
+        if let Some(wanted) = self.wanted_cage(input, cavity)? {
+            if !self.may_make_cage(&wanted)? {
+                return Ok(false);
+            }
+            let start = self.state.conflict_lists.simplex_of(input);
+            self.new_cage(wanted, start, cavity)?;
+            if !self.look_again(input, cavity)? {
+                return Ok(true);
+            }
+        }
+        if !self.may_insert(&x, cavity) {
+            return Ok(false);
+        }
+        let domain = self.enter(&x, cavity)?;
+        self.state.hierarchy.set_domain(input, domain);
+        self.insert_into_cavity(input, cavity)?;
+        Ok(true)
+    }
+
+    /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
+    fn look_again(&mut self, input: u32, cavity: &mut Cavity) -> AllocResult<bool> {
+        if self.is_inserted(input) {
+            return Ok(false);
+        }
+        self.find_cavity_of_input(input, cavity)?;
+        Ok(true)
+    }
+
+    pub(in crate::netmesh) fn find_cavity_of_input(
+        &mut self,
+        input: u32,
+        cavity: &mut Cavity,
+    ) -> AllocResult<()> {
+        let q = *self.state.delaunay.point(input);
+        let home = self.state.conflict_lists.simplex_of(input);
+        self.state.delaunay.find_cavity(home, &q, cavity)
+    }
+}

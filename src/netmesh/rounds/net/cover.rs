@@ -1,0 +1,135 @@
+//! Which D-balls may still cover a ball with too many points.
+//!
+//! The D-ball cover theorem (Theorem 10; its proof is Theorem 43 in A.3) says more than its
+//! statement: an empty ball B is covered by at most d of the D-balls around one edge uv, those whose
+//! centres are corners of the Voronoi facet of u and v; or by at most d of the unbounded ones at one
+//! hull vertex v, which are those around the edge from v to the infinite vertex. So B holds fewer
+//! than t points if for every edge the d fullest D-balls around it have fewer than t points in sum,
+//! or all the D-balls around it in union. Balls without bound, half-spaces, are among the B.
+
+use crate::complex::INFINITE;
+use crate::delaunay::Delaunay;
+use crate::memory::{AllocResult, Array, TryGrow};
+
+/// Counts points around the edges at a vertex; keeps its buffers.
+pub(in crate::netmesh) struct Rings<const D: usize> {
+    star: Array<u32>,
+    /// The other ends of the edges; the infinite vertex is that after the last.
+    others: Vec<u32>,
+    /// Other end -> the D largest counts of points in the D-balls around the edge.
+    largest: Vec<[u32; D]>,
+    /// Other end -> the simplex with the largest.
+    fullest: Vec<u32>,
+    /// Point -> the last union that it was counted in.
+    marks: Vec<u32>,
+    unions: u32,
+}
+
+impl<const D: usize> Default for Rings<D> {
+    fn default() -> Self {
+        Self {
+            star: Array::new(),
+            others: Vec::new(),
+            largest: Vec::new(),
+            fullest: Vec::new(),
+            marks: Vec::new(),
+            unions: 0,
+        }
+    }
+}
+
+impl<const D: usize> Rings<D> {
+    /// Prepares for other points, so many.
+    pub fn restart(&mut self, points: usize) -> AllocResult<()> {
+        self.marks.clear();
+        self.unions = 0;
+        self.marks.cover(points, 0)
+    }
+
+    /// Of the D-balls around the edges at `vertex` that may cover a ball with `threshold` points,
+    /// the fullest: it has at least a D-th of `threshold`. `inside` are the points in each D-ball.
+    pub fn fullest(
+        &mut self,
+        delaunay: &mut Delaunay<D>,
+        inside: &[Vec<u32>],
+        vertex: u32,
+        threshold: u32,
+    ) -> AllocResult<Option<u32>> {
+        self.count(delaunay, inside, vertex)?;
+        let mut best = None;
+        let mut most = 0;
+        for at in 0..self.others.len() {
+            let other = self.others[at] as usize;
+            let largest = &self.largest[other];
+            let sum: u64 = largest.iter().map(|&count| u64::from(count)).sum();
+            if largest[0] > most
+                && sum >= u64::from(threshold)
+                && (largest[0] >= threshold || self.union(delaunay, inside, other) >= threshold)
+            {
+                (best, most) = (Some(self.fullest[other]), self.largest[other][0]);
+            }
+        }
+        Ok(best)
+    }
+
+    /// Fills in the largest counts around the edges at `vertex`.
+    fn count(
+        &mut self,
+        delaunay: &mut Delaunay<D>,
+        inside: &[Vec<u32>],
+        vertex: u32,
+    ) -> AllocResult<()> {
+        let infinite = delaunay.point_count();
+        for &other in &self.others {
+            self.largest[other as usize] = [0; D];
+        }
+        self.others.clear();
+        self.largest.cover(infinite + 1, [0; D])?;
+        self.fullest.cover(infinite + 1, 0)?;
+        delaunay.star(vertex, &mut self.star)?;
+        for &simplex in &self.star {
+            let count = inside[simplex as usize].len() as u32;
+            for &corner in delaunay.complex().vertices(simplex) {
+                if count == 0 || corner == vertex {
+                    continue;
+                }
+                let other = if corner == INFINITE { infinite } else { corner as usize };
+                let largest = &mut self.largest[other];
+                if largest[0] == 0 {
+                    self.others.try_push(other as u32)?;
+                }
+                if count > largest[0] {
+                    self.fullest[other] = simplex;
+                }
+                let mut count = count;
+                for slot in largest.iter_mut() {
+                    if count > *slot {
+                        std::mem::swap(slot, &mut count);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of points in the D-balls around the edge to `other`.
+    fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<u32>], other: usize) -> u32 {
+        let corner = if other == delaunay.point_count() { INFINITE } else { other as u32 };
+        if self.unions == u32::MAX {
+            self.marks.fill(0);
+            self.unions = 0;
+        }
+        self.unions += 1;
+        let mut union = 0;
+        for &simplex in &self.star {
+            if delaunay.complex().vertices(simplex).contains(&corner) {
+                for &point in &inside[simplex as usize] {
+                    let mark = &mut self.marks[point as usize];
+                    union += u32::from(*mark != self.unions);
+                    *mark = self.unions;
+                }
+            }
+        }
+        union
+    }
+}

@@ -1,0 +1,224 @@
+//! Inputs in an order of locality: those near each other get ids near each other, so that a round,
+//! which takes its inputs by id, stays in one part of memory for a while. The order is that of a
+//! Z-order curve; where inputs share a cell of it, it goes on within their own box, so that clusters
+//! are ordered at every scale. The result depends on it by ids only: no sign is decided here.
+
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::mesh::Inputs;
+use crate::netmesh::watch::Watch;
+
+/// Bits of a key in all, and of one that buckets are made of.
+const KEY_BITS: usize = 63;
+const BUCKET_BITS: usize = 12;
+
+/// So many inputs are sorted in one go; more would keep the caller's callback waiting.
+const MANY: usize = 1 << 15;
+
+/// So few inputs in a cell may stay as they are.
+const FEW: usize = 8;
+
+/// The distinct inputs in order. O(n log n), since a box is at most 2^2100 times another one.
+pub(in crate::netmesh) fn by_locality<const D: usize>(
+    inputs: &Inputs,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<u32>> {
+    let mut order = collected(0..inputs.distinct() as u32)?;
+    let mut keyed = Vec::new();
+    let mut crowds = Vec::new();
+    crowds.try_push(0..order.len())?;
+    while let Some(range) = crowds.pop() {
+        let own = &mut order[range.clone()];
+        let cells = Cells::<D>::around(inputs, own, watch)?;
+        keyed.clear();
+        for &input in own.iter() {
+            watch.poll_after(1)?;
+            keyed.try_push((cells.key(point(inputs, input)), input))?;
+        }
+        let is_crowd = |length: usize| length > FEW && length < range.len();
+        let mut add = |at: usize, length: usize| match is_crowd(length) {
+            true => crowds.try_push(range.start + at..range.start + at + length),
+            false => Ok(()),
+        };
+        if keyed.len() > MANY {
+            let starts = sort_into_buckets(&keyed, cells.bits() - BUCKET_BITS, own, watch)?;
+            for bucket in starts.windows(2) {
+                add(bucket[0], bucket[1] - bucket[0])?;
+            }
+        } else {
+            keyed.sort_unstable();
+            let mut at = 0;
+            for run in keyed.chunk_by(|a, b| a.0 == b.0) {
+                add(at, run.len())?;
+                at += run.len();
+            }
+            own.iter_mut().zip(&keyed).for_each(|(id, keyed)| *id = keyed.1);
+        }
+    }
+    Ok(order)
+}
+
+/// Writes the ids by the bits of their keys from `shift` on to `sorted`; returns where buckets begin.
+fn sort_into_buckets(
+    keyed: &[(u64, u32)],
+    shift: usize,
+    sorted: &mut [u32],
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<usize>> {
+    let bucket = |key: u64| (key >> shift) as usize;
+    let mut starts = filled((1 << BUCKET_BITS) + 1, 0)?;
+    for &(key, _) in keyed {
+        watch.poll_after(1)?;
+        starts[bucket(key) + 1] += 1;
+    }
+    for at in 1..starts.len() {
+        starts[at] += starts[at - 1];
+    }
+    let mut next = collected(starts.iter().copied())?;
+    for &(key, id) in keyed {
+        watch.poll_after(1)?;
+        let at = &mut next[bucket(key)];
+        sorted[*at] = id;
+        *at += 1;
+    }
+    Ok(starts)
+}
+
+fn point<const D: usize>(inputs: &Inputs, input: u32) -> &[f64; D] {
+    inputs.distinct_point(input as usize).try_into().expect("dim is D")
+}
+
+/// The cells of a cube.
+struct Cells<const D: usize> {
+    low: [f64; D],
+    /// Cells per unit of length, of halved coordinates: differences of those do not overflow.
+    scale: f64,
+    /// A byte's bits D places apart.
+    spread: Vec<u64>,
+}
+
+impl<const D: usize> Cells<D> {
+    const AXIS_BITS: usize = KEY_BITS / D;
+
+    /// Around the named inputs.
+    fn around(inputs: &Inputs, named: &[u32], watch: &mut Watch<'_, '_>) -> Result<Self> {
+        let mut low = point::<D>(inputs, named[0]).map(|x| 0.5 * x);
+        let mut high = low;
+        for &input in named {
+            watch.poll_after(1)?;
+            for (axis, &x) in point::<D>(inputs, input).iter().enumerate() {
+                low[axis] = low[axis].min(0.5 * x);
+                high[axis] = high[axis].max(0.5 * x);
+            }
+        }
+        let size = (0..D).fold(0.0f64, |size, axis| size.max(high[axis] - low[axis]));
+        let scale = (1u64 << Self::AXIS_BITS) as f64 / size;
+        Ok(Self { low, scale, spread: spread::<D>()? })
+    }
+
+    /// Bits of a key.
+    const fn bits(&self) -> usize {
+        D * Self::AXIS_BITS
+    }
+
+    /// Where on the curve the cell of `x` is. What overflows, or has no size, is in the last cell or
+    /// the first one: a cast saturates.
+    fn key(&self, x: &[f64; D]) -> u64 {
+        let mut key = 0;
+        for (axis, (&x, &low)) in x.iter().zip(&self.low).enumerate() {
+            let cell = ((0.5 * x - low) * self.scale) as u64;
+            let cell = cell.min((1 << Self::AXIS_BITS) - 1);
+            let mut shift = axis;
+            for byte in cell.to_le_bytes().into_iter().take(Self::AXIS_BITS.div_ceil(8)) {
+                key |= self.spread[byte as usize] << shift;
+                shift += 8 * D;
+            }
+        }
+        key
+    }
+}
+
+fn spread<const D: usize>() -> AllocResult<Vec<u64>> {
+    let bit = |byte: usize, at: usize| ((byte >> at) as u64 & 1) << (at * D);
+    collected((0..256).map(|byte| (0..8).fold(0, |bits, at| bits | bit(byte, at))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand_core::Rng;
+
+    fn order<const D: usize>(points: &[[f64; D]]) -> Vec<u32> {
+        let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0).unwrap();
+        by_locality::<D>(&inputs, &mut Watch::new(None)).unwrap()
+    }
+
+    /// The average distance of consecutive points.
+    fn step<const D: usize>(points: &[[f64; D]], order: &[u32]) -> f64 {
+        let distance = |pair: &[u32]| {
+            let [a, b] = [points[pair[0] as usize], points[pair[1] as usize]];
+            crate::numerics::distance(&a, &b)
+        };
+        order.windows(2).map(distance).sum::<f64>() / order.len() as f64
+    }
+
+    fn scattered<const D: usize>(count: usize) -> Vec<[f64; D]> {
+        let mut random = rand_pcg::Pcg64Mcg::new(7);
+        let mut unit = || f64::from(random.next_u32()) / f64::from(u32::MAX);
+        (0..count).map(|_| std::array::from_fn(|_| unit())).collect()
+    }
+
+    fn is_permutation(order: &[u32]) -> bool {
+        let mut sorted = order.to_vec();
+        sorted.sort_unstable();
+        sorted.into_iter().eq(0..order.len() as u32)
+    }
+
+    #[test]
+    fn a_grid_is_ordered_as_the_curve_goes() {
+        let grid: Vec<[f64; 2]> = (0..16).map(|i| [f64::from(i % 4), f64::from(i / 4)]).collect();
+        assert_eq!(order(&grid), [0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15]);
+    }
+
+    #[test]
+    fn consecutive_inputs_are_near_each_other() {
+        fn check<const D: usize>(count: usize) {
+            let points = scattered::<D>(count);
+            let order = order(&points);
+            assert!(is_permutation(&order));
+            let spacing = (count as f64).powf(-1.0 / D as f64);
+            let step = step(&points, &order) / spacing;
+            assert!(step < 4.0, "{D} {count} {step}");
+        }
+        check::<2>(1000);
+        check::<2>(MANY + 1000);
+        check::<3>(MANY + 1000);
+        check::<4>(2000);
+        check::<8>(2000);
+    }
+
+    /// A thousand points beyond the resolution of the whole's keys are ordered among themselves.
+    #[test]
+    fn a_cluster_is_ordered_at_its_own_scale() {
+        let mut points = scattered::<3>(1000);
+        for point in &mut points {
+            *point = point.map(|x| x * 1e-200);
+        }
+        points.push([1e200, 0.0, 0.0]);
+        points.push([1.0, 1.0, 1.0]);
+        let order = order(&points);
+        assert!(is_permutation(&order));
+        let inner: Vec<u32> = order.iter().copied().filter(|&i| i < 1000).collect();
+        assert!(step(&points, &inner) < 0.4e-200);
+    }
+
+    #[test]
+    fn the_ends_of_the_range_do_no_harm() {
+        let far = f64::MAX;
+        let tiny = f64::from_bits(1);
+        let mut points = vec![[far, far], [-far, far], [tiny, 0.0], [0.0, 0.0], [-tiny, tiny]];
+        points.extend((0..20).map(|i| [f64::from(i) * tiny, 1.0]));
+        assert!(is_permutation(&order(&points)));
+        assert_eq!(order(&points[..2]), [1, 0]);
+    }
+}

@@ -1,0 +1,158 @@
+//! The first simplices and the first homes: the outer cage (§6.5, first lines of NETMESH), or for
+//! the plain Delaunay triangulation the first affinely independent inputs.
+
+use crate::delaunay::Cavity;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{collected, with_room};
+use crate::mesh::NONE;
+use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::template::{cage_points, cage_template};
+use crate::netmesh::{Mesher, limit};
+use crate::numerics::{affine_basis, distance};
+
+/// A cage's vertices are representable where they are this many times the spacing of doubles apart.
+pub(in crate::netmesh) const REPRESENTABLE: f64 = 16.0;
+
+/// The ball that the hull of the outer cage holds is at least this many times the inputs' ball.
+const ROOM: f64 = 1.25;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
+    /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
+    pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
+        let most = self.state.parameters.max_vertices;
+        self.state.template =
+            cage_template::<D>(self.state.parameters.delta, most, &mut self.watch)?;
+        if self.state.template.len() as u64 > most {
+            return Err(limit(most, self.state.template.len()));
+        }
+        let center = self.central_input()?;
+        let point = *self.state.delaunay.point(center);
+        let radius = self.root_radius(&point)?;
+        let sphere =
+            cage_points(&self.state.template, &point, radius * self.state.parameters.cage_scale)?;
+        if sphere.iter().flatten().any(|x| !x.is_finite()) || !(2.0 * radius).is_finite() {
+            let message =
+                "the coordinates are too large: the outer cage leaves the range of double";
+            return Err(Error::new(ErrorKind::Limit, message));
+        }
+        self.state.hierarchy.create(center, point, radius, NONE, sphere.len())?;
+        self.state.stats.cages_created += 1;
+        let mut vertices = with_room(1 + sphere.len())?;
+        vertices.push(center);
+        for x in sphere {
+            vertices.push(self.add_vertex(x)?);
+            self.state.stats.cage_points += 1;
+        }
+        let basis = affine_basis::<D>(vertices.len(), |i| *self.state.delaunay.point(vertices[i]));
+        assert!(basis.len() == D + 1, "the template spans the space");
+        let corners = collected(basis.iter().map(|&i| vertices[i]))?;
+        self.state.delaunay.begin(&corners)?;
+        for &vertex in &vertices[1..] {
+            self.state.hierarchy.join_cage(vertex, ROOT)?;
+        }
+        for &corner in &corners {
+            self.state.hierarchy.set_domain(corner, ROOT);
+            self.measure_nearest(corner);
+        }
+        let mut near = corners[0];
+        for &vertex in &vertices {
+            if !self.is_inserted(vertex) {
+                self.insert_outer_cage_vertex(vertex, near, cavity)?;
+                near = vertex;
+            }
+        }
+        self.assign_inputs(center)?;
+        self.clean(cavity)
+    }
+
+    fn insert_outer_cage_vertex(
+        &mut self,
+        vertex: u32,
+        near: u32,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let x = *self.state.delaunay.point(vertex);
+        let start = self.state.delaunay.complex().incident(near);
+        let start = self.state.delaunay.locate(start, &x).expect("cage vertices are distinct");
+        self.state.delaunay.find_cavity(start, &x, cavity)?;
+        self.state.hierarchy.set_domain(vertex, ROOT);
+        self.insert_into_cavity(vertex, cavity)
+    }
+
+    /// The first D + 1 affinely independent inputs.
+    pub(in crate::netmesh) fn start_delaunay(&mut self) -> Result<()> {
+        let basis = affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(i as u32));
+        if basis.len() < D + 1 {
+            let message = message!(
+                "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
+                basis.len() - 1
+            );
+            return Err(Error::new(ErrorKind::DegenerateInput, message));
+        }
+        let corners = collected(basis.iter().map(|&i| i as u32))?;
+        self.state.delaunay.begin(&corners)?;
+        self.assign_inputs(corners[0])
+    }
+
+    /// Gives every uninserted input a home, walking from that of the input before.
+    fn assign_inputs(&mut self, near: u32) -> Result<()> {
+        self.state.conflict_lists.cover(self.state.delaunay.complex().simplex_bound())?;
+        let mut home = self.state.delaunay.complex().incident(near);
+        for input in 0..self.state.inputs as u32 {
+            self.watch.poll_after(4)?;
+            if self.is_inserted(input) {
+                self.state.conflict_lists.dismiss_unassigned();
+            } else {
+                let q = *self.state.delaunay.point(input);
+                let touches = self.state.conflict_lists.touches_mut(input);
+                let found = self.state.delaunay.locate_and_count(home, &q, touches);
+                home = found.expect("inputs are distinct");
+                self.state.conflict_lists.assign(input, home);
+            }
+        }
+        Ok(())
+    }
+
+    /// The input nearest to the middle of the bounding box.
+    fn central_input(&mut self) -> Result<u32> {
+        let mut low = *self.state.delaunay.point(0);
+        let mut high = low;
+        for input in 1..self.state.inputs as u32 {
+            self.watch.poll_after(1)?;
+            for (axis, &x) in self.state.delaunay.point(input).iter().enumerate() {
+                low[axis] = low[axis].min(x);
+                high[axis] = high[axis].max(x);
+            }
+        }
+        let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for input in 0..self.state.inputs as u32 {
+            self.watch.poll_after(1)?;
+            let distance = distance(self.state.delaunay.point(input), &middle);
+            if distance < least {
+                (best, least) = (input, distance);
+            }
+        }
+        Ok(best)
+    }
+
+    /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
+    /// express the outer cage, and that its hull surrounds the inputs with room to spare.
+    fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
+        let mut radius = 0.0f64;
+        for input in 0..self.state.inputs as u32 {
+            self.watch.poll_after(1)?;
+            radius = radius.max(distance(self.state.delaunay.point(input), center));
+        }
+        let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
+        let hull = self.state.parameters.cage_scale * self.state.parameters.hull_radius();
+        Ok((self.state.parameters.root_scale.max(ROOM / hull) * radius).max(spacing))
+    }
+}
+
+/// The largest distance between neighbouring doubles among the coordinates of `point`.
+pub(in crate::netmesh) fn spacing_near<const D: usize>(point: &[f64; D]) -> f64 {
+    let largest = point.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    largest.next_up() - largest
+}

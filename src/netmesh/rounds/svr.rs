@@ -1,0 +1,63 @@
+//! Sparse Voronoi Refinement (§3) [Hudson, Miller and Phillips, "Sparse Voronoi Refinement", 2006],
+//! the algorithm that NETMESH beats: one domain and no cages. A D-ball with uninserted inputs is
+//! broken by its Voronoi corner, which yields to an input near it, so that only medial inputs go in
+//! and the mesh has its quality at all times. Each input is touched O(log spread) times.
+
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, enqueue};
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::ROOT;
+use std::collections::VecDeque;
+
+/// Simplices that had inputs when they were queued, oldest first: the coarse ones come before those
+/// that replace them.
+#[derive(Default)]
+pub(in crate::netmesh) struct Crowded {
+    queue: VecDeque<u32>,
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Breaks D-balls until none holds an input.
+    pub(in crate::netmesh) fn insert_sparsely(&mut self, cavity: &mut Cavity) -> Result<()> {
+        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+            self.queue_if_crowded(simplex)?;
+        }
+        while let Some(simplex) = self.crowded.queue.pop_front() {
+            if self.is_crowded(simplex) {
+                self.break_ball(simplex, cavity)?;
+                self.clean(cavity)?;
+                // Its corner may have been encroached on by rounding, or two inputs lie on a sphere.
+                self.queue_if_crowded(simplex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Queues the simplices just created that are homes.
+    pub(in crate::netmesh) fn queue_crowded(&mut self) -> AllocResult<()> {
+        for at in 0..self.scratch.created.len() {
+            self.queue_if_crowded(self.scratch.created[at])?;
+        }
+        Ok(())
+    }
+
+    fn queue_if_crowded(&mut self, simplex: u32) -> AllocResult<()> {
+        if self.is_crowded(simplex) { enqueue(&mut self.crowded.queue, simplex) } else { Ok(()) }
+    }
+
+    fn is_crowded(&self, simplex: u32) -> bool {
+        self.state.conflict_lists.count(simplex) > 0
+    }
+
+    /// Inserts the corner of `simplex`, or the input that it yields to. Where the corner is of no
+    /// use (beyond the root cage, or doubles cannot express it) one of the inputs goes in as it is.
+    fn break_ball(&mut self, simplex: u32, cavity: &mut Cavity) -> Result<()> {
+        if self.is_well_inside(simplex, ROOT) && !self.state.refine_list.is_limited(simplex) {
+            self.refine_corner(simplex, cavity)?;
+        } else if let Some(input) = self.state.conflict_lists.entries(simplex).next() {
+            self.insert_input(input, cavity)?;
+        }
+        Ok(())
+    }
+}

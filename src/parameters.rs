@@ -4,8 +4,8 @@
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 
-/// The more, the less is left at rims; the fewer, the more threads have work.
-const INPUTS_OF_PART: usize = 1 << 18;
+/// The more, the less is deferred at interfaces; the fewer, the more threads have work.
+const INPUTS_PER_PARTITION: usize = 1 << 18;
 
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +27,9 @@ pub struct Parameters {
     pub seed: u64,
     pub max_vertices: u64,
     pub instruments: bool,
-    /// From twice so many inputs on a mesh is made in parts (`parts`) of about so many or fewer.
-    pub(crate) inputs_of_part: usize,
+    /// A mesh of at least twice this number of inputs is made in partitions of about this number
+    /// or fewer.
+    pub(crate) inputs_per_partition: usize,
 }
 
 impl Parameters {
@@ -77,7 +78,7 @@ impl Parameters {
             seed: options.seed,
             max_vertices,
             instruments: options.instruments,
-            inputs_of_part: INPUTS_OF_PART,
+            inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
 }

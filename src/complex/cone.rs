@@ -20,19 +20,19 @@ pub(super) const EDGES: usize = NUMBERS * NUMBERS;
 /// theirs from the same side, so two that share an edge pass it in opposite directions.
 const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
-/// The same in the plane: where the edge opposite each corner starts and ends.
+/// The same in the plane: where the edge opposite each vertex starts and ends.
 const SIDES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 impl<const D: usize> Complex<D> {
     /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
-    /// `vertex` over its `boundary`, whose finite vertices are `corners`. `created[i]` is the new simplex on
+    /// `vertex` over its `boundary`, whose finite vertices are `around`. `created[i]` is the new simplex on
     /// `boundary[i]`.
     pub fn retriangulate(
         &mut self,
         vertex: u32,
         cavity: &[u32],
         boundary: &[Facet],
-        corners: &VertexSet,
+        around: &VertexSet,
         created: &mut Vec<u32>,
     ) {
         created.clear();
@@ -41,7 +41,7 @@ impl<const D: usize> Complex<D> {
         }
         match D {
             2 => self.link_round(boundary, created),
-            3 if self.link_by_edges(boundary, corners, created) => {}
+            3 if self.link_by_edges(boundary, around, created) => {}
             4..=MAX_TABLE_DIM => self.link_by_table(boundary, created),
             _ => self.link_by_pivots(boundary, created),
         }
@@ -68,20 +68,20 @@ impl<const D: usize> Complex<D> {
     /// where its edge ends.
     #[inline(always)]
     fn link_round(&mut self, boundary: &[Facet], created: &[u32]) {
-        let corner = |complex: &Self, at: usize, index: usize| {
+        let vertex_at = |complex: &Self, at: usize, index: usize| {
             complex.records[created[at] as usize * Self::RECORD + index]
         };
         let mut at_infinity = 0;
         for (at, facet) in boundary.iter().enumerate() {
             let [start, _] = SIDES[facet.index as usize];
-            match corner(self, at, start) {
+            match vertex_at(self, at, start) {
                 INFINITE => at_infinity = at as u32,
                 vertex => self.incident[vertex as usize] = at as u32,
             }
         }
         for (at, facet) in boundary.iter().enumerate() {
             let [start, end] = SIDES[facet.index as usize];
-            let following = match corner(self, at, end) {
+            let following = match vertex_at(self, at, end) {
                 INFINITE => &mut at_infinity,
                 vertex => &mut self.incident[vertex as usize],
             };
@@ -95,8 +95,8 @@ impl<const D: usize> Complex<D> {
 
     /// Links the cones in space, if the vertices round the cavity are few enough.
     #[inline(always)]
-    fn link_by_edges(&mut self, boundary: &[Facet], corners: &VertexSet, created: &[u32]) -> bool {
-        if corners.ids.len() >= NUMBERS {
+    fn link_by_edges(&mut self, boundary: &[Facet], around: &VertexSet, created: &[u32]) -> bool {
+        if around.ids.len() >= NUMBERS {
             return false;
         }
         let Self { edges, records, incident, .. } = self;
@@ -105,8 +105,8 @@ impl<const D: usize> Complex<D> {
         for (facet, &simplex) in boundary.iter().zip(created) {
             let (vertices, neighbors) =
                 records[simplex as usize * Self::RECORD..][..8].split_at_mut(4);
-            let [i, j, k] = TRIANGLES[facet.index as usize].map(|corner| corner % 4);
-            let number = |corner: usize| corners.number(vertices[corner]) as usize % NUMBERS;
+            let [i, j, k] = TRIANGLES[facet.index as usize].map(|index| index % 4);
+            let number = |index: usize| around.number(vertices[index]) as usize % NUMBERS;
             let (a, b, c) = (number(i), number(j), number(k));
             edges[NUMBERS * a + b] = simplex;
             edges[NUMBERS * b + c] = simplex;
@@ -124,19 +124,19 @@ impl<const D: usize> Complex<D> {
                 *neighbor = edges[*neighbor as usize % EDGES];
             }
         }
-        for (&vertex, &simplex) in corners.ids.iter().zip(&last[1..]) {
+        for (&vertex, &simplex) in around.ids.iter().zip(&last[1..]) {
             incident[vertex as usize] = simplex;
         }
         true
     }
 
-    /// Every corner of the cones is incident to the last one that has it.
+    /// Every vertex of the cones is incident to the last one that has it.
     fn touch_vertices(&mut self, created: &[u32]) {
         for &simplex in created {
             let at = simplex as usize * Self::RECORD;
-            for &corner in &self.records[at..][..Self::VERTICES] {
-                if corner != INFINITE {
-                    self.incident[corner as usize] = simplex;
+            for &vertex in &self.records[at..][..Self::VERTICES] {
+                if vertex != INFINITE {
+                    self.incident[vertex as usize] = simplex;
                 }
             }
         }
@@ -177,8 +177,8 @@ impl<const D: usize> Complex<D> {
         self.touch_vertices(created);
     }
 
-    /// Turns round the ridge of `facet` without corner `leave` until the cavity ends; returns the
-    /// cone there and the number of its corner that is not on the ridge.
+    /// Turns round the ridge of `facet` without vertex `leave` until the cavity ends; returns the
+    /// cone there and the number of its vertex that is not on the ridge.
     #[inline]
     fn pivot(&self, facet: &Facet, leave: usize) -> (u32, usize) {
         let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);

@@ -121,28 +121,28 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
-    pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
-        assert!(self.records.is_empty() && corners.len() == Self::VERTICES);
+    pub fn begin(&mut self, first: &[u32]) -> AllocResult<()> {
+        assert!(self.records.is_empty() && first.len() == Self::VERTICES);
         self.reserve(D + 2, 0)?;
         let finite = self.allocate();
-        self.vertices_mut(finite).copy_from_slice(corners);
+        self.vertices_mut(finite).copy_from_slice(first);
         for opposite in 0..Self::VERTICES {
             let infinite = self.allocate();
             let vertices = self.vertices_mut(infinite);
-            vertices.copy_from_slice(corners);
+            vertices.copy_from_slice(first);
             vertices[opposite] = INFINITE;
-            // Seen from beyond the facet the corners turn the other way.
+            // Seen from beyond the facet the vertices turn the other way.
             vertices.swap((opposite + 1) % Self::VERTICES, (opposite + 2) % Self::VERTICES);
         }
         self.link_all();
-        for &corner in corners {
-            self.incident[corner as usize] = finite;
+        for &vertex in first {
+            self.incident[vertex as usize] = finite;
         }
         Ok(())
     }
 
-    /// Makes room for `created` new simplices and for `released` more dead ones, so that neither
-    /// has to ask for memory. The caller then makes at most so many.
+    /// Reserves memory for `created` new simplices and for `released` more dead ones, so that
+    /// neither has to ask for it. The caller then makes at most `created`.
     pub fn reserve(&mut self, created: usize, released: usize) -> AllocResult<()> {
         let appended = created.saturating_sub(self.free.len());
         if appended > self.id_limit.saturating_sub(self.simplex_bound()) {
@@ -158,7 +158,7 @@ impl<const D: usize> Complex<D> {
         self.records.make_room(appended * Self::RECORD)
     }
 
-    /// Makes room for so many simplices and vertices if the system gives it.
+    /// Reserves memory for `simplices` simplices and `vertices` vertices if the system gives it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
         self.records.expect(simplices * Self::RECORD);
         self.incident.expect(vertices);

@@ -1,19 +1,21 @@
-//! A part of a complex as a complex of its own, which is changed apart from the rest and joins it again.
+//! A partition of a complex is a complex of its own, which is changed apart from the rest and then
+//! joins it again.
 
 use super::{Complex, INFINITE};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected};
 use crate::mesh::NONE;
 
-/// What the simplices and vertices of a part are called in the whole, by their ids in the part.
+/// The global ids of the simplices and vertices of a partition, by their local ids.
 #[derive(Default)]
 pub(crate) struct LocalToGlobal {
     pub simplices: Array<u32>,
     pub vertices: Array<u32>,
 }
 
-/// The way back, for the part that is being cut out: simplex or vertex of the whole -> its id in the
-/// part, [`NONE`] if it is not there. One serves for all parts, one after the other.
+/// The local ids in the partition that is being cut out, by global ids: simplex or vertex of the
+/// global mesh -> its id in the partition, [`NONE`] if it is not there. One serves for all
+/// partitions, one after the other.
 pub(crate) struct GlobalToLocal {
     pub simplices: Array<u32>,
     pub vertices: Array<u32>,
@@ -27,7 +29,7 @@ impl GlobalToLocal {
         })
     }
 
-    /// Gives ids to the named simplices, in their order, and to the vertices named so far.
+    /// Numbers the simplices of a partition in their order, and the vertices that it has so far.
     pub fn give(&mut self, local_to_global: &LocalToGlobal) {
         for (own, &simplex) in local_to_global.simplices.iter().enumerate() {
             self.simplices[simplex as usize] = own as u32;
@@ -37,7 +39,7 @@ impl GlobalToLocal {
         }
     }
 
-    /// Takes them back.
+    /// Forgets the numbers of a partition.
     pub fn take(&mut self, local_to_global: &LocalToGlobal) {
         local_to_global
             .simplices
@@ -48,9 +50,10 @@ impl GlobalToLocal {
 }
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices that `names` names as a complex of their own; `ids` knows them, and gets to
-    /// know their vertices, as does `names`. Where the whole goes on beyond a facet, the simplex is its
-    /// own neighbour: a search does not leave the part. `tick` is called for every simplex.
+    /// The live simplices of `local_to_global` as a complex of their own. `ids` has their numbers;
+    /// vertices are added to both. Where the global mesh continues beyond a facet, the simplex is
+    /// its own neighbour, so that no search leaves the partition. `tick` is called for every
+    /// simplex.
     pub fn partition(
         &self,
         local_to_global: &mut LocalToGlobal,
@@ -85,30 +88,32 @@ impl<const D: usize> Complex<D> {
         Ok(partition)
     }
 
-    /// Simplices that there is room for.
+    /// The number of simplices that the spare memory has room for.
     pub fn spare_simplices(&self) -> usize {
         self.records.spare() / Self::RECORD
     }
 
-    /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<u32>) -> AllocResult<()> {
-        self.records.move_into(room)
+    /// Moves to `reserve`, which is empty.
+    pub fn move_to(&mut self, reserve: Array<u32>) -> AllocResult<()> {
+        self.records.move_into(reserve)
     }
 
-    /// Divides the spare room for simplices, so many for each; `None` if it is not enough.
+    /// Splits the spare memory: `reserves` has the number of simplices for each share. `None` if it
+    /// is not enough.
     pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Array<u32>>> {
-        let reserves = collected(reserves.iter().map(|room| room * Self::RECORD)).ok()?;
+        let reserves = collected(reserves.iter().map(|reserve| reserve * Self::RECORD)).ok()?;
         self.records.split_reserve(&reserves)
     }
 
-    /// See [`Records::is_rim`](super::Records::is_rim).
+    /// See [`Records::is_interface`](super::Records::is_interface).
     pub fn is_interface(&self, simplex: u32, index: usize) -> bool {
         self.records().is_interface(simplex, index)
     }
 
-    /// Appends the simplices of `part`, dead ones too, under new ids, which `names` knows afterwards; it
-    /// knows the new vertices already. At the rim they are their own neighbours until all parts have
-    /// joined ([`Self::replace_joined`]), and those that they were made from stay until then.
+    /// Appends the simplices of `partition`, dead ones too, under new ids, which `local_to_global`
+    /// has afterwards; it has the new vertices already. At the interface simplices are their own
+    /// neighbours until all partitions have joined ([`Self::replace_joined`]). The simplices that
+    /// the partition was cut from stay until then.
     pub fn join(
         &mut self,
         partition: Self,
@@ -145,8 +150,9 @@ impl<const D: usize> Complex<D> {
         Ok(())
     }
 
-    /// When the parts of the first simplices have joined, `moved` to new ids (simplex -> its new id):
-    /// links parts at their rims, and lets go of the first ones.
+    /// Called when all partitions have joined. `moved`: simplex that became one of a partition ->
+    /// its new id. Links partitions at their interfaces, and releases the simplices that they were
+    /// cut from.
     pub fn replace_joined(
         &mut self,
         moved: &[u32],

@@ -37,7 +37,8 @@ impl<'a, const D: usize> Records<'a, D> {
         prefetch_at(self.0, simplex as usize * Complex::<D>::RECORD, Complex::<D>::RECORD);
     }
 
-    /// Whether the whole goes on beyond the facet of `simplex`, of a part, opposite its corner `index`.
+    /// Whether the facet of `simplex` opposite its vertex number `index` is a cut facet of a
+    /// partition.
     pub fn is_interface(self, simplex: u32, index: usize) -> bool {
         self.neighbors(simplex)[index] == simplex
     }

@@ -7,7 +7,7 @@ use crate::memory::{AllocResult, TryGrow};
 /// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
 pub(super) const MAX_TABLE_DIM: usize = 5;
 
-/// Where a ridge was met: the simplex, and its corner that is neither on the ridge nor the apex.
+/// Where a ridge was met: the simplex, and its vertex that is neither on the ridge nor the apex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
     pub simplex: u32,
@@ -41,7 +41,7 @@ impl Ridges {
         self.slots.cover(slots(D, facets), Slot::FREE)
     }
 
-    /// Empties the table for the ridges of so many `facets`, for which there is room.
+    /// Empties the table for the ridges of `facets` facets, for which there is memory.
     pub fn begin<const D: usize>(&mut self, facets: usize) {
         if self.cone == u32::MAX {
             self.slots.fill(Slot::FREE);
@@ -82,13 +82,13 @@ fn hash(ridge: u128) -> u64 {
     (high.wrapping_mul(0xd6e8_feb8_6659_fd93) ^ low).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// The ridges of the facet opposite the corner `apex` of a simplex, each with the number of the facet's
-/// corner that it lacks. The order of the facet's vertices does not matter.
+/// The ridges of the facet opposite the vertex `apex` of a simplex, each with the number of the facet's
+/// vertex that it lacks. The order of the facet's vertices does not matter.
 #[inline]
-pub(super) fn ridges_of<const D: usize>(corners: &[u32], apex: usize) -> [(u128, u32); D] {
+pub(super) fn ridges_of<const D: usize>(vertices: &[u32], apex: usize) -> [(u128, u32); D] {
     let mut facet: [u64; D] = std::array::from_fn(|i| {
         let index = if i == apex { D } else { i };
-        u64::from(corners[index]) << 32 | index as u64
+        u64::from(vertices[index]) << 32 | index as u64
     });
     for i in 0..D {
         for j in i + 1..D {
@@ -106,7 +106,7 @@ pub(super) fn ridges_of<const D: usize>(corners: &[u32], apex: usize) -> [(u128,
 mod tests {
     use super::*;
 
-    /// The cone of a vertex over the surface of a simplex, its corners in orders that differ: each
+    /// The cone of a vertex over the surface of a simplex, its vertices in orders that differ: each
     /// ridge is met by two of the cone's simplices, and named alike by both.
     fn ridges_come_in_pairs<const D: usize>() {
         let apex = 1000;
@@ -117,17 +117,17 @@ mod tests {
             table.begin::<D>(D + 1);
             let mut pairs = 0;
             for lacking in 0..=D {
-                let mut corners: Vec<u32> =
+                let mut vertices: Vec<u32> =
                     (0..=D).map(|i| if i == lacking { apex } else { surface[i] }).collect();
-                corners.rotate_left(lacking * 3 % (D + 1));
-                corners.swap(0, lacking);
-                let at = corners.iter().position(|&corner| corner == apex).unwrap();
-                for (ridge, index) in ridges_of::<D>(&corners, at) {
+                vertices.rotate_left(lacking * 3 % (D + 1));
+                vertices.swap(0, lacking);
+                let at = vertices.iter().position(|&vertex| vertex == apex).unwrap();
+                for (ridge, index) in ridges_of::<D>(&vertices, at) {
                     let side = Side { simplex: lacking as u32, index };
                     let Some(other) = table.pair(ridge, side) else { continue };
                     pairs += 1;
                     // Each side lacks the vertex that the other simplex has not.
-                    assert_eq!(corners[index as usize], surface[other.simplex as usize]);
+                    assert_eq!(vertices[index as usize], surface[other.simplex as usize]);
                     assert!(other.simplex < side.simplex);
                 }
             }

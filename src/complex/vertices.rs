@@ -19,7 +19,7 @@ impl Default for VertexSet {
 }
 
 impl VertexSet {
-    /// Empties the set, and makes room for the marks of so many vertices.
+    /// Empties the set, and makes room for the marks of `vertices` vertices.
     pub fn restart(&mut self, vertices: usize) -> AllocResult<()> {
         self.marks.cover(vertices, 0)?;
         self.base += self.ids.len() as u32;
@@ -44,20 +44,20 @@ impl VertexSet {
         Ok(())
     }
 
-    /// The same for a corner of a simplex, which may be at infinity: that is in no set.
+    /// The same for a vertex of a simplex, which may be at infinity: that is in no set.
     #[inline(always)]
-    pub fn insert_finite(&mut self, corner: u32) -> AllocResult<()> {
-        match (corner as usize) < self.marks.len() {
-            true => self.insert(corner),
+    pub fn insert_finite(&mut self, vertex: u32) -> AllocResult<()> {
+        match (vertex as usize) < self.marks.len() {
+            true => self.insert(vertex),
             false => Ok(()),
         }
     }
 
     /// The number of a member, from 1 on; 0 for the infinite vertex.
     #[inline(always)]
-    pub fn number(&self, corner: u32) -> u32 {
+    pub fn number(&self, vertex: u32) -> u32 {
         // It is beyond all marks.
-        self.marks.get(corner as usize).map_or(0, |mark| mark.wrapping_sub(self.base) + 1)
+        self.marks.get(vertex as usize).map_or(0, |mark| mark.wrapping_sub(self.base) + 1)
     }
 }
 

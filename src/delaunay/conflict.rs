@@ -39,8 +39,8 @@ impl<'a, const D: usize> Conflicts<'a, D> {
             true => self.beyond_hull(records, simplex, q),
             false => {
                 self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
-                let corners = self.vertex_points(vertices);
-                in_ball_exact(&corners[..=D], q) == Sign::Positive
+                let points = self.vertex_points(vertices);
+                in_ball_exact(&points[..=D], q) == Sign::Positive
             }
         }
     }
@@ -49,12 +49,12 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     fn beyond_hull(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
         let vertices = records.vertices(simplex);
         let infinite = position(vertices, INFINITE);
-        let mut corners = self.vertex_points(vertices);
-        corners[infinite] = q;
-        match orientation(&corners[..=D]) {
+        let mut points = self.vertex_points(vertices);
+        points[infinite] = q;
+        match orientation(&points[..=D]) {
             Sign::Positive => true,
             Sign::Negative => false,
-            // In a part that ends there: unknown, and a cavity with such a simplex is left alone.
+            // In a partition that ends there: unknown, and a cavity with such a simplex is left alone.
             Sign::Zero if records.is_interface(simplex, infinite) => true,
             Sign::Zero => self.test(records, records.neighbors(simplex)[infinite], q),
         }
@@ -62,13 +62,13 @@ impl<'a, const D: usize> Conflicts<'a, D> {
 
     /// The points of finite vertices.
     pub fn vertex_points(&self, vertices: &[u32]) -> [&'a [f64; D]; MAX_SIMPLEX_VERTICES] {
-        let mut corners = [&self.points[0]; MAX_SIMPLEX_VERTICES];
-        for (corner, &vertex) in corners.iter_mut().zip(vertices) {
+        let mut of_vertices = [&self.points[0]; MAX_SIMPLEX_VERTICES];
+        for (point, &vertex) in of_vertices.iter_mut().zip(vertices) {
             if vertex != INFINITE {
-                *corner = &self.points[vertex as usize];
+                *point = &self.points[vertex as usize];
             }
         }
-        corners
+        of_vertices
     }
 
     /// Begins to load the D-ball of `simplex`.

@@ -7,7 +7,7 @@ use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
     /// A simplex in conflict with `q`, found from the live simplex `start`. `None` iff `q` is a
-    /// vertex already, or not in the part of a complex that this is. A visibility walk in a Delaunay
+    /// vertex already, or not in the partition of a complex that this is. A visibility walk in a Delaunay
     /// triangulation cannot cycle except among cospherical simplices; a counted bound and a scan of
     /// all simplices cover those.
     pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
@@ -23,7 +23,7 @@ impl<const D: usize> Delaunay<D> {
                 return Some(current);
             }
             match self.step_towards(current, q) {
-                // The rim of a part: the simplex may be behind a bend of it.
+                // The interface of a partition: the simplex may be behind a bend of it.
                 Some(next) if next == current => break,
                 Some(next) if self.ball(next).is_none() => return Some(next),
                 Some(next) => current = next,
@@ -47,13 +47,13 @@ impl<const D: usize> Delaunay<D> {
     /// The neighbour across a facet that has `q` strictly on its other side.
     fn step_towards(&self, simplex: u32, q: &[f64; D]) -> Option<u32> {
         let vertices = self.complex.vertices(simplex);
-        let mut corners: [&[f64; D]; MAX_SIMPLEX_VERTICES] = self.vertex_points(vertices);
+        let mut points: [&[f64; D]; MAX_SIMPLEX_VERTICES] = self.vertex_points(vertices);
         for index in 0..=D {
-            let kept = std::mem::replace(&mut corners[index], q);
-            if orientation(&corners[..=D]) == Sign::Negative {
+            let kept = std::mem::replace(&mut points[index], q);
+            if orientation(&points[..=D]) == Sign::Negative {
                 return Some(self.complex.neighbors(simplex)[index]);
             }
-            corners[index] = kept;
+            points[index] = kept;
         }
         None
     }

@@ -18,7 +18,7 @@ pub(crate) use cavity::Cavity;
 use conflict::Conflicts;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Corners of a simplex of the highest dimension.
+/// Vertices of a simplex of the highest dimension.
 const MAX_SIMPLEX_VERTICES: usize = crate::mesh::MAX_DIM + 1;
 
 pub(crate) struct Delaunay<const D: usize> {
@@ -69,7 +69,7 @@ impl<const D: usize> Delaunay<D> {
         self.exact_fallbacks.load(Ordering::Relaxed)
     }
 
-    /// Makes room for so many simplices and points if the system gives it.
+    /// Reserves memory for `simplices` simplices and `points` points if the system gives it.
     pub fn expect(&mut self, simplices: usize, points: usize) {
         self.complex.expect(simplices, points);
         self.balls.expect(simplices);
@@ -88,10 +88,10 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Starts the complex with D + 1 affinely independent points.
-    pub fn begin(&mut self, corners: &[u32]) -> AllocResult<()> {
+    pub fn begin(&mut self, first: &[u32]) -> AllocResult<()> {
         let mut ordered = [0; MAX_SIMPLEX_VERTICES];
         let ordered = &mut ordered[..=D];
-        ordered.copy_from_slice(corners);
+        ordered.copy_from_slice(first);
         let sign = orientation(&self.vertex_points(ordered)[..=D]);
         debug_assert!(sign != Sign::Zero, "the first simplex has a volume");
         if sign == Sign::Negative {

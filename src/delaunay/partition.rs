@@ -1,6 +1,6 @@
-//! A part of a Delaunay complex, to be refined apart from the rest. What is inserted in it must leave the
-//! simplices at its rim as they are. Those are Delaunay on both sides then, and so is every facet of all
-//! parts together when they have joined; a complex that is Delaunay at every facet is so as a whole.
+//! A partition of a Delaunay complex, to be refined apart from the rest. Insertions leave the
+//! simplices at its interface as they are. Those are then Delaunay on both sides, and so is every
+//! facet when all partitions have joined. A complex that is Delaunay at every facet is Delaunay.
 
 use super::Delaunay;
 use crate::complex::{GlobalToLocal, LocalToGlobal};
@@ -9,14 +9,14 @@ use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::numerics::Circumball;
 
-/// Room that a part's simplices grow in.
-pub(crate) struct Room<const D: usize> {
+/// Memory that the simplices of a partition grow in.
+pub(crate) struct Reserve<const D: usize> {
     records: Array<u32>,
     balls: Array<Circumball<D>>,
 }
 
 impl<const D: usize> Delaunay<D> {
-    /// See [`crate::complex::Complex::part`].
+    /// See [`crate::complex::Complex::partition`].
     pub fn partition(
         &self,
         local_to_global: &mut LocalToGlobal,
@@ -37,27 +37,28 @@ impl<const D: usize> Delaunay<D> {
         Ok(Self { complex, points, balls, exact_fallbacks: 0.into() })
     }
 
-    /// Simplices that there is room for.
+    /// The number of simplices that the spare memory has room for.
     pub fn spare_simplices(&self) -> usize {
         self.balls.spare().min(self.complex.spare_simplices())
     }
 
-    /// Goes on in `room`.
-    pub fn move_to(&mut self, room: Room<D>) -> AllocResult<()> {
-        self.complex.move_to(room.records)?;
-        self.balls.move_into(room.balls)
+    /// Moves to `reserve`, which is empty.
+    pub fn move_to(&mut self, reserve: Reserve<D>) -> AllocResult<()> {
+        self.complex.move_to(reserve.records)?;
+        self.balls.move_into(reserve.balls)
     }
 
-    /// Divides the spare room for simplices, so many for each; nothing if it is not enough.
-    pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Room<D>>> {
+    /// Splits the spare memory: `reserves` has the number of simplices for each share. `None` if it
+    /// is not enough.
+    pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Reserve<D>>> {
         let records = self.complex.split_reserve(reserves)?;
         let balls = self.balls.split_reserve(reserves)?;
-        let room = |(records, balls)| Room { records, balls };
-        collected(records.into_iter().zip(balls).map(room)).ok()
+        let reserve = |(records, balls)| Reserve { records, balls };
+        collected(records.into_iter().zip(balls).map(reserve)).ok()
     }
 
-    /// Vertex of a part -> whether the whole has simplices at it that the part has not: then it is on a
-    /// facet at the rim.
+    /// Vertex of a partition -> whether the global mesh has simplices at it that the partition has
+    /// not. Then it is on a cut facet.
     pub fn interface_vertices(&self) -> Result<Vec<bool>> {
         let mut is_at_rim = filled(self.points.len(), false)?;
         for simplex in 0..self.complex.simplex_bound() as u32 {
@@ -72,7 +73,7 @@ impl<const D: usize> Delaunay<D> {
         Ok(is_at_rim)
     }
 
-    /// Adds the new points of `part`, and gives them names.
+    /// Adds the new points of `partition`, and gives them global ids.
     fn add_points(&mut self, partition: &Self, local_to_global: &mut LocalToGlobal) -> Result<()> {
         for point in &partition.points[local_to_global.vertices.len()..] {
             let name = self.add_point(*point)?;
@@ -81,7 +82,7 @@ impl<const D: usize> Delaunay<D> {
         Ok(())
     }
 
-    /// See [`crate::complex::Complex::join`]; new vertices get their names here.
+    /// See [`crate::complex::Complex::join`]. New vertices get their global ids here.
     pub fn join(
         &mut self,
         partition: Self,
@@ -112,7 +113,7 @@ impl<const D: usize> Delaunay<D> {
     }
 }
 
-/// `ball` with the name of its anchor in place of its id.
+/// `ball` with the global or local id of its anchor.
 fn renamed<const D: usize>(ball: &Circumball<D>, local_to_global: &[u32]) -> Circumball<D> {
     match ball.anchor {
         NONE => *ball,

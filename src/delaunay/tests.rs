@@ -16,10 +16,10 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
         return None;
     }
     let mut delaunay = Delaunay::new(Array::copied(points).unwrap()).unwrap();
-    let corners: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
-    delaunay.begin(&corners).unwrap();
+    let vertices: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
+    delaunay.begin(&vertices).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
-    let mut near = delaunay.complex().incident(corners[0]);
+    let mut near = delaunay.complex().incident(vertices[0]);
     for vertex in 0..points.len() as u32 {
         if delaunay.complex().contains_vertex(vertex) {
             continue;
@@ -37,9 +37,10 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
 /// The finite vertices of the cavity's simplices, one of each.
 fn assert_corners<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
     let vertices = |simplex: &u32| delaunay.complex().vertices(*simplex).iter().copied();
-    let corners = cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != INFINITE);
+    let found_vertices =
+        cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != INFINITE);
     let found = BTreeSet::from_iter(cavity.vertices.ids.iter().copied());
-    assert_eq!(found, corners.collect());
+    assert_eq!(found, found_vertices.collect());
     assert_eq!(found.len(), cavity.vertices.ids.len());
 }
 
@@ -59,9 +60,9 @@ fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
             let q = delaunay.point(other);
             assert!(!delaunay.in_conflict(simplex, q), "{vertices:?} conflicts with {other}");
             if !vertices.contains(&INFINITE) {
-                let corners = delaunay.vertex_points(vertices);
-                assert_eq!(orientation(&corners[..=D]), Sign::Positive, "{vertices:?}");
-                assert_ne!(in_ball(&corners[..=D], q), Sign::Positive, "{vertices:?} {other}");
+                let points = delaunay.vertex_points(vertices);
+                assert_eq!(orientation(&points[..=D]), Sign::Positive, "{vertices:?}");
+                assert_ne!(in_ball(&points[..=D], q), Sign::Positive, "{vertices:?} {other}");
             }
         }
     }
@@ -258,13 +259,13 @@ proptest! {
 /// Ids that would run out are refused, not wrapped round.
 #[test]
 fn too_many_simplices_are_refused() {
-    let corners = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
-    let mut delaunay = Delaunay::new(Array::copied(&corners).unwrap()).unwrap();
+    let vertices = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
+    let mut delaunay = Delaunay::new(Array::copied(&vertices).unwrap()).unwrap();
     delaunay.complex.limit_ids(8);
     delaunay.begin(&[0, 1, 2]).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     for (vertex, expected) in [(3, Ok(())), (4, Err(AllocError::Ids))] {
-        let q = corners[vertex as usize];
+        let q = vertices[vertex as usize];
         let start = delaunay.locate(delaunay.complex().incident(0), &q).unwrap();
         delaunay.find_cavity(start, &q, &mut cavity).unwrap();
         assert_eq!(delaunay.insert(vertex, &cavity, &mut created), expected);

@@ -14,7 +14,7 @@
 mod cages;
 mod instruments;
 mod output;
-pub mod parameters;
+mod parameters;
 mod partitions;
 mod refinement;
 mod rounds;
@@ -25,7 +25,7 @@ use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
-use parameters::Parameters;
+use crate::parameters::Parameters;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
 use watch::Watch;

@@ -219,7 +219,7 @@ fn output_id(order: &[u32], vertex: u32) -> u32 {
     order.get(vertex as usize).copied().unwrap_or(vertex)
 }
 
-/// Room in `array`, which is empty, for so many ids each.
+/// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.
 fn shares(array: &mut Array<u32>, reserves: &[usize]) -> AllocResult<Vec<Array<u32>>> {
     array.make_room(reserves.iter().sum())?;
     array.split_reserve(reserves).ok_or(AllocError::Memory)

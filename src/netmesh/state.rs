@@ -4,7 +4,6 @@
 use super::cages::domains::Hierarchy;
 use super::instruments::Instruments;
 use super::limit;
-use super::parameters::Parameters;
 use super::partitions::interface::Interface;
 use super::refinement::refine_list::RefineList;
 use super::rounds::conflict_lists::ConflictLists;
@@ -17,6 +16,7 @@ use crate::error::Result;
 use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, Stats};
 use crate::options::{Algorithm, Output, Phase};
+use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 use std::cmp::Reverse;
 

@@ -1,6 +1,6 @@
-//! Progress and cancellation: the clock is read every fraction of a millisecond, the caller is called
-//! 20 to 30 times a second and where a round or a stage ends, and a run that is cancelled or grows
-//! past its limit stops with an error.
+//! Progress and cancellation. The clock is read every fraction of a millisecond. The caller is
+//! called every 30 milliseconds, and where a round or a stage ends. A run that is cancelled or
+//! grows past its limit stops with an error.
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::options::{Phase, Progress, ProgressFn};
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 pub(super) const INTERVAL: Duration = Duration::from_millis(30);
-/// Work between two looks at the clock, in units of some 100 ns: a fraction of a millisecond.
+/// Work between two readings of the clock, in units of some 100 ns: a fraction of a millisecond.
 const STRIDE: u32 = 2048;
 
 pub(super) struct Watch<'a, 'b> {
@@ -17,13 +17,13 @@ pub(super) struct Watch<'a, 'b> {
     countdown: u32,
     /// What was noted last, for places that cannot count.
     progress: Progress,
-    /// Of a run in parts: what all of them have done.
+    /// What all partitions have done, in a run that has some.
     tally: Option<&'a Tally>,
 }
 
-/// What the parts of a mesh have done together, and whether to go on with them.
+/// What the partitions of a mesh have done together, and whether they are to stop.
 pub(super) struct Tally {
-    /// Inputs in all.
+    /// The number of inputs of the mesh.
     inputs: u64,
     /// Inputs inserted, vertices, simplices.
     counts: [AtomicU64; 3],
@@ -31,7 +31,7 @@ pub(super) struct Tally {
 }
 
 impl Tally {
-    /// From what was there when the mesh of so many `inputs` was cut.
+    /// Begins with `counts`, what the mesh of `inputs` inputs had when it was cut.
     pub fn new(inputs: usize, counts: [u64; 3]) -> Self {
         Self {
             inputs: inputs as u64,
@@ -40,14 +40,14 @@ impl Tally {
         }
     }
 
-    /// Of one part, which had `before` when it last said so.
+    /// Adds what one partition has done since it last reported.
     pub fn add(&self, before: &[u64; 3], now: &[u64; 3]) {
         for (count, (before, now)) in self.counts.iter().zip(before.iter().zip(now)) {
             count.fetch_add(now.wrapping_sub(*before), Ordering::Relaxed);
         }
     }
 
-    /// Tells all parts to give up.
+    /// Tells all partitions to stop.
     pub fn stop(&self) {
         self.is_stopped.store(true, Ordering::Relaxed);
     }
@@ -65,12 +65,12 @@ impl<'a, 'b> Watch<'a, 'b> {
         Self { callback, last: Instant::now(), countdown: STRIDE, progress, tally: None }
     }
 
-    /// Of a thread of its own, for a part of the mesh.
+    /// The watch of a partition that is made on another thread.
     pub fn of_partition(tally: &'a Tally) -> Self {
         Self { tally: Some(tally), ..Self::new(None) }
     }
 
-    /// For a part of the mesh on the caller's thread.
+    /// The watch of a partition that is made on the calling thread.
     pub fn split<'c>(&'c mut self, tally: &'c Tally) -> Watch<'c, 'b> {
         Watch {
             callback: self.callback.as_deref_mut(),
@@ -121,7 +121,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.progress = Progress { phase, fraction, inputs_inserted, vertices, simplices };
     }
 
-    /// Notes what a part has now, where it had `before`.
+    /// Adds what a partition has `now`, where it had `before`.
     pub fn note_partition(&mut self, before: &[u64; 3], now: &[u64; 3]) {
         if let Some(tally) = self.tally {
             tally.add(before, now);
@@ -129,8 +129,8 @@ impl<'a, 'b> Watch<'a, 'b> {
         }
     }
 
-    /// Notes what all parts have. They insert and refine at a time; usually there is a Steiner point to
-    /// every input.
+    /// Notes what all partitions have. They insert and refine at the same time; usually there is
+    /// one Steiner point to every input.
     pub fn note_tally(&mut self, tally: &Tally) {
         let counts = tally.counts.each_ref().map(|count| count.load(Ordering::Relaxed));
         let [inserted, vertices, _] = counts;

@@ -1,5 +1,5 @@
 //! Level 3: tau-quality (Definition 4): over all corners where the cage of a domain surrounds its
-//! inputs ([`crate::netmesh::parameters::Parameters::closes`]), otherwise over those within the corner
+//! inputs ([`crate::parameters::Parameters::closes`]), otherwise over those within the corner
 //! restriction.
 
 use super::report::{Findings, Violation, ViolationKind};

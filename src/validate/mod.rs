@@ -20,7 +20,7 @@
 //! each whose vertices are in no cage and whose corner counts in the domain of each; union cells are
 //! not bounded then.
 //!
-//! [`Parameters::closes`]: crate::netmesh::parameters::Parameters::closes
+//! [`Parameters::closes`]: crate::parameters::Parameters::closes
 
 mod arrays;
 mod aspect;

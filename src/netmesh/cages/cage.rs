@@ -86,11 +86,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         } else {
             self.state.delaunay.complex().incident(self.state.hierarchy.node(cage).center)
         };
-        let Some(home) = self.state.delaunay.locate(start, &x) else {
+        let Some(start) = self.state.delaunay.locate(start, &x) else {
             self.limit_cage(cage);
             return Ok(None);
         };
-        self.state.delaunay.find_cavity(home, &x, cavity)?;
+        self.state.delaunay.find_cavity(start, &x, cavity)?;
         let nearest = self.nearest_vertex_distance(&x, cavity);
         if nearest < PACKING * self.state.parameters.delta * self.sphere_radius(cage) {
             self.limit_cage(cage);
@@ -111,7 +111,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(Some(vertex))
     }
 
-    /// Inserts `vertex`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    /// Inserts `vertex`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
     pub(in crate::netmesh) fn insert_into_cage(
         &mut self,
         domain: u32,
@@ -167,8 +167,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// GROWCAGE(C): a cage of radius `least` or a little more where there is room for it; then the
-    /// old one is released. The paper's radius is r / epsilon. Whether it was done (`rim`).
+    /// GROWCAGE(C): a cage of radius `least`, or a little more where there is room for it. Then the
+    /// old one is released. The paper's radius is r / epsilon. False if the interface defers it.
     pub(in crate::netmesh) fn grow_cage(
         &mut self,
         cage: u32,

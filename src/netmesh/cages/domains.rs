@@ -51,7 +51,7 @@ impl<const D: usize> Hierarchy<D> {
         Ok(Self { nodes: Vec::new(), places: Array::filled(vertices, Place::NOWHERE)?, alive: 0 })
     }
 
-    /// Makes room for so many vertices if the system gives it.
+    /// Reserves memory for `vertices` vertices if the system gives it.
     pub fn expect(&mut self, vertices: usize) {
         self.places.expect(vertices);
     }

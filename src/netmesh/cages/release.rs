@@ -16,9 +16,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertex = self.state.hierarchy.node(cage).cage[at];
             self.state.delaunay.star(vertex, &mut self.scratch.star)?;
             for &simplex in &self.scratch.star {
-                for &corner in self.state.delaunay.complex().vertices(simplex) {
-                    if is_valid(corner) {
-                        affected.insert(corner)?;
+                for &other in self.state.delaunay.complex().vertices(simplex) {
+                    if is_valid(other) {
+                        affected.insert(other)?;
                     }
                 }
             }

@@ -167,7 +167,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((radius <= most).then_some(radius))
     }
 
-    /// The distances in `range` from `center` to the uninserted inputs whose homes are in the
+    /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in the
     /// scratch cavity or next to the centre (or the cage of the `child` domain round it), as bits,
     /// which are ordered as distances are.
     fn distances_nearby(

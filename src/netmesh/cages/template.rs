@@ -22,16 +22,16 @@ pub(in crate::netmesh) fn cage_template<const D: usize>(
     if D == 2 { Ok(polygon(delta)?) } else { greedy_net(delta, most, watch) }
 }
 
-/// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's corners.
+/// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's vertices.
 fn polygon<const D: usize>(delta: f64) -> AllocResult<Vec<[f64; D]>> {
     let count = (PI / (2.0 * (delta / 2.0).asin())).ceil();
-    let corner = |i: u32| {
+    let vertex = |i: u32| {
         let mut point = [0.0; D];
         // Turned a little, so that grids are not cocircular with the polygon.
         (point[1], point[0]) = (f64::from(i) * TAU / count + 0.1).sin_cos();
         point
     };
-    collected((0..count as u32).map(corner))
+    collected((0..count as u32).map(vertex))
 }
 
 /// The points c + r T.
@@ -64,7 +64,7 @@ pub(in crate::netmesh) fn turned<const D: usize>(
 /// Inserts the point of the sphere farthest from the net until none is farther than delta. The
 /// candidates are the normals of the hull's facets. The Delaunay complex of the net and the origin
 /// has a simplex over each facet, and its circumcentre c is such a normal: |c - t| = |c| for the
-/// facet's corners t, so c t = 1/2 and the angle between them has the cosine 1 / (2 |c|).
+/// facet's vertices t, so c t = 1/2 and the angle between them has the cosine 1 / (2 |c|).
 fn greedy_net<const D: usize>(
     delta: f64,
     most: u64,

@@ -15,7 +15,8 @@ const MEETING_PROBES: usize = 2_000;
 /// The most simplices visited for the intersections of one D-ball.
 const MEETING_LIMIT: usize = 100_000;
 
-/// No further probe after so many simplices visited for all of them: from 5D on each has thousands.
+/// Probes end when all of them together visited this number of simplices: from 5D on each visits
+/// thousands.
 const WORK: u64 = 1 << 25;
 
 /// The largest of some counts, and their mean.
@@ -86,7 +87,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Every so many-th live finite simplex, at most `most`.
+    /// Live finite simplices at a regular stride, at most `most`.
     fn probes(&mut self, most: usize) -> Result<Vec<u32>> {
         let complex = self.state.delaunay.complex();
         let bound = complex.simplex_bound() as u32;

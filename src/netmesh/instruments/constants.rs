@@ -14,12 +14,12 @@ const FEATURE_PROBES: usize = 20_000;
 /// So many insertions are all observed, then half as many of each doubling.
 const INSERTION_PROBES: usize = 1 << 12;
 
-/// No further probe after so many simplices visited for all of them: a vertex of a finished mesh may
-/// have thousands of others between itself and the inputs.
+/// Probes end when all of them together visited this number of simplices: a vertex of a finished
+/// mesh may have thousands of others between itself and the inputs.
 const WORK: u64 = 1 << 26;
 
-/// Probes are taken in so many sweeps over the vertices. Where work is cut off early, the rest are
-/// still inputs, Steiner points and vertices of cages alike.
+/// The number of sweeps over the vertices that take the probes. Where work is cut off early, the
+/// probes taken are still inputs, Steiner points and vertices of cages alike.
 const SWEEPS: usize = 16;
 
 /// A vertex of a cage whose domain has one input yet, its centre.

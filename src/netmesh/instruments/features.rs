@@ -18,7 +18,7 @@ use crate::numerics::distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A search ends without an answer after so many vertices.
+/// A search that visits this number of vertices ends without an answer.
 const MOST_VISITED: usize = 4096;
 
 /// The feature sizes of the mesh and of the inputs in it; `None` of fewer than two points.

@@ -1,4 +1,4 @@
-//! Cutting a part out of the mesh, and going on with it.
+//! A partition is cut out of the mesh, and refined.
 
 use super::Partition;
 use super::interface::Interface;
@@ -7,15 +7,16 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow, copied, with_room};
 use crate::mesh::Stats;
-use crate::netmesh::parameters::Parameters;
 use crate::netmesh::refinement::refine_list::RefineList;
 use crate::netmesh::watch::Watch;
 use crate::netmesh::{Mesher, Stage, State};
+use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The live `simplices` as a part, with the inputs that are at home in them, which have no home in
-    /// the whole from then on. No id is given before or afterwards.
+    /// The live `simplices` as a partition, with the inputs on their conflict lists, which are on
+    /// no list of the global mesh from then on. No id is given in the global mesh before or
+    /// afterwards.
     pub(super) fn cut(
         &mut self,
         simplices: Array<u32>,
@@ -28,7 +29,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 vertices.try_push(input)?;
             }
         }
-        // Ids are in an order of locality, here and there.
+        // Local ids are in the same order of locality as global ones.
         vertices.sort_unstable();
         let inputs = vertices.len();
         let mut local_to_global = LocalToGlobal { simplices, vertices };
@@ -51,8 +52,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cells.try_push(self.state.cells[vertex as usize])?;
             precision_limited.push(self.state.precision_limited[vertex as usize]);
         }
-        // The vertices of other parts count against the limit as well; what they make of it is seen
-        // when all have joined.
+        // The vertices of other partitions count towards the limit as well. What they add is
+        // counted when all have joined.
         let others = (self.state.delaunay.point_count() - local_to_global.vertices.len()) as u64;
         let parameters = Parameters {
             max_vertices: self.state.parameters.max_vertices.saturating_sub(others),
@@ -82,7 +83,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> Partition<D> {
-    /// Goes through the rest of the rounds, and of the refinement.
+    /// Goes through the rest of the rounds and of the refinement.
     pub fn refine(self, watch: Watch<'_, '_>) -> Result<Self> {
         let mut mesher = Mesher::resume(self.state, watch);
         mesher.state.stage.vertices_before_final = mesher.state.delaunay.point_count();

@@ -1,6 +1,14 @@
-//! What a part of the mesh must leave as it is (`parts`): the simplices at its rim, and those where an
-//! insertion would change a domain that is not the part's own. An operation asks before it begins;
-//! what may not be done stays undone, and the whole does it later. The whole has no rim.
+//! The interface of a partition: what it must leave as it is. Locked are the simplices at the
+//! interface and those where an insertion would change a domain that the partition does not own. An
+//! operation asks before it begins. The partition defers what is not allowed, and the global mesh
+//! does it later. The global mesh has no interface.
+//!
+//! ```text
+//!    partition 1    |    partition 2      Simplices beside the line are locked. Each partition
+//!      /\    /\     |     /\    /\        keeps them as they are, so both sides still fit
+//!     /  \  /  \ *  |  * /  \  /  \       together when they join. An input whose cavity has
+//!    /____\/____\ . | . /____\/____\      a locked simplex (*) is deferred.
+//! ```
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
@@ -10,22 +18,25 @@ use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::ROOT;
 use crate::netmesh::cages::site::CageSite;
 
-/// So many simplices are looked at round a cage that is wanted. One that meets more is the whole's.
+/// The number of simplices that are examined around a wanted cage. A cage that meets more is left
+/// to the global mesh.
 const MOST_ROUND_CAGE: usize = 1 << 13;
 
-/// How much farther than the cage sphere a part must reach: cage vertices and D-balls are rounded.
+/// How much farther than the cage sphere a partition must extend: cage vertices and D-balls are
+/// rounded.
 const MARGIN: f64 = 1.0 + 1e-6;
 
 #[derive(Default)]
 pub(in crate::netmesh) struct Interface {
-    /// Simplex -> whether it must stay; those that are not there need not.
+    /// Simplex -> whether it is locked. Simplices beyond the end are not.
     locked: Vec<bool>,
-    /// Domain -> whether it must stay; likewise.
+    /// Domain -> whether another partition owns it. Domains beyond the end are owned.
     non_owned: Vec<bool>,
-    /// Simplex -> whether an input at home in it could not be inserted. Others there cannot either,
+    /// Simplex -> whether one of its inputs was deferred. Its other inputs would be deferred too,
     /// usually.
     skipped: Vec<bool>,
-    /// Cages, and inputs that went into them, which encroach a domain around them that must stay.
+    /// Cages and inputs that went into them, where the input encroaches a non-owned domain around
+    /// the cage.
     pub deferred: Vec<(u32, u32)>,
 }
 
@@ -34,18 +45,18 @@ impl Interface {
         Self { non_owned, ..Self::default() }
     }
 
-    /// Whether to try and insert the inputs of `simplex`.
+    /// Whether the inputs of `simplex` may be tried.
     #[inline]
     pub fn is_eligible(&self, simplex: u32) -> bool {
         self.skipped.get(simplex as usize).is_none_or(|&is_skipped| !is_skipped)
     }
 
-    /// Holds no inputs back any more.
+    /// Makes all inputs eligible.
     pub fn clear_skipped(&mut self) {
         self.skipped.clear();
     }
 
-    /// An input of `simplex` could not be inserted, or is to wait.
+    /// Makes the inputs of `simplex` not eligible until the simplex is replaced.
     pub fn skip(&mut self, simplex: u32) -> AllocResult<()> {
         self.skipped.cover(simplex as usize + 1, false)?;
         self.skipped[simplex as usize] = true;
@@ -64,7 +75,7 @@ impl Interface {
         }
     }
 
-    /// Whether this is the rim of a part.
+    /// Whether this is the interface of a partition.
     pub fn is_some(&self) -> bool {
         !self.non_owned.is_empty()
     }
@@ -81,7 +92,8 @@ impl Interface {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Freezes what must stay. Cells are not refined at the corners of such simplices.
+    /// Locks the simplices that must stay as they are. Cells are not refined at the corners of such
+    /// simplices.
     pub(in crate::netmesh) fn lock(&mut self) -> Result<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         self.state.refine_list.forget(&[], bound)?;
@@ -99,7 +111,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Leaves the inputs of the home of `input` alone, in a part, until the home is replaced.
+    /// Defers `input`, in a partition, and the others of its simplex.
     pub(in crate::netmesh) fn defer(&mut self, input: u32) -> AllocResult<()> {
         if self.state.interface.is_some() {
             self.state.interface.skip(self.state.conflict_lists.simplex_of(input))
@@ -108,7 +120,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Freezes the homes of inputs, too: those that are left need not be looked after any more.
+    /// Locks the simplices that still have inputs: these are not redistributed any more.
     pub(in crate::netmesh) fn lock_crowded(&mut self) -> Result<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         self.state.interface.locked.cover(bound, false)?;
@@ -122,8 +134,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Whether `simplex` has vertices inside and outside of a domain that must stay: its clearance would
-    /// change with them.
+    /// Whether `simplex` has vertices inside and outside of a non-owned domain. The clearance of
+    /// that domain would change with them.
     fn spans_non_owned_domain(&mut self, simplex: u32) -> bool {
         !self.state.delaunay.complex().is_infinite(simplex)
             && self
@@ -133,14 +145,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 .is_some()
     }
 
-    /// Whether no simplex of the scratch cavity must stay.
+    /// Whether no simplex of `cavity` is locked.
     pub(in crate::netmesh) fn may_replace_cavity(&self, cavity: &Cavity) -> bool {
         !self.state.interface.is_some()
             || !cavity.simplices.iter().any(|&simplex| self.state.interface.is_locked(simplex))
     }
 
-    /// Whether `x`, whose conflicts are the scratch cavity, may be inserted, and
-    /// release the cages that it encroaches from outside.
+    /// Whether `x`, whose cavity is given, may be inserted, and the cages that it encroaches from
+    /// outside released.
     pub(in crate::netmesh) fn may_insert(&mut self, x: &[f64; D], cavity: &Cavity) -> bool {
         if !self.state.interface.is_some() {
             return true;
@@ -165,8 +177,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         true
     }
 
-    /// Whether a cage may be made at `site`: nothing that must stay is in conflict with a point of its
-    /// sphere, and no domain between there and the parent must stay.
+    /// Whether a cage may be made at `site`: no locked simplex is in conflict with a point of its
+    /// sphere, and the partition owns all domains between there and the parent.
     pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
         if !self.state.interface.is_some() {
             return Ok(true);
@@ -191,7 +203,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(is_free)
     }
 
-    /// Whether no domain from that of `vertex` up to `parent`, or as large, must stay.
+    /// Whether the partition owns all domains from that of `vertex` up to `parent`, or to one as
+    /// large.
     fn is_own_below(&mut self, parent: u32, vertex: u32) -> bool {
         let mut domain = self.state.hierarchy.domain_of(vertex);
         while domain != ROOT

@@ -1,6 +1,6 @@
-//! Where the mesh is cut. An input next to a simplex at a rim waits for the whole, and the simplices of
-//! the coarse mesh are large. So the inputs at the walls between parts go in before the mesh is
-//! cut, until the simplices there are as small as they get.
+//! Where the mesh is cut. A partition defers every input next to a simplex at its interface, and
+//! the simplices of the coarse mesh are large. So the inputs at the interfaces go in before the
+//! mesh is cut, until the simplices there are as small as they get.
 
 use super::FEW;
 use crate::complex::Anchored;
@@ -10,13 +10,13 @@ use crate::memory::{AllocResult, Array, TryGrow, collected, with_room};
 use crate::netmesh::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The inputs at which parts begin, but for the first: each has as many inputs as the others. A
-    /// simplex is of the part of its anchor.
+    /// The inputs at which partitions begin, except the first one. Partitions have equal numbers of
+    /// inputs. A simplex belongs to the partition of its anchor.
     pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<u32>> {
         collected((1..count).map(|partition| (partition * self.state.inputs / count) as u32))
     }
 
-    /// All simplices, those between two walls together, in an order of locality.
+    /// All simplices in an order of locality, a run for each partition.
     pub(super) fn between(&mut self, interfaces: &[u32]) -> Result<Vec<Array<u32>>> {
         let anchored = self.anchored()?;
         let mut runs = with_room(interfaces.len() + 1)?;
@@ -40,7 +40,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.delaunay.complex().order_by_anchor(self.state.inputs, || watch.poll_after(1))
     }
 
-    /// Passes over the homes at walls alone.
+    /// Inserts the inputs of simplices at interfaces, pass by pass.
     pub(super) fn insert_at_interfaces(
         &mut self,
         interfaces: &[u32],
@@ -60,7 +60,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Lets no inputs in but those at walls.
+    /// Makes only the inputs at interfaces eligible.
     fn skip_all_but(&mut self, interfaces: &[u32]) -> Result<()> {
         self.state.interface.clear_skipped();
         for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
@@ -74,7 +74,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Whether the home `simplex` is at a wall, or next to one that is.
+    /// Whether `simplex` is at an interface, or next to one that is.
     fn is_at_interface(&self, simplex: u32, interfaces: &[u32]) -> bool {
         let neighbors =
             |simplex: u32| self.state.delaunay.complex().neighbors(simplex).iter().copied();
@@ -84,7 +84,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         partitions.any(|partition| Some(partition) != first)
     }
 
-    /// The number of the part that a simplex is in, if it has an input.
+    /// The number of the partition that a simplex is in, if it has an input.
     fn part_of(&self, simplex: u32, interfaces: &[u32]) -> Option<usize> {
         let vertices = self.state.delaunay.complex().vertices(simplex).iter().copied();
         let anchor = vertices.filter(|&vertex| self.is_input(vertex)).min()?;

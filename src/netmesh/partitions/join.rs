@@ -1,4 +1,4 @@
-//! A part joins the whole in the place of what it was cut out of.
+//! A partition joins the global mesh in the place of what it was cut out of.
 
 use super::Partition;
 use crate::error::Result;
@@ -7,7 +7,7 @@ use crate::mesh::Stats;
 use crate::netmesh::{Cell, Mesher, limit};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// `moved`: simplex that became one of a part -> its new id.
+    /// Joins `partition`. `moved`: simplex that became one of a partition -> its new id.
     pub(super) fn join(&mut self, partition: Partition<D>, moved: &mut [u32]) -> Result<()> {
         let Partition { mut local_to_global, mut domains, shared, state: own } = partition;
         let known = shared.len();
@@ -60,7 +60,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Adds what a part has counted, but for its rounds and passes, which went on beside those of others.
+/// Adds what a partition has counted, except its rounds and passes, which ran beside those of
+/// others.
 fn add(stats: &mut Stats, partition: &Stats) {
     stats.yields += partition.yields;
     stats.far_corners += partition.far_corners;

@@ -1,13 +1,20 @@
-//! Large meshes in parts, on as many threads as the caller allows. The rounds (§6.5) begin as always; once
-//! they have made a coarse mesh, the inputs at walls between parts go in (`walls`), the mesh is cut there,
-//! and each part goes through the rest of the rounds and of the refinement as a mesh of its own. What
-//! would change simplices at a part's rim is left undone (`rim`). Then the parts join, and the whole does
-//! what is left.
+//! Large meshes are made in partitions, on as many threads as the caller allows.
 //!
-//! The paper inserts the inputs of a round, and refines, in any order (§6.3, §6.4), so this is one of the
-//! orders that it allows, but for the bound on rounds: an input at a rim waits for the whole's.
+//! The rounds (§6.5) begin as always. Once they have made a coarse mesh, the inputs at the
+//! interfaces between partitions are inserted (`interfaces`) and the mesh is cut there (`cut`).
+//! Each partition goes through the rest of the rounds and of the refinement as a mesh of its own.
+//! It defers whatever would change a simplex at its interface (`interface`). Then the partitions
+//! join (`join`), and the global mesh does what they deferred.
 //!
-//! Parts are the same, and join in the same order, whatever the number of threads: so is the mesh.
+//! The paper inserts the inputs of a round, and refines, in any order (§6.3, §6.4). This is one of
+//! the orders that it allows, except for the bound on rounds: a deferred input waits for the rounds
+//! of the global mesh.
+//!
+//! Partitions depend on the inputs only, and join in a fixed order. So the mesh does not depend on
+//! the number of threads.
+//!
+//! What divides the work of one mesh belongs here: `schedule` runs the partitions, `reserves` gives
+//! them memory to grow in, and `workers` share work that changes nothing.
 
 mod cut;
 pub(super) mod interface;
@@ -28,16 +35,16 @@ use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
 
-/// In higher dimensions rims are most of the mesh.
+/// In higher dimensions most of the mesh is at interfaces.
 const MAX_DIM: usize = 3;
 
-/// One of so many inputs is in the coarse mesh, before those at walls.
+/// The coarse mesh has one input of this number, before those at interfaces are inserted.
 const COARSE: usize = 128;
 
-/// A part's rounds end when one inserts no more than one of so many inputs.
+/// The rounds of a partition end when one inserts no more than one input of this number.
 const FEW: usize = 32;
 
-/// A part of the mesh, all that it takes to go on with it.
+/// A partition of the mesh, and all that it takes to go on with it.
 struct Partition<const D: usize> {
     local_to_global: LocalToGlobal,
     domains: DomainsToGlobal,
@@ -48,14 +55,14 @@ struct Partition<const D: usize> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Whether the inputs are many enough for parts, and the mesh is fine enough.
+    /// Whether the inputs are many enough for partitions, and the mesh is fine enough.
     pub(in crate::netmesh) fn is_ready_for_partitions(&self) -> bool {
         self.is_partitioned()
             && self.state.inputs - self.state.conflict_lists.remaining()
                 >= self.state.inputs / COARSE
     }
 
-    /// Whether the last refinement was done in parts, but for what was left at rims.
+    /// Whether the final refinement was done in partitions, except at interfaces.
     pub(in crate::netmesh) fn is_nearly_final(&self) -> bool {
         self.is_partitioned() && self.state.parameters.output == Output::Hierarchical
     }
@@ -66,12 +73,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             && self.state.inputs >= 2 * self.state.parameters.inputs_per_partition
     }
 
-    /// Inserts most inputs, and refines most of the mesh unless cages are to be dissolved before.
+    /// Inserts most inputs. Refines most of the mesh too, unless cages are to be dissolved first.
     pub(in crate::netmesh) fn insert_in_partitions(&mut self, cavity: &mut Cavity) -> Result<()> {
         if !self.is_partitioned() || self.state.conflict_lists.remaining() == 0 {
             return Ok(());
         }
-        // Two threads, or four, do even numbers of parts in the same time.
+        // Two threads, or four, do even numbers of partitions in the same time.
         let count = self
             .state
             .inputs
@@ -96,7 +103,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.make_deferred_room(cavity)
     }
 
-    /// What parts could not do for inputs that a cage of theirs yielded to.
+    /// Grows the cages that partitions deferred, for inputs that a cage of theirs yielded to.
     fn make_deferred_room(&mut self, cavity: &mut Cavity) -> Result<()> {
         for (cage, input) in std::mem::take(&mut self.state.interface.deferred) {
             self.make_room_outside(cage, &[input], cavity)?;
@@ -104,7 +111,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.clean(cavity)
     }
 
-    /// The rest of the rounds, and of the refinement, as far as the rim lets.
+    /// Goes through the rest of the rounds and of the refinement, as far as the interface allows.
     fn run_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.lock()?;
         loop {
@@ -124,7 +131,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Inserts what can be inserted, when rounds are not worth it any more.
+    /// Inserts the eligible inputs that are left, when rounds insert too few.
     fn insert_stragglers(&mut self, cavity: &mut Cavity) -> Result<()> {
         for input in 0..self.state.inputs as u32 {
             self.watch.poll_after(1)?;

@@ -1,18 +1,19 @@
-//! Parts that become the whole grow in its spare room, so that nothing has to be copied when they join.
+//! Partitions grow in the spare memory of the global mesh, so that nothing has to be copied when
+//! they join.
 
 use super::Partition;
 use crate::memory::{AllocResult, collected};
 use crate::netmesh::Mesher;
 
-/// What parts are lent of the spare room, where there are several: what they leave of that has to be
-/// closed up. There is room for half as much again as uniform inputs take.
+/// The share of the spare memory that several partitions get: what they leave of it has to be
+/// closed up. There is half as much again as uniform inputs take.
 const USUAL: f64 = 0.67;
-/// Products are rounded up.
+/// The share that a single partition gets, since products are rounded up.
 const ALL: f64 = 0.999;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Divides the spare room for simplices among `parts`, by their inputs. Where that is not enough a part
-    /// moves to room of its own as it grows.
+    /// Splits the spare memory for simplices among `partitions`, in proportion to their inputs.
+    /// Where that is not enough a partition moves to memory of its own as it grows.
     pub(super) fn split_reserves(&mut self, partitions: &mut [Partition<D>]) -> AllocResult<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         let inputs = |partition: &Partition<D>| partition.state.conflict_lists.remaining() as f64;

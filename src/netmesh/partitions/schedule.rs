@@ -1,5 +1,5 @@
-//! The threads. They take parts in their order, and this thread lets them join, in the same order,
-//! and watches for the caller.
+//! The threads take partitions in order. The calling thread joins them in the same order, and
+//! watches for the caller.
 
 use super::Partition;
 use crate::error::Result;
@@ -11,12 +11,12 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::sync::{Mutex, PoisonError};
 
-/// Parts that no thread has taken yet, with their numbers.
+/// Partitions that no thread has taken yet, with their numbers.
 type Queue<const D: usize> = Mutex<VecDeque<(usize, Partition<D>)>>;
 type Done<const D: usize> = (usize, Result<Partition<D>>);
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Refines `parts`, and lets them join; see [`Self::join`] for `moved`.
+    /// Refines `partitions` and joins them. See [`Self::join`] for `moved`.
     pub(super) fn refine_partitions(
         &mut self,
         partitions: Vec<Partition<D>>,
@@ -70,7 +70,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         })
     }
 
-    /// Lets `count` parts join as they come, but in their order.
+    /// Joins `count` partitions in their order.
     fn gather(
         &mut self,
         receiver: &Receiver<Done<D>>,
@@ -99,7 +99,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Refines the next of the parts until there is none.
+/// Refines the next partition, until there is none.
 fn refine_next<const D: usize>(queue: &Queue<D>, tally: &Tally, sender: &Sender<Done<D>>) {
     loop {
         let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();

@@ -8,7 +8,7 @@ use crate::options::{Criterion, NetOrdering, Options, Output, Progress};
 use crate::parameters::Parameters;
 use crate::validate::validate;
 
-/// Inputs of a part in these tests, where a mesh of some thousands has several.
+/// Inputs of a partition in these tests, where a mesh of some thousands has several.
 const PART: usize = 800;
 
 fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
@@ -42,7 +42,7 @@ fn bits(values: &[f64]) -> Vec<u64> {
 }
 
 /// The mesh is the same on one, two and three threads, has a certificate, and is about as large as that
-/// made as one, but another: so it was made in parts.
+/// made as one, but another: so it was made in partitions.
 fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     let inputs = inputs(points);
     let one = run::<D>(&inputs, options, 1);
@@ -65,7 +65,7 @@ fn scattered<const D: usize>(count: usize, seed: u64) -> Vec<[f64; D]> {
     (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect()
 }
 
-/// Pairs of points that are 2^-30 apart: a cage to every pair, many of them at rims.
+/// Pairs of points that are 2^-30 apart: a cage to every pair, many of them at interfaces.
 fn pairs<const D: usize>(count: usize) -> Vec<[f64; D]> {
     let near = |point: &[f64; D], shift: f64| point.map(|x| x + shift);
     let points = scattered::<D>(count / 2, 5);
@@ -90,7 +90,7 @@ fn nested<const D: usize>(levels: i32, count: usize) -> Vec<[f64; D]> {
 }
 
 /// Dense clusters, each large enough to be cut, with points at all distances around them: those encroach
-/// domains of more parts than one, from inside and from outside.
+/// domains of more partitions than one, from inside and from outside.
 fn halos<const D: usize>(clusters: usize, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(9);
     let mut points = Vec::new();
@@ -158,7 +158,7 @@ fn other_options() {
     check(&points, &Options { instruments: true, ..Options::default() });
 }
 
-/// In 4D rims would be most of the mesh.
+/// In 4D interfaces would be most of the mesh.
 #[test]
 fn higher_dimensions_go_as_one() {
     let inputs = inputs(&scattered::<4>(800, 4));
@@ -207,7 +207,7 @@ fn runs_in_parts_are_watched() {
         let last = calls.last().unwrap();
         assert_eq!(last.inputs_inserted, 30_000);
         assert_eq!(last.vertices as usize, mesh_of.vertex_count());
-        // A part of them is in the coarse mesh and at walls, which are made as one.
+        // A partition of them is in the coarse mesh and at interfaces, which are made as one.
         for most in [5_000, 12_000, 25_000] {
             let mut stop = |progress: &Progress| progress.inputs_inserted < most;
             let error = mesh::<3>(&inputs, options.clone(), Some(&mut stop)).unwrap_err();
@@ -216,7 +216,7 @@ fn runs_in_parts_are_watched() {
     }
 }
 
-/// What is left for the whole are the inputs at walls; those were inserted before, as long as simplices
+/// What is left for the global mesh are the inputs at interfaces; those were inserted before, as long as simplices
 /// there were large.
 #[test]
 fn few_inputs_wait_for_the_whole() {

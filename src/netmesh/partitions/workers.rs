@@ -1,5 +1,6 @@
-//! Work in pieces that do not need each other, on as many threads as the caller allows. Pieces are done
-//! in any order; what they give comes in theirs, so nothing depends on the threads.
+//! Workers do independent pieces of work, on as many threads as the caller allows. Pieces are done
+//! in any order, and their results come in the order of the pieces. So nothing depends on the
+//! threads.
 
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_room};
@@ -9,7 +10,8 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Ids of a piece: a millisecond or a few, after which the caller may want to be called.
+/// The number of ids in a piece. It takes a millisecond or a few, after which the caller may want
+/// to be called.
 pub(in crate::netmesh) const PIECE: usize = 1 << 14;
 
 /// Threads that the caller allows.
@@ -21,8 +23,8 @@ pub(in crate::netmesh) fn threads(wanted: u32) -> usize {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Threads for what only looks at the mesh, no more than there are cores: the caller may allow any
-    /// number. A mesh that is not made in parts is made on one thread.
+    /// The number of threads for work that changes nothing, at most the number of cores: the caller
+    /// may allow any number. A mesh that is not partitioned is made on one thread.
     pub(in crate::netmesh) fn threads(&self) -> usize {
         if self.is_partitioned() {
             threads(self.state.parameters.threads).min(threads(0))
@@ -38,8 +40,8 @@ pub(in crate::netmesh) fn pieces(bound: usize) -> impl Iterator<Item = Range<u32
     (0..bound).step_by(PIECE).map(move |begin| begin as u32..end(begin))
 }
 
-/// What `act` makes of each of the `pieces`, in their order. This thread takes its share of them, and
-/// watches for the caller; what a system refuses of the other threads it does as well.
+/// What `act` makes of each of the `pieces`, in their order. The calling thread is one of the
+/// workers, and polls the watch. It does alone what the system refuses other threads for.
 pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
     threads: usize,
     watch: &mut Watch<'_, '_>,
@@ -64,7 +66,7 @@ struct Workers<Q, A> {
 }
 
 impl<Q, A> Workers<Q, A> {
-    /// [`Self::work`] on so many threads, of which this is one.
+    /// [`Self::work`] on `threads` threads, of which this is one.
     fn work_together<W, T>(
         &self,
         threads: usize,
@@ -92,7 +94,7 @@ impl<Q, A> Workers<Q, A> {
         })
     }
 
-    /// Does pieces until there are none, or somebody gave up.
+    /// Does pieces until there are none, or until a worker has stopped.
     fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
     where
         Q: Iterator<Item = (usize, W)>,

@@ -15,8 +15,8 @@ const NEAR: f64 = 0.5;
 const SPACING: f64 = 1.0 / 64.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Inserts a point that narrows the slit in the cage of `domain` that the corner of `simplex`
-    /// slips through.
+    /// Inserts a point that narrows the gap in the cage of `domain` through which a cell reaches
+    /// the corner of `simplex`.
     pub(in crate::netmesh) fn narrow_cage_gap(
         &mut self,
         simplex: u32,
@@ -40,8 +40,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Whether the corner of `simplex` is inside the cage sphere by a part of its radius, and all
-    /// that it would be next to is inside the domain.
+    /// Whether the corner of `simplex` is inside the cage sphere by a fraction of its radius, and
+    /// everything next to it is inside the domain.
     fn is_clear_of_cage(
         &mut self,
         simplex: u32,
@@ -84,7 +84,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x.iter().all(|x| x.is_finite()).then_some(x)
     }
 
-    /// Finds the cavity of `x` and tells whether `x` is far enough from its corners.
+    /// Finds the cavity of `x` and tells whether `x` is far enough from its vertices.
     fn finds_room(
         &mut self,
         near: u32,
@@ -101,7 +101,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         !self.state.interface.is_non_owned(domain) && self.may_insert(x, cavity)
     }
 
-    /// Inserts `x`, whose conflicts are the scratch cavity, as a vertex of the cage of `domain`.
+    /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
     fn join_at(&mut self, domain: u32, x: [f64; D], cavity: &Cavity) -> Result<()> {
         self.state.stats.cage_points += 1;
         self.state.stats.closing_points += 1;

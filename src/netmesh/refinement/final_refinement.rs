@@ -1,18 +1,17 @@
-//! The last refinement, once all inputs are in: to the bound that the caller asked for, over all
+//! The final refinement, once all inputs are in: to the bound that the caller asked for, over all
 //! corners of all cells.
 //!
-//! While the mesh grows its bound is looser, and a cell answers only for its corners inside the hull
-//! of its domain's cage (`quality`): refinement up to the cage would destroy it. That leaves slits,
-//! cells that look out between the vertices of a coarse cage. Now every corner counts: one near the
-//! cage sphere or beyond it goes in as a further cage vertex, at the nearest point of the sphere, and
-//! one well inside as a Steiner point. Then Definition 4 holds as it stands, over all corners.
+//! While inputs go in the bound is looser, and a cell answers only for its corners inside the hull
+//! of its domain's cage (`quality`): refinement up to the cage would destroy the cage. That leaves
+//! gaps between the vertices of coarse cages, through which cells look out. Now every corner counts
+//! (`cage_gap`). Then Definition 4 holds as it stands, over all corners.
 //!
 //! It ends as Ruppert's refinement of a domain with a smooth boundary does ("A Delaunay refinement
 //! algorithm for quality 2-dimensional mesh generation", 1995). Inputs keep away from the sphere
-//! (Definition 2), Steiner points by [`NEAR`] times their insertion radius. A corner beyond the sphere
-//! sees it through a cap that no vertex is in, so its projection is at least as far from all vertices
-//! as the cap is high; that is as deep as the vertex inside lies. What this argument's constants do
-//! not cover, [`SPACING`] ends; no run with default options came to that.
+//! (Definition 2), and Steiner points do by `NEAR` times their insertion radius. A corner beyond
+//! the sphere sees it through a cap that no vertex is in, so its projection is at least as far from
+//! all vertices as the cap is high. That is as deep as the vertex inside lies. What this argument's
+//! constants do not cover, `SPACING` ends; no run with default options came to that.
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
@@ -20,17 +19,18 @@ use crate::netmesh::Mesher;
 use crate::netmesh::refinement::bad_simplex::Scan;
 use crate::options::Phase;
 
-/// Simplices of a tile, and of a mesh that goes without. What is refined at a time stays in the cache,
-/// which halves the time of large meshes; the order by length is kept in tiles only, which costs up to
-/// 0.6 % more vertices, and 3 % around close pairs (docs/decisions.md).
+/// The number of simplices of a tile, and of a mesh that is refined without tiles. What is refined
+/// at a time stays in the cache, which halves the time of large meshes. The order by length is kept
+/// within tiles only, which costs up to 0.6 % more vertices, and 3 % around close pairs
+/// (docs/decisions.md).
 const TILE: usize = 1 << 12;
 const SMALL: usize = 1 << 17;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Refines until no cell is bad over all its corners. Insertions examine what they change; but a
-    /// cage's union cell may have corners at simplices without a vertex of the cage, which are not seen
-    /// when its clearance falls: hence until a look at all that have vertices of several domains finds
-    /// nothing.
+    /// Refines until no cell is bad over all its corners. Insertions examine what they change. But
+    /// a cage's union cell may have corners at simplices without a vertex of the cage, which are
+    /// not examined when its clearance falls. So all simplices that span domains are scanned until
+    /// none is bad.
     pub(in crate::netmesh) fn refine_finally(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.begin_final_refinement()?;
         let mut scan = Scan::All;
@@ -46,7 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// A first look at a part; what it leaves bad the whole finds.
+    /// The first scan of a partition. The global mesh finds what it leaves bad.
     pub(in crate::netmesh) fn refine_partition_finally(
         &mut self,
         cavity: &mut Cavity,
@@ -64,7 +64,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.state.refine_list.sort_by_length()?)
     }
 
-    /// A first look, one tile after the other.
+    /// The first scan, one tile after the other.
     fn refine_tiles(&mut self, cavity: &mut Cavity) -> Result<()> {
         let watch = &mut self.watch;
         let complex = self.state.delaunay.complex();
@@ -77,7 +77,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Mends those of some simplices that are bad, with all that gets bad by it.
+    /// Mends the bad ones of some simplices, and all that becomes bad by it.
     fn refine_simplices(&mut self, simplices: &[u32], cavity: &mut Cavity) -> Result<()> {
         for &simplex in simplices {
             self.watch.poll_after(1)?;
@@ -88,7 +88,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.clean(cavity)
     }
 
-    /// Mends all simplices that are bad; whether any was.
+    /// Mends the simplices that are found bad in a scan. Returns whether any was.
     fn refine_scanned(&mut self, scan: Scan, cavity: &mut Cavity) -> Result<bool> {
         for simplex in self.suspects(scan)?.into_iter().flatten() {
             self.watch.poll_after(2)?;

@@ -1,10 +1,11 @@
-//! tau-quality (Definition 4) as the refinement tests it, simplex by simplex. All corners of a
-//! simplex are at its circumradius R from its Voronoi corner, so the cell of v is bad iff an
-//! incident simplex has R > tau/2 NN(v); NN only falls.
+//! tau-quality (Definition 4) as the refinement tests it, simplex by simplex. All vertices of a
+//! simplex are at its circumradius R from its Voronoi corner. So the cell of v is bad if and only
+//! if an incident simplex has R > tau/2 NN(v). NN only falls.
 //!
 //! Corner restriction: for a vertex of Omega only corners within `corner_restriction` of the cage
 //! sphere's radius count, and likewise for the union cell of a cage with respect to its parent.
-//! Without it CLEAN inserts points beside the cages and destroys them. `close` lifts it at the end.
+//! Without it CLEAN inserts points beside the cages and destroys them. `final_refinement` lifts it
+//! at the end.
 
 use crate::memory::AllocResult;
 use crate::mesh::{MAX_DIM, NONE};
@@ -13,10 +14,10 @@ use crate::numerics::shortest_distance;
 use crate::options::Criterion;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Queues the bad ones among the simplices just created, and lets their vertices know of the
-    /// corners that have come. Whether all vertices `are_alike` ([`is_alike`]).
+    /// Queues the bad ones among the simplices just created, and tells their vertices of the
+    /// corners that have come. `in_same_domain`: whether all vertices are ([`same_domain`]).
     ///
-    /// [`is_alike`]: super::domains::Hierarchy::is_alike
+    /// [`same_domain`]: crate::netmesh::cages::domains::Hierarchy::same_domain
     pub(in crate::netmesh) fn examine_created(&mut self, in_same_domain: bool) -> AllocResult<()> {
         let measure = self.measure();
         let State { delaunay, hierarchy, cells, .. } = &mut self.state;
@@ -139,7 +140,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// See [`super::sight::Measure::nearest_allowed`].
+    /// See [`super::bad_simplex::Measure::nearest_allowed`].
     #[inline]
     fn nearest_allowed(&self, radius: f64) -> f64 {
         self.measure().nearest_allowed(radius)

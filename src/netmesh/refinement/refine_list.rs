@@ -8,7 +8,7 @@
 //! "Triangle", 1996), or with the vertex that has the smallest cell: points are then placed outward
 //! from where the mesh is fine, at the spacing that the bound asks for there. Lengths are told apart in
 //! eight steps between powers of two, which is as good as sorting. The list then has the simplices of
-//! one tile at a time (`close`).
+//! one tile at a time (`final_refinement`).
 
 use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_room};
 use std::collections::VecDeque;
@@ -50,18 +50,19 @@ impl RefineList {
         Ok(list)
     }
 
-    /// Divides the spare room for simplices, so many for each; `None` if it is not enough.
+    /// Splits the spare memory: `reserves` has the number of simplices for each share. `None` if it
+    /// is not enough.
     pub fn split_reserve(&mut self, reserves: &[usize], bound: usize) -> Option<Vec<Array<u8>>> {
         self.flags.cover(bound, 0).ok()?;
         self.flags.split_reserve(reserves)
     }
 
-    /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<u8>) -> AllocResult<()> {
-        self.flags.move_into(room)
+    /// Moves to `reserve`, which is empty.
+    pub fn move_to(&mut self, reserve: Array<u8>) -> AllocResult<()> {
+        self.flags.move_into(reserve)
     }
 
-    /// Makes the last `count` of `bound` simplices those of a part that has joined; nothing is known
+    /// Makes the last `count` of `bound` simplices those of a partition that has joined; nothing is known
     /// of them.
     pub fn join(&mut self, mut partition: Self, count: usize, bound: usize) -> AllocResult<()> {
         partition.flags.fill(0);
@@ -85,12 +86,12 @@ impl RefineList {
         self.occupied.cover(count.div_ceil(64), 0)
     }
 
-    /// Whether [`Self::push`] looks at lengths.
+    /// Whether [`Self::push`] uses lengths.
     pub fn is_sorted(&self) -> bool {
         self.buckets.len() > 1
     }
 
-    /// Makes room for so many simplices if the system gives it.
+    /// Reserves memory for `simplices` simplices if the system gives it.
     pub fn expect(&mut self, simplices: usize) {
         self.flags.expect(simplices);
     }

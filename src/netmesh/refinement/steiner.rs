@@ -35,7 +35,7 @@ const fn edge_factor<const D: usize>() -> f64 {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The point to insert for `simplex`, which is bad, or which is a crowded home. `None` if
+    /// The point to insert for `simplex`, which is bad, or which is a simplex with inputs. `None` if
     /// rounding moved it out of the D-ball or closer to a vertex than half the radius (DESIGN
     /// section 3, precision).
     pub(in crate::netmesh) fn steiner_point(&mut self, simplex: u32) -> Option<SteinerPoint<D>> {

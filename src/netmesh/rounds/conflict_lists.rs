@@ -1,9 +1,10 @@
-//! Where the uninserted inputs are (§6.2): each has one home, a simplex whose D-ball holds it.
+//! Conflict lists (§6.2): every uninserted input is on the list of one simplex whose D-ball holds
+//! it.
 //!
-//! The paper keeps a point in every D-ball that holds it. One home suffices: those balls form the
-//! point's cavity, which its insertion searches anyway, and when a home is destroyed one of the new
-//! balls holds the point (a ball through the new vertex and the point, empty of all others, lies in
-//! the destroyed ball, so the two would be Delaunay neighbours).
+//! The paper keeps a point on the lists of all D-balls that hold it. One list suffices. Those balls
+//! form the point's cavity, which its insertion searches anyway. When the simplex is destroyed one
+//! of the new balls holds the point: a ball through the new vertex and the point, empty of all
+//! others, lies in the destroyed ball, so the two would be Delaunay neighbours.
 
 use crate::complex::LocalToGlobal;
 use crate::delaunay::{Cavity, Delaunay};
@@ -12,43 +13,43 @@ use crate::memory::{AllocResult, Array, TryGrow};
 use crate::mesh::NONE;
 use crate::netmesh::watch::Watch;
 
-/// What a simplex is as a home.
+/// The conflict list of one simplex.
 #[derive(Clone, Copy)]
-pub(in crate::netmesh) struct Home {
-    /// Its first input, and the number of its inputs.
+pub(in crate::netmesh) struct ConflictList {
+    /// The first entry, and the number of entries.
     first: u32,
     count: u32,
 }
 
-impl Home {
+impl ConflictList {
     const EMPTY: Self = Self { first: NONE, count: 0 };
 }
 
 #[derive(Clone, Copy)]
 struct Entry {
-    /// The next input of the same home.
+    /// The next entry of the same list.
     next: u32,
-    /// [`NONE`] once inserted.
-    home: u32,
-    /// Definition 9.
+    /// The simplex whose list this is on; [`NONE`] once the input is inserted.
+    simplex: u32,
+    /// Touches, as in Definition 9.
     touches: u32,
 }
 
 impl Entry {
-    const UNASSIGNED: Self = Self { next: NONE, home: NONE, touches: 0 };
+    const UNASSIGNED: Self = Self { next: NONE, simplex: NONE, touches: 0 };
 }
 
 pub(in crate::netmesh) struct ConflictLists {
     /// By simplex.
-    homes: Array<Home>,
+    lists: Array<ConflictList>,
     /// By input.
     inputs: Array<Entry>,
     remaining: usize,
-    /// Uninserted inputs that rest.
+    /// The number of uninserted inputs that are suspended.
     suspended: usize,
 }
 
-/// The inputs of one simplex.
+/// The entries of one list.
 pub(in crate::netmesh) struct Entries<'a> {
     inputs: &'a [Entry],
     current: u32,
@@ -70,35 +71,35 @@ impl Iterator for Entries<'_> {
 impl ConflictLists {
     pub fn new(inputs: usize) -> AllocResult<Self> {
         Ok(Self {
-            homes: Array::new(),
+            lists: Array::new(),
             inputs: Array::filled(inputs, Entry::UNASSIGNED)?,
             remaining: inputs,
             suspended: 0,
         })
     }
 
-    /// Number of uninserted inputs that do not rest.
+    /// The number of uninserted inputs that are not suspended.
     pub fn remaining(&self) -> usize {
         self.remaining
     }
 
-    /// Number of uninserted inputs.
+    /// The number of uninserted inputs.
     pub fn uninserted(&self) -> usize {
         self.remaining + self.suspended
     }
 
     pub fn simplex_of(&self, input: u32) -> u32 {
-        self.inputs[input as usize].home
+        self.inputs[input as usize].simplex
     }
 
-    /// Number of inputs of `simplex`.
+    /// The number of inputs on the list of `simplex`.
     pub fn count(&self, simplex: u32) -> u32 {
         // Simplices made after the last input went in are not covered.
-        self.homes.get(simplex as usize).map_or(0, |home| home.count)
+        self.lists.get(simplex as usize).map_or(0, |list| list.count)
     }
 
     pub fn entries(&self, simplex: u32) -> Entries<'_> {
-        Entries { inputs: &self.inputs, current: self.homes[simplex as usize].first }
+        Entries { inputs: &self.inputs, current: self.lists[simplex as usize].first }
     }
 
     /// Touches of `input` so far.
@@ -114,73 +115,79 @@ impl ConflictLists {
         self.inputs.iter().map(|input| input.touches).max().unwrap_or(0)
     }
 
-    /// Largest number of inputs in one home.
+    /// The length of the longest list.
     pub fn max_count(&self) -> u32 {
-        self.homes.iter().map(|home| home.count).max().unwrap_or(0)
+        self.lists.iter().map(|list| list.count).max().unwrap_or(0)
     }
 
-    /// Makes room for inputs in the simplices below `bound`.
+    /// Makes empty lists for the simplices below `bound`.
     pub fn cover(&mut self, bound: usize) -> AllocResult<()> {
-        self.homes.cover(bound, Home::EMPTY)
+        self.lists.cover(bound, ConflictList::EMPTY)
     }
 
-    /// Makes room for so many simplices if the system gives it.
+    /// Reserves memory for the lists of `simplices` simplices if the system gives it.
     pub fn expect(&mut self, simplices: usize) {
-        self.homes.expect(simplices);
+        self.lists.expect(simplices);
     }
 
-    /// An input that was inserted before inputs got homes.
+    /// Counts an input that was inserted before lists were made.
     pub fn dismiss_unassigned(&mut self) {
         self.remaining -= 1;
     }
 
-    /// Makes `simplex` the home of `input`, which has none.
+    /// Puts `input`, which is on no list, on that of `simplex`.
     pub fn assign(&mut self, input: u32, simplex: u32) {
-        let home = &mut self.homes[simplex as usize];
-        let inhabitant = &mut self.inputs[input as usize];
-        (inhabitant.next, inhabitant.home) = (home.first, simplex);
-        home.first = input;
-        home.count += 1;
+        let list = &mut self.lists[simplex as usize];
+        let entry = &mut self.inputs[input as usize];
+        (entry.next, entry.simplex) = (list.first, simplex);
+        list.first = input;
+        list.count += 1;
     }
 
-    /// Frees the homes when all inputs are in.
+    /// Frees the lists when all inputs are inserted.
     pub fn free_lists(&mut self) {
         debug_assert!(self.uninserted() == 0);
-        self.homes = Array::new();
+        self.lists = Array::new();
     }
 
-    /// From now on no home is replaced, and no input inserted: nobody looks after them any more.
+    /// Suspends all uninserted inputs: from now on their simplices are not replaced, so they are
+    /// not redistributed.
     pub fn suspend(&mut self) {
         self.suspended = std::mem::take(&mut self.remaining);
     }
 
-    /// Ends the rest.
+    /// Ends the suspension.
     pub fn resume(&mut self) {
         self.remaining = std::mem::take(&mut self.suspended);
     }
 
-    /// Empties the home `simplex`: its inputs, which have none then.
+    /// Empties the list of `simplex` and returns its entries, which are on no list then.
     pub fn take_entries(&mut self, simplex: u32) -> Entries<'_> {
-        let home = match self.homes.get_mut(simplex as usize) {
-            Some(home) => std::mem::replace(home, Home::EMPTY),
-            None => Home::EMPTY,
+        let list = match self.lists.get_mut(simplex as usize) {
+            Some(list) => std::mem::replace(list, ConflictList::EMPTY),
+            None => ConflictList::EMPTY,
         };
-        Entries { inputs: &self.inputs, current: home.first }
+        Entries { inputs: &self.inputs, current: list.first }
     }
 
-    /// Divides the spare room for homes of simplices, so many for each; `None` if it is not enough.
-    pub fn split_reserve(&mut self, reserves: &[usize], bound: usize) -> Option<Vec<Array<Home>>> {
+    /// Splits the spare memory for lists: `reserves` has the number of simplices for each share.
+    /// `None` if it is not enough.
+    pub fn split_reserve(
+        &mut self,
+        reserves: &[usize],
+        bound: usize,
+    ) -> Option<Vec<Array<ConflictList>>> {
         self.cover(bound).ok()?;
-        self.homes.split_reserve(reserves)
+        self.lists.split_reserve(reserves)
     }
 
-    /// Goes on in `room`, which is empty.
-    pub fn move_to(&mut self, room: Array<Home>) -> AllocResult<()> {
-        self.homes.move_into(room)
+    /// Moves to `reserve`, which is empty.
+    pub fn move_to(&mut self, reserve: Array<ConflictList>) -> AllocResult<()> {
+        self.lists.move_into(reserve)
     }
 
-    /// The homes of a part, whose simplices were emptied: each of its `inputs`, the first so many of its
-    /// vertices, is in the simplex that it was in. `ids`: simplex -> its id in the part.
+    /// The conflict lists of a partition, which were emptied. Its `inputs` inputs are the first of
+    /// its vertices. `ids`: simplex -> its id in the partition.
     pub fn partition(&self, names: &LocalToGlobal, ids: &[u32], inputs: usize) -> Result<Self> {
         let mut partition = Self::new(inputs)?;
         partition.cover(names.simplices.len())?;
@@ -190,33 +197,33 @@ impl ConflictLists {
         Ok(partition)
     }
 
-    /// Takes over where the inputs of a part are that has joined: the last of `bound` simplices are its.
+    /// Takes over the lists of a partition that has joined. Its simplices are the last of `bound`.
     pub fn join(
         &mut self,
         mut partition: Self,
         names: &LocalToGlobal,
         bound: usize,
     ) -> AllocResult<()> {
-        partition.homes.fill(Home::EMPTY);
+        partition.lists.fill(ConflictList::EMPTY);
         partition.cover(names.simplices.len())?;
         self.cover(bound - names.simplices.len())?;
-        self.homes.absorb(partition.homes)?;
-        for (own, inhabitant) in partition.inputs.iter().enumerate() {
+        self.lists.absorb(partition.lists)?;
+        for (own, entry) in partition.inputs.iter().enumerate() {
             let input = names.vertices[own];
-            self.inputs[input as usize].touches += inhabitant.touches;
-            match inhabitant.home {
+            self.inputs[input as usize].touches += entry.touches;
+            match entry.simplex {
                 NONE => {
-                    self.inputs[input as usize].home = NONE;
+                    self.inputs[input as usize].simplex = NONE;
                     self.remaining -= 1;
                 }
-                home => self.assign(input, names.simplices[home as usize]),
+                list => self.assign(input, names.simplices[list as usize]),
             }
         }
         Ok(())
     }
 
-    /// Finds new homes for the inputs of the destroyed `cavity` among the `created` simplices;
-    /// `inserted`, if it was an input, leaves.
+    /// Redistributes the inputs of the destroyed `cavity` to the lists of the `created` simplices.
+    /// `inserted` leaves, if it was an input.
     pub fn redistribute<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
@@ -230,8 +237,8 @@ impl ConflictLists {
         }
         self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
-            let home = std::mem::replace(&mut self.homes[simplex as usize], Home::EMPTY);
-            let mut input = home.first;
+            let list = std::mem::replace(&mut self.lists[simplex as usize], ConflictList::EMPTY);
+            let mut input = list.first;
             if input == NONE {
                 continue;
             }
@@ -241,7 +248,7 @@ impl ConflictLists {
                 watch.poll_after(4)?;
                 let next = self.inputs[input as usize].next;
                 if input == inserted {
-                    self.inputs[input as usize].home = NONE;
+                    self.inputs[input as usize].simplex = NONE;
                     self.remaining -= 1;
                 } else {
                     guess = self.find_ball(delaunay, inserted, created, guess, input);
@@ -253,10 +260,10 @@ impl ConflictLists {
         Ok(())
     }
 
-    /// The simplex of the star of `apex` whose D-ball holds `input`, from `guess`, one of them. Their
-    /// centres are the corners of the Voronoi cell of `apex`, and the power of `input` to the balls is
-    /// linear on it: a walk along the cell's edges on which it falls ends where it is least. Where
-    /// rounding ends the walk before, or the cell is not bounded, all balls are tried.
+    /// A simplex of the star of `apex` whose D-ball holds `input`. `guess` is one of the star. The
+    /// balls' centres are the corners of the Voronoi cell of `apex`, and the power of `input` to
+    /// the balls is linear on it: a walk along the cell's edges on which it falls ends where it is
+    /// least. Where rounding ends the walk before, or the cell is not bounded, all balls are tried.
     fn find_ball<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
@@ -304,8 +311,9 @@ mod tests {
     use super::*;
     use crate::numerics::testing::Random;
 
-    /// Inserts the corners of a large simplex and then `points` in their order, each at its home.
-    /// Returns the touches of all, and how often an input got a new home.
+    /// Inserts the vertices of a large simplex and then `points` in their order, each from the
+    /// simplex that it is assigned to. Returns the touches of all, and how often an input was
+    /// redistributed.
     fn insert_all<const D: usize>(points: &[[f64; D]]) -> (u64, u64) {
         let count = points.len() as u32;
         let mut all = points.to_vec();
@@ -327,15 +335,15 @@ mod tests {
         for input in 0..count {
             let q = *delaunay.point(input);
             delaunay.find_cavity(conflict_lists.simplex_of(input), &q, &mut cavity).unwrap();
-            let homes: Vec<u32> =
+            let lists: Vec<u32> =
                 (0..count).map(|other| conflict_lists.simplex_of(other)).collect();
             delaunay.insert(input, &cavity, &mut created).unwrap();
             conflict_lists.redistribute(&delaunay, &cavity, &created, input, &mut watch).unwrap();
             for other in input + 1..count {
-                let home = conflict_lists.simplex_of(other);
-                assert!(delaunay.complex().is_live(home));
-                assert!(delaunay.in_conflict(home, delaunay.point(other)));
-                moves += u64::from(cavity.simplices.contains(&homes[other as usize]));
+                let list = conflict_lists.simplex_of(other);
+                assert!(delaunay.complex().is_live(list));
+                assert!(delaunay.in_conflict(list, delaunay.point(other)));
+                moves += u64::from(cavity.simplices.contains(&lists[other as usize]));
             }
         }
         assert_eq!(conflict_lists.remaining(), 0);
@@ -348,7 +356,7 @@ mod tests {
             (0..400).map(|_| std::array::from_fn(|_| random.unit())).collect();
         let (touches, moves) = insert_all(&points);
         let tests = touches as f64 / moves as f64;
-        assert!((1.0..most).contains(&tests), "{tests} D-balls tested for a home in {D}D");
+        assert!((1.0..most).contains(&tests), "{tests} D-balls tested for a list in {D}D");
     }
 
     #[test]

@@ -11,9 +11,9 @@ use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
-    /// not medial, then INSERT. The paper makes the new cage first; when the nearest neighbour is
-    /// itself a vertex of the encroached cage, the new one would stick out of that, release it
-    /// from outside and leave nothing to grow. Whether nothing of that is left to do (`rim`).
+    /// not medial, then INSERT. The paper makes the new cage first. When the nearest neighbour is
+    /// itself a vertex of the encroached cage, the new cage would extend out of that one, release
+    /// it from outside and leave nothing to grow. False if the interface defers the input.
     pub(in crate::netmesh) fn insert_input(
         &mut self,
         input: u32,
@@ -79,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> AllocResult<()> {
         let q = *self.state.delaunay.point(input);
-        let home = self.state.conflict_lists.simplex_of(input);
-        self.state.delaunay.find_cavity(home, &q, cavity)
+        let start = self.state.conflict_lists.simplex_of(input);
+        self.state.delaunay.find_cavity(start, &q, cavity)
     }
 }

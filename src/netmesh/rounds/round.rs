@@ -1,5 +1,5 @@
-//! The main loop of NETMESH (§6.5): rounds, each of which at least halves the largest number of
-//! inputs in one home, so that there are at most 1 + log2 n.
+//! The main loop of NETMESH (§6.5): rounds, each of which at least halves the length of the longest
+//! conflict list, so that there are at most 1 + log2 n rounds.
 
 use crate::delaunay::Cavity;
 use crate::error::Result;

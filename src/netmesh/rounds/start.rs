@@ -1,4 +1,4 @@
-//! The first simplices and the first homes: the outer cage (§6.5, first lines of NETMESH), or for
+//! The first simplices and conflict lists: the outer cage (§6.5, first lines of NETMESH), or for
 //! the plain Delaunay triangulation the first affinely independent inputs.
 
 use crate::delaunay::Cavity;
@@ -46,16 +46,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let basis = affine_basis::<D>(vertices.len(), |i| *self.state.delaunay.point(vertices[i]));
         assert!(basis.len() == D + 1, "the template spans the space");
-        let corners = collected(basis.iter().map(|&i| vertices[i]))?;
-        self.state.delaunay.begin(&corners)?;
+        let first = collected(basis.iter().map(|&i| vertices[i]))?;
+        self.state.delaunay.begin(&first)?;
         for &vertex in &vertices[1..] {
             self.state.hierarchy.join_cage(vertex, ROOT)?;
         }
-        for &corner in &corners {
-            self.state.hierarchy.set_domain(corner, ROOT);
-            self.measure_nearest(corner);
+        for &vertex in &first {
+            self.state.hierarchy.set_domain(vertex, ROOT);
+            self.measure_nearest(vertex);
         }
-        let mut near = corners[0];
+        let mut near = first[0];
         for &vertex in &vertices {
             if !self.is_inserted(vertex) {
                 self.insert_outer_cage_vertex(vertex, near, cavity)?;
@@ -90,15 +90,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
             );
             return Err(Error::new(ErrorKind::DegenerateInput, message));
         }
-        let corners = collected(basis.iter().map(|&i| i as u32))?;
-        self.state.delaunay.begin(&corners)?;
-        self.assign_inputs(corners[0])
+        let first = collected(basis.iter().map(|&i| i as u32))?;
+        self.state.delaunay.begin(&first)?;
+        self.assign_inputs(first[0])
     }
 
-    /// Gives every uninserted input a home, walking from that of the input before.
+    /// Assigns every uninserted input to a conflict list, walking from the simplex of the input
+    /// before.
     fn assign_inputs(&mut self, near: u32) -> Result<()> {
         self.state.conflict_lists.cover(self.state.delaunay.complex().simplex_bound())?;
-        let mut home = self.state.delaunay.complex().incident(near);
+        let mut start = self.state.delaunay.complex().incident(near);
         for input in 0..self.state.inputs as u32 {
             self.watch.poll_after(4)?;
             if self.is_inserted(input) {
@@ -106,9 +107,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             } else {
                 let q = *self.state.delaunay.point(input);
                 let touches = self.state.conflict_lists.touches_mut(input);
-                let found = self.state.delaunay.locate_and_count(home, &q, touches);
-                home = found.expect("inputs are distinct");
-                self.state.conflict_lists.assign(input, home);
+                let found = self.state.delaunay.locate_and_count(start, &q, touches);
+                start = found.expect("inputs are distinct");
+                self.state.conflict_lists.assign(input, start);
             }
         }
         Ok(())

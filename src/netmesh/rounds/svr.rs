@@ -34,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Queues the simplices just created that are homes.
+    /// Queues the simplices just created that have inputs.
     pub(in crate::netmesh) fn queue_crowded(&mut self) -> AllocResult<()> {
         for at in 0..self.scratch.created.len() {
             self.queue_if_crowded(self.scratch.created[at])?;

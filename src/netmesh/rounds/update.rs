@@ -9,8 +9,8 @@ use crate::numerics::distance;
 use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// INSERT, second half: adds `vertex`, whose conflicts are the scratch cavity and whose
-    /// domain is set, to the Voronoi diagram; updates homes, distances and the refine list.
+    /// INSERT, second half: adds `vertex`, whose domain is set, to the Voronoi diagram. Then
+    /// updates conflict lists, nearest distances and the refine list.
     pub(in crate::netmesh) fn insert_into_cavity(
         &mut self,
         vertex: u32,
@@ -105,8 +105,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The uninserted input nearest to `x` within `reach`, among the homes in the scratch cavity
-    /// (the cavity of `x`).
+    /// The uninserted input nearest to `x` within `max_distance`, among the conflict lists of
+    /// `cavity`, which is that of `x`.
     pub(in crate::netmesh) fn input_near(
         &mut self,
         x: &[f64; D],

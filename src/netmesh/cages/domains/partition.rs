@@ -1,36 +1,37 @@
-//! A hierarchy for a part of the mesh. It has the domains that the part's vertices are in, and those
-//! around them. The part may change those that are its own, whose centre and cage no other part has
-//! simplices at; of the others it reads what they were when it was cut out.
+//! The hierarchy of a partition has the domains that the vertices of the partition are in, and
+//! those around them. A partition owns a domain if no other partition has simplices at its centre
+//! or cage. It may change the domains that it owns. Of the others it reads what they were when it
+//! was cut out.
 
 use super::{Hierarchy, Node, Place, ROOT};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
 
-/// A part's domains in the whole.
+/// The domains of a partition in the global mesh.
 #[derive(Default)]
 pub(in crate::netmesh) struct DomainsToGlobal {
-    /// Domain of the part -> that of the whole. The first is the root.
+    /// Domain of the partition -> domain of the global mesh. The first is the root.
     local_to_global: Vec<u32>,
-    /// Whether the part may change it.
+    /// Domain of the partition -> whether the partition owns it.
     is_own: Vec<bool>,
 }
 
 impl DomainsToGlobal {
-    /// The domain of the whole.
+    /// The global id of `domain`.
     pub fn name(&self, domain: u32) -> u32 {
         self.local_to_global[domain as usize]
     }
 
-    /// Domain of the part -> whether it must stay as it is.
+    /// Domain of the partition -> whether another partition owns it.
     pub fn non_owned(&self) -> AllocResult<Vec<bool>> {
         collected(self.is_own.iter().map(|&is_own| !is_own))
     }
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The hierarchy of the part with the given `vertices`, inserted or not, some of them `shared` with
-    /// other parts. `ids`: vertex -> its id in the part, [`NONE`] if it is not there.
+    /// The hierarchy of the partition with the given `vertices`, inserted or not, some of them `shared` with
+    /// other partitions. `ids`: vertex -> its id in the partition, [`NONE`] if it is not there.
     pub fn partition(
         &mut self,
         vertices: &[u32],
@@ -101,9 +102,9 @@ impl<const D: usize> Hierarchy<D> {
         Ok(local_to_global)
     }
 
-    /// Takes over what a part made of its domains and vertices; new domains get names.
-    /// `vertices`: vertex of the part -> that of the whole, where those that `shared` does not know
-    /// are not added here yet.
+    /// Takes over what a partition made of its domains and vertices; new domains get global ids.
+    /// `vertices`: vertex of the partition -> vertex of the global mesh. Vertices beyond the end of
+    /// `shared` are new and are added here.
     pub fn join(
         &mut self,
         partition: Self,
@@ -147,7 +148,7 @@ impl<const D: usize> Hierarchy<D> {
     }
 }
 
-/// The id of the domain named `name`.
+/// The local id of a domain, given its global id.
 fn local(local_to_global: &[u32], name: u32) -> u32 {
     match name {
         NONE => NONE,

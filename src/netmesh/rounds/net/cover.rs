@@ -39,7 +39,7 @@ impl<const D: usize> Default for Rings<D> {
 }
 
 impl<const D: usize> Rings<D> {
-    /// Prepares for other points, so many.
+    /// Prepares for `points` other points.
     pub fn restart(&mut self, points: usize) -> AllocResult<()> {
         self.marks.clear();
         self.unions = 0;
@@ -89,11 +89,11 @@ impl<const D: usize> Rings<D> {
         delaunay.star(vertex, &mut self.star)?;
         for &simplex in &self.star {
             let count = inside[simplex as usize].len() as u32;
-            for &corner in delaunay.complex().vertices(simplex) {
-                if count == 0 || corner == vertex {
+            for &end in delaunay.complex().vertices(simplex) {
+                if count == 0 || end == vertex {
                     continue;
                 }
-                let other = if corner == INFINITE { infinite } else { corner as usize };
+                let other = if end == INFINITE { infinite } else { end as usize };
                 let largest = &mut self.largest[other];
                 if largest[0] == 0 {
                     self.others.try_push(other as u32)?;
@@ -114,7 +114,7 @@ impl<const D: usize> Rings<D> {
 
     /// The number of points in the D-balls around the edge to `other`.
     fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<u32>], other: usize) -> u32 {
-        let corner = if other == delaunay.point_count() { INFINITE } else { other as u32 };
+        let end = if other == delaunay.point_count() { INFINITE } else { other as u32 };
         if self.unions == u32::MAX {
             self.marks.fill(0);
             self.unions = 0;
@@ -122,7 +122,7 @@ impl<const D: usize> Rings<D> {
         self.unions += 1;
         let mut union = 0;
         for &simplex in &self.star {
-            if delaunay.complex().vertices(simplex).contains(&corner) {
+            if delaunay.complex().vertices(simplex).contains(&end) {
                 for &point in &inside[simplex as usize] {
                     let mark = &mut self.marks[point as usize];
                     union += u32::from(*mark != self.unions);

@@ -1,30 +1,30 @@
-//! The round of the deterministic ordering: NET(1/(2d), inputs) of every home, or of smaller parts
-//! where that did not halve the homes. No random number is used, here or elsewhere in such a run.
+//! The round of the deterministic ordering: NET(1/(2d), inputs) of every conflict list, or of smaller parts
+//! where that did not halve the conflict lists. No random number is used, here or elsewhere in such a run.
 
 use super::greedy::Net;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
 
-/// Homes with this times 1 / eps inputs or fewer give them all. That is no more than a net for eps often
+/// Conflict lists with this times 1 / eps inputs or fewer give them all. That is no more than a net for eps often
 /// has, and is had for nothing.
 const EXHAUSTED: u32 = 4;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of every home's inputs for eps = 2^-pass / (2 D). Small homes are exhausted.
+    /// The net of every conflict list's inputs for eps = 2^-pass / (2 D). Small conflict lists are exhausted.
     pub(in crate::netmesh) fn select_nets(&mut self, pass: u32) -> Result<Vec<u32>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;
         let (mut inputs, mut points) = (Vec::new(), Vec::new());
         let mut selected = Vec::new();
-        for home in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for start in 0..self.state.delaunay.complex().simplex_bound() as u32 {
             self.watch.poll_after(1)?;
-            let count = self.state.conflict_lists.count(home);
-            if count == 0 || !self.state.interface.is_eligible(home) {
+            let count = self.state.conflict_lists.count(start);
+            if count == 0 || !self.state.interface.is_eligible(start) {
                 continue;
             }
             inputs.clear();
-            for input in self.state.conflict_lists.entries(home) {
+            for input in self.state.conflict_lists.entries(start) {
                 self.watch.poll_after(1)?;
                 inputs.try_push(input)?;
             }
@@ -36,9 +36,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             for &input in &inputs {
                 points.try_push(*self.state.delaunay.point(input))?;
             }
-            let finite = self.state.delaunay.finite_near(home);
-            let corners = self.state.delaunay.complex().vertices(finite);
-            let anchors = collected(corners.iter().map(|&v| *self.state.delaunay.point(v)))?;
+            let finite = self.state.delaunay.finite_near(start);
+            let vertices = self.state.delaunay.complex().vertices(finite);
+            let anchors = collected(vertices.iter().map(|&v| *self.state.delaunay.point(v)))?;
             for &i in net.choose(&anchors, &points, count.div_ceil(share), &mut self.watch)? {
                 selected.try_push(inputs[i as usize])?;
             }

@@ -2,7 +2,7 @@
 //! ball or half-space with at least eps |P| points of P meets. Deterministic, linear time.
 //!
 //! Precisely: given D + 1 affinely independent *anchors* and a threshold t, the net N meets every
-//! ball that holds t points of P or more and no anchor. A mesh takes the corners of P's home for anchors:
+//! ball that holds t points of P or more and no anchor. A mesh takes the vertices of P's conflict list for anchors:
 //! its D-balls never hold them. Without a mesh take points of P for anchors, as part of the net.
 //!
 //! **Construction.** Keep the Delaunay complex of the anchors and N, and the points of P in each of
@@ -115,11 +115,11 @@ impl<const D: usize> Net<D> {
         self.waiting.clear();
         self.waiting.cover(points.len(), false)?;
         self.rings.restart(points.len())?;
-        let mut corners = [0; MAX_DIM + 1];
-        for (corner, anchor) in corners.iter_mut().zip(anchors) {
+        let mut vertices = [0; MAX_DIM + 1];
+        for (corner, anchor) in vertices.iter_mut().zip(anchors) {
             *corner = self.delaunay.add_point(*anchor)?;
         }
-        self.delaunay.begin(&corners[..=D])?;
+        self.delaunay.begin(&vertices[..=D])?;
         self.cover_simplices()?;
         for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
             let inside = &mut self.inside[simplex as usize];

@@ -1,4 +1,4 @@
-//! The sampled round: a few random inputs of every home. One per home halves the homes several times
+//! The sampled round: a few random inputs of every conflict list. One per conflict list halves the conflict lists several times
 //! over in practice, far below the generic bound on the size of a net (Theorem 3); the round
 //! verifies that it did and asks for more where it did not.
 
@@ -8,7 +8,7 @@ use crate::netmesh::Mesher;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Up to `per_ball` inputs of every home with more than `crowd` of them, by simplex.
+    /// Up to `per_ball` inputs of every conflict list with more than `crowd` of them, by simplex.
     pub(in crate::netmesh) fn select_sample(
         &mut self,
         per_ball: u32,
@@ -54,7 +54,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Inputs that a walk along a list passes between two looks at the watch.
+/// Inputs that a walk along a list passes before it polls the watch.
 const STEP: u32 = 1024;
 
 /// Maps 32 random bits to 0..bound.

@@ -1,9 +1,6 @@
 //! The C ABI from outside: C and C++ programs linked with this crate's own library, and threads.
 
-#[path = "c/compiler.rs"]
-mod compiler;
-
-use compiler::{Language, root, run, skip, strict_compiler, text};
+use crate::compiler::{Language, root, run, skip, strict_compiler, text};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

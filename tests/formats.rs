@@ -1,10 +1,7 @@
 //! The file formats as a caller meets them: damaged files of points, extensions, and files that cannot
 //! be written. `damaged_meshes.rs` has the formats of other programs' meshes.
 
-#[path = "support/directory.rs"]
-mod directory;
-
-use directory::Directory;
+use crate::directory::Directory;
 use netmesh::ErrorKind::{Dimension, Format as Broken, NonFinite};
 use netmesh::io::{Format, PointCloud, read, read_points, write, write_file};
 use netmesh::{Error, ErrorKind, Mesh};

@@ -1,10 +1,7 @@
 //! The checked-in headers: `netmesh.h` is what cbindgen makes of `src/capi`, its constants are the
 //! crate's, and both headers compile by themselves without a warning.
 
-#[path = "c/compiler.rs"]
-mod compiler;
-
-use compiler::{Language, root, run, skip, strict_compiler, text};
+use crate::compiler::{Language, root, run, skip, strict_compiler, text};
 use netmesh::{Criterion, Mesh, Options};
 use std::path::PathBuf;
 use std::process::Command;

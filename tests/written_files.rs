@@ -1,9 +1,6 @@
 //! Files of real meshes: what comes back, that it is always the same, and an independent reader.
 
-#[path = "support/directory.rs"]
-mod directory;
-
-use directory::Directory;
+use crate::directory::Directory;
 use netmesh::io::{Format, read_points, write, write_file};
 use netmesh::{Algorithm, Mesh, Options};
 use std::fs;

@@ -25,3 +25,18 @@ mod written_files;
 mod compiler;
 #[path = "support/directory.rs"]
 mod directory;
+
+/// A file that nobody names is not compiled, and its tests pass unrun.
+#[test]
+fn every_file_is_a_module() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let named = [include_str!("main.rs"), include_str!("../Cargo.toml")].concat();
+    for entry in std::fs::read_dir(root.join("tests")).expect("the directory of the tests") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_stem().and_then(|stem| stem.to_str()).expect("a name");
+        let holds_tests = path.extension().is_some() || path.join("mod.rs").exists();
+        let declarations = [format!("mod {name};"), format!("name = \"{name}\"")];
+        let is_named = name == "main" || declarations.iter().any(|line| named.contains(line));
+        assert!(is_named || !holds_tests, "{} is in no test program", path.display());
+    }
+}

@@ -78,6 +78,9 @@ pub struct Stats {
     pub insertion_constant_input: f64,
     pub insertion_constant_corner: f64,
     pub insertion_constant_cage: f64,
+    /// Simplices made in the whole run, those that joined the hull to infinity included, whether or not a
+    /// later point destroyed them. Measured always.
+    pub simplices_created: u64,
 }
 
 /// The caller's points: copied bits, exact duplicates counted once.

@@ -57,7 +57,7 @@ impl<const D: usize> Delaunay<D> {
         q: &[f64; D],
         cavity: &mut Cavity,
     ) -> AllocResult<()> {
-        let Self { complex, points, balls, exact_fallbacks } = self;
+        let Self { complex, points, balls, exact_fallbacks, .. } = self;
         let mut search = Search {
             marking: complex.marking(),
             conflicts: Conflicts { points, balls, exact_fallbacks },

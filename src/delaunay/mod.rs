@@ -29,6 +29,7 @@ pub(crate) struct Delaunay<const D: usize> {
     /// which is [`NONE`] for an infinite simplex: that has no D-ball.
     balls: Array<Circumball<D>>,
     exact_fallbacks: AtomicU64,
+    simplices_created: u64,
 }
 
 impl<const D: usize> Delaunay<D> {
@@ -41,6 +42,7 @@ impl<const D: usize> Delaunay<D> {
             points,
             balls: Array::new(),
             exact_fallbacks: AtomicU64::new(0),
+            simplices_created: 0,
         })
     }
 
@@ -67,6 +69,11 @@ impl<const D: usize> Delaunay<D> {
 
     pub fn exact_fallbacks(&self) -> u64 {
         self.exact_fallbacks.load(Ordering::Relaxed)
+    }
+
+    /// Simplices made so far, infinite ones included. All but the live ones were destroyed again.
+    pub fn simplices_created(&self) -> u64 {
+        self.simplices_created
     }
 
     /// Reserves memory for `simplices` simplices and `points` points if the system gives it.
@@ -98,6 +105,7 @@ impl<const D: usize> Delaunay<D> {
             ordered.swap(0, 1);
         }
         self.complex.begin(ordered)?;
+        self.simplices_created += self.complex.simplex_count() as u64;
         self.cover_balls()?;
         for simplex in 0..self.complex.simplex_bound() as u32 {
             self.compute_ball(simplex);
@@ -179,6 +187,7 @@ impl<const D: usize> Delaunay<D> {
             &cavity.vertices,
             created,
         );
+        self.simplices_created += created.len() as u64;
         self.cover_balls()?;
         for pair in created.chunks(2) {
             self.compute_balls([pair[0], pair[pair.len() - 1]]);

@@ -34,7 +34,7 @@ impl<const D: usize> Delaunay<D> {
             tick()?;
             balls.try_push(renamed(&self.balls[simplex as usize], &ids.vertices))?;
         }
-        Ok(Self { complex, points, balls, exact_fallbacks: 0.into() })
+        Ok(Self { complex, points, balls, exact_fallbacks: 0.into(), simplices_created: 0 })
     }
 
     /// The number of simplices that the spare memory has room for.
@@ -92,6 +92,7 @@ impl<const D: usize> Delaunay<D> {
         self.add_points(&partition, local_to_global)?;
         let base = self.balls.len();
         *self.exact_fallbacks.get_mut() += partition.exact_fallbacks();
+        self.simplices_created += partition.simplices_created;
         self.complex.join(partition.complex, local_to_global, &mut tick)?;
         self.balls.absorb(partition.balls)?;
         for at in base..self.balls.len() {

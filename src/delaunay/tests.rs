@@ -20,6 +20,7 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     delaunay.begin(&vertices).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     let mut near = delaunay.complex().incident(vertices[0]);
+    let mut destroyed = 0;
     for vertex in 0..points.len() as u32 {
         if delaunay.complex().contains_vertex(vertex) {
             continue;
@@ -28,9 +29,12 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
             delaunay.find_cavity(start, &points[vertex as usize], &mut cavity).unwrap();
             assert_corners(&delaunay, &cavity);
             delaunay.insert(vertex, &cavity, &mut created).unwrap();
+            destroyed += cavity.simplices.len();
             near = created[0];
         }
     }
+    let live = delaunay.complex().simplex_count();
+    assert_eq!(delaunay.simplices_created(), (live + destroyed) as u64);
     Some(delaunay)
 }
 

@@ -17,6 +17,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()?;
         let precision_limited = self.limited_vertices()?;
         self.state.stats.exact_fallbacks = self.state.delaunay.exact_fallbacks();
+        self.state.stats.simplices_created = self.state.delaunay.simplices_created();
         self.state.stats.touches = self.state.conflict_lists.total_touches();
         self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;

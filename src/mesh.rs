@@ -149,7 +149,7 @@ impl Inputs {
     /// `Capacity` (2^32 - 2 points at most), `DegenerateInput` (fewer than two distinct points).
     pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
         if !(MIN_DIM..=MAX_DIM).contains(&dim) {
-            let message = message!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+            let message = message!("dim is {dim}; it must be {MIN_DIM} to {MAX_DIM}");
             return Err(Error::new(ErrorKind::Dimension, message));
         }
         let stride = if stride == 0 { dim } else { stride };

@@ -325,7 +325,7 @@ fn npy_refuses_damaged_headers() {
         (
             format!("{{{descr}'shape': (1, 1)}}"),
             Dimension,
-            "points of dimension 1; it must be in 2..=8",
+            "points of dimension 1; it must be 2 to 8",
         ),
         (format!("{{{descr}'shape': (1, 9)}}"), Dimension, "points of dimension 9"),
     ] {

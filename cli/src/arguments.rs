@@ -1,8 +1,9 @@
 //! The command line: what a user may type, and how it maps to the library's options.
 
 use crate::exit_code;
+use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
-use netmesh::io::Format;
+use netmesh::io::{Columns, Format};
 use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
@@ -11,7 +12,9 @@ pub const EXAMPLES: &str = "\
 Examples:
   netmesh points.xyz -o mesh.vtu --validate
   netmesh points.csv -o mesh.off --finish --bound 3.5
-  netmesh points.xyz -o delaunay.vtu --algorithm delaunay";
+  netmesh points.xyz -o delaunay.vtu --algorithm delaunay
+  netmesh scan.csv --columns x,y,z -o scan.vtu
+  program | netmesh - --input-format xyz -o - --output-format off > mesh.off";
 
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
@@ -20,20 +23,30 @@ Examples:
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
-    /// File of points; of a mesh its points
+    /// File of points; of a mesh its points. "-" is standard input, with --input-format
     pub input: PathBuf,
 
-    /// Where the mesh goes; the extension names the format. Without it only the summary is made
+    /// Where the mesh goes; the extension names the format. "-" is standard output, with
+    /// --output-format; the summary then goes to standard error. Without it only the summary is made
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
     /// Format of the input, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
-    pub input_format: Option<FormatName>,
+    pub input_format: Option<ReadableFormat>,
+
+    /// Columns of the input that are the coordinates: numbers from 1 (1,2,5), a range (1-3), or names
+    /// of a CSV header (x,y,z). For XYZ, CSV and NumPy files, which often have more columns
+    #[arg(long, value_name = "LIST", value_parser = parse_columns, allow_hyphen_values = true)]
+    pub columns: Option<Columns>,
 
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
     pub output_format: Option<FormatName>,
+
+    /// Let the output replace the input file; without it that is refused
+    #[arg(long)]
+    pub force: bool,
 
     /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
     #[arg(long)]
@@ -43,7 +56,8 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
-    /// Print nothing but errors
+    /// Print nothing but errors. The quality is then not measured (unless --json asks for it), which
+    /// takes longer than the meshing of a large input
     #[arg(short, long)]
     pub quiet: bool,
 
@@ -173,7 +187,7 @@ pub enum FormatName {
 
 impl Arguments {
     pub fn input_format(&self) -> Format {
-        self.input_format.map_or(Format::Auto, FormatName::format)
+        self.input_format.map_or(Format::Auto, |readable| readable.0.format())
     }
 
     pub fn output_format(&self) -> Format {
@@ -201,6 +215,39 @@ impl Arguments {
             instruments: self.stats,
         }
     }
+}
+
+/// A format that points can be read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReadableFormat(FormatName);
+
+impl ValueEnum for ReadableFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        const READABLE: [ReadableFormat; 8] = [
+            ReadableFormat(FormatName::Tetgen),
+            ReadableFormat(FormatName::Gmsh),
+            ReadableFormat(FormatName::Medit),
+            ReadableFormat(FormatName::Off),
+            ReadableFormat(FormatName::Ply),
+            ReadableFormat(FormatName::Xyz),
+            ReadableFormat(FormatName::Csv),
+            ReadableFormat(FormatName::Npy),
+        ];
+        &READABLE
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        self.0.to_possible_value()
+    }
+}
+
+/// The library begins its message with `columns`, the name of its argument; here clap names the
+/// option.
+fn parse_columns(text: &str) -> Result<Columns, String> {
+    text.parse().map_err(|error: netmesh::Error| {
+        let message = error.message();
+        message.strip_prefix("columns: ").unwrap_or(message).to_owned()
+    })
 }
 
 impl AlgorithmName {

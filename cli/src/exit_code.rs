@@ -1,5 +1,5 @@
 //! Exit codes: a script learns from the number alone whose turn it is, the caller's, the data's or
-//! the machine's. `docs/exit_codes.md` and `--help` say the same; values are append only.
+//! the machine's. `docs/command_line.md` and `--help` say the same; values are append only.
 
 use netmesh::{Error, ErrorKind};
 
@@ -10,13 +10,14 @@ pub enum ExitCode {
     Success = 0,
     /// Anything without a code of its own; a defect of the program.
     Other = 1,
-    /// A wrong argument: unknown option or format, value out of range. clap exits with 2 too.
+    /// A wrong argument: unknown option or format, value out of range, an output that is the input.
+    /// clap exits with 2 too.
     Usage = 2,
     /// The input is missing, unreadable, ragged or not numbers.
     InputUnreadable = 3,
     /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range.
     InputRefused = 4,
-    /// A limit was reached: `--max-vertices`, 32-bit ids, memory.
+    /// A limit was reached: `--max-vertices`, 32-bit ids, memory, the largest double.
     Limit = 5,
     Cancelled = 6,
     /// `--validate` found a violation. The mesh has been written, for inspection.
@@ -30,11 +31,13 @@ pub const HELP: &str = "\
 Exit codes:
   0  the mesh was made (and written, and certified, if asked for)
   1  anything that has no code of its own
-  2  wrong usage: unknown option or format, value out of range
+  2  wrong usage: unknown option, format or column, value out of range, an
+     output that would replace the input (see --force)
   3  input missing, unreadable or malformed
   4  input refused: non-finite coordinate, fewer than two distinct points,
-     dimension outside 2..=8, lower affine rank with --algorithm delaunay
-  5  limit reached: --max-vertices, 32-bit ids or memory
+     dimension other than 2 to 8, lower affine rank with --algorithm delaunay
+  5  limit reached: --max-vertices, 32-bit ids, memory, or points so far
+     apart (above about 2e307) that the cage around them leaves the doubles
   6  cancelled
   7  --validate found a violation; the mesh was still written
   8  output not writable; nothing is left behind";
@@ -57,7 +60,7 @@ impl Failure {
             ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
             _ => code_of(error.kind()),
         };
-        Self::new(code, at_path(path, error))
+        Self::new(code, in_options(&at_path(path, error)))
     }
 
     /// A failure to write `path`.
@@ -72,7 +75,7 @@ impl Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::new(code_of(error.kind()), error.message())
+        Self::new(code_of(error.kind()), in_options(error.message()))
     }
 }
 
@@ -82,6 +85,22 @@ fn at_path(path: &str, error: &Error) -> String {
         true => error.message().to_owned(),
         false => format!("{path}: {error}"),
     }
+}
+
+/// The library's names of arguments as the options of the command line.
+fn in_options(message: &str) -> String {
+    let mut parts = message.split("options.");
+    let mut text = parts.next().unwrap_or_default().replace("columns: ", "--columns: ");
+    for part in parts {
+        let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
+        let (name, rest) = part.split_at(part.find(|c| !is_name(c)).unwrap_or(part.len()));
+        match name {
+            "quality_bound" => text += "--bound",
+            _ => text += &format!("--{}", name.replace('_', "-")),
+        }
+        text += rest;
+    }
+    text
 }
 
 fn code_of(kind: ErrorKind) -> ExitCode {
@@ -97,5 +116,23 @@ fn code_of(kind: ErrorKind) -> ExitCode {
         | ErrorKind::Format
         | ErrorKind::State
         | ErrorKind::Panic => ExitCode::Other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arguments_of_the_library_become_options() {
+        for (message, expected) in [
+            ("options.quality_bound is 1; it must be more", "--bound is 1; it must be more"),
+            ("options.max_vertices is 6", "--max-vertices is 6"),
+            ("a.csv: columns: there is none", "a.csv: --columns: there is none"),
+            ("a and options.gamma, options.delta.", "a and --gamma, --delta."),
+            ("nothing of that", "nothing of that"),
+        ] {
+            assert_eq!(in_options(message), expected);
+        }
     }
 }

@@ -5,6 +5,8 @@
 mod arguments;
 mod certificate;
 mod exit_code;
+mod input;
+mod interruption;
 mod json;
 #[cfg(test)]
 mod manual;
@@ -12,7 +14,9 @@ mod numbers;
 mod output;
 mod progress;
 mod record;
+mod same_file;
 mod session;
+mod standard;
 mod summary;
 
 use arguments::Arguments;

@@ -1,6 +1,7 @@
-//! The file that the mesh goes to: whatever can be known before the work is said before the work.
+//! What the mesh and the record go to: whatever can be known before the work is said before the work.
 
 use crate::exit_code::{ExitCode, Failure};
+use crate::standard;
 use netmesh::io::{self, Format};
 use netmesh::{Error, ErrorKind, Mesh};
 use std::fs;
@@ -9,6 +10,9 @@ use std::path::Path;
 
 /// Refuses a path that no file can be written to.
 pub fn require_place(path: &Path) -> Result<(), Failure> {
+    if standard::is_meant(path) {
+        return Ok(());
+    }
     let refuse = |reason: &str| {
         let message = format!("{}: {reason}", path.display());
         Err(Failure::new(ExitCode::OutputNotWritable, message))
@@ -20,6 +24,23 @@ pub fn require_place(path: &Path) -> Result<(), Failure> {
         Some(parent) if parent != Path::new("") && !parent.is_dir() => {
             refuse("the directory for the output does not exist")
         }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses standard output without a format, and for the format that is two files.
+pub fn require_stream_format(path: &Path, format: Format) -> Result<(), Failure> {
+    let refuse = |message: &str| Err(Failure::new(ExitCode::Usage, message));
+    match format {
+        _ if !standard::is_meant(path) => Ok(()),
+        Format::Auto => refuse(
+            "standard output has no name that tells the format; add --output-format, for example \
+             --output-format off",
+        ),
+        Format::TetgenNode => refuse(
+            "a TetGen mesh is two files and cannot go to standard output; name a file or another \
+             --output-format",
+        ),
         _ => Ok(()),
     }
 }
@@ -39,7 +60,14 @@ pub fn require_format(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Fa
 }
 
 pub fn write(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
-    io::write_file(mesh, path, format).map_err(|error| failure(path, &error))
+    let written = match standard::is_meant(path) {
+        true => {
+            let mut out = std::io::stdout().lock();
+            io::write(mesh, format, &mut out)
+        }
+        false => io::write_file(mesh, path, format),
+    };
+    written.map_err(|error| failure(path, &error))
 }
 
 /// Writes a file of text: complete, or not at all. A device or a pipe is written into.
@@ -51,7 +79,8 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return fs::write(path, text).map_err(refuse);
     }
-    let temporary = path.with_file_name(format!(".netmesh-{}.json.tmp", std::process::id()));
+    // `netmesh::io::unfinished_files` knows such names.
+    let temporary = path.with_file_name(format!(".netmesh-{}-json.tmp", std::process::id()));
     let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
     if written.is_err() {
         let _ = fs::remove_file(&temporary);
@@ -60,7 +89,7 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {
-    Failure::writing(&path.display().to_string(), error)
+    Failure::writing(&standard::output_name(path), error)
 }
 
 /// Takes nothing.

@@ -3,44 +3,51 @@
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
+use crate::input;
+use crate::interruption;
 use crate::output;
-use crate::progress::Bar;
+use crate::progress::Display;
 use crate::record;
+use crate::same_file;
+use crate::standard;
 use crate::summary::{Summary, Times};
-use netmesh::{Mesh, Triangulation, io, quality};
+use netmesh::{Mesh, Triangulation, quality};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// What stands for standard output where a file may be named.
-const STANDARD_OUTPUT: &str = "-";
-
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if let Some(output) = &arguments.output {
-        output::require_place(output)?;
-    }
-    if let Some(json) = arguments.json.as_deref().filter(|&path| path != Path::new(STANDARD_OUTPUT))
-    {
-        output::require_place(json)?;
-    }
+    check_paths(arguments)?;
+    interruption::clean_up_after(files_to_write(arguments)?);
+    let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
-    let mut mesh = timed(&mut times.read, || read(arguments))?;
+    let mut mesh = {
+        let _stage = display.stage("reading");
+        timed(&mut times.read, || input::read(arguments))?
+    };
     if let Some(output) = &arguments.output {
-        output::require_format(&mesh, output, arguments.output_format())?;
+        require_output_format(&mesh, output, arguments)?;
     }
-    timed(&mut times.mesh, || make(&mut mesh, arguments))?;
+    timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
     if let Some(output) = &arguments.output {
+        let _stage = display.stage("writing");
         timed(&mut times.write, || output::write(&mesh, output, arguments.output_format()))?;
     }
     let report = match arguments.validate {
-        true => Some(timed(&mut times.validate, || {
-            certificate::check(mesh.inputs(), triangulation_of(&mesh)?)
-        })?),
+        true => Some({
+            let _stage = display.stage("certifying");
+            timed(&mut times.validate, || {
+                certificate::check(mesh.inputs(), triangulation_of(&mesh)?)
+            })?
+        }),
         false => None,
     };
     if !arguments.quiet || arguments.json.is_some() {
         let triangulation = triangulation_of(&mesh)?;
-        let quality = timed(&mut times.measure, || quality::measure(triangulation))?;
+        let quality = {
+            let _stage = display.stage("measuring");
+            timed(&mut times.measure, || quality::measure(triangulation))?
+        };
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),
@@ -54,34 +61,63 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     report.map_or(Ok(()), |report| certificate::require(&report))
 }
 
+/// Refuses what can be seen to be wrong before anything is read.
+fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
+    input::require_format(arguments)?;
+    if let Some(output) = &arguments.output {
+        output::require_place(output)?;
+        output::require_stream_format(output, arguments.output_format())?;
+    }
+    if let Some(json) = &arguments.json {
+        output::require_place(json)?;
+    }
+    same_file::require_distinct(arguments)
+}
+
+fn files_to_write(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
+    let mut files = same_file::outputs(arguments)?;
+    files.extend(arguments.json.clone());
+    files.retain(|path| !standard::is_meant(path));
+    Ok(files)
+}
+
+fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> Result<(), Failure> {
+    output::require_format(mesh, output, arguments.output_format()).map_err(|failure| {
+        match mesh.inputs().dim() {
+            2 | 3 => failure,
+            _ => input::with_hint(failure, arguments),
+        }
+    })
+}
+
 /// The summary for people, the record for programs, or both.
 fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
     match summary.arguments.json.as_deref() {
-        Some(path) if path == Path::new(STANDARD_OUTPUT) => return print(&record::json(summary)),
+        Some(path) if standard::is_meant(path) => return print(&record::json(summary)),
         Some(path) => output::write_text(path, &record::json(summary))?,
         None => {}
     }
-    if summary.arguments.quiet { Ok(()) } else { print(&summary.text()) }
+    match summary.arguments.output.as_deref() {
+        _ if summary.arguments.quiet => Ok(()),
+        // Standard output has the mesh.
+        Some(path) if standard::is_meant(path) => {
+            // Nobody is left to tell of a failure there.
+            let _ = std::io::stderr().write_all(summary.text().as_bytes());
+            Ok(())
+        }
+        _ => print(&summary.text()),
+    }
 }
 
-fn read(arguments: &Arguments) -> Result<Mesh, Failure> {
-    let path = &arguments.input;
-    let reading = |error| Failure::reading(&path.display().to_string(), &error);
-    let cloud = io::read_points(path, arguments.input_format()).map_err(reading)?;
-    let count = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
-    Mesh::new(cloud.dim, count, &cloud.coordinates, 0).map_err(reading)
-}
-
-fn make(mesh: &mut Mesh, arguments: &Arguments) -> Result<(), Failure> {
-    let bar = Bar::new(!arguments.quiet);
+fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(), Failure> {
+    let stage = display.meshing();
     let outcome = mesh.run(
         &arguments.options(),
         Some(&mut |progress| {
-            bar.show(progress);
+            stage.show(progress);
             true
         }),
     );
-    bar.finish();
     Ok(outcome?)
 }
 

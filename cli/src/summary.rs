@@ -3,6 +3,7 @@
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::numbers::{counted, duration, grouped, measure};
+use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{Algorithm, Criterion, Inputs, NetOrdering, Output, Triangulation, VertexKind};
@@ -50,7 +51,7 @@ impl Summary<'_> {
             "input",
             format!(
                 "{}: {} in {}D, {}",
-                self.arguments.input.display(),
+                standard::input_name(&self.arguments.input),
                 counted(self.inputs.count() as u64, "point", "points"),
                 self.inputs.dim(),
                 counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
@@ -147,7 +148,7 @@ impl Summary<'_> {
         lines.add(
             "run",
             format!(
-                "{} in {}, the worst leaving {} of the most inputs in one home; {} ({:.1} per input, at most {} for one)",
+                "{} in {}, the worst leaving {} of the longest conflict list; {} ({:.1} per input, at most {} for one)",
                 counted(stats.rounds, "round", "rounds"),
                 counted(stats.passes, "pass", "passes"),
                 measure(stats.worst_halving),
@@ -169,7 +170,7 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "points made: {} for cages ({} of them to close slits), {} corners, {} off-centres; an input instead {}",
+                "points made: {} for cages ({} of them to close cage gaps), {} corners, {} off-centres; an input instead {}",
                 grouped(stats.cage_points),
                 grouped(stats.closing_points),
                 grouped(stats.far_corners),
@@ -246,7 +247,7 @@ impl Summary<'_> {
 
     fn add_output(&self, lines: &mut Lines) {
         if let Some(output) = &self.arguments.output {
-            lines.add("written", output.display().to_string());
+            lines.add("written", standard::output_name(output));
         }
     }
 

@@ -69,7 +69,7 @@ fn documented_defaults_are_those_of_the_code() {
 fn every_exit_code_is_in_the_help_and_in_the_document() {
     let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
-    let document = read("docs/exit_codes.md");
+    let document = read("docs/command_line.md");
     for code in 0..=8 {
         assert!(help.contains(&format!("\n  {code}  ")), "{code} in --help");
         assert!(document.contains(&format!("\n| {code} | ")), "{code} in the document");
@@ -80,7 +80,7 @@ fn every_exit_code_is_in_the_help_and_in_the_document() {
 fn every_format_is_in_the_document() {
     let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
-    let (_, formats) = help.split_once("--output-format").expect("the option");
+    let (_, formats) = help.split_once("--output-format <FORMAT>").expect("the option");
     let names: Vec<&str> = formats
         .lines()
         .skip(1)

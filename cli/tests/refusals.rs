@@ -49,16 +49,18 @@ fn unknown_extension_of_the_output_is_wrong_usage() {
 fn unknown_extension_of_the_input_is_wrong_usage() {
     let bench = Workbench::new("unknown_input_extension");
     bench.write("points.what", SQUARE);
-    bench.run("points.what").assert_failure(2, &["points.what"]);
+    let outcome = bench.run("points.what");
+    outcome.assert_failure(2, &["points.what", "can be read", ".xyz"]);
+    assert!(!outcome.stderr.contains(".vtu"), "{}", outcome.stderr);
     bench.run("points.what --input-format xyz --quiet").assert_success();
 }
 
 #[test]
 fn value_out_of_range_names_the_range() {
     let bench = bench_with("out_of_range", SQUARE);
-    bench.run("points.xyz --bound 1").assert_failure(2, &["bound", "[2.2, 100]"]);
-    bench.run("points.xyz --bound -3").assert_failure(2, &["bound", "-3"]);
-    bench.run("points.xyz --epsilon nan").assert_failure(2, &["epsilon", "NaN"]);
+    bench.run("points.xyz --bound 1").assert_failure(2, &["--bound is 1", "[2.2, 100]"]);
+    bench.run("points.xyz --bound -3").assert_failure(2, &["--bound is -3"]);
+    bench.run("points.xyz --epsilon nan").assert_failure(2, &["--epsilon is NaN"]);
 }
 
 #[test]
@@ -119,14 +121,18 @@ fn plain_delaunay_of_a_line_is_refused() {
 #[test]
 fn too_many_vertices_is_a_limit() {
     let bench = bench_with("max_vertices", SQUARE);
-    bench.run("points.xyz -o mesh.vtu --max-vertices 6").assert_failure(5, &["6"]);
+    bench
+        .run("points.xyz -o mesh.vtu --max-vertices 6")
+        .assert_failure(5, &["--max-vertices is 6"]);
     assert_eq!(bench.files(), ["points.xyz"]);
 }
 
 #[test]
 fn format_that_cannot_hold_the_dimension_is_refused_before_the_work() {
     let bench = bench_with("vtu_4d", "0 0 0 0\n1 0 0 0\n0 1 0 1\n");
-    bench.run("points.xyz -o mesh.vtu --max-vertices 1").assert_failure(2, &["mesh.vtu", "Vtu"]);
+    bench
+        .run("points.xyz -o mesh.vtu --max-vertices 1")
+        .assert_failure(2, &["mesh.vtu", "VTU", "TetGen"]);
     assert_eq!(bench.files(), ["points.xyz"]);
 }
 
@@ -152,4 +158,15 @@ fn json_where_no_file_can_be_is_refused_before_the_work() {
         .assert_failure(8, &["no/such/a.json"]);
     bench.run("points.xyz -o mesh.off --json .").assert_failure(8, &["directory"]);
     assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+/// The limit that docs/command_line.md tells: the cage's diameter is twice `root_scale` times the
+/// distance.
+#[test]
+fn points_whose_cage_leaves_the_doubles_are_a_limit() {
+    let far = bench_with("far_apart", "0 0\n3.7e307 0\n-3.7e307 0\n0 3.7e307\n");
+    far.run("points.xyz -o mesh.vtu").assert_failure(5, &["too large", "outer cage"]);
+    assert_eq!(far.files(), ["points.xyz"]);
+    let near = bench_with("less_far_apart", "0 0\n3.5e307 0\n-3.5e307 0\n0 3.5e307\n");
+    near.run("points.xyz --validate -q").assert_success();
 }

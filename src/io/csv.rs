@@ -1,69 +1,89 @@
-//! CSV: one point per line, fields between commas, at most one header line.
+//! CSV: one point per line, fields between commas, at most one header line, whose names say which
+//! columns are the coordinates.
 
 use super::PointCloud;
-use super::text::{Line, Lines, Points, write_point};
+use super::columns::{Columns, Layout};
+use super::text::{Line, Lines, Points, quoted, write_point};
 use super::xyz::for_each_vertex;
 use crate::error::Result;
-use crate::mesh::Mesh;
+use crate::memory::collected;
+use crate::mesh::{MAX_DIM, Mesh};
 use std::io::{self, Write};
 
 /// The header of the column that [`write`] adds to the coordinates.
 const KIND: &str = "kind";
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+pub(super) fn read(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
     let mut points = Points::default();
-    let mut columns = None;
+    let mut layout: Option<Layout> = None;
     while let Some(line) = lines.next()? {
-        let columns = match columns {
-            Some(columns) => columns,
-            None => {
-                let (first, is_header) = Columns::of_first_line(&line)?;
-                columns = Some(first);
-                if is_header {
-                    continue;
-                }
-                first
-            }
-        };
-        columns.check(&line)?;
-        points.add(&line, fields(&line).enumerate().take(columns.coordinates))?;
+        if let Some(layout) = layout.as_ref() {
+            layout.add(&mut points, &line, fields(&line))?;
+            continue;
+        }
+        let header = header_of(&line)?;
+        let layout = layout.insert(layout_of(&line, header.as_deref(), columns)?);
+        if header.is_none() {
+            layout.add(&mut points, &line, fields(&line))?;
+        }
     }
     points.finish()
 }
 
-/// What the first line says about all others.
-#[derive(Clone, Copy)]
-struct Columns {
-    all: usize,
-    /// The leading columns, which hold the point.
-    coordinates: usize,
+/// The names in the first line; none if it is a point. A header holds no number at all: a line with
+/// some is a damaged point or a header that does not fit, and neither may be skipped in silence.
+fn header_of<'a>(line: &Line<'a>) -> Result<Option<Vec<&'a str>>> {
+    let is_number = |field: &str| field.parse::<f64>().is_ok();
+    let Some((column, word)) = fields(line).enumerate().find(|(_, field)| !is_number(field)) else {
+        return Ok(None);
+    };
+    if fields(line).any(is_number) {
+        return Err(line.not_a_number(column, word));
+    }
+    // Programs that pass a table on like to put its names in quotes.
+    let names = fields(line).map(|name| name.trim_matches('"').trim_ascii());
+    Ok(Some(collected(names)?))
 }
 
-impl Columns {
-    /// Also tells whether the line is a header, that is, holds no number at all. A line with some
-    /// is a damaged point or a header that does not fit: neither may be skipped in silence.
-    fn of_first_line(line: &Line<'_>) -> Result<(Self, bool)> {
-        let is_number = |field: &str| field.parse::<f64>().is_ok();
-        let all = fields(line).count();
-        let Some((column, word)) = fields(line).enumerate().find(|(_, field)| !is_number(field))
-        else {
-            return Ok((Self { all, coordinates: all }, false));
-        };
-        if fields(line).any(is_number) {
-            return Err(line.not_a_number(column, word));
-        }
-        // Programs that pass a table on like to put its names in quotes.
-        let with_kind = fields(line).last().map(|name| name.trim_matches('"')) == Some(KIND);
-        Ok((Self { all, coordinates: all - usize::from(with_kind) }, true))
-    }
+fn layout_of(line: &Line<'_>, header: Option<&[&str]>, columns: &Columns) -> Result<Layout> {
+    let all = fields(line).count();
+    let coordinates = match header {
+        _ if columns.are_chosen() => columns.indices(all as u64, header)?,
+        Some(names) => named_coordinates(line, names)?,
+        // One more than there may be, so that the dimension is refused.
+        None => (0..all.min(MAX_DIM + 1) as u64).collect(),
+    };
+    Layout::new(line, all, coordinates)
+}
 
-    fn check(self, line: &Line<'_>) -> Result<()> {
-        let count = fields(line).count();
-        if count != self.all {
-            return Err(line.error(format!("{count} columns; the first line has {}", self.all)));
+/// The columns `x`, `y` and, where it is there, `z`; otherwise `x0`, `x1` and so on; otherwise all,
+/// without a last one called `kind`.
+fn named_coordinates(line: &Line<'_>, names: &[&str]) -> Result<Vec<u64>> {
+    let letters = ["x", "y", "z"].map(str::to_string);
+    let numbered = (0..=names.len()).map(|axis| format!("x{axis}"));
+    for sought in [leading(letters.into_iter(), names), leading(numbered, names)] {
+        if sought.len() < 2 {
+            continue;
         }
-        Ok(())
+        for &column in &sought {
+            let name = names[column as usize];
+            if names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1 {
+                let message = format!("two columns are called {}", quoted(name));
+                return Err(line.error(message));
+            }
+        }
+        return Ok(sought);
     }
+    let with_kind = names.last() == Some(&KIND);
+    let coordinates = names.len() - usize::from(with_kind);
+    Ok((0..coordinates.min(MAX_DIM + 1) as u64).collect())
+}
+
+/// The columns of `sought` up to the first name that is not there.
+fn leading(sought: impl Iterator<Item = String>, names: &[&str]) -> Vec<u64> {
+    let column = |name: String| names.iter().position(|other| other.eq_ignore_ascii_case(&name));
+    // One more than there may be, so that the dimension is refused.
+    sought.map_while(column).take(MAX_DIM + 1).map(|column| column as u64).collect()
 }
 
 fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
@@ -98,6 +118,24 @@ mod tests {
         ] {
             assert_eq!(read(&mut text.as_bytes(), Format::Csv).unwrap(), expected, "{text:?}");
         }
+    }
+
+    #[test]
+    fn a_header_names_the_coordinates() {
+        let expected = PointCloud { dim: 2, coordinates: vec![1.0, 2.0, -3.0, 4e9] };
+        for text in [
+            "x,y,intensity\n1,2,9\n-3,4e9,9\n",
+            "id,Y,X,label\n7,2,1,a\n8,4e9,-3,\n",
+            "\"x0\",\"x1\",\"r\",\"g\"\n1,2,0,0\n-3,4e9,0,0\n",
+            // No names of coordinates: all columns but the kind.
+            "lon,lat,kind\n1,2,0\n-3,4e9,1\n",
+        ] {
+            assert_eq!(read(&mut text.as_bytes(), Format::Csv).unwrap(), expected, "{text:?}");
+        }
+        let cloud = read(&mut "r,g,b,z,y,x\n9,9,9,3,2,1\n".as_bytes(), Format::Csv).unwrap();
+        assert_eq!(cloud, PointCloud { dim: 3, coordinates: vec![1.0, 2.0, 3.0] });
+        let error = read(&mut "x,y,x\n1,2,3\n".as_bytes(), Format::Csv).unwrap_err();
+        assert_eq!(error.message(), "line 1: two columns are called \"x\"");
     }
 
     #[test]

@@ -54,9 +54,10 @@ pub enum Format {
     /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
     /// decimal comma would read so). The first point's number of columns is the dimension.
     Xyz = 7,
-    /// Comma-separated points. A first line without any number is a header; its columns are counted,
-    /// quotes have no meaning. A last column with the header `kind`, as [`crate::io::write()`] adds
-    /// it, is skipped: it is no coordinate.
+    /// Comma-separated points. A first line without any number is a header. Where it names the columns
+    /// `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise `x0`, `x1`
+    /// and so on, as [`crate::io::write()`] names them; otherwise all columns, without a last one
+    /// called `kind`. Other columns may hold anything. Quotes have no meaning but around a name.
     Csv = 8,
     /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order. Read:
     /// versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order.
@@ -98,8 +99,53 @@ impl Format {
         }
     }
 
+    /// The name that people know the format by.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "the format of the extension",
+            Self::Vtu => "VTU",
+            Self::TetgenNode => "TetGen",
+            Self::Gmsh => "Gmsh",
+            Self::Medit => "Medit",
+            Self::Off => "OFF",
+            Self::Ply => "PLY",
+            Self::Xyz => "XYZ",
+            Self::Csv => "CSV",
+            Self::Npy => "NumPy",
+            Self::VoronoiJson => "the Voronoi diagram",
+            Self::DomainsJson => "the hierarchy of domains",
+        }
+    }
+
     pub(super) fn resolve(self, path: &Path) -> Result<Self> {
         if self == Self::Auto { Self::from_path(path) } else { Ok(self) }
+    }
+
+    /// As [`Format::resolve`]; an unknown extension is answered with those that can be read.
+    pub(super) fn resolve_input(self, path: &Path) -> Result<Self> {
+        self.resolve(path).map_err(|_| {
+            let message = message!(
+                "{}: the extension names no format that can be read; name the format, or use .node, \
+                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv or .npy",
+                path.display()
+            );
+            Error::new(ErrorKind::InvalidArgument, message)
+        })
+    }
+
+    /// Refuses a format that is written only.
+    pub(super) fn check_readable(self) -> Result<()> {
+        match self {
+            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::new(
+                ErrorKind::InvalidArgument,
+                message!(
+                    "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, OFF, \
+                     PLY, XYZ, CSV and NumPy files",
+                    self.name()
+                ),
+            )),
+            _ => Ok(()),
+        }
     }
 
     /// Refuses a dimension that the format has no cells for.
@@ -109,7 +155,8 @@ impl Format {
                 Err(Error::new(
                     ErrorKind::InvalidArgument,
                     message!(
-                        "format {self:?} holds meshes of dimension 2 and 3, not {dim}; use Off (nOFF) or TetgenNode"
+                        "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
+                        self.name()
                     ),
                 ))
             }

@@ -25,6 +25,7 @@
 
 mod binary;
 mod buffered;
+mod columns;
 mod csv;
 mod domains;
 mod format;
@@ -48,6 +49,7 @@ mod vtu;
 mod xyz;
 
 pub(crate) use buffered::Buffered;
+pub use columns::Columns;
 pub use format::Format;
 
 use crate::error::{Error, ErrorKind, Result, message};
@@ -55,7 +57,7 @@ use crate::memory::AllocError;
 use crate::mesh::{Mesh, Triangulation};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Points as read from a file: `coordinates` is `n x dim`, n >= 1, every coordinate finite.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,18 +76,62 @@ pub struct PointCloud {
 ///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a line
 ///   over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
 /// - `NonFinite`: `nan` or `inf` where a coordinate should be;
-/// - `Dimension`: points of a dimension outside 2..=8;
+/// - `Dimension`: points of a dimension outside 2 to 8;
 /// - `OutOfMemory`.
 pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
-    let format = format.resolve(path)?;
-    check_readable(format)?;
-    let sibling = (format == Format::TetgenNode).then(|| tetgen::paths(path).0);
-    let path = sibling.as_deref().unwrap_or(path);
+    read_points_of_columns(path, format, &Columns::default())
+}
+
+/// As [`read_points`], with the columns that are the coordinates: files often have more.
+///
+/// # Errors
+/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file without a
+/// header, a format other than `Xyz`, `Csv` and `Npy`.
+pub fn read_points_of_columns(
+    path: &Path,
+    format: Format,
+    columns: &Columns,
+) -> Result<PointCloud> {
+    let format = format.resolve_input(path)?;
+    let path = input_path(path, format)?;
     let in_file = |error: Error| {
         Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
     };
-    let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
-    read(&mut BufReader::with_capacity(1 << 16, file), format).map_err(in_file)
+    let file = File::open(&path).map_err(|error| in_file(io_error("cannot open", &error)))?;
+    read_columns(&mut BufReader::with_capacity(1 << 16, file), format, columns).map_err(in_file)
+}
+
+/// The file that [`read_points`] opens: of TetGen's pair the `.node` part.
+///
+/// # Errors
+/// `InvalidArgument`: a format that cannot be read, or an extension that names none.
+pub fn input_path(path: &Path, format: Format) -> Result<PathBuf> {
+    let format = format.resolve_input(path)?;
+    format.check_readable()?;
+    match format {
+        Format::TetgenNode => Ok(tetgen::paths(path).0),
+        _ => Ok(path.to_path_buf()),
+    }
+}
+
+/// The files that [`write_file`] makes: one, of TetGen's format two.
+///
+/// # Errors
+/// `InvalidArgument`: an extension that names no format.
+pub fn output_paths(path: &Path, format: Format) -> Result<Vec<PathBuf>> {
+    match format.resolve(path)? {
+        Format::TetgenNode => {
+            let (node, ele) = tetgen::paths(path);
+            Ok(vec![node, ele])
+        }
+        _ => Ok(vec![path.to_path_buf()]),
+    }
+}
+
+/// The files under temporary names that [`write_file`] has made for `path` in this process and not
+/// yet renamed or removed: what a program that ends in the middle must remove.
+pub fn unfinished_files(path: &Path) -> Vec<PathBuf> {
+    replace::temporary_files(path)
 }
 
 /// Reads points from a stream.
@@ -93,30 +139,32 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
 /// # Errors
 /// As [`read_points`]; [`Format::Auto`] is refused, as there is no extension.
 pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
-    check_readable(format)?;
+    read_columns(input, format, &Columns::default())
+}
+
+/// Reads points from some columns of a stream.
+///
+/// # Errors
+/// As [`read_points_of_columns`]; [`Format::Auto`] is refused, as there is no extension.
+pub fn read_columns(
+    input: &mut dyn BufRead,
+    format: Format,
+    columns: &Columns,
+) -> Result<PointCloud> {
+    format.check_readable()?;
+    if !matches!(format, Format::Auto | Format::Xyz | Format::Csv | Format::Npy) {
+        columns.require_none(format.name())?;
+    }
     match format {
-        Format::Npy => npy::read(input),
+        Format::Xyz => xyz::read(text::Lines::new(input), columns),
+        Format::Csv => csv::read(text::Lines::new(input), columns),
+        Format::Npy => npy::read(input, columns),
         Format::Ply => ply::read(input),
         Format::TetgenNode => tetgen::read(text::Lines::new(input)),
         Format::Gmsh => gmsh::read(text::Lines::new(input)),
         Format::Medit => medit::read(text::Lines::new(input)),
         Format::Off => off::read(text::Lines::new(input)),
-        Format::Csv => csv::read(text::Lines::new(input)),
-        _ => xyz::read(text::Lines::new(input)),
-    }
-}
-
-fn check_readable(format: Format) -> Result<()> {
-    match format {
-        Format::Auto => Err(auto_without_path()),
-        Format::Vtu | Format::VoronoiJson | Format::DomainsJson => Err(Error::new(
-            ErrorKind::InvalidArgument,
-            message!(
-                "format {format:?} cannot be read, only written; points are read from TetgenNode, Gmsh, \
-                 Medit, Off, Ply, Xyz, Csv and Npy"
-            ),
-        )),
-        _ => Ok(()),
+        _ => Err(auto_without_path()),
     }
 }
 
@@ -186,8 +234,10 @@ impl<'a> Content<'a> {
         format.check_dimension(mesh.inputs().dim())?;
         let triangulation = || {
             mesh.triangulation().ok_or_else(|| {
-                let message =
-                    message!("format {format:?} holds a mesh; run first, or write Xyz, Csv or Npy");
+                let message = message!(
+                    "{} holds a mesh; run first, or write XYZ, CSV or NumPy",
+                    format.name()
+                );
                 Error::new(ErrorKind::State, message)
             })
         };
@@ -235,7 +285,7 @@ impl<'a> Content<'a> {
 }
 
 fn auto_without_path() -> Error {
-    let message = "format Auto needs a path with an extension; name a format";
+    let message = "without a file name there is no extension that tells the format; name a format";
     Error::new(ErrorKind::InvalidArgument, message)
 }
 

@@ -2,10 +2,10 @@
 
 use super::PointCloud;
 use super::binary::Binary;
+use super::columns::{Columns, transposed};
 use super::text::{Points, quoted};
 use super::xyz::for_each_vertex;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::with_room;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh};
 use std::io::{self, BufRead, Write};
 
@@ -14,50 +14,90 @@ const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// The longest header that is read. NumPy's own limit is 10,000 bytes.
 const MAX_HEADER: usize = 1 << 16;
 
-pub(super) fn read(input: &mut dyn BufRead) -> Result<PointCloud> {
+pub(super) fn read(input: &mut dyn BufRead, columns: &Columns) -> Result<PointCloud> {
     let mut binary = Binary::new(input, "");
-    let header = read_header(&mut binary)?;
-    let mut points = Points::of_dimension(header.dim);
-    // A row may be a point, or a coordinate of all points.
-    let (rows, columns) = match header.fortran_order {
-        false => (header.points, header.dim as u64),
-        true => (header.dim as u64, header.points),
+    let header = read_header(&mut binary, columns)?;
+    let chosen = match columns.are_chosen() {
+        true => columns.indices(header.columns, None)?,
+        false => (0..header.columns).collect(),
     };
-    for row in 0..rows {
-        for column in 0..columns {
-            let value = header.number.read(&mut binary, || lacks(&header, row, column))?;
-            if !value.is_finite() {
-                let (point, axis) =
-                    if header.fortran_order { (column, row) } else { (row, column) };
-                let message = message!(
-                    "point {point}, coordinate {axis}: {value}; every coordinate must be finite"
-                );
-                let size = header.number.size();
-                return Err(binary.error_at(size, ErrorKind::NonFinite, &message));
+    let points = Points::of_dimension(chosen.len());
+    if header.points == 0 {
+        return points.finish();
+    }
+    match header.fortran_order {
+        false => read_by_point(&mut binary, &header, &chosen, points),
+        true => read_by_column(&mut binary, &header, &chosen, points),
+    }
+}
+
+/// C order.
+fn read_by_point(
+    binary: &mut Binary<'_>,
+    header: &Header,
+    chosen: &[u64],
+    mut points: Points,
+) -> Result<PointCloud> {
+    let mut point = [0.0; MAX_DIM];
+    for row in 0..header.points {
+        for column in 0..header.columns {
+            let lacks = || format!("{row} of {} points", header.points);
+            let value = header.number.read(binary, lacks)?;
+            if let Some(axis) = chosen.iter().position(|other| *other == column) {
+                point[axis] = finite(binary, header, value, row, column)?;
             }
-            points.push(value)?;
+        }
+        point[..chosen.len()].iter().try_for_each(|value| points.push(*value))?;
+    }
+    binary.require_end("the array")?;
+    points.finish()
+}
+
+/// Fortran's order.
+fn read_by_column(
+    binary: &mut Binary<'_>,
+    header: &Header,
+    chosen: &[u64],
+    mut points: Points,
+) -> Result<PointCloud> {
+    for column in 0..header.columns {
+        let is_chosen = chosen.contains(&column);
+        for row in 0..header.points {
+            let lacks = || format!("{row} of {} points, coordinate {column}", header.points);
+            let value = header.number.read(binary, lacks)?;
+            if is_chosen {
+                points.push(finite(binary, header, value, row, column)?)?;
+            }
         }
     }
     binary.require_end("the array")?;
-    let cloud = points.finish()?;
-    if header.fortran_order { transposed(cloud) } else { Ok(cloud) }
+    transposed(points.finish()?, chosen)
 }
 
-fn lacks(header: &Header, row: u64, column: u64) -> String {
-    match header.fortran_order {
-        false => format!("{row} of {} points", header.points),
-        true => format!("{column} of {} points, coordinate {row}", header.points),
+fn finite(
+    binary: &Binary<'_>,
+    header: &Header,
+    value: f64,
+    point: u64,
+    column: u64,
+) -> Result<f64> {
+    if value.is_finite() {
+        return Ok(value);
     }
+    let message =
+        message!("point {point}, coordinate {column}: {value}; every coordinate must be finite");
+    Err(binary.error_at(header.number.size(), ErrorKind::NonFinite, &message))
 }
 
-/// Points whose coordinates stood axis by axis.
-fn transposed(cloud: PointCloud) -> Result<PointCloud> {
-    let points = cloud.coordinates.len() / cloud.dim;
-    let mut coordinates = with_room(cloud.coordinates.len())?;
-    for point in 0..points {
-        coordinates.extend((0..cloud.dim).map(|axis| cloud.coordinates[axis * points + point]));
+fn check_dimension(columns: u64) -> Result<()> {
+    match (MIN_DIM as u64..=MAX_DIM as u64).contains(&columns) {
+        true => Ok(()),
+        false => {
+            let message =
+                message!("points of dimension {columns}; it must be {MIN_DIM} to {MAX_DIM}");
+            Err(Error::new(ErrorKind::Dimension, message))
+        }
     }
-    Ok(PointCloud { coordinates, ..cloud })
 }
 
 /// What the bytes of a number mean.
@@ -104,10 +144,11 @@ struct Header {
     number: Number,
     fortran_order: bool,
     points: u64,
-    dim: usize,
+    /// Numbers of a point: its coordinates, and what else a file may have.
+    columns: u64,
 }
 
-fn read_header(binary: &mut Binary<'_>) -> Result<Header> {
+fn read_header(binary: &mut Binary<'_>, columns: &Columns) -> Result<Header> {
     let lacks = || "the header of an .npy file is not complete".to_string();
     let magic: [u8; 6] = binary.next(lacks)?;
     if magic != *MAGIC {
@@ -131,7 +172,7 @@ fn read_header(binary: &mut Binary<'_>) -> Result<Header> {
     let mut header = [0; MAX_HEADER];
     let header = &mut header[..length as usize];
     binary.fill(header, lacks)?;
-    Header::parse(header).map_err(|error| {
+    Header::parse(header, columns).map_err(|error| {
         let at = binary.error_at(length.into(), error.kind(), error.message());
         // Where nothing of the header is there, there is no byte to name.
         if length == 0 { error } else { at }
@@ -140,7 +181,7 @@ fn read_header(binary: &mut Binary<'_>) -> Result<Header> {
 
 impl Header {
     /// From `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`.
-    fn parse(text: &[u8]) -> Result<Self> {
+    fn parse(text: &[u8], columns: &Columns) -> Result<Self> {
         let mut parser = Parser { rest: text };
         let (mut description, mut fortran_order, mut shape) = (None, None, None);
         parser.expect("{")?;
@@ -150,7 +191,13 @@ impl Header {
             let seen_before = match key {
                 "descr" => description.replace(parser.number()?).is_some(),
                 "fortran_order" => fortran_order.replace(parser.boolean()?).is_some(),
-                "shape" => shape.replace(parser.shape()?).is_some(),
+                "shape" => {
+                    let (points, numbers) = parser.shape()?;
+                    if !columns.are_chosen() {
+                        check_dimension(numbers)?;
+                    }
+                    shape.replace((points, numbers)).is_some()
+                }
                 _ => return Err(bad(message!("the unknown key {}", quoted(key)))),
             };
             if seen_before {
@@ -164,12 +211,12 @@ impl Header {
         if !parser.rest.trim_ascii().is_empty() {
             return Err(bad("more than a dictionary".into()));
         }
-        let (Some(number), Some(fortran_order), Some((points, dim))) =
+        let (Some(number), Some(fortran_order), Some((points, numbers))) =
             (description, fortran_order, shape)
         else {
             return Err(bad("'descr', 'fortran_order' and 'shape' are needed".into()));
         };
-        Ok(Self { number, fortran_order, points, dim })
+        Ok(Self { number, fortran_order, points, columns: numbers })
     }
 }
 
@@ -253,8 +300,8 @@ impl<'a> Parser<'a> {
         })
     }
 
-    /// Points and their dimension.
-    fn shape(&mut self) -> Result<(u64, usize)> {
+    /// Points, and numbers of each.
+    fn shape(&mut self) -> Result<(u64, u64)> {
         let mut lengths = [0; 2];
         let mut count = 0;
         self.expect("(")?;
@@ -272,13 +319,8 @@ impl<'a> Parser<'a> {
         if count != lengths.len() {
             return Err(bad(message!("a shape of {count} lengths; (points, dim) is needed")));
         }
-        let [points, dim] = lengths;
-        if !(MIN_DIM as u64..=MAX_DIM as u64).contains(&dim) {
-            let message =
-                message!("points of dimension {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
-            return Err(Error::new(ErrorKind::Dimension, message));
-        }
-        Ok((points, dim as usize))
+        let [points, columns] = lengths;
+        Ok((points, columns))
     }
 }
 
@@ -304,7 +346,7 @@ pub(super) fn write(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
+    use super::super::{Format, read, read_columns, samples, write};
     use super::*;
 
     /// A file of version 1.0 with this header.
@@ -356,6 +398,33 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn chosen_columns_are_read_from_either_order() {
+        let expected = PointCloud { dim: 2, coordinates: vec![3.0, 1.0, 7.0, 5.0] };
+        let by_point = [1.0, f64::NAN, 3.0, 5.0, 0.0, 7.0];
+        let by_column = [1.0, 5.0, f64::NAN, 0.0, 3.0, 7.0];
+        for (order, values) in [("False", by_point), ("True", by_column)] {
+            let header = format!("{{'descr': '<f8', 'fortran_order': {order}, 'shape': (2, 3), }}");
+            let file = file(&header, &bytes(&values));
+            let chosen = |list: &str| {
+                let columns: Columns = list.parse().unwrap();
+                read_columns(&mut file.as_slice(), Format::Npy, &columns)
+            };
+            assert_eq!(chosen("3,1").unwrap(), expected, "{order}");
+            let error = chosen("1,2").unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::NonFinite);
+            assert!(error.message().contains("point 0, coordinate 1"), "{error}");
+            let error = chosen("1,4").unwrap_err();
+            assert_eq!(error.message(), "columns: there is no column 4; the file has 3 columns");
+        }
+        // Nothing is read of points that a header does not have, however many their numbers.
+        let empty = "{'descr': '<f8', 'fortran_order': True, 'shape': (0, 1000000000000000), }";
+        let columns: Columns = "1-2".parse().unwrap();
+        let file = file(empty, &[]);
+        let error = read_columns(&mut file.as_slice(), Format::Npy, &columns).unwrap_err();
+        assert_eq!(error.message(), "the file holds no points");
     }
 
     #[test]

@@ -32,6 +32,29 @@ pub(super) fn open_stream(path: &Path) -> Result<Option<File>> {
     }
 }
 
+/// What this process has under temporary names in the directory of `path`, links followed.
+pub(super) fn temporary_files(path: &Path) -> Vec<PathBuf> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let directory = match target.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    };
+    let Ok(entries) = fs::read_dir(directory) else { return Vec::new() };
+    let prefix = temporary_prefix();
+    let is_temporary = |name: &str| name.starts_with(&prefix) && name.ends_with(SUFFIX);
+    entries
+        .filter_map(|entry| entry.ok())
+        .filter(|entry| entry.file_name().to_str().is_some_and(is_temporary))
+        .map(|entry| entry.path())
+        .collect()
+}
+
+fn temporary_prefix() -> String {
+    format!(".netmesh-{}-", std::process::id())
+}
+
+const SUFFIX: &str = ".tmp";
+
 /// A complete file under a temporary name, which is removed unless the file takes its place.
 struct Staged {
     temporary: PathBuf,
@@ -93,7 +116,7 @@ fn create_beside(target: &Path) -> Result<(File, PathBuf)> {
     let mut attempt = 0;
     loop {
         // Not made from the target's name, which may already be as long as names can be.
-        let name = format!(".netmesh-{}-{attempt}.tmp", std::process::id());
+        let name = format!("{}{attempt}{SUFFIX}", temporary_prefix());
         let temporary = target.with_file_name(name);
         match OpenOptions::new().write(true).create_new(true).open(&temporary) {
             Ok(file) => return Ok((file, temporary)),
@@ -205,9 +228,13 @@ mod tests {
         let body = |out: &mut dyn Write| {
             assert_eq!(fs::read_to_string(&a).unwrap(), "old");
             assert_eq!(directory.files().len(), 2);
+            let temporary = temporary_files(&a);
+            assert_eq!(temporary.len(), 1);
+            assert!(temporary[0].is_file() && temporary[0] != a, "{temporary:?}");
             new_text(out)
         };
         replace(&[(&a, &body)]).unwrap();
+        assert!(temporary_files(&a).is_empty());
         assert_eq!(directory.files(), owned(&[("a", "new")]));
     }
 

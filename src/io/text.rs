@@ -254,7 +254,7 @@ impl<'a> Line<'a> {
     /// A dimension that this crate meshes.
     pub fn check_dimension(&self, dim: u64) -> Result<usize> {
         if !(MIN_DIM as u64..=MAX_DIM as u64).contains(&dim) {
-            let message = format!("points of dimension {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+            let message = format!("points of dimension {dim}; it must be {MIN_DIM} to {MAX_DIM}");
             return Err(self.error_of_kind(ErrorKind::Dimension, message));
         }
         Ok(dim as usize)

@@ -285,7 +285,7 @@ mod tests {
     fn names_the_formats_that_hold_higher_dimensions() {
         let error = write(&samples::mesh(4), Format::Vtu, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-        assert!(error.message().contains("Off (nOFF) or TetgenNode"), "{error}");
+        assert!(error.message().contains("use OFF (nOFF) or TetGen"), "{error}");
     }
 
     #[test]

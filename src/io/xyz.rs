@@ -1,16 +1,36 @@
 //! XYZ: one point per line, nothing else.
 
 use super::PointCloud;
+use super::columns::{Columns, Layout};
 use super::text::{Line, Lines, Points, write_point};
 use crate::error::{ErrorKind, Result};
 use crate::mesh::Mesh;
 use std::io::{self, Write};
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+pub(super) fn read(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
+    if columns.are_chosen() {
+        return read_chosen(lines, columns);
+    }
     let mut points = Points::default();
     while let Some(line) = lines.next()? {
         refuse_decimal_commas(&line)?;
         points.add(&line, fields(&line).enumerate())?;
+    }
+    points.finish()
+}
+
+fn read_chosen(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
+    let mut points = Points::default();
+    let mut layout: Option<Layout> = None;
+    while let Some(line) = lines.next()? {
+        refuse_decimal_commas(&line)?;
+        if layout.is_none() {
+            let all = fields(&line).count();
+            layout = Some(Layout::new(&line, all, columns.indices(all as u64, None)?)?);
+        }
+        if let Some(layout) = &layout {
+            layout.add(&mut points, &line, fields(&line))?;
+        }
     }
     points.finish()
 }

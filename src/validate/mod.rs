@@ -140,7 +140,7 @@ fn check_paper<const D: usize>(
 fn wrong_dimension(dim: usize) -> AllocResult<Vec<Findings>> {
     let mut findings = Findings::default();
     findings.check(false, || {
-        let message = message!("dim is {dim}; it must be in {MIN_DIM}..={MAX_DIM}");
+        let message = message!("dim is {dim}; it must be {MIN_DIM} to {MAX_DIM}");
         Violation::new(ViolationKind::ArrayLength, message)
     });
     collected([findings])

@@ -43,6 +43,11 @@ impl Workbench {
         String::from_utf8_lossy(&self.bytes(name)).into_owned()
     }
 
+    #[allow(dead_code)] // not every test file needs another program
+    pub fn directory(&self) -> &Path {
+        &self.directory
+    }
+
     /// Names of all files, sorted.
     #[allow(dead_code)] // not every test file looks at what is there
     pub fn files(&self) -> Vec<String> {
@@ -55,13 +60,26 @@ impl Workbench {
     }
 
     /// Runs `netmesh` in the directory with the words of `line`.
+    #[allow(dead_code)] // not every test file does only that
     pub fn run(&self, line: &str) -> Outcome {
-        let output = Command::new(env!("CARGO_BIN_EXE_netmesh"))
-            .args(line.split_whitespace())
-            .current_dir(&self.directory)
-            .output()
-            .expect("the program starts");
+        Outcome::new(&self.command(line).output().expect("the program starts"))
+    }
+
+    /// The same with `text` on standard input.
+    #[allow(dead_code)] // not every test file has something for standard input
+    pub fn run_with_input(&self, line: &str, text: &str) -> Outcome {
+        self.write("standard input", text);
+        let input = fs::File::open(self.directory.join("standard input")).expect("it is there");
+        fs::remove_file(self.directory.join("standard input")).expect("it can be removed");
+        let output = self.command(line).stdin(input).output().expect("the program starts");
         Outcome::new(&output)
+    }
+
+    /// `netmesh` in the directory with the words of `line`, not yet started.
+    pub fn command(&self, line: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_netmesh"));
+        command.args(line.split_whitespace()).current_dir(&self.directory);
+        command
     }
 }
 

@@ -1,0 +1,68 @@
+//! An output that would replace the input, by whatever path.
+
+use crate::arguments::Arguments;
+use crate::exit_code::{ExitCode, Failure};
+use crate::standard;
+use netmesh::io;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Refuses outputs that are the input or each other.
+pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
+    let outputs = outputs(arguments)?;
+    if let Some(json) = arguments.json.as_deref() {
+        if outputs.iter().any(|output| output == json || are_same(output, json)) {
+            let message = format!(
+                "{}: both the mesh and the JSON object would go here; name another file for --json",
+                standard::output_name(json)
+            );
+            return Err(Failure::new(ExitCode::Usage, message));
+        }
+    }
+    if arguments.force || standard::is_meant(&arguments.input) {
+        return Ok(());
+    }
+    // An input that cannot be read is refused when it is opened, with the reason.
+    let Ok(input) = io::input_path(&arguments.input, arguments.input_format()) else {
+        return Ok(());
+    };
+    match outputs.iter().chain(&arguments.json).find(|output| are_same(&input, output)) {
+        None => Ok(()),
+        Some(output) => {
+            let message = format!(
+                "{}: this is the input, which the output would replace; add --force to do so",
+                output.display()
+            );
+            Err(Failure::new(ExitCode::Usage, message))
+        }
+    }
+}
+
+/// The files that the mesh goes to.
+pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
+    match arguments.output.as_deref() {
+        None => Ok(Vec::new()),
+        Some(path) if standard::is_meant(path) => Ok(vec![path.to_path_buf()]),
+        Some(path) => io::output_paths(path, arguments.output_format())
+            .map_err(|error| Failure::writing(&path.display().to_string(), &error)),
+    }
+}
+
+/// Two names of one file: links too. A terminal may well be read and written.
+fn are_same(a: &Path, b: &Path) -> bool {
+    let files = fs::metadata(a).ok().zip(fs::metadata(b).ok());
+    files.is_some_and(|(of_a, of_b)| {
+        of_a.is_file() && of_b.is_file() && have_same_identity((a, &of_a), (b, &of_b))
+    })
+}
+
+#[cfg(unix)]
+fn have_same_identity((_, a): (&Path, &fs::Metadata), (_, b): (&Path, &fs::Metadata)) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+#[cfg(not(unix))]
+fn have_same_identity((a, _): (&Path, &fs::Metadata), (b, _): (&Path, &fs::Metadata)) -> bool {
+    fs::canonicalize(a).ok().zip(fs::canonicalize(b).ok()).is_some_and(|(a, b)| a == b)
+}

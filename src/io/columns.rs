@@ -1,0 +1,281 @@
+//! Which columns of a table are the coordinates.
+
+use super::PointCloud;
+use super::text::{Line, Points, quoted};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::mesh::{MAX_DIM, MIN_DIM};
+use std::str::FromStr;
+
+/// The columns that a caller chooses as coordinates, in the order of the coordinates. The default
+/// chooses none: the format's own rule applies.
+///
+/// Parsed from a list such as `1-3`, `1,2,5` or `x,y,z`: numbers count from 1, names are those of a
+/// CSV header, in either case.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Columns {
+    chosen: Vec<Column>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Column {
+    /// Counted from 1.
+    Number(u64),
+    Name(String),
+}
+
+impl FromStr for Columns {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let mut chosen = Vec::new();
+        for entry in text.split(',') {
+            let (first, last) = parse_entry(entry.trim())?;
+            chosen.push(first.clone());
+            if let (Column::Number(first), Some(last)) = (first, last) {
+                // More than MAX_DIM are refused below; a range of 2^60 must not be built for that.
+                let last = last.min(first.saturating_add(MAX_DIM as u64));
+                chosen.extend((first + 1..=last).map(Column::Number));
+            }
+        }
+        if !(MIN_DIM..=MAX_DIM).contains(&chosen.len()) {
+            return Err(refused(message!(
+                "{} chooses {} columns{}; points have {MIN_DIM} to {MAX_DIM} coordinates",
+                quoted(text),
+                chosen.len().min(MAX_DIM + 1),
+                if chosen.len() > MAX_DIM { " or more" } else { "" },
+            )));
+        }
+        for (index, column) in chosen.iter().enumerate() {
+            if chosen[..index].contains(column) {
+                return Err(refused(message!("{} has a column twice", quoted(text))));
+            }
+        }
+        Ok(Self { chosen })
+    }
+}
+
+/// A column, and the last number of a range.
+fn parse_entry(entry: &str) -> Result<(Column, Option<u64>)> {
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    let number = |text: &str| match text.parse::<u64>() {
+        Ok(number) if number > 0 => Ok(number),
+        _ => Err(refused(message!("{} is no column; they count from 1", quoted(text)))),
+    };
+    match entry.split_once('-') {
+        _ if entry.is_empty() => Err(refused(
+            "an entry is empty; give numbers (1,2,5), a range (1-3) or names (x,y,z)".into(),
+        )),
+        Some((first, last)) if is_number(first) && is_number(last) => {
+            let (first, last) = (number(first)?, number(last)?);
+            if first > last {
+                let message = message!("the range {} runs backwards", quoted(entry));
+                return Err(refused(message));
+            }
+            Ok((Column::Number(first), Some(last)))
+        }
+        _ if is_number(entry) => Ok((Column::Number(number(entry)?), None)),
+        // `1-` and `-3` are ranges without an end, not names.
+        Some((first, last)) if is_number(first) && last.is_empty() || first.is_empty() => {
+            Err(refused(message!("the range {} has no two ends", quoted(entry))))
+        }
+        _ => Ok((Column::Name(entry.to_string()), None)),
+    }
+}
+
+fn refused(why: String) -> Error {
+    Error::new(ErrorKind::InvalidArgument, message!("columns: {why}"))
+}
+
+impl Columns {
+    /// False if the format's own rule applies.
+    pub fn are_chosen(&self) -> bool {
+        !self.chosen.is_empty()
+    }
+
+    /// Refuses columns of a format that says itself which numbers are coordinates.
+    pub(super) fn require_none(&self, format: &str) -> Result<()> {
+        match self.are_chosen() {
+            false => Ok(()),
+            true => Err(refused(message!(
+                "{format} files say themselves which numbers are coordinates; columns are chosen \
+                 in XYZ, CSV and NumPy files"
+            ))),
+        }
+    }
+
+    /// The chosen columns, counted from 0, of a table with `count` columns.
+    pub(super) fn indices(&self, count: u64, header: Option<&[&str]>) -> Result<Vec<u64>> {
+        let index = |column: &Column| match (column, header) {
+            (Column::Number(number), _) if *number <= count => Ok(number - 1),
+            (Column::Number(number), _) => {
+                Err(refused(message!("there is no column {number}; the file has {count} columns")))
+            }
+            (Column::Name(name), Some(header)) => index_of(name, header),
+            (Column::Name(name), None) => Err(refused(message!(
+                "{} is a name, and only CSV files with a header have names; choose by number",
+                quoted(name)
+            ))),
+        };
+        let indices = self.chosen.iter().map(index).collect::<Result<Vec<u64>>>()?;
+        for (position, index) in indices.iter().enumerate() {
+            if indices[..position].contains(index) {
+                return Err(refused(message!("column {} is chosen twice", index + 1)));
+            }
+        }
+        Ok(indices)
+    }
+}
+
+fn index_of(name: &str, header: &[&str]) -> Result<u64> {
+    let mut found = header.iter().enumerate().filter(|(_, other)| other.eq_ignore_ascii_case(name));
+    match (found.next(), found.next()) {
+        (Some((index, _)), None) => Ok(index as u64),
+        (Some(_), Some(_)) => {
+            let message = message!("two columns are called {}; choose by number", quoted(name));
+            Err(refused(message))
+        }
+        (None, _) => Err(refused(message!(
+            "no column is called {}; the header is {}",
+            quoted(name),
+            quoted(&header.join(","))
+        ))),
+    }
+}
+
+/// Where the coordinates stand in the lines of a text.
+pub(super) struct Layout {
+    /// Columns of every line.
+    all: usize,
+    coordinates: Vec<u64>,
+}
+
+impl Layout {
+    /// `coordinates` are columns counted from 0, in the order of the coordinates.
+    pub fn new(line: &Line<'_>, all: usize, coordinates: Vec<u64>) -> Result<Self> {
+        // Too few are refused with the first point, after its numbers.
+        if coordinates.len() > MAX_DIM {
+            line.check_dimension(coordinates.len() as u64)?;
+        }
+        Ok(Self { all, coordinates })
+    }
+
+    /// Adds the point of a line with these fields.
+    pub fn add<'f>(
+        &self,
+        points: &mut Points,
+        line: &Line<'_>,
+        fields: impl Iterator<Item = &'f str>,
+    ) -> Result<()> {
+        let mut coordinates = [""; MAX_DIM];
+        let mut count = 0;
+        for field in fields {
+            let axis = self.coordinates.iter().position(|column| *column == count as u64);
+            if let Some(axis) = axis {
+                coordinates[axis] = field;
+            }
+            count += 1;
+        }
+        if count != self.all {
+            return Err(line.error(format!("{count} columns; the first line has {}", self.all)));
+        }
+        let columns = self.coordinates.iter().map(|column| *column as usize);
+        points.add(line, columns.zip(coordinates))
+    }
+}
+
+/// Points whose coordinates stood column by column, in the order of the file's columns, in the order
+/// of `columns`.
+pub(super) fn transposed(cloud: PointCloud, columns: &[u64]) -> Result<PointCloud> {
+    let points = cloud.coordinates.len() / cloud.dim;
+    let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();
+    let ranks: Vec<usize> = columns.iter().map(rank).collect();
+    let mut coordinates = crate::memory::with_room(cloud.coordinates.len())?;
+    for point in 0..points {
+        coordinates.extend(ranks.iter().map(|rank| cloud.coordinates[rank * points + point]));
+    }
+    Ok(PointCloud { coordinates, ..cloud })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Format, read_columns};
+    use super::*;
+
+    fn numbers(text: &str) -> Vec<u64> {
+        text.parse::<Columns>().unwrap().indices(100, None).unwrap()
+    }
+
+    #[test]
+    fn lists_and_ranges_are_columns_from_one() {
+        assert_eq!(numbers("1-3"), [0, 1, 2]);
+        assert_eq!(numbers("1, 2 ,5"), [0, 1, 4]);
+        assert_eq!(numbers("7,2-3,1"), [6, 1, 2, 0]);
+    }
+
+    #[test]
+    fn bad_lists_are_refused_with_their_rule() {
+        for (text, rule) in [
+            ("", "an entry is empty"),
+            ("1,,2", "an entry is empty"),
+            ("1", "chooses 1 columns; points have 2 to 8"),
+            ("1-9", "chooses 9 columns or more; points have 2 to 8"),
+            ("1-18446744073709551615", "or more; points have 2 to 8"),
+            ("18446744073709551615,1-2,18446744073709551615", "has a column twice"),
+            ("0-2", "\"0\" is no column; they count from 1"),
+            ("1,99999999999999999999", "they count from 1"),
+            ("3-1", "runs backwards"),
+            ("1-", "has no two ends"),
+            ("-3", "has no two ends"),
+            ("2,1-3", "has a column twice"),
+        ] {
+            let error = text.parse::<Columns>().unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{text:?}");
+            assert!(error.message().starts_with("columns: "), "{error}");
+            assert!(error.message().contains(rule), "{text:?}: {error}");
+        }
+    }
+
+    fn read(text: &str, format: Format, columns: &str) -> Result<PointCloud> {
+        let columns = columns.parse()?;
+        read_columns(&mut text.as_bytes(), format, &columns)
+    }
+
+    #[test]
+    fn chosen_columns_are_read_in_the_order_of_the_choice() {
+        let expected = PointCloud { dim: 2, coordinates: vec![3.0, 1.0, 7.0, 5.0] };
+        for (text, format, columns) in [
+            ("1 a 3\n5 b 7\n", Format::Xyz, "3,1"),
+            ("1,a,3\n5,,7\n", Format::Xyz, "3,1"),
+            ("1,2,3\n5,,7\n", Format::Csv, "3,1"),
+            ("u,label,v\n1,a,3\n5,,7\n", Format::Csv, "3,1"),
+            ("u,label,\"v\"\n1,a,3\n5,,7\n", Format::Csv, "V,u"),
+        ] {
+            assert_eq!(read(text, format, columns).unwrap(), expected, "{text:?} {columns}");
+        }
+    }
+
+    #[test]
+    fn columns_that_are_not_there_are_named() {
+        for (text, format, columns, rule) in [
+            ("1 2\n3 4\n", Format::Xyz, "1-3", "there is no column 3; the file has 2 columns"),
+            ("1 2\n3 4\n", Format::Xyz, "x,y", "only CSV files with a header have names"),
+            ("1,2\n3,4\n", Format::Csv, "x,y", "only CSV files with a header have names"),
+            ("x,h\n3,4\n", Format::Csv, "x,y", "no column is called \"y\"; the header is \"x,h\""),
+            ("x,y,Y\n3,4,5\n", Format::Csv, "x,y", "two columns are called \"y\""),
+            ("x,y\n3,4\n", Format::Csv, "x,1", "column 1 is chosen twice"),
+            ("OFF\n", Format::Off, "1-2", "OFF files say themselves"),
+        ] {
+            let error = read(text, format, columns).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{text:?}: {error}");
+            assert!(error.message().contains(rule), "{text:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn lines_of_another_length_are_refused() {
+        for (text, format) in [("1 2 3\n4 5\n", Format::Xyz), ("1,2,3\n4,5\n", Format::Csv)] {
+            let error = read(text, format, "1-2").unwrap_err();
+            assert_eq!(error.message(), "line 2: 2 columns; the first line has 3");
+        }
+    }
+}

@@ -5,7 +5,7 @@ use crate::complex::INFINITE;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
 use crate::options::{Algorithm, Phase};
@@ -25,10 +25,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (simplices, neighbors) = self.finite_simplices()?;
         let vertices = self.state.delaunay.point_count();
         let (domains, ids) = self.living_domains()?;
-        let renumbered = |domain: u32| match domain {
-            NONE => NONE,
-            domain => ids[domain as usize],
-        };
+        let renumbered = |domain: DomainId| ids.get(domain.index()).copied().unwrap_or(NONE);
         let places = self.places()?;
         let mut points = with_room(vertices * D)?;
         let mut cage_of = with_room(vertices)?;
@@ -145,25 +142,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The living domains, parents before children, and the map from ids to their indices.
     fn living_domains(&mut self) -> Result<(Vec<Domain>, Vec<u32>)> {
         let count = self.state.hierarchy.len();
-        let mut living =
-            collected((0..count).filter(|&domain| self.state.hierarchy.node(domain).alive))?;
+        let is_alive = |&domain: &DomainId| self.state.hierarchy.node(domain).alive;
+        let mut living = collected((0..count).map(DomainId::new).filter(is_alive))?;
         // A parent's ball contains its children's: by falling radius parents come first.
         living.sort_unstable_by(|&a, &b| {
-            let radius = |domain: u32| self.state.hierarchy.node(domain).radius;
+            let radius = |domain: DomainId| self.state.hierarchy.node(domain).radius;
             radius(b).total_cmp(&radius(a)).then(a.cmp(&b))
         });
         debug_assert!(living.first().is_none_or(|&domain| domain == ROOT));
-        let mut ids = filled(count as usize, NONE)?;
+        let mut ids = filled(count, NONE)?;
         for (index, &domain) in living.iter().enumerate() {
-            ids[domain as usize] = index as u32;
+            ids[domain.index()] = index as u32;
         }
         let mut domains = with_room(living.len())?;
         for &domain in &living {
             self.watch.poll_after(1)?;
-            let parent = match self.state.hierarchy.parent(domain) {
-                NONE => NONE,
-                parent => ids[parent as usize],
-            };
+            let parent = self.state.hierarchy.parent(domain);
+            let parent = ids.get(parent.index()).copied().unwrap_or(NONE);
             let node = self.state.hierarchy.node(domain);
             let center = output_id(&self.order, node.center);
             domains.push(Domain { center, parent, radius: node.radius });

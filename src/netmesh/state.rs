@@ -262,7 +262,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             }
             Phase::Finish => {
                 let released = self.state.stats.cages_released as f64;
-                insert + finish * released / f64::from(self.state.hierarchy.len())
+                insert + finish * released / self.state.hierarchy.len() as f64
             }
             Phase::Export => 1.0,
         }

@@ -3,6 +3,7 @@
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::cages::site::CageSite;
 use crate::netmesh::cages::template::{cage_points, turned};
 use crate::netmesh::{Mesher, is_valid};
@@ -58,15 +59,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// What turns the template for `cage`: random bits, or in a deterministic ordering those of a
     /// fixed sequence (the fractions of multiples of the golden ratio).
-    fn turn_of(&mut self, cage: u32) -> u64 {
+    fn turn_of(&mut self, cage: DomainId) -> u64 {
         match self.state.parameters.ordering {
             NetOrdering::SampledNet => self.state.random.next_u64(),
-            NetOrdering::DeterministicNet => u64::from(cage).wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            NetOrdering::DeterministicNet => {
+                (cage.index() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            }
         }
     }
 
     /// Puts the centre, or the outermost domain concentric with it, into the new domain.
-    fn adopt_center(&mut self, cage: u32, site: CageSite) {
+    fn adopt_center(&mut self, cage: DomainId, site: CageSite) {
         match self.state.hierarchy.child_towards(site.parent, site.center) {
             Some(child) => self.state.hierarchy.set_parent(child, cage),
             None => self.state.hierarchy.set_domain(site.center, cage),
@@ -76,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.
     fn insert_cage_vertex(
         &mut self,
-        cage: u32,
+        cage: DomainId,
         x: [f64; D],
         start: u32,
         cavity: &mut Cavity,
@@ -114,7 +117,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts `vertex`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
     pub(in crate::netmesh) fn insert_into_cage(
         &mut self,
-        domain: u32,
+        domain: DomainId,
         vertex: u32,
         cavity: &Cavity,
     ) -> Result<()> {
@@ -126,11 +129,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The radius of the sphere that the vertices of the cage of `domain` are near.
-    pub(in crate::netmesh) fn sphere_radius(&self, domain: u32) -> f64 {
+    pub(in crate::netmesh) fn sphere_radius(&self, domain: DomainId) -> f64 {
         self.state.parameters.cage_scale * self.state.hierarchy.node(domain).radius
     }
 
-    fn limit_cage(&mut self, cage: u32) {
+    fn limit_cage(&mut self, cage: DomainId) {
         let center = self.state.hierarchy.node(cage).center;
         self.state.precision_limited[center as usize] = true;
     }
@@ -144,7 +147,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Inputs that the new cage yielded to may encroach the domains around it from inside.
     pub(in crate::netmesh) fn make_room_outside(
         &mut self,
-        cage: u32,
+        cage: DomainId,
         yielded: &[u32],
         cavity: &mut Cavity,
     ) -> Result<()> {
@@ -171,7 +174,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// old one is released. The paper's radius is r / epsilon. False if the interface defers it.
     pub(in crate::netmesh) fn grow_cage(
         &mut self,
-        cage: u32,
+        cage: DomainId,
         least: f64,
         start: u32,
         cavity: &mut Cavity,
@@ -195,7 +198,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// GROWCAGE of the cage that the point at `x` encroaches from inside.
     pub(in crate::netmesh) fn grow_cage_for(
         &mut self,
-        cage: u32,
+        cage: DomainId,
         x: &[f64; D],
         start: u32,
         cavity: &mut Cavity,
@@ -207,7 +210,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
     /// a cage vertex.
-    fn measure_clearance(&mut self, cage: u32) -> AllocResult<()> {
+    fn measure_clearance(&mut self, cage: DomainId) -> AllocResult<()> {
         for at in 0..self.state.hierarchy.node(cage).cage.len() {
             let vertex = self.state.hierarchy.node(cage).cage[at];
             self.state.delaunay.star(vertex, &mut self.scratch.star)?;
@@ -225,7 +228,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Lowers the clearance of `cage` to `vertex` if that is outside.
-    pub(in crate::netmesh) fn separate(&mut self, cage: u32, vertex: u32) {
+    pub(in crate::netmesh) fn separate(&mut self, cage: DomainId, vertex: u32) {
         debug_assert!(!self.state.interface.is_non_owned(cage));
         let distance =
             self.state.hierarchy.distance_to_center(cage, self.state.delaunay.point(vertex));

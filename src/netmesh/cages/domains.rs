@@ -10,8 +10,31 @@ use crate::memory::{AllocError, AllocResult, Array, TryGrow, with_room};
 use crate::mesh::NONE;
 use crate::numerics::distance;
 
-/// Id of the root domain.
-pub(in crate::netmesh) const ROOT: u32 = 0;
+/// A domain, by the order in which domains are created.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::netmesh) struct DomainId(u32);
+
+impl DomainId {
+    /// No domain: the parent of the root, the domain of a vertex that is not inserted.
+    pub const NONE: Self = Self(NONE);
+
+    pub fn new(index: usize) -> Self {
+        Self(index as u32)
+    }
+
+    #[inline]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    #[inline]
+    pub fn is_valid(self) -> bool {
+        self != Self::NONE
+    }
+}
+
+/// The root domain.
+pub(in crate::netmesh) const ROOT: DomainId = DomainId(0);
 
 pub(in crate::netmesh) struct Node<const D: usize> {
     /// The vertex at the centre, and its coordinates.
@@ -19,7 +42,7 @@ pub(in crate::netmesh) struct Node<const D: usize> {
     pub point: [f64; D],
     pub radius: f64,
     /// The enclosing domain when this one lives, the one that took its vertices otherwise.
-    parent: u32,
+    parent: DomainId,
     pub alive: bool,
     /// Distance from the centre to the nearest vertex outside the ball.
     pub outside: f64,
@@ -30,13 +53,13 @@ pub(in crate::netmesh) struct Node<const D: usize> {
 #[derive(Clone, Copy)]
 struct Place {
     /// A domain that [`Hierarchy::find`] resolves to the innermost one; [`NONE`] if not inserted.
-    label: u32,
+    label: DomainId,
     /// The domain whose cage the vertex was made for.
-    cage: u32,
+    cage: DomainId,
 }
 
 impl Place {
-    const NOWHERE: Self = Self { label: NONE, cage: NONE };
+    const NOWHERE: Self = Self { label: DomainId::NONE, cage: DomainId::NONE };
 }
 
 pub(in crate::netmesh) struct Hierarchy<const D: usize> {
@@ -61,8 +84,8 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// Number of domains ever created; ids are below it.
-    pub fn len(&self) -> u32 {
-        self.nodes.len() as u32
+    pub fn len(&self) -> usize {
+        self.nodes.len()
     }
 
     /// Whether the root is the only domain, so that no cage separates anything.
@@ -71,12 +94,12 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     #[inline]
-    pub fn node(&self, domain: u32) -> &Node<D> {
-        &self.nodes[domain as usize]
+    pub fn node(&self, domain: DomainId) -> &Node<D> {
+        &self.nodes[domain.index()]
     }
 
-    pub fn node_mut(&mut self, domain: u32) -> &mut Node<D> {
-        &mut self.nodes[domain as usize]
+    pub fn node_mut(&mut self, domain: DomainId) -> &mut Node<D> {
+        &mut self.nodes[domain.index()]
     }
 
     /// Adds a domain in `parent` ([`NONE`] for the root), with room for the vertices of its cage.
@@ -85,9 +108,9 @@ impl<const D: usize> Hierarchy<D> {
         center: u32,
         point: [f64; D],
         radius: f64,
-        parent: u32,
+        parent: DomainId,
         cage_size: usize,
-    ) -> AllocResult<u32> {
+    ) -> AllocResult<DomainId> {
         let cage = with_room(cage_size)?;
         if self.nodes.len() >= NONE as usize {
             return Err(AllocError::Ids);
@@ -102,11 +125,11 @@ impl<const D: usize> Hierarchy<D> {
             cage,
         })?;
         self.alive += 1;
-        Ok(self.len() - 1)
+        Ok(DomainId::new(self.len() - 1))
     }
 
     /// Dissolves `domain` into its parent.
-    pub fn release(&mut self, domain: u32) {
+    pub fn release(&mut self, domain: DomainId) {
         debug_assert!(domain != ROOT && self.node(domain).alive);
         self.node_mut(domain).alive = false;
         self.alive -= 1;
@@ -114,13 +137,13 @@ impl<const D: usize> Hierarchy<D> {
 
     /// The living domain that `domain` is, or was dissolved into.
     #[inline]
-    pub fn find(&mut self, domain: u32) -> u32 {
+    pub fn find(&mut self, domain: DomainId) -> DomainId {
         let mut current = domain;
-        while !self.nodes[current as usize].alive {
-            let parent = self.nodes[current as usize].parent;
-            let next = &self.nodes[parent as usize];
+        while !self.nodes[current.index()].alive {
+            let parent = self.nodes[current.index()].parent;
+            let next = &self.nodes[parent.index()];
             if !next.alive {
-                self.nodes[current as usize].parent = next.parent;
+                self.nodes[current.index()].parent = next.parent;
             }
             current = parent;
         }
@@ -128,23 +151,23 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// The living parent of a living domain; [`NONE`] for the root.
-    pub fn parent(&mut self, domain: u32) -> u32 {
+    pub fn parent(&mut self, domain: DomainId) -> DomainId {
         let parent = self.node(domain).parent;
-        if parent == NONE {
-            return NONE;
+        if !parent.is_valid() {
+            return DomainId::NONE;
         }
         let living = self.find(parent);
         self.node_mut(domain).parent = living;
         living
     }
 
-    pub fn set_parent(&mut self, domain: u32, parent: u32) {
+    pub fn set_parent(&mut self, domain: DomainId, parent: DomainId) {
         self.node_mut(domain).parent = parent;
     }
 
     /// The innermost domain of an inserted vertex.
     #[inline]
-    pub fn domain_of(&mut self, vertex: u32) -> u32 {
+    pub fn domain_of(&mut self, vertex: u32) -> DomainId {
         let domain = self.find(self.places[vertex as usize].label);
         self.places[vertex as usize].label = domain;
         domain
@@ -161,36 +184,35 @@ impl<const D: usize> Hierarchy<D> {
         }
     }
 
-    pub fn set_domain(&mut self, vertex: u32, domain: u32) {
+    pub fn set_domain(&mut self, vertex: u32, domain: DomainId) {
         self.places[vertex as usize].label = domain;
     }
 
     /// Makes `vertex` part of the cage of `domain`.
-    pub fn join_cage(&mut self, vertex: u32, domain: u32) -> AllocResult<()> {
+    pub fn join_cage(&mut self, vertex: u32, domain: DomainId) -> AllocResult<()> {
         self.places[vertex as usize].cage = domain;
         self.node_mut(domain).cage.try_push(vertex)
     }
 
     /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.
     #[inline]
-    pub fn cage_of(&self, vertex: u32) -> u32 {
+    pub fn cage_of(&self, vertex: u32) -> DomainId {
         match self.places[vertex as usize].cage {
-            NONE => NONE,
-            cage if self.node(cage).alive => cage,
-            _ => NONE,
+            cage if cage.is_valid() && self.node(cage).alive => cage,
+            _ => DomainId::NONE,
         }
     }
 
-    pub fn distance_to_center(&self, domain: u32, x: &[f64; D]) -> f64 {
+    pub fn distance_to_center(&self, domain: DomainId, x: &[f64; D]) -> f64 {
         distance(x, &self.node(domain).point)
     }
 
-    pub fn contains(&self, domain: u32, x: &[f64; D]) -> bool {
+    pub fn contains(&self, domain: DomainId, x: &[f64; D]) -> bool {
         domain == ROOT || self.distance_to_center(domain, x) < self.node(domain).radius
     }
 
     /// The innermost domain on the way from `domain` to the root whose ball holds `x`.
-    pub fn climb_to(&mut self, mut domain: u32, x: &[f64; D]) -> u32 {
+    pub fn climb_to(&mut self, mut domain: DomainId, x: &[f64; D]) -> DomainId {
         while !self.contains(domain, x) {
             domain = self.parent(domain);
         }
@@ -199,7 +221,7 @@ impl<const D: usize> Hierarchy<D> {
 
     /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
     /// in Omega, or the centre of the child of Omega that holds it, or nothing.
-    pub fn representative(&mut self, vertex: u32, omega: u32) -> Option<u32> {
+    pub fn representative(&mut self, vertex: u32, omega: DomainId) -> Option<u32> {
         if self.domain_of(vertex) == omega {
             return Some(vertex);
         }
@@ -208,7 +230,7 @@ impl<const D: usize> Hierarchy<D> {
 
     /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
     /// outside is recognised without a climb to the root.
-    pub fn child_towards(&mut self, omega: u32, vertex: u32) -> Option<u32> {
+    pub fn child_towards(&mut self, omega: DomainId, vertex: u32) -> Option<DomainId> {
         let mut domain = self.domain_of(vertex);
         while self.node(domain).radius < self.node(omega).radius {
             let parent = self.parent(domain);

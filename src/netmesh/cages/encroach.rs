@@ -4,7 +4,7 @@
 use crate::delaunay::Cavity;
 use crate::memory::AllocResult;
 use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 
 /// Domains from the innermost outward that an input may encroach from inside: radii fall by
 /// epsilon per level, so a point near one sphere is far inside all but the next.
@@ -15,7 +15,11 @@ const SMALLEST: f64 = f64::from_bits(1);
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The innermost domain that holds `x`, over the climbs from U(x).
-    pub(in crate::netmesh) fn containing_domain(&mut self, x: &[f64; D], cavity: &Cavity) -> u32 {
+    pub(in crate::netmesh) fn containing_domain(
+        &mut self,
+        x: &[f64; D],
+        cavity: &Cavity,
+    ) -> DomainId {
         if self.state.hierarchy.is_single() {
             return ROOT;
         }
@@ -36,7 +40,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domain of all of U(x), where that is known without a climb.
-    pub(in crate::netmesh) fn common_domain(&mut self, cavity: &Cavity) -> Option<u32> {
+    pub(in crate::netmesh) fn common_domain(&mut self, cavity: &Cavity) -> Option<DomainId> {
         let vertices = &cavity.vertices.ids;
         self.state
             .hierarchy
@@ -49,7 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         input: u32,
         cavity: &Cavity,
-    ) -> Option<u32> {
+    ) -> Option<DomainId> {
         if self.state.hierarchy.is_single() {
             return None;
         }
@@ -62,9 +66,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// exempt: its ball is chosen to hold all inputs.
     pub(in crate::netmesh) fn inner_encroached_from(
         &mut self,
-        domain: u32,
+        domain: DomainId,
         x: &[f64; D],
-    ) -> Option<u32> {
+    ) -> Option<DomainId> {
         let mut domain = domain;
         for _ in 0..LEVELS {
             if domain == ROOT {
@@ -82,7 +86,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
     /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
-    pub(in crate::netmesh) fn enter(&mut self, x: &[f64; D], cavity: &Cavity) -> AllocResult<u32> {
+    pub(in crate::netmesh) fn enter(
+        &mut self,
+        x: &[f64; D],
+        cavity: &Cavity,
+    ) -> AllocResult<DomainId> {
         if self.state.hierarchy.is_single() {
             return Ok(ROOT);
         }

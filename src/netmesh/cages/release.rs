@@ -1,12 +1,13 @@
 //! RELEASECAGE (§6.3).
 
 use crate::memory::AllocResult;
+use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::{Mesher, is_valid};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
     /// their neighbours, whose corners were exempt inside the cage, are examined anew.
-    pub(in crate::netmesh) fn release_cage(&mut self, cage: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn release_cage(&mut self, cage: DomainId) -> AllocResult<()> {
         debug_assert!(!self.state.interface.is_non_owned(cage));
         self.state.hierarchy.release(cage);
         self.state.stats.cages_released += 1;

@@ -5,6 +5,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::rounds::start::{REPRESENTABLE, spacing_near};
 use crate::numerics::distance;
 use crate::options::Output;
@@ -17,7 +18,7 @@ use std::ops::Range;
 pub(in crate::netmesh) struct CageSite {
     pub center: u32,
     pub radius: f64,
-    pub parent: u32,
+    pub parent: DomainId,
 }
 
 /// A cage for an input at distance g from its centre has at least this times g / epsilon for its
@@ -63,7 +64,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// vertex's distance d tells whether the new cage is un-encroached.)
     pub(in crate::netmesh) fn grown_site(
         &mut self,
-        cage: u32,
+        cage: DomainId,
         least: f64,
         cavity: &Cavity,
     ) -> Result<Option<CageSite>> {
@@ -94,7 +95,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With epsilon
     /// at most 0.5 the clearance asks for less.
-    fn room_inside(&self, parent: u32, center: u32) -> f64 {
+    fn room_inside(&self, parent: DomainId, center: u32) -> f64 {
         let radius = self.state.hierarchy.node(parent).radius;
         let distance =
             self.state.hierarchy.distance_to_center(parent, self.state.delaunay.point(center));
@@ -117,7 +118,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn nearest_in_domain(
         &mut self,
         x: &[f64; D],
-        omega: u32,
+        omega: DomainId,
         cavity: &Cavity,
     ) -> Option<(u32, f64)> {
         let mut nearest = None;
@@ -140,7 +141,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn lasting_radius(
         &mut self,
         center: u32,
-        child: Option<u32>,
+        child: Option<DomainId>,
         least: f64,
         most: f64,
         cavity: &Cavity,
@@ -173,7 +174,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn distances_nearby(
         &mut self,
         center: u32,
-        child: Option<u32>,
+        child: Option<DomainId>,
         range: Range<f64>,
         cavity: &Cavity,
     ) -> Result<Vec<Reverse<u64>>> {

@@ -4,8 +4,8 @@
 use super::stride;
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::mesh::NONE;
 use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::DomainId;
 use std::time::Instant;
 
 /// The most vertices at which feature sizes are compared in the complete mesh.
@@ -54,13 +54,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(());
             }
             omega = self.state.hierarchy.parent(omega);
-            if omega == NONE {
+            if !omega.is_valid() {
                 return Ok(());
             }
         }
     }
 
-    fn compare_feature_sizes(&mut self, vertex: u32, omega: u32) -> Result<()> {
+    fn compare_feature_sizes(&mut self, vertex: u32, omega: DomainId) -> Result<()> {
         let Some(sizes) = self.feature_sizes(vertex, omega)? else { return Ok(()) };
         if let (Some(mesh), Some(inputs)) = (sizes.mesh, sizes.inputs) {
             let constant = &mut self.state.stats.feature_size_constant;
@@ -71,7 +71,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After `vertex` went in: f_P^Omega(v) / lambda_v, if it is one of those to be observed.
     pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: u32) -> Result<()> {
-        let is_cage_vertex = self.state.hierarchy.cage_of(vertex) != NONE;
+        let is_cage_vertex = self.state.hierarchy.cage_of(vertex) != DomainId::NONE;
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();
         let inserted = self.state.delaunay.point_count() - self.state.conflict_lists.remaining();
         let rarity = (inserted / INSERTION_PROBES + 1).next_power_of_two();

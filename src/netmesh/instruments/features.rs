@@ -12,7 +12,7 @@
 use crate::complex::VertexSet;
 use crate::error::Result;
 use crate::memory::{AllocResult, Array};
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::{Mesher, is_valid};
 use crate::numerics::distance;
 use std::cmp::Reverse;
@@ -97,7 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn feature_sizes(
         &mut self,
         vertex: u32,
-        omega: u32,
+        omega: DomainId,
     ) -> Result<Option<FeatureSizes>> {
         let mut search = std::mem::take(&mut self.instruments.search);
         let sizes = self.search_features(&mut search, vertex, omega);
@@ -109,14 +109,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         search: &mut Search,
         vertex: u32,
-        omega: u32,
+        omega: DomainId,
     ) -> Result<Option<FeatureSizes>> {
         let x = *self.state.delaunay.point(vertex);
         let diameter = match omega {
             ROOT => f64::INFINITY,
             _ => 2.0 * self.state.hierarchy.node(omega).radius,
         };
-        search.restart(self.state.delaunay.point_count(), self.state.hierarchy.len() as usize)?;
+        search.restart(self.state.delaunay.point_count(), self.state.hierarchy.len())?;
         search.seen.insert(vertex)?;
         search.push(0.0, vertex, false)?;
         let mut met = Met::default();
@@ -144,11 +144,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         search: &mut Search,
         vertex: u32,
         x: &[f64; D],
-        omega: u32,
+        omega: DomainId,
     ) -> AllocResult<()> {
         let child = self.state.hierarchy.child_towards(omega, vertex);
         if let Some(child) = child {
-            if is_new(&mut search.children, child)? {
+            if is_new(&mut search.children, child.index() as u32)? {
                 let node = self.state.hierarchy.node(child);
                 search.push(distance(x, &node.point), node.center, true)?;
                 for at in 0..self.state.hierarchy.node(child).cage.len() {
@@ -167,8 +167,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         search: &mut Search,
         vertex: u32,
         x: &[f64; D],
-        omega: u32,
-        child: Option<u32>,
+        omega: DomainId,
+        child: Option<DomainId>,
     ) -> AllocResult<()> {
         self.state.delaunay.star(vertex, &mut search.star)?;
         search.work += search.star.len() as u64;

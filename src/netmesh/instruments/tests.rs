@@ -4,6 +4,7 @@ use super::features::FeatureSizes;
 use crate::delaunay::Cavity;
 use crate::mesh::Inputs;
 use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::watch::Watch;
 use crate::numerics::distance;
 use crate::options::Options;
@@ -29,12 +30,12 @@ fn points(dim: usize, n: usize) -> Vec<f64> {
 }
 
 /// M_Omega and P_Omega, from the labels of all vertices.
-fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: u32) -> Vec<u32> {
+fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> Vec<u32> {
     let vertices = 0..mesher.state.delaunay.point_count() as u32;
     let inserted: Vec<u32> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
     let mut members = inserted;
     members.retain(|&v| mesher.state.hierarchy.domain_of(v) == omega);
-    for domain in 1..mesher.state.hierarchy.len() {
+    for domain in (1..mesher.state.hierarchy.len()).map(DomainId::new) {
         if mesher.state.hierarchy.node(domain).alive
             && mesher.state.hierarchy.parent(domain) == omega
         {
@@ -48,7 +49,7 @@ fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: u32) -> Vec<u3
 fn feature_sizes<const D: usize>(
     mesher: &mut Mesher<'_, '_, D>,
     vertex: u32,
-    omega: u32,
+    omega: DomainId,
 ) -> FeatureSizes {
     let members = members(mesher, omega);
     let x = *mesher.state.delaunay.point(vertex);
@@ -85,20 +86,22 @@ fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: u32, seen: &mut
     mesher.state.stats.insertion_constant_input = 0.0;
     mesher.state.stats.insertion_constant_cage = 0.0;
     mesher.insert_input(input, &mut Cavity::default()).unwrap();
-    if mesher.state.hierarchy.cage_of(input) != crate::mesh::NONE {
+    if mesher.state.hierarchy.cage_of(input).is_valid() {
         return;
     }
     let expected = ratio(mesher, input);
     assert_eq!(mesher.state.stats.insertion_constant_input, expected);
     seen.inputs += u32::from(expected > 0.0);
-    if mesher.state.hierarchy.len() == domains + 1 && mesher.state.hierarchy.node(domains).alive {
-        check_cage(mesher, domains);
+    if mesher.state.hierarchy.len() == domains + 1
+        && mesher.state.hierarchy.node(DomainId::new(domains)).alive
+    {
+        check_cage(mesher, DomainId::new(domains));
         seen.cages += 1;
     }
 }
 
 /// A cage vertex v went in between its centre, which was there, and the vertices that are there now.
-fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: u32) {
+fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: DomainId) {
     let sphere = mesher.state.parameters.cage_scale * mesher.state.hierarchy.node(cage).radius;
     let (mut least, mut most) = (0.0f64, 0.0f64);
     for vertex in mesher.state.hierarchy.node(cage).cage.clone() {
@@ -147,14 +150,14 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
 
 /// Every vertex in every domain, the centres of children as well.
 fn check_feature_sizes<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
-    for omega in 0..mesher.state.hierarchy.len() {
+    for omega in (0..mesher.state.hierarchy.len()).map(DomainId::new) {
         if !mesher.state.hierarchy.node(omega).alive {
             continue;
         }
         for vertex in members(mesher, omega) {
             let expected = feature_sizes(mesher, vertex, omega);
             let found = mesher.feature_sizes(vertex, omega).unwrap();
-            assert_eq!(found, Some(expected), "{vertex} in {omega}");
+            assert_eq!(found, Some(expected), "{vertex} in {omega:?}");
         }
     }
 }

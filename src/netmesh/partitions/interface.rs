@@ -15,7 +15,7 @@ use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
 use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::site::CageSite;
 
 /// The number of simplices that are examined around a wanted cage. A cage that meets more is left
@@ -37,7 +37,7 @@ pub(in crate::netmesh) struct Interface {
     skipped: Vec<bool>,
     /// Cages and inputs that went into them, where the input encroaches a non-owned domain around
     /// the cage.
-    pub deferred: Vec<(u32, u32)>,
+    pub deferred: Vec<(DomainId, u32)>,
 }
 
 impl Interface {
@@ -86,8 +86,8 @@ impl Interface {
     }
 
     #[inline]
-    pub fn is_non_owned(&self, domain: u32) -> bool {
-        self.non_owned.get(domain as usize).is_some_and(|&is_non_owned| is_non_owned)
+    pub fn is_non_owned(&self, domain: DomainId) -> bool {
+        self.non_owned.get(domain.index()).is_some_and(|&is_non_owned| is_non_owned)
     }
 }
 
@@ -205,7 +205,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the partition owns all domains from that of `vertex` up to `parent`, or to one as
     /// large.
-    fn is_own_below(&mut self, parent: u32, vertex: u32) -> bool {
+    fn is_own_below(&mut self, parent: DomainId, vertex: u32) -> bool {
         let mut domain = self.state.hierarchy.domain_of(vertex);
         while domain != ROOT
             && domain != parent

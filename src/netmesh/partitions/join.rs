@@ -53,7 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.refine_list.join(own.refine_list, local_to_global.simplices.len(), bound)?;
         for &(cage, input) in &own.interface.deferred {
             let input = local_to_global.vertices[input as usize];
-            self.state.interface.deferred.try_push((domains.name(cage), input))?;
+            self.state.interface.deferred.try_push((domains.global(cage), input))?;
         }
         add(&mut self.state.stats, &own.stats);
         Ok(())

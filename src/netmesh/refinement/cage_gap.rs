@@ -5,6 +5,7 @@
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
+use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::{Mesher, is_valid};
 use crate::numerics::norm;
 
@@ -20,7 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn narrow_cage_gap(
         &mut self,
         simplex: u32,
-        domain: u32,
+        domain: DomainId,
         cavity: &mut Cavity,
     ) -> Result<()> {
         if self.is_clear_of_cage(simplex, domain, cavity)? {
@@ -45,7 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn is_clear_of_cage(
         &mut self,
         simplex: u32,
-        domain: u32,
+        domain: DomainId,
         cavity: &mut Cavity,
     ) -> AllocResult<bool> {
         let center = self.state.hierarchy.node(domain).point;
@@ -67,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull of the
     /// mesh.
-    fn is_inside(&self, simplex: u32, domain: u32) -> bool {
+    fn is_inside(&self, simplex: u32, domain: DomainId) -> bool {
         self.state.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
             is_valid(vertex)
                 && self.state.hierarchy.contains(domain, self.state.delaunay.point(vertex))
@@ -75,7 +76,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The point of the cage sphere nearest to the corner of `simplex`.
-    fn projected_corner(&self, simplex: u32, domain: u32) -> Option<[f64; D]> {
+    fn projected_corner(&self, simplex: u32, domain: DomainId) -> Option<[f64; D]> {
         let corner = self.state.delaunay.corner(simplex)?;
         let center = &self.state.hierarchy.node(domain).point;
         let offset: [f64; D] = std::array::from_fn(|axis| corner[axis] - center[axis]);
@@ -88,7 +89,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn finds_room(
         &mut self,
         near: u32,
-        domain: u32,
+        domain: DomainId,
         x: &[f64; D],
         cavity: &mut Cavity,
     ) -> AllocResult<bool> {
@@ -97,12 +98,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.nearest_vertex_distance(x, cavity) >= SPACING * self.sphere_radius(domain))
     }
 
-    fn may_join(&mut self, domain: u32, x: &[f64; D], cavity: &Cavity) -> bool {
+    fn may_join(&mut self, domain: DomainId, x: &[f64; D], cavity: &Cavity) -> bool {
         !self.state.interface.is_non_owned(domain) && self.may_insert(x, cavity)
     }
 
     /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
-    fn join_at(&mut self, domain: u32, x: [f64; D], cavity: &Cavity) -> Result<()> {
+    fn join_at(&mut self, domain: DomainId, x: [f64; D], cavity: &Cavity) -> Result<()> {
         self.state.stats.cage_points += 1;
         self.state.stats.closing_points += 1;
         let vertex = self.add_vertex(x)?;

@@ -3,27 +3,27 @@
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::options::Phase;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn finish_mesh(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.state.stage.phase = Phase::Finish;
-        let first = ROOT + 1..self.state.hierarchy.len();
+        let first = ROOT.index() + 1..self.state.hierarchy.len();
         let mut first_grown = first.end;
         for domain in first {
-            self.dissolve(domain, cavity)?;
+            self.dissolve(DomainId::new(domain), cavity)?;
             // The larger cages in its place come next: they are where the mesh is in the cache.
             while first_grown < self.state.hierarchy.len() {
                 first_grown += 1;
-                self.dissolve(first_grown - 1, cavity)?;
+                self.dissolve(DomainId::new(first_grown - 1), cavity)?;
             }
         }
         self.report_progress()
     }
 
     /// GROWCAGE and CLEAN, unless another cage has taken this one in.
-    fn dissolve(&mut self, domain: u32, cavity: &mut Cavity) -> Result<()> {
+    fn dissolve(&mut self, domain: DomainId, cavity: &mut Cavity) -> Result<()> {
         let node = self.state.hierarchy.node(domain);
         if !node.alive {
             return Ok(());

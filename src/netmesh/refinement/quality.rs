@@ -9,7 +9,8 @@
 
 use crate::memory::AllocResult;
 use crate::mesh::{MAX_DIM, NONE};
-use crate::netmesh::{Cell, Mesher, Scratch, State, is_valid};
+use crate::netmesh::cages::domains::DomainId;
+use crate::netmesh::{Cell, Mesher, Scratch, State};
 use crate::numerics::shortest_distance;
 use crate::options::Criterion;
 
@@ -80,7 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Cell { nearest, farthest } = self.state.cells[vertex as usize];
         if self.state.parameters.criterion == Criterion::RadiusEdge
             || nearest >= self.nearest_allowed(farthest)
-            || self.state.hierarchy.cage_of(vertex) != NONE
+            || self.state.hierarchy.cage_of(vertex) != DomainId::NONE
         {
             return Ok(());
         }
@@ -98,7 +99,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// After the clearance of `cage` fell: its union cell may have gone bad over the corners at its
     /// vertices that are beyond the bound now. All other cells are what they were.
-    pub(in crate::netmesh) fn examine_union_cell(&mut self, cage: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn examine_union_cell(&mut self, cage: DomainId) -> AllocResult<()> {
         let farthest = self.cage_bound(cage);
         for at in 0..self.state.hierarchy.node(cage).cage.len() {
             let vertex = self.state.hierarchy.node(cage).cage[at];
@@ -118,7 +119,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Queues the bad ones among the simplices round `cage`.
-    pub(in crate::netmesh) fn examine_cage(&mut self, cage: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn examine_cage(&mut self, cage: DomainId) -> AllocResult<()> {
         for at in 0..self.state.hierarchy.node(cage).cage.len() {
             self.examine_star(self.state.hierarchy.node(cage).cage[at])?;
         }
@@ -270,7 +271,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.
     fn counts_for(&mut self, simplex: u32, vertex: u32) -> bool {
-        if self.state.hierarchy.cage_of(vertex) != NONE {
+        if self.state.hierarchy.cage_of(vertex) != DomainId::NONE {
             return false;
         }
         let domain = self.state.hierarchy.domain_of(vertex);
@@ -278,7 +279,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
-    pub(in crate::netmesh) fn is_well_inside(&self, simplex: u32, domain: u32) -> bool {
+    pub(in crate::netmesh) fn is_well_inside(&self, simplex: u32, domain: DomainId) -> bool {
         let max_distance = self.state.parameters.corner_restriction() * self.sphere_radius(domain);
         let distance =
             self.state.delaunay.corner_distance(simplex, &self.state.hierarchy.node(domain).point);
@@ -290,10 +291,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn parent_of_bad_cage(
         &mut self,
         simplex: u32,
-        counts: impl Fn(&Self, u32) -> bool,
-    ) -> Option<u32> {
+        counts: impl Fn(&Self, DomainId) -> bool,
+    ) -> Option<DomainId> {
         self.spanned_domain(simplex, |mesher, cage, parent| {
-            mesher.is_beyond_cage_bound(simplex, cage) && is_valid(parent) && counts(mesher, parent)
+            mesher.is_beyond_cage_bound(simplex, cage)
+                && parent.is_valid()
+                && counts(mesher, parent)
         })
         .map(|(_, parent)| parent)
     }
@@ -303,13 +306,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn spanned_domain(
         &mut self,
         simplex: u32,
-        is_wanted: impl Fn(&Self, u32, u32) -> bool,
-    ) -> Option<(u32, u32)> {
+        is_wanted: impl Fn(&Self, DomainId, DomainId) -> bool,
+    ) -> Option<(DomainId, DomainId)> {
         if self.state.hierarchy.same_domain(self.state.delaunay.complex().vertices(simplex)) {
             return None;
         }
         let domains = self.domains_of(simplex);
-        let mut left = [NONE; MAX_DIM + 1];
+        let mut left = [DomainId::NONE; MAX_DIM + 1];
         let mut count = 0;
         for &domain in &domains[..=D] {
             if !left[..count].contains(&domain) {
@@ -336,8 +339,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domains of the vertices of `simplex`, in their order.
-    pub(in crate::netmesh) fn domains_of(&mut self, simplex: u32) -> [u32; MAX_DIM + 1] {
-        let mut domains = [NONE; MAX_DIM + 1];
+    pub(in crate::netmesh) fn domains_of(&mut self, simplex: u32) -> [DomainId; MAX_DIM + 1] {
+        let mut domains = [DomainId::NONE; MAX_DIM + 1];
         for (domain, &vertex) in
             domains.iter_mut().zip(self.state.delaunay.complex().vertices(simplex))
         {
@@ -356,21 +359,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
-    fn is_beyond_cage_bound(&self, simplex: u32, cage: u32) -> bool {
+    fn is_beyond_cage_bound(&self, simplex: u32, cage: DomainId) -> bool {
         let distance =
             self.state.delaunay.corner_distance(simplex, &self.state.hierarchy.node(cage).point);
         distance.is_some_and(|distance| distance > self.cage_bound(cage))
     }
 
     /// The distance from the centre of `cage` within which the corners of a good union cell are.
-    fn cage_bound(&self, cage: u32) -> f64 {
+    fn cage_bound(&self, cage: DomainId) -> f64 {
         let node = self.state.hierarchy.node(cage);
         let in_radius = 0.5 * (node.outside + node.radius);
         self.aspect_bound() * in_radius
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
-    pub(in crate::netmesh) fn open_domain(&mut self, simplex: u32) -> Option<u32> {
+    pub(in crate::netmesh) fn open_domain(&mut self, simplex: u32) -> Option<DomainId> {
         let radius = self.state.delaunay.ball(simplex)?.radius();
         if !self.state.stage.is_final || self.state.refine_list.is_limited(simplex) {
             return None;
@@ -379,9 +382,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Criterion::VoronoiAspect => self.domain_of_open_cell(simplex, radius),
             Criterion::RadiusEdge => self.domain_of_short_edge(simplex, radius),
         };
-        open.filter(|&domain| self.state.parameters.closes(domain)).or_else(|| {
+        open.filter(|&domain| self.state.parameters.closes(domain.index() as u32)).or_else(|| {
             self.parent_of_bad_cage(simplex, |mesher, parent| {
-                mesher.state.parameters.closes(parent)
+                mesher.state.parameters.closes(parent.index() as u32)
             })
         })
     }
@@ -396,15 +399,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domain of the vertex with the worst cell, if that is bad.
-    fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<u32> {
-        let is_cell = |mesher: &mut Self, vertex| mesher.state.hierarchy.cage_of(vertex) == NONE;
+    fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<DomainId> {
+        let is_cell =
+            |mesher: &mut Self, vertex| mesher.state.hierarchy.cage_of(vertex) == DomainId::NONE;
         let worst = self.worst_cell(simplex, radius, is_cell);
         worst.map(|vertex| self.state.hierarchy.domain_of(vertex))
     }
 
     /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
     /// several domains, the corner is that of a cage's union cell.
-    fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<u32> {
+    fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<DomainId> {
         self.short_edge(simplex, radius)?;
         let vertices = self.state.delaunay.complex().vertices(simplex);
         if self.state.hierarchy.same_domain(vertices) {

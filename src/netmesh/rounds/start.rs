@@ -4,8 +4,7 @@
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{collected, with_room};
-use crate::mesh::NONE;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::template::{cage_points, cage_template};
 use crate::netmesh::{Mesher, limit};
 use crate::numerics::{affine_basis, distance};
@@ -36,7 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 "the coordinates are too large: the outer cage leaves the range of double";
             return Err(Error::new(ErrorKind::Limit, message));
         }
-        self.state.hierarchy.create(center, point, radius, NONE, sphere.len())?;
+        self.state.hierarchy.create(center, point, radius, DomainId::NONE, sphere.len())?;
         self.state.stats.cages_created += 1;
         let mut vertices = with_room(1 + sphere.len())?;
         vertices.push(center);

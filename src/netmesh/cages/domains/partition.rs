@@ -3,7 +3,7 @@
 //! or cage. It may change the domains that it owns. Of the others it reads what they were when it
 //! was cut out.
 
-use super::{Hierarchy, Node, Place, ROOT};
+use super::{DomainId, Hierarchy, Node, Place, ROOT};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::NONE;
@@ -12,15 +12,15 @@ use crate::mesh::NONE;
 #[derive(Default)]
 pub(in crate::netmesh) struct DomainsToGlobal {
     /// Domain of the partition -> domain of the global mesh. The first is the root.
-    local_to_global: Vec<u32>,
+    local_to_global: Vec<DomainId>,
     /// Domain of the partition -> whether the partition owns it.
     is_own: Vec<bool>,
 }
 
 impl DomainsToGlobal {
     /// The global id of `domain`.
-    pub fn name(&self, domain: u32) -> u32 {
-        self.local_to_global[domain as usize]
+    pub fn global(&self, domain: DomainId) -> DomainId {
+        self.local_to_global[domain.index()]
     }
 
     /// Domain of the partition -> whether another partition owns it.
@@ -81,18 +81,18 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// The domains of `vertices` and their cages, with all around them, in rising order.
-    fn domains_at(&mut self, vertices: &[u32]) -> AllocResult<Vec<u32>> {
+    fn domains_at(&mut self, vertices: &[u32]) -> AllocResult<Vec<DomainId>> {
         let mut is_known = filled(self.nodes.len(), false)?;
         let mut local_to_global = Vec::new();
         local_to_global.try_push(ROOT)?;
-        is_known[ROOT as usize] = true;
+        is_known[ROOT.index()] = true;
         for &vertex in vertices {
-            if self.places[vertex as usize].label == NONE {
+            if self.places[vertex as usize].label == DomainId::NONE {
                 continue;
             }
             for mut domain in [self.domain_of(vertex), self.cage_of(vertex)] {
-                while domain != NONE && !is_known[domain as usize] {
-                    is_known[domain as usize] = true;
+                while domain.is_valid() && !is_known[domain.index()] {
+                    is_known[domain.index()] = true;
                     local_to_global.try_push(domain)?;
                     domain = self.parent(domain);
                 }
@@ -115,9 +115,10 @@ impl<const D: usize> Hierarchy<D> {
         let Self { nodes, places, .. } = partition;
         let old = domains.local_to_global.len();
         for at in old..nodes.len() {
-            domains.local_to_global.try_push((self.nodes.len() + at - old) as u32)?;
+            domains.local_to_global.try_push(DomainId::new(self.nodes.len() + at - old))?;
         }
-        let domain = |id: u32| if id == NONE { NONE } else { domains.local_to_global[id as usize] };
+        let domain =
+            |id: DomainId| if id.is_valid() { domains.local_to_global[id.index()] } else { id };
         let vertex = |id: u32| if id == NONE { NONE } else { vertices[id as usize] };
         for (at, mut node) in nodes.into_iter().enumerate() {
             if at < old && !domains.is_own[at] {
@@ -129,7 +130,7 @@ impl<const D: usize> Hierarchy<D> {
             self.alive += usize::from(node.alive);
             if at < old {
                 self.alive -= 1;
-                self.nodes[domains.local_to_global[at] as usize] = node;
+                self.nodes[domains.local_to_global[at].index()] = node;
             } else {
                 self.nodes.try_push(node)?;
             }
@@ -139,7 +140,7 @@ impl<const D: usize> Hierarchy<D> {
             if is_shared.is_none() {
                 self.add_vertex()?;
             }
-            if place.label != NONE && is_shared != Some(true) {
+            if place.label.is_valid() && is_shared != Some(true) {
                 self.places[vertices[own] as usize] =
                     Place { label: domain(place.label), cage: domain(place.cage) };
             }
@@ -149,11 +150,11 @@ impl<const D: usize> Hierarchy<D> {
 }
 
 /// The local id of a domain, given its global id.
-fn local(local_to_global: &[u32], name: u32) -> u32 {
-    match name {
-        NONE => NONE,
-        _ => local_to_global
-            .binary_search(&name)
-            .expect("all domains of a partition have local_to_global") as u32,
+fn local(local_to_global: &[DomainId], global: DomainId) -> DomainId {
+    match global.is_valid() {
+        false => DomainId::NONE,
+        true => DomainId::new(
+            local_to_global.binary_search(&global).expect("a partition has all its domains"),
+        ),
     }
 }

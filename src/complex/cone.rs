@@ -1,8 +1,9 @@
-//! The cone of a new vertex over the boundary of its cavity, and which two of its simplices share a ridge
-//! of the boundary. In the plane a ridge is a vertex, which remembers the edge that starts there; in space
-//! an edge of few vertices, a table of whose pairs is small; then a hash table knows them, and beyond that
-//! one pivots round each through the cavity. How many steps that takes no processor can foresee, nor what
-//! a hash table finds: the first two have no branch that depends on either.
+//! The cone of a new vertex over the boundary of its cavity, and which two of its simplices share a
+//! ridge of the boundary. In the plane a ridge is a vertex, which remembers the edge that starts
+//! there; in space an edge of few vertices, a table of whose pairs is small; then a hash table
+//! knows them, and beyond that one pivots round each through the cavity. How many steps that takes
+//! no processor can foresee, nor what a hash table finds: the first two have no branch that depends
+//! on either.
 
 use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
 use super::{Complex, Facet, INFINITE, VertexSet, position};
@@ -11,13 +12,13 @@ use crate::mesh::NONE;
 /// Vertices of a boundary, the infinite one counted, whose edges have a place in the table.
 const NUMBERS: usize = 64;
 
-/// Length of the table of the directed edges round a cavity in space: at `NUMBERS * i + j` is the simplex
-/// that passes from the vertex with number i to that with number j. It holds what earlier cones left where
-/// this one has no edge.
+/// Length of the table of the directed edges round a cavity in space: at `NUMBERS * i + j` is the
+/// simplex that passes from the vertex with number i to that with number j. It holds what earlier
+/// cones left where this one has no edge.
 pub(super) const EDGES: usize = NUMBERS * NUMBERS;
 
-/// Triangles with an apex, as the tetrahedron with number `i` for its apex is turned: all cones look at
-/// theirs from the same side, so two that share an edge pass it in opposite directions.
+/// Triangles with an apex, as the tetrahedron with number `i` for its apex is turned: all cones
+/// look at theirs from the same side, so two that share an edge pass it in opposite directions.
 const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
 /// The same in the plane: where the edge opposite each vertex starts and ends.
@@ -25,8 +26,8 @@ const SIDES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 impl<const D: usize> Complex<D> {
     /// Replaces the cavity (the simplices marked inside, listed in `cavity`) by the cone of
-    /// `vertex` over its `boundary`, whose finite vertices are `around`. `created[i]` is the new simplex on
-    /// `boundary[i]`.
+    /// `vertex` over its `boundary`, whose finite vertices are `around`. `created[i]` is the new
+    /// simplex on `boundary[i]`.
     pub fn retriangulate(
         &mut self,
         vertex: u32,
@@ -64,8 +65,8 @@ impl<const D: usize> Complex<D> {
         simplex
     }
 
-    /// Links the cones in the plane, which go round the cavity: each is followed by the one that starts
-    /// where its edge ends.
+    /// Links the cones in the plane, which go round the cavity: each is followed by the one that
+    /// starts where its edge ends.
     #[inline(always)]
     fn link_round(&mut self, boundary: &[Facet], created: &[u32]) {
         let vertex_at = |complex: &Self, at: usize, index: usize| {
@@ -162,7 +163,8 @@ impl<const D: usize> Complex<D> {
             let neighbors = self.neighbors_mut(simplex);
             neighbors.fill(NONE);
             neighbors[facet.index as usize] = facet.beyond;
-            // The facet's own simplex, though dead, points to its cone: that is how a pivot finds it.
+            // The facet's own simplex, though dead, points to its cone: that is how a pivot finds
+            // it.
             self.neighbors_mut(facet.simplex)[facet.index as usize] = simplex;
         }
         for (facet, &simplex) in boundary.iter().zip(created) {

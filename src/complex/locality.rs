@@ -22,10 +22,10 @@ impl Anchored {
 }
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices, by the vertex below `anchors` that has the smallest id among their own or,
-    /// where they have none, among those of the simplices that are fewest steps away. At least one
-    /// vertex must be below `anchors`. `tick` is called for every simplex, so that the caller can watch the
-    /// time or give up. O(simplices + anchors).
+    /// The live simplices, by the vertex below `anchors` that has the smallest id among their own
+    /// or, where they have none, among those of the simplices that are fewest steps away. At least
+    /// one vertex must be below `anchors`. `tick` is called for every simplex, so that the caller
+    /// can watch the time or give up. O(simplices + anchors).
     pub fn order_by_anchor(
         &self,
         anchors: usize,
@@ -55,7 +55,8 @@ impl<const D: usize> Complex<D> {
                 }
             }
         }
-        // One place further on until `order` is made, which moves each to where the next one begins.
+        // One place further on until `order` is made, which moves each to where the next one
+        // begins.
         let mut starts = Array::filled(anchors + 2, 0u32)?;
         let mut order = Array::with_room(reached.len())?;
         for &simplex in &reached {

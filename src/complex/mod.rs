@@ -1,10 +1,10 @@
 //! The combinatorial complex: a triangulated sphere, that is a ball whose hull facets are joined to
 //! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
 //!
-//! A simplex is a record of `u32` ids: its vertices, the neighbours opposite them and its mark, which a
-//! search wants one after the other and finds in a cache line or two. Dead ones wait in a LIFO list.
-//! All simplices are oriented alike: replacing a vertex of one by a point on the same side keeps the
-//! orientation, so a cavity is retriangulated without one orientation test.
+//! A simplex is a record of `u32` ids: its vertices, the neighbours opposite them and its mark,
+//! which a search wants one after the other and finds in a cache line or two. Dead ones wait in a
+//! LIFO list. All simplices are oriented alike: replacing a vertex of one by a point on the same
+//! side keeps the orientation, so a cavity is retriangulated without one orientation test.
 
 mod cone;
 mod locality;
@@ -170,7 +170,8 @@ impl<const D: usize> Complex<D> {
         self.id_limit = limit;
     }
 
-    /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex each.
+    /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex
+    /// each.
     fn link_all(&mut self) {
         let count = self.simplex_bound() as u32;
         for simplex in 0..count {
@@ -183,7 +184,8 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// Starts a search: afterwards no simplex is marked. The two marks are independent. Returns what
+    /// Starts a search: afterwards no simplex is marked. The two marks are independent. Returns
+    /// what
     /// [`Self::has_marks_of`] knows the search by.
     pub fn begin_marks(&mut self) -> u32 {
         if self.epoch >= u32::MAX - 2 {

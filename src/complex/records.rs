@@ -1,4 +1,4 @@
-//! The records of all simplices side by side, as searches see them that look at many.
+//! The records of all simplices in one array, as searches read them.
 
 use super::{Complex, index_of};
 use crate::memory::prefetch_at;

@@ -1,6 +1,6 @@
-//! Which two simplices of a new cone share a ridge: a small hash table of the ridges round the cavity,
-//! each of which comes up twice. Pivoting round a ridge through the cavity does without a table, but
-//! how many steps that takes no processor can foresee.
+//! Which two simplices of a new cone share a ridge: a small hash table of the ridges round the
+//! cavity, each of which comes up twice. Pivoting round a ridge through the cavity does without a
+//! table, but how many steps that takes no processor can foresee.
 
 use crate::memory::{AllocResult, TryGrow};
 
@@ -82,8 +82,8 @@ fn hash(ridge: u128) -> u64 {
     (high.wrapping_mul(0xd6e8_feb8_6659_fd93) ^ low).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// The ridges of the facet opposite the vertex `apex` of a simplex, each with the number of the facet's
-/// vertex that it lacks. The order of the facet's vertices does not matter.
+/// The ridges of the facet opposite the vertex `apex` of a simplex, each with the number of the
+/// facet's vertex that it lacks. The order of the facet's vertices does not matter.
 #[inline]
 pub(super) fn ridges_of<const D: usize>(vertices: &[u32], apex: usize) -> [(u128, u32); D] {
     let mut facet: [u64; D] = std::array::from_fn(|i| {

@@ -2,8 +2,8 @@
 
 use crate::memory::{AllocResult, Array, TryGrow};
 
-/// A set of vertex ids that is emptied in constant time, and numbers its members in the order in which
-/// they came.
+/// A set of vertex ids that is emptied in constant time, and numbers its members in the order in
+/// which they came.
 pub(crate) struct VertexSet {
     pub ids: Array<u32>,
     /// Vertex -> its number and `base`; less than `base` if it is not in the set.

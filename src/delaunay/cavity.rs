@@ -1,5 +1,5 @@
-//! The search of a cavity. Which way it goes no processor can foresee, so it branches seldom: a simplex is
-//! written where it may belong, and stays if it does.
+//! The search of a cavity. Which way it goes no processor can foresee, so it branches seldom: a
+//! simplex is written where it may belong, and stays if it does.
 
 use super::Delaunay;
 use super::conflict::Conflicts;
@@ -14,12 +14,12 @@ pub(crate) struct Cavity {
     pub boundary: Array<Facet>,
     /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
     pub starts: Vec<u32>,
-    /// The finite vertices of `simplices`. Those of the first, then one of each other, opposite the facet
-    /// where the search came in.
+    /// The finite vertices of `simplices`. Those of the first, then one of each other, opposite the
+    /// facet where the search came in.
     pub vertices: VertexSet,
     /// The search that marked `simplices`.
     pub(super) search: u32,
-    /// What the search comes to.
+    /// Simplices in conflict that the search has found.
     queue: Array<Found>,
 }
 
@@ -105,8 +105,8 @@ struct Search<'a, const D: usize> {
 }
 
 impl<const D: usize> Search<'_, D> {
-    /// Crosses the facet with number `index` of the cavity's `simplex`, to `beyond`. What was seen before
-    /// is tested once more: that is faster than to go another way for it.
+    /// Crosses the facet with number `index` of the cavity's `simplex`, to `beyond`. What was seen
+    /// before is tested once more: that is faster than to go another way for it.
     #[inline(always)]
     fn cross(&mut self, simplex: u32, index: usize, beyond: u32, cavity: &mut Cavity) {
         let seen = self.marking.see(beyond, simplex);
@@ -125,8 +125,8 @@ impl<const D: usize> Search<'_, D> {
         self.conflicts.test_with_care(self.marking.records(), simplex, self.q)
     }
 
-    /// Begins to load what a search that has come to `simplex` will look at next. In the plane a search
-    /// is over before that helps.
+    /// Begins to load what a search that has come to `simplex` will look at next. In the plane a
+    /// search is over before that helps.
     #[inline(always)]
     fn prefetch_neighbors(&self, simplex: u32) {
         if D > 2 {

@@ -54,7 +54,8 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         match orientation(&points[..=D]) {
             Sign::Positive => true,
             Sign::Negative => false,
-            // In a partition that ends there: unknown, and a cavity with such a simplex is left alone.
+            // In a partition that ends there: unknown, and a cavity with such a simplex is left
+            // alone.
             Sign::Zero if records.is_interface(simplex, infinite) => true,
             Sign::Zero => self.test(records, records.neighbors(simplex)[infinite], q),
         }

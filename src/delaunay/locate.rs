@@ -7,9 +7,9 @@ use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
     /// A simplex in conflict with `q`, found from the live simplex `start`. `None` iff `q` is a
-    /// vertex already, or not in the partition of a complex that this is. A visibility walk in a Delaunay
-    /// triangulation cannot cycle except among cospherical simplices; a counted bound and a scan of
-    /// all simplices cover those.
+    /// vertex already, or not in the partition of a complex that this is. A visibility walk in a
+    /// Delaunay triangulation cannot cycle except among cospherical simplices; a counted bound and
+    /// a scan of all simplices cover those.
     pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
         self.locate_and_count(start, q, &mut 0)
     }

@@ -1,6 +1,17 @@
-//! The Delaunay complex: D-balls (§3), conflict regions and insertion. Strict tests need no
-//! perturbation: a point conflicts only with a ball that it is strictly inside, and a cavity built
-//! so is star-shaped from the point and yields no flat simplex (DESIGN section 3).
+//! The Delaunay complex: D-balls (§3), conflict regions and insertion.
+//!
+//! Strict tests need no perturbation. A point conflicts only with a ball that it is strictly
+//! inside. A cavity built so is star-shaped from the point and yields no flat simplex: a point on a
+//! facet's hyperplane and strictly inside one side's ball is inside the facet's disc, hence inside
+//! the other side's ball.
+//!
+//! ```text
+//!    a-------b         a-------b
+//!    |     / |         | \   / |    The D-balls of abc and bcd hold x: these two simplices are the
+//!    |   x   |  ---->  |   x   |    cavity of x. Its insertion replaces them by the cone of x over
+//!    | /     |         | /   \ |    the facets ab, bd, dc and ca round the cavity.
+//!    c-------d         c-------d
+//! ```
 
 mod cavity;
 mod conflict;
@@ -132,7 +143,8 @@ impl<const D: usize> Delaunay<D> {
         Some(ball.center_point(anchor))
     }
 
-    /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of range.
+    /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of
+    /// range.
     pub fn corner_distance(&self, simplex: u32, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
         let unit = ball.unit();

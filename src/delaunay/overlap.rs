@@ -1,7 +1,8 @@
-//! Which D-balls meet one D-ball (Theorem 4). They are connected in the Delaunay complex: let B' meet
-//! B, and take a point of both. The D-balls that hold this point are its cavity, which is connected,
-//! is within the balls that meet B since the point is in B, and has both simplices. Beyond the hull the
-//! cavity may be connected only through infinite simplices, so these are all passed through.
+//! Which D-balls meet one D-ball (Theorem 4). They are connected in the Delaunay complex: let B'
+//! meet B, and take a point of both. The D-balls that hold this point are its cavity, which is
+//! connected, is within the balls that meet B since the point is in B, and has both simplices.
+//! Beyond the hull the cavity may be connected only through infinite simplices, so these are all
+//! passed through.
 
 use super::Delaunay;
 use crate::memory::{AllocResult, Array, TryGrow};
@@ -42,9 +43,9 @@ impl<const D: usize> Delaunay<D> {
         Ok(count)
     }
 
-    /// Collects the simplices whose D-balls meet the ball of `radius` about the vertex `center` into
-    /// `found` (cleared first), and infinite ones beside them; whether that was all, which it is not
-    /// where they are more than `most`. Distances are rounded.
+    /// Collects the simplices whose D-balls meet the ball of `radius` about the vertex `center`
+    /// into `found` (cleared first), and infinite ones beside them; whether that was all, which it
+    /// is not where they are more than `most`. Distances are rounded.
     pub fn meeting_ball(
         &mut self,
         center: u32,

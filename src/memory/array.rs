@@ -1,5 +1,5 @@
-//! A growing array whose spare room can be lent: parts of a mesh grow in it, each in a stretch of its own,
-//! on threads of their own, and what they made is taken back without being copied.
+//! A growing array whose spare room can be lent: parts of a mesh grow in it, each in a stretch of
+//! its own, on threads of their own, and what they made is taken back without being copied.
 
 use super::pages::{give_back, prefer_large_pages};
 use super::{AllocResult, TryGrow, copied, with_room};
@@ -11,13 +11,14 @@ use std::sync::atomic::{AtomicUsize, Ordering, fence};
 /// Rooms from this size on are the system's to move, by mapping it elsewhere.
 const MAPPED: usize = 32 << 20;
 
-/// As `Vec`, of plain values. Its room may be a stretch of a larger one, whose other stretches belong to
-/// other arrays. What a large one frees goes back to the system at once, not only to the allocator.
+/// As `Vec`, of plain values. Its room may be a stretch of a larger one, whose other stretches
+/// belong to other arrays. What a large one frees goes back to the system at once, not only to the
+/// allocator.
 ///
-/// What the unsafe code relies on: `[start, start + capacity)` lies in the allocation that `room` keeps, of
-/// which no other array has any of it ([`Array::lend`] divides a stretch, [`Array::absorb`] joins two, and
-/// growing makes a new one or has the allocation alone); its first `length` values are initialised. Nothing
-/// else looks into `room` while it is shared.
+/// What the unsafe code relies on: `[start, start + capacity)` lies in the allocation that `room`
+/// keeps, of which no other array has any of it ([`Array::lend`] divides a stretch,
+/// [`Array::absorb`] joins two, and growing makes a new one or has the allocation alone); its first
+/// `length` values are initialised. Nothing else looks into `room` while it is shared.
 pub struct Array<T> {
     start: NonNull<T>,
     length: usize,
@@ -26,8 +27,8 @@ pub struct Array<T> {
     room: Option<Room<T>>,
 }
 
-/// An allocation that several arrays have stretches of. What `Arc` would be, were it not that making one
-/// of those cannot be refused.
+/// An allocation that several arrays have stretches of. What `Arc` would be, were it not that
+/// making one of those cannot be refused.
 struct Room<T> {
     shared: NonNull<Shared<T>>,
 }
@@ -56,8 +57,8 @@ impl<T> Room<T> {
     /// The allocation, if no other room has it.
     #[allow(unsafe_code)]
     fn alone(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
-        // SAFETY: it lives as long as a room points to it. If this is the only one nobody else can reach
-        // it, nor make another one meanwhile; what others did to it came before they let go.
+        // SAFETY: it lives as long as a room points to it. If this is the only one nobody else can
+        // reach it, nor make another one meanwhile; what others did to it came before they let go.
         unsafe {
             let is_alone = self.shared.as_ref().rooms.load(Ordering::Acquire) == 1;
             // Not before that is known.
@@ -78,8 +79,8 @@ impl<T> Clone for Room<T> {
 impl<T> Drop for Room<T> {
     #[allow(unsafe_code)]
     fn drop(&mut self) {
-        // SAFETY: it lives as long as a room points to it. The last one takes it down, after all that
-        // others did: it is the one element of a vector of that capacity.
+        // SAFETY: it lives as long as a room points to it. The last one takes it down, after all
+        // that others did: it is the one element of a vector of that capacity.
         unsafe {
             if self.shared.as_ref().rooms.fetch_sub(1, Ordering::Release) == 1 {
                 fence(Ordering::Acquire);
@@ -91,8 +92,8 @@ impl<T> Drop for Room<T> {
     }
 }
 
-// SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of `room` threads share
-// the counter only, and whoever comes last frees the memory.
+// SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of `room`
+// threads share the counter only, and whoever comes last frees the memory.
 #[allow(unsafe_code)]
 unsafe impl<T: Send> Send for Array<T> {}
 // SAFETY: as above; a shared array gives out shared values only.
@@ -215,8 +216,9 @@ impl<T: Copy> Array<T> {
         match room.filter(|room| room.len() == capacity) {
             Some(room) => {
                 let room = ManuallyDrop::new(std::mem::take(room));
-                // SAFETY: the stretch is all that the vector has, so it begins where that does; values
-                // that may be uninitialised are laid out as others, and so many are initialised.
+                // SAFETY: the stretch is all that the vector has, so it begins where that does;
+                // values that may be uninitialised are laid out as others, and so many are
+                // initialised.
                 Ok(unsafe { Vec::from_raw_parts(start.as_ptr(), length, room.capacity()) })
             }
             None => copied(&self),
@@ -228,8 +230,8 @@ impl<T: Copy> Array<T> {
         self.capacity - self.length
     }
 
-    /// Divides the room that is spare into empty arrays, with room for so many values each; the last has
-    /// the rest as well. `None` if it is not enough.
+    /// Divides the room that is spare into empty arrays, with room for so many values each; the
+    /// last has the rest as well. `None` if it is not enough.
     #[allow(unsafe_code)]
     pub fn split_reserve(&mut self, rooms: &[usize]) -> Option<Vec<Self>> {
         let spare = self.spare();
@@ -241,8 +243,8 @@ impl<T: Copy> Array<T> {
         let mut offset = self.length;
         self.capacity = self.length;
         for &capacity in rooms {
-            // SAFETY: at most `needed` after `length`, so within the stretch that this array had, which ends
-            // at `length` now; and after the arrays before.
+            // SAFETY: at most `needed` after `length`, so within the stretch that this array had,
+            // which ends at `length` now; and after the arrays before.
             let start = unsafe { self.start.add(offset) };
             lent.push(Self { start, length: 0, capacity, room: self.room.clone() });
             offset += capacity;
@@ -272,8 +274,9 @@ impl<T: Copy> Array<T> {
         if !is_next {
             return self.try_extend(&other);
         }
-        // SAFETY: the two stretches are one now, and `other` ends here without touching its values. They
-        // move towards the start of it, to where they may overlap with themselves. What they leave is spare.
+        // SAFETY: the two stretches are one now, and `other` ends here without touching its values.
+        // They move towards the start of it, to where they may overlap with themselves. What they
+        // leave is spare.
         unsafe {
             let end = self.start.add(self.length);
             if end != other.start {

@@ -1,6 +1,7 @@
-//! What large arrays ask of the system. Large pages: with pages of 4 KiB it needs some 0.1 ms for each MiB
-//! that is given back, which a run that is cancelled would wait for, and as much again to provide it. And to
-//! take back what is free: an allocator keeps that where something is in use beyond it.
+//! What large arrays ask of the system. Large pages: with pages of 4 KiB it needs some 0.1 ms for
+//! each MiB that is given back, which a run that is cancelled would wait for, and as much again to
+//! provide it. And to take back what is free: an allocator keeps that where something is in use
+//! beyond it.
 
 use std::mem::MaybeUninit;
 
@@ -39,8 +40,8 @@ mod system {
     const MADV_HUGEPAGE: c_int = 14;
 
     pub fn prefer_large(begin: usize, length: usize) {
-        // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a system
-        // that has no large pages answers an error, which changes nothing either.
+        // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a
+        // system that has no large pages answers an error, which changes nothing either.
         unsafe { advise(begin as *mut c_void, length, MADV_HUGEPAGE) };
     }
 
@@ -64,8 +65,9 @@ mod system {
         let begin = memory.as_mut_ptr().cast::<u8>();
         let skipped = begin.align_offset(page);
         let length = size_of_val(memory).saturating_sub(skipped) / page * page;
-        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be anything:
-        // they stay mapped, and hold zeros afterwards, or what they held if the system refuses.
+        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be
+        // anything: they stay mapped, and hold zeros afterwards, or what they held if the system
+        // refuses.
         unsafe { advise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
     }
 }

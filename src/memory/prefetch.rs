@@ -1,8 +1,8 @@
-//! Memory asked for before it is needed: a search that hops from simplex to simplex waits for each of
-//! them otherwise, since the processor cannot foresee where it goes.
+//! Memory asked for before it is needed: a search that hops from simplex to simplex waits for each
+//! of them otherwise, since the processor cannot foresee where it goes.
 
-/// Begins to load the cache lines where `count` of `values` from `first` on begin and end, if there are
-/// so many. Changes nothing.
+/// Begins to load the cache lines where `count` of `values` from `first` on begin and end, if there
+/// are so many. Changes nothing.
 #[inline(always)]
 pub fn prefetch_at<T>(values: &[T], first: usize, count: usize) {
     let start = values.as_ptr().wrapping_add(first);
@@ -15,8 +15,8 @@ pub fn prefetch_at<T>(values: &[T], first: usize, count: usize) {
 #[allow(unsafe_code)]
 fn hint(address: *const u8) {
     use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-    // SAFETY: every x86_64 has the instruction, which is a hint: whatever the address, it neither faults
-    // nor changes what the program can see.
+    // SAFETY: every x86_64 has the instruction, which is a hint: whatever the address, it neither
+    // faults nor changes what the program can see.
     unsafe { _mm_prefetch::<_MM_HINT_T0>(address.cast()) };
 }
 

@@ -82,7 +82,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(places)
     }
 
-    /// Simplex -> its number among the finite ones, [`NONE`] for others; and how many each piece has.
+    /// Simplex -> its number among the finite ones, [`NONE`] for others; and how many each piece
+    /// has.
     fn numbers(&mut self) -> Result<(Vec<u32>, Vec<usize>)> {
         let threads = self.threads();
         let Self { state, watch, .. } = self;

@@ -15,8 +15,8 @@ const LOOSE: f64 = 3.0;
 const LOOSE_EDGES: f64 = 4.5;
 
 impl Parameters {
-    /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of the
-    /// domain's cage sphere; corners beyond the hull of the cage are the cage's business.
+    /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of
+    /// the domain's cage sphere; corners beyond the hull of the cage are the cage's business.
     pub fn corner_restriction(&self) -> f64 {
         CORNER_RESTRICTION.min(self.hull_radius())
     }
@@ -26,8 +26,9 @@ impl Parameters {
         1.0 - 0.5 * self.delta * self.delta
     }
 
-    /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at the end:
-    /// with all inputs in their places it needs fewer points, and moves no input to a new home.
+    /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at
+    /// the end: with all inputs in their places it needs fewer points, and moves no input to a new
+    /// home.
     pub(super) fn loose_bound(&self) -> f64 {
         let factor = match self.criterion {
             Criterion::VoronoiAspect => LOOSE,

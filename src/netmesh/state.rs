@@ -1,5 +1,5 @@
-//! What a run works on: one state, which a partition and the global mesh share, and beside it what only
-//! the run itself needs.
+//! What a run works on: one state, which a partition and the global mesh share, and beside it what
+//! only the run itself needs.
 
 use super::cages::domains::Hierarchy;
 use super::instruments::Instruments;
@@ -268,8 +268,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
     }
 
-    /// What is bad in one place lets cells around it get bad, and most refinement may come at the first
-    /// place. Of a mesh that is not finished yet it makes one twice as large, usually.
+    /// What is bad in one place lets cells around it get bad, and most refinement may come at the
+    /// first place. Of a mesh that is not finished yet it makes one twice as large, usually.
     pub(super) fn usual_final_fraction(&self) -> f64 {
         let vertices = self.state.delaunay.point_count() as f64;
         (vertices / self.state.stage.vertices_before_final as f64 - 1.0).min(0.9)

@@ -1,5 +1,5 @@
-//! Voronoi cells of vertices and of cages (§3, §4): in-radii, and out-radii restricted as DESIGN
-//! section 5 says. One pass over the simplices; shared by the measures and the certificate.
+//! Voronoi cells of vertices and of cages (§3, §4): in-radii, and out-radii restricted to the
+//! corners that count for a cell. One pass over the simplices; shared by the measures and the certificate.
 
 use super::corner::Corner;
 use super::length::Length;

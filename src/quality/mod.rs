@@ -1,4 +1,4 @@
-//! Measures of a mesh (DESIGN section 4 has the conventions): Voronoi aspect, radius-edge ratio,
+//! Measures of a mesh (docs/guarantees.md has the conventions): Voronoi aspect, radius-edge ratio,
 //! angles, degrees. Computed from coordinates and simplices alone.
 
 pub(crate) mod angles;

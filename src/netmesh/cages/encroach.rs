@@ -1,5 +1,5 @@
-//! Encroachment (Definition 2), read off the vertices U(x) of the D-balls that hold x, which are the
-//! vertices of `cavity`.
+//! Encroachment (Definition 2), read off the vertices U(x) of the D-balls that hold x, which are
+//! the vertices of `cavity`.
 
 use crate::delaunay::Cavity;
 use crate::memory::AllocResult;

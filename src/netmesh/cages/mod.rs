@@ -10,9 +10,9 @@
 //!        ' - o - '               to c than r / epsilon
 //! ```
 //!
-//! `domains` is the tree of balls, `encroach` tells which cages a point is too close to (Definition 2),
-//! `site` where a cage goes and how large it is, `template` how its vertices lie, and `cage` has the three
-//! operations NEWCAGE, GROWCAGE and RELEASECAGE.
+//! `domains` is the tree of balls, `encroach` tells which cages a point is too close to (Definition
+//! 2), `site` where a cage goes and how large it is, `template` how its vertices lie, and `cage`
+//! has the three operations NEWCAGE, GROWCAGE and RELEASECAGE.
 //!
 //! What makes, moves or removes a cage belongs here.
 

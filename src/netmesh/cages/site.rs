@@ -28,15 +28,16 @@ const SLACK: f64 = 1.001;
 /// Subnormal distances are rounded to whole units of the smallest double.
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
-/// How much more room than it needs a cage must have in a mesh that FINISHMESH completes: that fills
-/// the gap which the cage bridges, and the cage's vertices are then too many (docs/decisions.md).
+/// How much more room than it needs a cage must have in a mesh that FINISHMESH completes: that
+/// fills the gap which the cage bridges, and the cage's vertices are then too many
+/// (docs/decisions.md).
 const ROOM_IF_FINISHED: f64 = 128.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
-    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest;
-    /// that may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
-    /// ask for what the cage needs: no vertex within outf r / epsilon of u.
+    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest.
+    /// That may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
+    /// ask for what the cage needs: no vertex within encroachment r / epsilon of u.
     pub(in crate::netmesh) fn wanted_cage(
         &mut self,
         input: u32,
@@ -93,8 +94,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (clearance - ROUNDING) / self.outer_encroachment()
     }
 
-    /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With epsilon
-    /// at most 0.5 the clearance asks for less.
+    /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With
+    /// epsilon at most 0.5 the clearance asks for less.
     fn room_inside(&self, parent: DomainId, center: u32) -> f64 {
         let radius = self.state.hierarchy.node(parent).radius;
         let distance =
@@ -168,9 +169,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((radius <= most).then_some(radius))
     }
 
-    /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in the
-    /// scratch cavity or next to the centre (or the cage of the `child` domain round it), as bits,
-    /// which are ordered as distances are.
+    /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in
+    /// the scratch cavity or next to the centre (or the cage of the `child` domain round it), as
+    /// bits, which are ordered as distances are.
     fn distances_nearby(
         &mut self,
         center: u32,

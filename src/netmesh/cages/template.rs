@@ -45,8 +45,8 @@ pub(in crate::netmesh) fn cage_points<const D: usize>(
     collected(template.iter().map(point))
 }
 
-/// T with its axes permuted and reflected as `bits` say, which is exact: cages about one centre that
-/// are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
+/// T with its axes permuted and reflected as `bits` say, which is exact: cages about one centre
+/// that are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
 pub(in crate::netmesh) fn turned<const D: usize>(
     template: &[[f64; D]],
     bits: u64,

@@ -1,13 +1,13 @@
 //! Feature sizes (Definition 5): f_S^Omega(x) is the distance from x to the second nearest point of
 //! S_Omega, x itself being the nearest if it is one of them.
 //!
-//! For a vertex v of M_Omega the vertices come in the order of their distance from v by a best-first
-//! search along Delaunay edges, since those within any distance of v are connected: the next nearest
-//! is a neighbour of a nearer one. A child of Omega counts as its centre alone (Definition 3). It is
-//! passed through at once, from its nearest vertex to all that have an edge to its cage: what is
-//! inside may be any number. (A vertex that is deep in a child and has a neighbour outside is
-//! followed only when the search comes to it from there.) Vertices outside Omega are followed, and do
-//! not count; none is wanted beyond the diameter of Omega's ball.
+//! For a vertex v of M_Omega the vertices come in the order of their distance from v by a
+//! best-first search along Delaunay edges, since those within any distance of v are connected: the
+//! next nearest is a neighbour of a nearer one. A child of Omega counts as its centre alone
+//! (Definition 3). It is passed through at once, from its nearest vertex to all that have an edge
+//! to its cage: what is inside may be any number. (A vertex that is deep in a child and has a
+//! neighbour outside is followed only when the search comes to it from there.) Vertices outside
+//! Omega are followed, and do not count; none is wanted beyond the diameter of Omega's ball.
 
 use crate::complex::VertexSet;
 use crate::error::Result;
@@ -92,8 +92,8 @@ impl Met {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs inserted so far.
-    /// `None` if the search became too long.
+    /// f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs inserted so
+    /// far. `None` if the search became too long.
     pub(super) fn feature_sizes(
         &mut self,
         vertex: u32,

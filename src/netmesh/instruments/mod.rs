@@ -1,6 +1,6 @@
 //! The constants of the paper's theorems as observed on the mesh at hand: ply and D-ball
-//! intersections (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of feature
-//! sizes (`features`). Only where the options ask for it; the mesh does not depend on it.
+//! intersections (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of
+//! feature sizes (`features`). Only where the options ask for it; the mesh does not depend on it.
 
 mod balls;
 mod constants;
@@ -26,7 +26,8 @@ pub(super) struct Instruments {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Measures the complete mesh, if that is asked for. Returns the time that all instruments took.
+    /// Measures the complete mesh, if that is asked for. Returns the time that all instruments
+    /// took.
     pub(super) fn measure_instruments(&mut self) -> Result<Duration> {
         if !self.state.parameters.instruments {
             return Ok(Duration::ZERO);

@@ -100,7 +100,8 @@ fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: u32, seen: &mut
     }
 }
 
-/// A cage vertex v went in between its centre, which was there, and the vertices that are there now.
+/// A cage vertex v went in between its centre, which was there, and the vertices that are there
+/// now.
 fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: DomainId) {
     let sphere = mesher.state.parameters.cage_scale * mesher.state.hierarchy.node(cage).radius;
     let (mut least, mut most) = (0.0f64, 0.0f64);

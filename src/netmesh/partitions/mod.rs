@@ -48,8 +48,8 @@ const FEW: usize = 32;
 struct Partition<const D: usize> {
     local_to_global: LocalToGlobal,
     domains: DomainsToGlobal,
-    /// Vertex -> whether other partitions have simplices at it. Vertices that are made later are not
-    /// there.
+    /// Vertex -> whether other partitions have simplices at it. Vertices that are made later are
+    /// not there.
     shared: Vec<bool>,
     state: State<D>,
 }

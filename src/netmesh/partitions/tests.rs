@@ -41,8 +41,8 @@ fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
 }
 
-/// The mesh is the same on one, two and three threads, has a certificate, and is about as large as that
-/// made as one, but another: so it was made in partitions.
+/// The mesh is the same on one, two and three threads, has a certificate, and is about as large as
+/// that made as one, but another: so it was made in partitions.
 fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     let inputs = inputs(points);
     let one = run::<D>(&inputs, options, 1);
@@ -89,8 +89,8 @@ fn nested<const D: usize>(levels: i32, count: usize) -> Vec<[f64; D]> {
     shells.collect()
 }
 
-/// Dense clusters, each large enough to be cut, with points at all distances around them: those encroach
-/// domains of more partitions than one, from inside and from outside.
+/// Dense clusters, each large enough to be cut, with points at all distances around them: those
+/// encroach domains of more partitions than one, from inside and from outside.
 fn halos<const D: usize>(clusters: usize, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(9);
     let mut points = Vec::new();
@@ -216,8 +216,8 @@ fn runs_in_parts_are_watched() {
     }
 }
 
-/// What is left for the global mesh are the inputs at interfaces; those were inserted before, as long as simplices
-/// there were large.
+/// What is left for the global mesh are the inputs at interfaces; those were inserted before, as
+/// long as simplices there were large.
 #[test]
 fn few_inputs_wait_for_the_whole() {
     fn check<const D: usize>(count: usize, most: f64) {

@@ -1,4 +1,5 @@
-//! What is seen of a simplex at a glance, without changing anything, so that all threads may look.
+//! A view of simplices that tells which ones may be bad. It changes nothing, so all threads may use
+//! it.
 
 use crate::delaunay::Delaunay;
 use crate::error::Result;
@@ -15,7 +16,7 @@ pub(in crate::netmesh) struct BadSimplexView<'a, const D: usize> {
     measure: Measure,
 }
 
-/// Which simplices are looked at.
+/// Which simplices a scan tests.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::netmesh) enum Scan {
     All,
@@ -52,8 +53,8 @@ impl<const D: usize> BadSimplexView<'_, D> {
 }
 
 impl Measure {
-    /// How many vertices of a bad simplex, whose vertices are of one domain, are too near to others: an edge
-    /// has two ends.
+    /// How many vertices of a bad simplex, whose vertices are of one domain, are too near to
+    /// others: an edge has two ends.
     #[inline]
     pub fn near_of_bad(&self) -> usize {
         match self.criterion {
@@ -84,7 +85,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Measure { criterion: self.state.parameters.criterion, bound: self.state.stage.bound }
     }
 
-    /// All live simplices that are suspect among those that are looked at, in rising order, in pieces.
+    /// All live simplices that a scan finds suspect, in rising order, in pieces.
     pub(in crate::netmesh) fn suspects(&mut self, scan: Scan) -> Result<Vec<Vec<u32>>> {
         if scan == Scan::SpanningDomains && self.state.hierarchy.is_single() {
             return Ok(Vec::new());

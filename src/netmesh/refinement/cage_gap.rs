@@ -1,6 +1,6 @@
-//! Gaps between the vertices of a coarse cage, through which a cell looks out. The final refinement narrows
-//! them: a corner near the cage sphere or beyond it goes in as a further cage vertex, at the nearest point of
-//! the sphere, and one well inside as a Steiner point.
+//! Gaps between the vertices of a coarse cage, through which a cell looks out. The final refinement
+//! narrows them: a corner near the cage sphere or beyond it goes in as a further cage vertex, at
+//! the nearest point of the sphere, and one well inside as a Steiner point.
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
@@ -66,8 +66,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(cavity.simplices.iter().all(|&simplex| self.is_inside(simplex, domain)))
     }
 
-    /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull of the
-    /// mesh.
+    /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull
+    /// of the mesh.
     fn is_inside(&self, simplex: u32, domain: DomainId) -> bool {
         self.state.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
             is_valid(vertex)

@@ -26,8 +26,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// An input that was yielded to may lie on the D-ball within rounding, and a further cage vertex
-    /// beyond it: they leave the simplex.
+    /// An input that was yielded to may lie on the D-ball within rounding, and a further cage
+    /// vertex beyond it: they leave the simplex.
     fn queue_again(&mut self, entry: Entry) -> AllocResult<()> {
         if self.state.refine_list.is_current(entry)
             && self.state.delaunay.complex().is_live(entry.simplex)

@@ -1,9 +1,9 @@
 //! Refinement (§6.4, §6.6): which cells are bad, and what mends them.
 //!
 //! `quality` tests simplices (Definition 4), `bad_simplex` sees at a glance which ones may be bad,
-//! `refine_list` keeps those that are (REFINELIST), `steiner` places a point for one, `clean` inserts it or
-//! the input that it yields to (CLEAN, YIELDINGINSERT). `finish` dissolves the cages (FINISHMESH).
-//! `final_refinement` comes last and brings every cell to the caller's bound.
+//! `refine_list` keeps those that are (REFINELIST), `steiner` places a point for one, `clean`
+//! inserts it or the input that it yields to (CLEAN, YIELDINGINSERT). `finish` dissolves the cages
+//! (FINISHMESH). `final_refinement` comes last and brings every cell to the caller's bound.
 //!
 //! What tests or improves the shape of cells belongs here.
 

@@ -75,8 +75,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
-    /// edges there are what they were, and so is all that other cells depend on. The cell of a cage's
-    /// vertex has no bound of its own.
+    /// edges there are what they were, and so is all that other cells depend on. The cell of a
+    /// cage's vertex has no bound of its own.
     pub(in crate::netmesh) fn examine_cell(&mut self, vertex: u32) -> AllocResult<()> {
         let Cell { nearest, farthest } = self.state.cells[vertex as usize];
         if self.state.parameters.criterion == Criterion::RadiusEdge
@@ -193,8 +193,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.worst_cell(simplex, radius, |mesher, vertex| mesher.counts_for(simplex, vertex))
     }
 
-    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2, among
-    /// those that it `counts` for.
+    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2,
+    /// among those that it `counts` for.
     pub(in crate::netmesh) fn worst_cell(
         &mut self,
         simplex: u32,
@@ -248,9 +248,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (edge.2 < allowed).then_some(edge)
     }
 
-    /// The ends and the length of the shortest edge of `simplex` between vertices nearer than `limit` to
-    /// another one: that is the shortest of all, if there is one below `limit`. Infinitely long where there
-    /// is none.
+    /// The ends and the length of the shortest edge of `simplex` between vertices nearer than
+    /// `limit` to another one: that is the shortest of all, if there is one below `limit`.
+    /// Infinitely long where there is none.
     fn shortest_edge(&self, simplex: u32, limit: f64) -> (u32, u32, f64) {
         let mut vertices = [NONE; MAX_DIM + 1];
         let mut count = 0;
@@ -349,8 +349,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         domains
     }
 
-    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half the
-    /// aspect of its vertices' cells.
+    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
+    /// the aspect of its vertices' cells.
     fn aspect_bound(&self) -> f64 {
         match self.state.parameters.criterion {
             Criterion::VoronoiAspect => self.state.stage.bound,
@@ -389,8 +389,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         })
     }
 
-    /// Whether all that is bad (`is_bad`) is open, too: the same corners are too far, only more of them
-    /// count. By edges that is not so where a simplex has vertices of several domains.
+    /// Whether all that is bad (`is_bad`) is open, too: the same corners are too far, only more of
+    /// them count. By edges that is not so where a simplex has vertices of several domains.
     pub(in crate::netmesh) fn is_bad_open(&self) -> bool {
         let is_by_cells = self.state.parameters.criterion == Criterion::VoronoiAspect;
         self.state.stage.is_final
@@ -406,8 +406,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         worst.map(|vertex| self.state.hierarchy.domain_of(vertex))
     }
 
-    /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are of
-    /// several domains, the corner is that of a cage's union cell.
+    /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are
+    /// of several domains, the corner is that of a cage's union cell.
     fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<DomainId> {
         self.short_edge(simplex, radius)?;
         let vertices = self.state.delaunay.complex().vertices(simplex);

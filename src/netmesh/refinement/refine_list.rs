@@ -1,14 +1,14 @@
-//! REFINELIST (§6.4): simplices that were bad when they were queued. Most are gone when their turn comes,
-//! for the points that mend one cell mend others beside it, and their ids are soon taken by new
-//! simplices: entries tell the one from the other by a generation. Whether a simplex that is still
-//! there is bad is tested when it comes up.
+//! REFINELIST (§6.4): simplices that were bad when they were queued. Most are gone when their turn
+//! comes, for the points that mend one cell mend others beside it, and their ids are soon taken by
+//! new simplices: entries tell the one from the other by a generation. Whether a simplex that is
+//! still there is bad is tested when it comes up.
 //!
-//! While inputs go in, CLEAN runs after every insertion, the list is short, and first in is first out.
-//! At the end, when many are bad at once, the one with the shortest edge comes first (as in Shewchuk,
-//! "Triangle", 1996), or with the vertex that has the smallest cell: points are then placed outward
-//! from where the mesh is fine, at the spacing that the bound asks for there. Lengths are told apart in
-//! eight steps between powers of two, which is as good as sorting. The list then has the simplices of
-//! one tile at a time (`final_refinement`).
+//! While inputs go in, CLEAN runs after every insertion, the list is short, and first in is first
+//! out. At the end, when many are bad at once, the one with the shortest edge comes first (as in
+//! Shewchuk, "Triangle", 1996), or with the vertex that has the smallest cell: points are then
+//! placed outward from where the mesh is fine, at the spacing that the bound asks for there.
+//! Lengths are told apart in eight steps between powers of two, which is as good as sorting. The
+//! list then has the simplices of one tile at a time (`final_refinement`).
 
 use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_room};
 use std::collections::VecDeque;
@@ -62,8 +62,8 @@ impl RefineList {
         self.flags.move_into(reserve)
     }
 
-    /// Makes the last `count` of `bound` simplices those of a partition that has joined; nothing is known
-    /// of them.
+    /// Makes the last `count` of `bound` simplices those of a partition that has joined; nothing is
+    /// known of them.
     pub fn join(&mut self, mut partition: Self, count: usize, bound: usize) -> AllocResult<()> {
         partition.flags.fill(0);
         partition.flags.cover(count, 0)?;

@@ -1,8 +1,8 @@
 //! Where a Steiner point goes. The paper inserts the farthest corner of a bad cell. A point on the
-//! way to the corner that is only as far from the vertices it serves as the bound asks for mends the
-//! cell as well and leaves a larger empty ball behind: off-centres, as in Üngör, "Off-centers: a new
-//! type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations",
-//! 2004.
+//! way to the corner that is only as far from the vertices it serves as the bound asks for mends
+//! the cell as well and leaves a larger empty ball behind: off-centres, as in Üngör, "Off-centers:
+//! a new type of Steiner points for computing size-optimal quality-guaranteed Delaunay
+//! triangulations", 2004.
 
 use crate::netmesh::Mesher;
 use crate::numerics::distance;
@@ -28,16 +28,16 @@ const fn cell_factor<const D: usize>() -> f64 {
 }
 
 /// How far an off-centre is from the middle of a short edge, relative to the apex of the triangle
-/// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex than
-/// the bound times the edge.
+/// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex
+/// than the bound times the edge.
 const fn edge_factor<const D: usize>() -> f64 {
     if D == 2 { 0.97 } else { 0.6 }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The point to insert for `simplex`, which is bad, or which is a simplex with inputs. `None` if
-    /// rounding moved it out of the D-ball or closer to a vertex than half the radius (DESIGN
-    /// section 3, precision).
+    /// The point to insert for `simplex`, which is bad or has inputs. `None` if rounding moved it
+    /// out of the D-ball, or closer to a vertex than half the radius: then doubles are too coarse
+    /// for a vertex there.
     pub(in crate::netmesh) fn steiner_point(&mut self, simplex: u32) -> Option<SteinerPoint<D>> {
         let corner = self.sound_corner(simplex)?;
         let off_center = match self.state.parameters.criterion {

@@ -1,7 +1,8 @@
 //! Inputs in an order of locality: those near each other get ids near each other, so that a round,
 //! which takes its inputs by id, stays in one part of memory for a while. The order is that of a
-//! Z-order curve; where inputs share a cell of it, it goes on within their own box, so that clusters
-//! are ordered at every scale. The result depends on it by ids only: no sign is decided here.
+//! Z-order curve; where inputs share a cell of it, it goes on within their own box, so that
+//! clusters are ordered at every scale. The result depends on it by ids only: no sign is decided
+//! here.
 
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
@@ -58,7 +59,8 @@ pub(in crate::netmesh) fn by_locality<const D: usize>(
     Ok(order)
 }
 
-/// Writes the ids by the bits of their keys from `shift` on to `sorted`; returns where buckets begin.
+/// Writes the ids by the bits of their keys from `shift` on to `sorted`; returns where buckets
+/// begin.
 fn sort_into_buckets(
     keyed: &[(u64, u32)],
     shift: usize,
@@ -121,8 +123,8 @@ impl<const D: usize> Cells<D> {
         D * Self::AXIS_BITS
     }
 
-    /// Where on the curve the cell of `x` is. What overflows, or has no size, is in the last cell or
-    /// the first one: a cast saturates.
+    /// Where on the curve the cell of `x` is. What overflows, or has no size, is in the last cell
+    /// or the first one: a cast saturates.
     fn key(&self, x: &[f64; D]) -> u64 {
         let mut key = 0;
         for (axis, (&x, &low)) in x.iter().zip(&self.low).enumerate() {

@@ -27,7 +27,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if self.is_crowded(simplex) {
                 self.break_ball(simplex, cavity)?;
                 self.clean(cavity)?;
-                // Its corner may have been encroached on by rounding, or two inputs lie on a sphere.
+                // Its corner may have been encroached on by rounding, or two inputs lie on a
+                // sphere.
                 self.queue_if_crowded(simplex)?;
             }
         }

@@ -1,5 +1,6 @@
-//! INSERT, second half (§6.3): a vertex goes into the Voronoi diagram, and what that changes around it is
-//! brought up to date: conflict lists, nearest distances, clearances of cages, and which cells are bad.
+//! INSERT, second half (§6.3): a vertex goes into the Voronoi diagram, and what that changes around
+//! it is brought up to date: conflict lists, nearest distances, clearances of cages, and which
+//! cells are bad.
 
 use crate::delaunay::Cavity;
 use crate::error::Result;

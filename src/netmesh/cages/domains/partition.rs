@@ -30,8 +30,9 @@ impl DomainsToGlobal {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The hierarchy of the partition with the given `vertices`, inserted or not, some of them `shared` with
-    /// other partitions. `ids`: vertex -> its id in the partition, [`NONE`] if it is not there.
+    /// The hierarchy of the partition with the given `vertices`, inserted or not, some of them
+    /// `shared` with other partitions. `ids`: vertex -> its id in the partition, [`NONE`] if it is
+    /// not there.
     pub fn partition(
         &mut self,
         vertices: &[u32],

@@ -1,15 +1,15 @@
 //! A few points that every ball with nearly all points of a set must meet.
 //!
-//! Lift x to (x, |x|^2) in d + 1 dimensions: balls and half-spaces of R^d are half-spaces there. The
-//! set is paired off once per coordinate (the lifting of Mulzer and Werner, "Approximating Tverberg
-//! points in linear time for any fixed dimension", 2013). Before coordinate i there are disjoint
-//! subsets whose hulls all have a point over the same z_1..z_{i-1}; the median of these points in
-//! coordinate i is z_i, and each subset below the median is joined with one above: the segment
-//! between their points meets the median. So after d + 1 coordinates at least 2^-(d+1) of the
-//! number of points are left as disjoint subsets, of at most 2^(d+1) points each, with z in every
-//! hull. Let X be any of them. A ball that avoids X is a half-space without z, as z is in the hull
-//! of X; so it misses a point of every other subset as well. Hence a ball with more than
-//! 1 - 2^-(d+1) of the points has a point of X. The work is linear.
+//! Lift x to (x, |x|^2) in d + 1 dimensions: balls and half-spaces of R^d are half-spaces there.
+//! The set is paired off once per coordinate (the lifting of Mulzer and Werner, "Approximating
+//! Tverberg points in linear time for any fixed dimension", 2013). Before coordinate i there are
+//! disjoint subsets whose hulls all have a point over the same z_1..z_{i-1}; the median of these
+//! points in coordinate i is z_i, and each subset below the median is joined with one above: the
+//! segment between their points meets the median. So after d + 1 coordinates at least 2^-(d+1) of
+//! the number of points are left as disjoint subsets, of at most 2^(d+1) points each, with z in
+//! every hull. Let X be any of them. A ball that avoids X is a half-space without z, as z is in the
+//! hull of X; so it misses a point of every other subset as well. Hence a ball with more than 1 -
+//! 2^-(d+1) of the points has a point of X. The work is linear.
 //!
 //! The coordinates are rounded, relative to the median and to the median distance from it. That
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.

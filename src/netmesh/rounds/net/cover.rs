@@ -1,11 +1,12 @@
 //! Which D-balls may still cover a ball with too many points.
 //!
 //! The D-ball cover theorem (Theorem 10; its proof is Theorem 43 in A.3) says more than its
-//! statement: an empty ball B is covered by at most d of the D-balls around one edge uv, those whose
-//! centres are corners of the Voronoi facet of u and v; or by at most d of the unbounded ones at one
-//! hull vertex v, which are those around the edge from v to the infinite vertex. So B holds fewer
-//! than t points if for every edge the d fullest D-balls around it have fewer than t points in sum,
-//! or all the D-balls around it in union. Balls without bound, half-spaces, are among the B.
+//! statement: an empty ball B is covered by at most d of the D-balls around one edge uv, those
+//! whose centres are corners of the Voronoi facet of u and v; or by at most d of the unbounded ones
+//! at one hull vertex v, which are those around the edge from v to the infinite vertex. So B holds
+//! fewer than t points if for every edge the d fullest D-balls around it have fewer than t points
+//! in sum, or all the D-balls around it in union. Balls without bound, half-spaces, are among the
+//! B.
 
 use crate::complex::INFINITE;
 use crate::delaunay::Delaunay;

@@ -1,17 +1,19 @@
-//! The round of the deterministic ordering: NET(1/(2d), inputs) of every conflict list, or of smaller parts
-//! where that did not halve the conflict lists. No random number is used, here or elsewhere in such a run.
+//! The round of the deterministic ordering: NET(1/(2d), inputs) of every conflict list, or of
+//! smaller parts where that did not halve the conflict lists. No random number is used, here or
+//! elsewhere in such a run.
 
 use super::greedy::Net;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
 
-/// Conflict lists with this times 1 / eps inputs or fewer give them all. That is no more than a net for eps often
-/// has, and is had for nothing.
+/// Simplices with at most this number times 1 / eps inputs give all of them. A net for eps often
+/// has as many points, and costs more.
 const EXHAUSTED: u32 = 4;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of every conflict list's inputs for eps = 2^-pass / (2 D). Small conflict lists are exhausted.
+    /// The net of every conflict list's inputs for eps = 2^-pass / (2 D). Small conflict lists are
+    /// exhausted.
     pub(in crate::netmesh) fn select_nets(&mut self, pass: u32) -> Result<Vec<u32>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;

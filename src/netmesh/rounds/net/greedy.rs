@@ -2,26 +2,28 @@
 //! ball or half-space with at least eps |P| points of P meets. Deterministic, linear time.
 //!
 //! Precisely: given D + 1 affinely independent *anchors* and a threshold t, the net N meets every
-//! ball that holds t points of P or more and no anchor. A mesh takes the vertices of P's conflict list for anchors:
-//! its D-balls never hold them. Without a mesh take points of P for anchors, as part of the net.
+//! ball that holds t points of P or more and no anchor. A mesh takes the vertices of P's conflict
+//! list for anchors: its D-balls never hold them. Without a mesh take points of P for anchors, as
+//! part of the net.
 //!
 //! **Construction.** Keep the Delaunay complex of the anchors and N, and the points of P in each of
 //! its D-balls. While some D-balls around an edge might cover a ball with t points (see `cover`),
-//! choose a point in the fullest of them: one of a set X that any ball with nearly all of its points
-//! must meet (see `center`). A point of X that is not chosen waits, and is preferred when a D-ball
-//! that holds it is full.
+//! choose a point in the fullest of them: one of a set X that any ball with nearly all of its
+//! points must meet (see `center`). A point of X that is not chosen waits, and is preferred when a
+//! D-ball that holds it is full.
 //!
-//! **The property** holds because the loop ends only when no ball can break it. It takes no rounding
-//! into account since there is none: the in-ball tests are exact.
+//! **The property** holds because the loop ends only when no ball can break it. It takes no
+//! rounding into account since there is none: the in-ball tests are exact.
 //!
-//! **Size.** Say that a *member* is the set R of points in a full D-ball when an X is computed for it.
-//! Every R has at least s = t/d points. When R' becomes a member after R, its D-ball holds no point
-//! of R's X: a chosen one is a vertex, and a waiting one would have been preferred. So R' misses at
-//! least |R| / 2^(d+1) points of R, and any two members differ in s / 2^(d+1) points or more. Balls have
-//! VC-dimension d + 1, so there are O((2^(d+1) |P| / s)^(d+1)) members (Haussler, "Sphere packing
-//! numbers for subsets of the Boolean n-cube", 1995), a constant for t = eps |P|; each X has at most
-//! 2^(d+1) points. That is a safe constant, not a small one: observed are 14 points in 2D for
-//! eps = 1/4 and 40 in 3D for eps = 1/6, since the loop stops as soon as the property holds.
+//! **Size.** Say that a *member* is the set R of points in a full D-ball when an X is computed for
+//! it. Every R has at least s = t/d points. When R' becomes a member after R, its D-ball holds no
+//! point of R's X: a chosen one is a vertex, and a waiting one would have been preferred. So R'
+//! misses at least |R| / 2^(d+1) points of R, and any two members differ in s / 2^(d+1) points or
+//! more. Balls have VC-dimension d + 1, so there are O((2^(d+1) |P| / s)^(d+1)) members (Haussler,
+//! "Sphere packing numbers for subsets of the Boolean n-cube", 1995), a constant for t = eps |P|;
+//! each X has at most 2^(d+1) points. That is a safe constant, not a small one: observed are 14
+//! points in 2D for eps = 1/4 and 40 in 3D for eps = 1/6, since the loop stops as soon as the
+//! property holds.
 //!
 //! **Time.** As the size is constant, so is the number of D-balls ever made, and each point of P is
 //! tested against each at most once: linear in |P|.
@@ -65,8 +67,8 @@ impl<const D: usize> Net<D> {
         })
     }
 
-    /// The net of `points`, as indices: every ball that holds `threshold` of them, at least one, and
-    /// no anchor holds one of the net. Points and anchors are distinct.
+    /// The net of `points`, as indices: every ball that holds `threshold` of them, at least one,
+    /// and no anchor holds one of the net. Points and anchors are distinct.
     ///
     /// # Errors
     /// `Cancelled`, `OutOfMemory`.
@@ -186,8 +188,8 @@ impl<const D: usize> Net<D> {
     }
 }
 
-/// The points of a new D-ball, from those of the two on its facet: it lies in their union, and holds
-/// what they share.
+/// The points of a new D-ball, from those of the two on its facet: it lies in their union, and
+/// holds what they share.
 fn merge(
     within: &[u32],
     beyond: &[u32],

@@ -1,6 +1,6 @@
-//! The sampled round: a few random inputs of every conflict list. One per conflict list halves the conflict lists several times
-//! over in practice, far below the generic bound on the size of a net (Theorem 3); the round
-//! verifies that it did and asks for more where it did not.
+//! The sampled round: a few random inputs of every conflict list. One per conflict list halves the
+//! conflict lists several times over in practice, far below the generic bound on the size of a net
+//! (Theorem 3); the round verifies that it did and asks for more where it did not.
 
 use crate::error::Result;
 use crate::memory::TryGrow;

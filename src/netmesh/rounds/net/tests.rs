@@ -85,9 +85,9 @@ fn subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     }
 }
 
-/// The most points in an open ball or half-space with none of `empty`, over all those that have D + 1
-/// (half-spaces: D) of all the points on their boundary. Points on the boundary that a small motion
-/// takes inside, while those of `empty` stay outside, count as inside.
+/// The most points in an open ball or half-space with none of `empty`, over all those that have D +
+/// 1 (half-spaces: D) of all the points on their boundary. Points on the boundary that a small
+/// motion takes inside, while those of `empty` stay outside, count as inside.
 fn fullest<const D: usize>(empty: &[[f64; D]], others: &[[f64; D]]) -> usize {
     let all: Vec<[f64; D]> = empty.iter().chain(others).copied().collect();
     let mut most = 0;
@@ -238,8 +238,8 @@ fn a_net_does_not_depend_on_those_before() {
     }
 }
 
-/// Every ball with more than 1 - 2^-(D+1) of the points has one of X, that is has none of them as soon
-/// as it is empty of X.
+/// Every ball with more than 1 - 2^-(D+1) of the points has one of X, that is has none of them as
+/// soon as it is empty of X.
 fn check_center<const D: usize>(count: usize) {
     for kind in KINDS {
         let points = points::<D>(kind, count);

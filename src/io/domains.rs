@@ -1,8 +1,8 @@
 //! The hierarchy of domains as JSON.
 
 use super::{allocation_failed, json};
+use crate::memory::Incidence;
 use crate::mesh::Triangulation;
-use crate::quality::incidence::Incidence;
 use std::io::{self, Write};
 
 /// A line for each domain.

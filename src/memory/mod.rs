@@ -2,11 +2,13 @@
 //! grows with the input grows through this module instead, which answers a [`AllocError`].
 
 mod array;
+mod incidence;
 mod pages;
 mod prefetch;
 
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
+pub use incidence::Incidence;
 use pages::prefer_large_pages;
 pub use prefetch::prefetch_at;
 use std::collections::{TryReserveError, VecDeque};

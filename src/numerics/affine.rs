@@ -1,7 +1,7 @@
 //! Affinely independent points among many.
 
 use super::MAX_DIM;
-use super::orientation::orientation;
+use super::orientation;
 use std::ops::Deref;
 
 /// Indices of affinely independent points among `count`, greedily: index 0, then each index whose

@@ -3,26 +3,31 @@
 //!
 //! Everything is generic in the dimension `D`, 2 to 8 (checked at compile time), and expects finite
 //! coordinates; the whole finite range counts, subnormals and 1e308 included. A simplex is a slice
-//! of `D + 1` points. Signs are exact: a filter in f64 decides nearly all of them, integers of
-//! a fixed size decide the rest, without an allocation.
+//! of `D + 1` points.
+//!
+//! ```text
+//!   orientation, in_ball, Circumball::side, affine_basis
+//!        |
+//!        v
+//!   filters   f64 with a bound of the error: decides nearly all signs in nanoseconds
+//!        |  undecided
+//!        v
+//!   exact     integers of a fixed size: decides the rest, without an allocation
+//!
+//!   lengths   distances at every scale, for callers and for filters
+//! ```
+//!
+//! What more than one group needs stands beside them: `sign`, `power` (scaling without rounding) and
+//! `laplace` (the expansion of a determinant over any ring). A group uses another one only through its
+//! front page, and `exact` uses no other group.
 
 mod affine;
-mod circumball;
-mod cramer;
-mod determinant;
-mod edges;
 mod exact;
-mod in_ball;
-mod integer;
-mod length;
-mod natural;
-mod orientation;
-mod pair;
+mod filters;
+mod laplace;
+mod lengths;
 mod power;
-mod residues;
 mod sign;
-mod solve;
-mod wide;
 
 #[cfg(test)]
 pub(crate) mod testing;
@@ -30,15 +35,13 @@ pub(crate) mod testing;
 mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
-pub use circumball::Circumball;
-pub(crate) use edges::{Column, Edges};
+pub(crate) use exact::{Column, Edges};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
-pub use in_ball::in_ball;
-pub use length::{distance, norm, shortest_distance};
-pub use orientation::{orientation, orientation_filtered};
+pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
+pub use lengths::{distance, norm, shortest_distance};
 pub use sign::Sign;
 
-/// As many dimensions as all in here know.
+/// The highest dimension.
 const MAX_DIM: usize = 8;
 
 /// The most rows or columns of a matrix.

@@ -144,7 +144,7 @@ pub fn integer(value: f64) -> IBig {
 }
 
 /// The determinant by Laplace expansion along the rows, minors remembered by columns.
-pub fn laplace(matrix: &[Vec<IBig>]) -> IBig {
+pub fn determinant_oracle(matrix: &[Vec<IBig>]) -> IBig {
     fn minor(m: &[Vec<IBig>], columns: u32, known: &mut HashMap<u32, IBig>) -> IBig {
         if columns == 0 {
             return IBig::ONE;
@@ -179,7 +179,7 @@ pub fn orientation_oracle<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     let row = |p: &&[f64; D]| {
         std::iter::once(IBig::ONE).chain(p.iter().map(|x| integer(*x))).collect::<Vec<_>>()
     };
-    sign(laplace(&simplex.iter().map(row).collect::<Vec<_>>()))
+    sign(determinant_oracle(&simplex.iter().map(row).collect::<Vec<_>>()))
 }
 
 /// The side of the sphere by the lifted homogeneous matrix with rows (1, p, |p|^2).
@@ -190,7 +190,7 @@ pub fn in_ball_oracle<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Si
         std::iter::once(IBig::ONE).chain(p).chain([square]).collect::<Vec<_>>()
     };
     // A point of the ball is below the lifted hyperplane.
-    sign(laplace(&simplex.iter().chain([&q]).map(row).collect::<Vec<_>>())).flip()
+    sign(determinant_oracle(&simplex.iter().chain([&q]).map(row).collect::<Vec<_>>())).flip()
 }
 
 /// The circumcentre relative to `points[anchor]` by Cramer's rule: numerators and the common
@@ -209,9 +209,9 @@ pub fn circumcenter_oracle<const D: usize>(
     let numerators = std::array::from_fn(|i| {
         let mut replaced = rows.clone();
         replaced.iter_mut().zip(&squares).for_each(|(row, square)| row[i] = square.clone());
-        laplace(&replaced)
+        determinant_oracle(&replaced)
     });
-    (numerators, laplace(&rows) * 2)
+    (numerators, determinant_oracle(&rows) * 2)
 }
 
 /// Whether |value * 2^exponent - numerator / denominator| is at most `bound * 2^exponent`, with the

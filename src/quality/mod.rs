@@ -4,7 +4,6 @@
 pub(crate) mod angles;
 pub(crate) mod cells;
 pub(crate) mod corner;
-pub(crate) mod incidence;
 pub(crate) mod length;
 pub(crate) mod rational;
 pub(crate) mod tree;

@@ -1,6 +1,6 @@
 //! The domain hierarchy (§4) as a tree that answers "does this domain hold that one" at once.
 
-use crate::memory::{AllocResult, collected, copied, filled};
+use crate::memory::{AllocResult, Incidence, collected, filled};
 use crate::mesh::{Domain, NONE};
 
 /// Nested intervals of a walk over the tree of domains; child lists.
@@ -8,8 +8,7 @@ pub(crate) struct DomainTree {
     parents: Vec<u32>,
     enter: Vec<u32>,
     leave: Vec<u32>,
-    child_start: Vec<u32>,
-    children: Vec<u32>,
+    children: Incidence,
 }
 
 impl DomainTree {
@@ -20,28 +19,21 @@ impl DomainTree {
         }
         let parents = collected(domains.iter().map(|domain| domain.parent))?;
         let mut sizes = filled(parents.len(), 1u32)?;
-        let mut child_start = filled(parents.len() + 1, 0u32)?;
         for i in (1..parents.len()).rev() {
             sizes[parents[i] as usize] += sizes[i];
-            child_start[parents[i] as usize + 1] += 1;
         }
-        for i in 1..child_start.len() {
-            child_start[i] += child_start[i - 1];
-        }
-        let mut children = filled(parents.len() - 1, NONE)?;
-        let mut placed = copied(&child_start)?;
+        // The root's parent is no domain: it is in no list.
+        let children = Incidence::new(parents.len(), || parents.iter().copied().zip(0u32..))?;
         let mut enter = filled(parents.len(), 0u32)?;
         let mut next = filled(parents.len(), 1u32)?;
         for i in 1..parents.len() {
             let parent = parents[i] as usize;
-            children[placed[parent] as usize] = i as u32;
-            placed[parent] += 1;
             enter[i] = next[parent];
             next[parent] += sizes[i];
             next[i] = enter[i] + 1;
         }
         let leave = collected(enter.iter().zip(&sizes).map(|(enter, size)| enter + size))?;
-        Ok(Some(Self { parents, enter, leave, child_start, children }))
+        Ok(Some(Self { parents, enter, leave, children }))
     }
 
     /// Whether `domain` is `ancestor` or below it.
@@ -56,8 +48,7 @@ impl DomainTree {
     }
 
     pub fn children(&self, domain: u32) -> &[u32] {
-        let domain = domain as usize;
-        &self.children[self.child_start[domain] as usize..self.child_start[domain + 1] as usize]
+        self.children.of(domain as usize)
     }
 }
 

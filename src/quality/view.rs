@@ -1,7 +1,6 @@
 //! A [`Triangulation`] read with its dimension as a type.
 
-use super::incidence::Incidence;
-use crate::memory::{AllocResult, filled};
+use crate::memory::{AllocResult, Incidence, filled};
 use crate::mesh::{MAX_DIM, NONE, Triangulation};
 
 #[derive(Clone, Copy)]

@@ -16,11 +16,12 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Hierarchical(Distribution::Uniform),
         Self::Hierarchical(Distribution::Gaussian),
         Self::Hierarchical(Distribution::Clusters),
         Self::Hierarchical(Distribution::Sphere),
+        Self::Hierarchical(Distribution::Lattice),
         Self::Finished,
         Self::Delaunay,
     ];
@@ -31,6 +32,7 @@ impl Kind {
             Self::Hierarchical(Distribution::Gaussian) => "gaussian",
             Self::Hierarchical(Distribution::Clusters) => "clusters",
             Self::Hierarchical(Distribution::Sphere) => "sphere",
+            Self::Hierarchical(Distribution::Lattice) => "lattice",
             Self::Finished => "finished",
             Self::Delaunay => "delaunay",
         }

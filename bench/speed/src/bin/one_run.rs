@@ -1,7 +1,7 @@
 //! Makes the points of one case and meshes them once, for a tool that counts what a process does;
 //! prints the number of vertices. bench/instructions.sh runs it under callgrind.
 //!
-//!     one_run <dim> <n> <uniform | gaussian | clusters | sphere | finished | delaunay>
+//!     one_run <dim> <n> <uniform | gaussian | clusters | sphere | lattice | finished | delaunay>
 
 use netmesh_speed::cases::{Case, Kind};
 use std::process::ExitCode;

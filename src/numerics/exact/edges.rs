@@ -5,16 +5,19 @@
 //! is rounded, and no memory grows with the numbers.
 
 use super::integer::{Integer, primes_for};
-use super::power::{bits_of, decompose, unit_and_span};
 use super::residues::Field;
-use super::sign::Sign;
-use super::{MAX_DIM, MAX_SIZE};
+use crate::numerics::power::{bits_of, decompose, unit_and_span};
+use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
+use std::ops::Neg;
 
-/// Folds of the largest coordinate in units of the smallest, 2^2098, and one.
-const MAX_FOLDS: usize = 2098 / 63 + 1;
+/// Limbs of 63 bits of the largest coordinate in units of the smallest, 2^2098, and one.
+const MAX_LIMBS: usize = 2098 / 63 + 1;
 
-/// Residues; those beyond the size of the matrix are zero.
-type Matrix = [[u64; MAX_SIZE]; MAX_SIZE];
+/// A matrix of residues, each beside its negative; those beyond the size of the matrix are zero.
+struct Residues {
+    field: Field,
+    rows: [[[u64; 2]; MAX_SIZE]; MAX_SIZE],
+}
 
 type Minors = [u64; 1 << MAX_SIZE];
 
@@ -34,7 +37,7 @@ pub(crate) struct Edges<const D: usize> {
     /// Every component of an edge is less than 2^`bits` in magnitude.
     bits: usize,
     /// Of the largest coordinate.
-    folds: usize,
+    limbs: usize,
 }
 
 /// A column of a matrix with a row for each edge.
@@ -49,16 +52,16 @@ pub(crate) enum Column {
     Ones,
 }
 
-/// `mantissa * 2^(63 folds + shift)` with `shift` < 63.
+/// `mantissa * 2^(63 limbs + shift)` with `shift` < 63.
 #[derive(Clone, Copy)]
 struct Coordinate {
     mantissa: i64,
-    folds: u32,
+    limbs: u32,
     shift: u32,
 }
 
 impl Coordinate {
-    const ZERO: Self = Self { mantissa: 0, folds: 0, shift: 0 };
+    const ZERO: Self = Self { mantissa: 0, limbs: 0, shift: 0 };
 
     /// `value / 2^unit`.
     fn new(value: f64, unit: i32) -> Self {
@@ -67,13 +70,13 @@ impl Coordinate {
         }
         let (mantissa, exponent) = decompose(value);
         let shift = (exponent - unit) as u32;
-        Self { mantissa, folds: shift / 63, shift: shift % 63 }
+        Self { mantissa, limbs: shift / 63, shift: shift % 63 }
     }
 
-    fn residue(self, field: Field, powers: &[u64; MAX_FOLDS]) -> u64 {
+    fn residue(self, field: Field, powers: &[u64; MAX_LIMBS]) -> u64 {
         // Less than 2^53 times 2^62.
         let low = field.reduce(u128::from(self.mantissa.unsigned_abs()) << self.shift);
-        let value = field.multiply(low, powers[self.folds as usize]);
+        let value = field.multiply(low, powers[self.limbs as usize]);
         if self.mantissa < 0 { field.subtract(0, value) } else { value }
     }
 }
@@ -90,7 +93,7 @@ impl<const D: usize> Edges<D> {
             unit,
             // A difference is less than twice the larger of two.
             bits: span + 1,
-            folds: span / 63,
+            limbs: span / 63,
         };
         for p in ends {
             edges.ends[edges.count] = scaled(p);
@@ -155,10 +158,12 @@ impl<const D: usize> Edges<D> {
 
     /// Calls `take` with the residues of the minors for each of the first fields.
     fn minors(&self, columns: &[Column], primes: usize, mut take: impl FnMut(&Minors)) {
+        // There are no minors of more columns than rows: the set of all columns may be one.
+        let end = (1 << columns.len()) - usize::from(columns.len() > self.count);
         let mut minors = [0; 1 << MAX_SIZE];
         for field in (0..primes).map(Field::nth) {
             let matrix = self.matrix(field, columns);
-            expand(field, &matrix, self.count, columns.len(), &mut minors);
+            laplace::expand(&matrix, end, &mut minors);
             take(&minors);
         }
     }
@@ -176,50 +181,61 @@ impl<const D: usize> Edges<D> {
         entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
     }
 
-    fn matrix(&self, field: Field, columns: &[Column]) -> Matrix {
-        let mut powers = [1; MAX_FOLDS];
-        for k in 1..=self.folds {
-            powers[k] = field.multiply(powers[k - 1], field.fold_unit());
+    fn matrix(&self, field: Field, columns: &[Column]) -> Residues {
+        let mut powers = [1; MAX_LIMBS];
+        for k in 1..=self.limbs {
+            powers[k] = field.multiply(powers[k - 1], field.limb_unit());
         }
         let residues = |p: &[Coordinate; D]| p.map(|x| x.residue(field, &powers));
         let origin = residues(&self.origin);
-        let mut matrix = [[0; MAX_SIZE]; MAX_SIZE];
+        let mut rows = [[[0; 2]; MAX_SIZE]; MAX_SIZE];
         for (i, end) in self.ends[..self.count].iter().enumerate() {
             let end = residues(end);
             let edge: [u64; D] = std::array::from_fn(|k| field.subtract(end[k], origin[k]));
-            for (entry, column) in matrix[i].iter_mut().zip(columns) {
-                *entry = match *column {
+            for (entry, column) in rows[i].iter_mut().zip(columns) {
+                let residue = match *column {
                     Column::Component(k) => edge[k],
                     Column::Square => field.sum_of_products(edge.into_iter().zip(edge)),
                     Column::Unit(row) => u64::from(row == i),
                     Column::Ones => 1,
                 };
+                *entry = [residue, field.subtract(0, residue)];
             }
         }
-        matrix
+        Residues { field, rows }
     }
 }
 
-/// The residues of minors, by Laplace expansion over all sets of columns: entry s becomes the minor
-/// of the first |s| rows and the columns in s. O(2^n n) products for n columns, no division.
-fn expand(field: Field, matrix: &Matrix, rows: usize, columns: usize, minors: &mut Minors) {
-    let negated = matrix.map(|row| row.map(|x| field.subtract(0, x)));
-    minors[0] = 1;
-    for set in 1..1usize << columns {
-        let row = set.count_ones() as usize - 1;
-        if row == rows {
-            break; // all columns of a matrix with one more than rows
-        }
-        // Columns from the highest: expansion along the last row, signs alternate from plus.
-        let (mut rest, mut signed, mut other) = (set, &matrix[row], &negated[row]);
-        let products = std::iter::from_fn(|| {
-            let column = rest.checked_ilog2()? as usize;
-            rest ^= 1 << column;
-            let entry = signed[column];
-            (signed, other) = (other, signed);
-            Some((entry, minors[set ^ (1 << column)]))
-        });
-        minors[set] = field.sum_of_products(products);
+impl laplace::Matrix for Residues {
+    type Minor = u64;
+    type Sum = u128;
+    type Sign = Side;
+    const ONE: u64 = 1;
+    const PLUS: Side = Side(0);
+    const ZERO: u128 = 0;
+
+    #[inline(always)]
+    fn add(&self, sum: &mut u128, row: usize, column: usize, side: Side, minor: u64) {
+        let entry = self.rows[row][column][side.0 & 1];
+        *sum += self.field.folded_product(entry, minor);
+    }
+
+    #[inline(always)]
+    fn minor(&self, sum: u128) -> u64 {
+        self.field.reduce(sum)
+    }
+}
+
+/// Which of a residue and its negative.
+#[derive(Clone, Copy)]
+struct Side(usize);
+
+impl Neg for Side {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0 ^ 1)
     }
 }
 
@@ -270,12 +286,15 @@ mod tests {
 
     #[test]
     fn minors_are_those_of_the_first_rows() {
-        let mut matrix = [[0; MAX_SIZE]; MAX_SIZE];
-        (matrix[0][0], matrix[0][1], matrix[0][2]) = (1, 2, 3);
-        (matrix[1][0], matrix[1][1], matrix[1][2]) = (4, 5, 7);
         let field = Field::nth(0);
+        let mut rows = [[[0; 2]; MAX_SIZE]; MAX_SIZE];
+        for (row, residues) in rows.iter_mut().zip([[1, 2, 3], [4, 5, 7]]) {
+            for (entry, residue) in row.iter_mut().zip(residues) {
+                *entry = [residue, field.prime() - residue];
+            }
+        }
         let mut minors = [0; 1 << MAX_SIZE];
-        expand(field, &matrix, 2, 3, &mut minors);
+        laplace::expand(&Residues { field, rows }, 7, &mut minors);
         let negative = |x: u64| field.prime() - x;
         // By sets of columns: none, {0}, {1}, {0, 1}, {2}, {0, 2}, {1, 2}.
         assert_eq!(minors[..7], [1, 1, 2, negative(3), 3, negative(5), negative(1)]);
@@ -321,7 +340,7 @@ mod tests {
                         (0..D).map(|k| integer(points[i][k]) - integer(points[0][k])).collect()
                     })
                     .collect();
-                let determinant = laplace(&rows);
+                let determinant = determinant_oracle(&rows);
                 let row = trial % (D + 1);
                 let right = if row < D { Column::Unit(row) } else { Column::Ones };
                 let Some(solution) = edges.solve(right) else {
@@ -336,7 +355,8 @@ mod tests {
                     // The edges here are in units of 2^-1074 and the solution in their inverse.
                     let shift = exponent - i64::from(edges.unit) - 1074;
                     let (up, down) = ((-shift).max(0) as usize, shift.max(0) as usize);
-                    let quotient = (&(laplace(&replaced) << (1074 + up)), &(&determinant << down));
+                    let quotient =
+                        (&(determinant_oracle(&replaced) << (1074 + up)), &(&determinant << down));
                     assert!(is_close(mantissa, f64::EPSILON, 0, quotient), "{points:?} {row}");
                 }
             }

@@ -1,12 +1,12 @@
 //! The circumball of a simplex with a rigorous error bound: the filter of all conflict tests.
 
-use super::MAX_DIM;
 use super::cramer::{self, MAX_CRAMER, square};
-use super::exact::circumcenter_exact;
-use super::length::{largest_magnitude, norm};
-use super::pair::{Pair, Real};
-use super::power::{TINY, UNIT, biased_exponent, power_of_two, scale_by_power};
+use super::f64x2::{F64x2, Real};
 use super::solve::solve;
+use crate::numerics::MAX_DIM;
+use crate::numerics::exact::circumcenter_exact;
+use crate::numerics::lengths::{largest_magnitude, norm};
+use crate::numerics::power::{TINY, UNIT, biased_exponent, power_of_two, scale_by_power};
 use std::ops::RangeInclusive;
 
 #[cfg(test)]
@@ -36,7 +36,7 @@ const PLAIN: i16 = -1;
 
 /// Exponents of centres with the unit 2^[`PLAIN`]: their errors, 2^-51 to 2^-29 of them, are normal
 /// numbers of single precision.
-const REACH: RangeInclusive<i32> = -70..=100;
+const PLAIN_EXPONENTS: RangeInclusive<i32> = -70..=100;
 
 /// How many times smaller than a box with its edges a simplex may be at its first vertex, for this
 /// to be the anchor: a loss of as many bits for points near another vertex.
@@ -65,11 +65,11 @@ impl<const D: usize> Circumball<D> {
         Self::of(|i| points[i])
     }
 
-    /// The same of the points `corner(0)` to `corner(D)`.
+    /// The same of the points `vertex(0)` to `vertex(D)`.
     #[inline(always)]
-    pub fn of<'a>(corner: impl Fn(usize) -> &'a [f64; D]) -> Self {
+    pub fn of<'a>(vertex: impl Fn(usize) -> &'a [f64; D]) -> Self {
         const { assert!(D >= 2 && D <= MAX_DIM) };
-        Self::by_cramer(&corner, 0, FLAT).unwrap_or_else(|| Self::with_care(&corner))
+        Self::by_cramer(&vertex, 0, FLAT).unwrap_or_else(|| Self::with_care(&vertex))
     }
 
     /// The circumballs of two simplices, for less than twice the price, if the size and the shape of both
@@ -82,14 +82,14 @@ impl<const D: usize> Circumball<D> {
         if D > MAX_CRAMER {
             return None;
         }
-        let both = |i: usize, k: usize| Pair::new(first(i)[k], second(i)[k]);
-        let origin: [Pair; D] = std::array::from_fn(|k| both(0, k));
+        let both = |i: usize, k: usize| F64x2::new(first(i)[k], second(i)[k]);
+        let origin: [F64x2; D] = std::array::from_fn(|k| both(0, k));
         let edge = |r| std::array::from_fn(|k| both(r + 1, k) - origin[k]);
         let centers = cramer::circumcenter(&std::array::from_fn(edge));
         if !centers.is_usable(FLAT) || !is_ordinary(centers.diameter) {
             return None;
         }
-        let error = (centers.error + Pair::of(side_units(D)) * centers.diameter).get();
+        let error = (centers.error + F64x2::of(side_units(D)) * centers.diameter).get();
         let [first, second] = std::array::from_fn(|lane| Self {
             center: centers.twice.map(|x| x.get()[lane]),
             anchor: 0,
@@ -102,14 +102,14 @@ impl<const D: usize> Circumball<D> {
     /// dimension [`MAX_CRAMER`].
     #[inline(always)]
     fn by_cramer<'a>(
-        corner: &impl Fn(usize) -> &'a [f64; D],
+        vertex: &impl Fn(usize) -> &'a [f64; D],
         anchor: usize,
         flatness: f64,
     ) -> Option<Self> {
         if D > MAX_CRAMER {
             return None;
         }
-        let center = cramer::circumcenter(&edges(corner, anchor));
+        let center = cramer::circumcenter(&edges(vertex, anchor));
         if !center.is_usable(flatness) || !is_ordinary(center.diameter) {
             return None;
         }
@@ -119,8 +119,8 @@ impl<const D: usize> Circumball<D> {
 
     #[cold]
     #[inline(never)]
-    fn with_care<'a>(corner: &impl Fn(usize) -> &'a [f64; D]) -> Self {
-        let points: [_; MAX_DIM + 1] = std::array::from_fn(|i| corner(i.min(D)));
+    fn with_care<'a>(vertex: &impl Fn(usize) -> &'a [f64; D]) -> Self {
+        let points: [_; MAX_DIM + 1] = std::array::from_fn(|i| vertex(i.min(D)));
         Self::relative_to_shortest_edge(&points[..D + 1])
     }
 
@@ -182,7 +182,7 @@ impl<const D: usize> Circumball<D> {
     /// The ball with the centre `half` * 2^k, every component known up to `error` * 2^k, for |k| < 1000
     /// and no component of `half` beyond 2^32.
     fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64) -> Self {
-        let shift = if REACH.contains(&k) { k } else { 0 };
+        let shift = if PLAIN_EXPONENTS.contains(&k) { k } else { 0 };
         let factor = 2.0 * power_of_two(shift);
         let center = half.map(|x| x * factor);
         let error = error * factor + side_units(D) * norm(&center);
@@ -204,7 +204,7 @@ impl<const D: usize> Circumball<D> {
     }
 
     /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
-    /// circumradius is about 2^-70 to 2^100 ([`REACH`]): `center` is then twice the centre in real units.
+    /// circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]): `center` is then twice the centre in real units.
     #[inline]
     pub fn exponent(&self) -> i16 {
         self.precision.exponent()
@@ -307,7 +307,8 @@ impl<const D: usize> Circumball<D> {
 }
 
 /// Diameters of balls with the unit 2^[`PLAIN`].
-const ORDINARY: RangeInclusive<f64> = power_of_two(*REACH.start())..=power_of_two(*REACH.end());
+const ORDINARY: RangeInclusive<f64> =
+    power_of_two(*PLAIN_EXPONENTS.start())..=power_of_two(*PLAIN_EXPONENTS.end());
 
 #[inline(always)]
 fn is_ordinary<R: Real>(diameter: R) -> bool {
@@ -368,12 +369,12 @@ impl Precision {
 /// The edges from the anchor to the other vertices.
 #[inline(always)]
 fn edges<'a, const D: usize>(
-    corner: &impl Fn(usize) -> &'a [f64; D],
+    vertex: &impl Fn(usize) -> &'a [f64; D],
     anchor: usize,
 ) -> [[f64; D]; D] {
-    let origin = corner(anchor);
+    let origin = vertex(anchor);
     std::array::from_fn(|r| {
-        let end = corner(r + usize::from(r >= anchor));
+        let end = vertex(r + usize::from(r >= anchor));
         std::array::from_fn(|i| end[i] - origin[i])
     })
 }

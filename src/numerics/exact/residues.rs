@@ -46,8 +46,8 @@ static INVERSES: [u64; Field::COUNT] = {
     inverses
 };
 
-/// The integers modulo a prime 2^63 - c, as 0 to prime - 1. With c < 2^14 a reduction is two folds:
-/// 2^63 is c there.
+/// The integers modulo a prime 2^63 - c, as 0 to prime - 1. With c < 2^14 a reduction folds
+/// twice: 2^63 is c there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Field {
     index: usize,
@@ -105,16 +105,20 @@ impl Field {
     }
 
     /// The residue of 2^63.
-    pub const fn fold_unit(self) -> u64 {
+    pub const fn limb_unit(self) -> u64 {
         self.offset
+    }
+
+    /// Less than 2^78, with the residue of a product of residues: a sum of 2^16 can be reduced.
+    #[inline]
+    pub fn folded_product(self, a: u64, b: u64) -> u128 {
+        self.fold(u128::from(a) * u128::from(b))
     }
 
     /// The residue of a sum of at most 2^16 products of residues.
     #[inline]
     pub fn sum_of_products(self, factors: impl Iterator<Item = (u64, u64)>) -> u64 {
-        // Each product is folded to less than 2^78.
-        let products = factors.map(|(a, b)| self.fold(u128::from(a) * u128::from(b)));
-        self.reduce(products.sum())
+        self.reduce(factors.map(|(a, b)| self.folded_product(a, b)).sum())
     }
 
     /// The residue of an earlier field's prime: small.
@@ -195,7 +199,7 @@ mod tests {
                     assert_eq!(u128::from(field.multiply(a, b)), product);
                 }
             }
-            assert_eq!(u128::from(field.fold_unit()), (1 << 63) % prime);
+            assert_eq!(u128::from(field.limb_unit()), (1 << 63) % prime);
             let most = std::iter::repeat_n((field.prime() - 1, field.prime() - 1), 1 << 16);
             assert_eq!(field.sum_of_products(most), 1 << 16);
         }

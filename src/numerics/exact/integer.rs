@@ -2,9 +2,9 @@
 //! Number System", 1959), which tell the sign and the value.
 
 use super::natural::{Natural, quotient};
-use super::power::{biased_exponent, scale_by_power};
 use super::residues::Field;
-use super::sign::Sign;
+use crate::numerics::Sign;
+use crate::numerics::power::{biased_exponent, scale_by_power};
 
 /// An integer x as the digits of x or, if it is negative, of x + M: M is the product of the first
 /// `count` primes, digit k counts the product of the k primes before and is less than prime k.

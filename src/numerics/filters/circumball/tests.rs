@@ -6,12 +6,12 @@ use crate::numerics::{Sign, in_ball, orientation};
 
 /// A positively oriented simplex of the family, if this draw is not flat.
 fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f64; D]>> {
-    let mut corners = points::<D>(family, D + 1, random);
-    match orientation(&references(&corners)) {
-        Sign::Positive => Some(corners),
+    let mut vertices = points::<D>(family, D + 1, random);
+    match orientation(&references(&vertices)) {
+        Sign::Positive => Some(vertices),
         Sign::Negative => {
-            corners.swap(0, 1);
-            Some(corners)
+            vertices.swap(0, 1);
+            Some(vertices)
         }
         Sign::Zero => None,
     }
@@ -20,17 +20,17 @@ fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f
 /// Query points: of the family, a vertex moved by a few ulps, and a point almost on the sphere.
 fn queries<const D: usize>(
     family: Family,
-    corners: &[[f64; D]],
+    vertices: &[[f64; D]],
     center: &[f64; D],
     random: &mut Random,
 ) -> Vec<[f64; D]> {
     let mut queries = points::<D>(family, 3, random);
-    let corner = corners[random.integer(0, D as i64) as usize];
-    queries.push(corner.map(|x| f64::from_bits(x.to_bits() ^ random.bits() & 3)));
-    queries.push(corner.map(|x| x * (1.0 + random.unit() * 1e-9)));
+    let vertex = vertices[random.integer(0, D as i64) as usize];
+    queries.push(vertex.map(|x| f64::from_bits(x.to_bits() ^ random.bits() & 3)));
+    queries.push(vertex.map(|x| x * (1.0 + random.unit() * 1e-9)));
     let turn = random.integer(0, D as i64 - 1) as usize;
     queries.push(std::array::from_fn(|i| {
-        if i == turn { center[i] - (corner[i] - center[i]) } else { corner[i] }
+        if i == turn { center[i] - (vertex[i] - center[i]) } else { vertex[i] }
     }));
     queries.retain(|q| q.iter().all(|x| x.is_finite()));
     queries
@@ -42,16 +42,16 @@ fn decisions<const D: usize>(family: Family, trials: usize) -> (usize, usize) {
     let mut random = Random(family as u64 * 1000 + D as u64);
     let (mut tested, mut decided) = (0, 0);
     for _ in 0..trials {
-        let Some(corners) = simplex::<D>(family, &mut random) else { continue };
-        let simplex = references(&corners);
+        let Some(vertices) = simplex::<D>(family, &mut random) else { continue };
+        let simplex = references(&vertices);
         let ball = Circumball::new(&simplex);
-        let anchor = &corners[ball.anchor as usize];
-        for q in queries(family, &corners, &ball.center_point(anchor), &mut random) {
+        let anchor = &vertices[ball.anchor as usize];
+        for q in queries(family, &vertices, &ball.center_point(anchor), &mut random) {
             tested += 1;
             let Some(inside) = ball.side(anchor, &q) else { continue };
             decided += 1;
             let expected = if inside { Sign::Positive } else { Sign::Negative };
-            assert_eq!(in_ball(&simplex, &q), expected, "{family:?} {corners:?} {q:?} {ball:?}");
+            assert_eq!(in_ball(&simplex, &q), expected, "{family:?} {vertices:?} {q:?} {ball:?}");
         }
     }
     (tested, decided)
@@ -99,8 +99,8 @@ fn error_bounds_hold<const D: usize>(trials: usize) {
     for family in FAMILIES {
         let mut random = Random(family as u64 * 1000 + 500 + D as u64);
         for _ in 0..trials {
-            let Some(corners) = simplex::<D>(family, &mut random) else { continue };
-            let simplex = references(&corners);
+            let Some(vertices) = simplex::<D>(family, &mut random) else { continue };
+            let simplex = references(&vertices);
             let ball = Circumball::new(&simplex);
             if ball.error() == f64::INFINITY {
                 assert_eq!(ball.radius(), f64::INFINITY);
@@ -114,7 +114,7 @@ fn error_bounds_hold<const D: usize>(trials: usize) {
             for (value, numerator) in ball.center.iter().zip(&numerators) {
                 let quotient = (numerator, &denominator);
                 let close = is_close(*value, ball.error() - for_side, exponent, quotient);
-                assert!(close, "{family:?} {corners:?} {ball:?}");
+                assert!(close, "{family:?} {vertices:?} {ball:?}");
             }
             let length = scale_by_power(norm(&ball.center), exponent);
             let difference = (ball.radius() - length).abs();
@@ -154,9 +154,9 @@ fn generic_simplices_need_no_integers() {
     fn check<const D: usize>() {
         let mut random = Random(D as u64);
         for _ in 0..100 {
-            let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+            let vertices = points::<D>(Family::Uniform, D + 1, &mut random);
             for scale in [1.0, 2f64.powi(-600), 2f64.powi(600)] {
-                let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+                let scaled: Vec<_> = vertices.iter().map(|p| p.map(|x| x * scale)).collect();
                 let simplex = references(&scaled);
                 assert!((0..=D).all(|anchor| Circumball::in_floats(&simplex, anchor).is_some()));
             }
@@ -207,17 +207,17 @@ fn well_shaped_simplices_are_solved_at_once() {
         let mut random = Random(40 + D as u64);
         for trial in 0..100 {
             let scale = 2f64.powi(random.integer(-60, 60) as i32);
-            let corners: Vec<[f64; D]> = (0..=D)
+            let vertices: Vec<[f64; D]> = (0..=D)
                 .map(|i| {
                     std::array::from_fn(|k| {
                         scale * (f64::from(u8::from(i == k)) + 0.1 * random.unit())
                     })
                 })
                 .collect();
-            let ball = Circumball::new(&references(&corners));
+            let ball = Circumball::new(&references(&vertices));
             assert_eq!((ball.anchor, ball.exponent()), (0, PLAIN), "{trial}");
             assert!(ball.error() < 3000.0 * UNIT * ball.radius());
-            assert!(Circumball::by_cramer(&|i| &corners[i], 0, 0.5).is_none());
+            assert!(Circumball::by_cramer(&|i| &vertices[i], 0, 0.5).is_none());
         }
     }
     check::<2>();
@@ -237,20 +237,20 @@ fn huge_balls_tell_the_points_of_a_tiny_cluster_apart() {
                 let tiny = 2f64.powi(-depth);
                 let mut near = || -> [f64; D] { std::array::from_fn(|_| tiny * random.unit()) };
                 let (a, b, queries) = (near(), near(), [near(), near(), near()]);
-                let mut corners = points::<D>(Family::Uniform, D + 1, &mut random);
-                (corners[D - 1], corners[D]) = (a, b);
-                match orientation(&references(&corners)) {
-                    Sign::Negative => corners.swap(D - 1, D),
+                let mut vertices = points::<D>(Family::Uniform, D + 1, &mut random);
+                (vertices[D - 1], vertices[D]) = (a, b);
+                match orientation(&references(&vertices)) {
+                    Sign::Negative => vertices.swap(D - 1, D),
                     Sign::Zero => continue,
                     Sign::Positive => {}
                 }
-                let simplex = references(&corners);
+                let simplex = references(&vertices);
                 let ball = Circumball::new(&simplex);
                 let anchor = ball.anchor as usize;
                 assert!(depth < 20 || anchor >= D - 1, "{ball:?}");
                 for q in queries {
                     tested += 1;
-                    let Some(inside) = ball.side(&corners[anchor], &q) else { continue };
+                    let Some(inside) = ball.side(&vertices[anchor], &q) else { continue };
                     decided += 1;
                     assert_eq!(inside, in_ball(&simplex, &q) == Sign::Positive);
                 }
@@ -267,10 +267,10 @@ fn huge_balls_tell_the_points_of_a_tiny_cluster_apart() {
 /// Balls of the same shape on both sides of the limits where scaling begins decide alike.
 #[test]
 fn scaled_balls_decide_like_plain_ones() {
-    let corners = [[0.0, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, 1.0]];
+    let vertices = [[0.0, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, 0.5], [0.25, 0.0, 1.0]];
     for exponent in [-700, -92, -88, -74, -66, 0, 88, 92, 96, 104, 400] {
         let scale = 2f64.powi(exponent);
-        let scaled = corners.map(|p| p.map(|x| x * scale));
+        let scaled = vertices.map(|p| p.map(|x| x * scale));
         let ball = Circumball::new(&references(&scaled));
         assert_eq!(ball.exponent() == PLAIN, (-70..100).contains(&exponent), "{exponent}");
         let anchor = &scaled[ball.anchor as usize];
@@ -278,7 +278,7 @@ fn scaled_balls_decide_like_plain_ones() {
         assert_eq!(side([0.5, 0.5, 0.5]), Some(true));
         assert_eq!(side([1.5, 1.5, -1.0]), Some(false));
         assert_eq!(side([-1e9, 0.0, 0.0]), Some(false));
-        assert_eq!(corners.map(side), [None; 4]);
+        assert_eq!(vertices.map(side), [None; 4]);
     }
 }
 
@@ -287,15 +287,15 @@ fn the_anchor_is_on_the_shortest_edge() {
     fn check<const D: usize>() {
         let mut random = Random(D as u64);
         for _ in 0..200 {
-            let corners = points::<D>(Family::Uniform, D + 1, &mut random);
+            let vertices = points::<D>(Family::Uniform, D + 1, &mut random);
             let length = |i: usize, j: usize| -> f64 {
-                (0..D).map(|k| (corners[i][k] - corners[j][k]).abs()).sum()
+                (0..D).map(|k| (vertices[i][k] - vertices[j][k]).abs()).sum()
             };
             let edges = (0..D).flat_map(|i| (i + 1..=D).map(move |j| (i, j)));
             let shortest = edges.min_by(|a, b| length(a.0, a.1).total_cmp(&length(b.0, b.1)));
-            let tiny: Vec<_> = corners.iter().map(|p| p.map(|x| x * 2f64.powi(-600))).collect();
-            for corners in [&corners, &tiny] {
-                assert_eq!(shortest_edge(&references(corners)), shortest.expect("edges").0);
+            let tiny: Vec<_> = vertices.iter().map(|p| p.map(|x| x * 2f64.powi(-600))).collect();
+            for vertices in [&vertices, &tiny] {
+                assert_eq!(shortest_edge(&references(vertices)), shortest.expect("edges").0);
             }
         }
     }
@@ -309,9 +309,9 @@ fn scales_are_clamped_and_radii_limited() {
     let mut random = Random(3);
     for exponent in [-1015, -1005, -995, 995, 1005, 1015] {
         let scale = 2f64.powi(exponent);
-        let corners = points::<2>(Family::Uniform, 3, &mut random);
-        let unscaled = Circumball::new(&references(&corners));
-        let scaled: Vec<_> = corners.iter().map(|p| p.map(|x| x * scale)).collect();
+        let vertices = points::<2>(Family::Uniform, 3, &mut random);
+        let unscaled = Circumball::new(&references(&vertices));
+        let scaled: Vec<_> = vertices.iter().map(|p| p.map(|x| x * scale)).collect();
         let ball = Circumball::new(&references(&scaled));
         assert!((-1000..=1000).contains(&ball.exponent()));
         let expected = unscaled.radius() * scale;
@@ -375,19 +375,19 @@ fn powers_are_those_of_the_real_ball() {
         for _ in 0..200 {
             let mut point =
                 || -> [f64; 3] { std::array::from_fn(|_| random.integer(-50, 50) as f64 * scale) };
-            let corners = [point(), point(), point(), point()];
-            let (q, ball) = (point(), Circumball::new(&references(&corners)));
+            let vertices = [point(), point(), point(), point()];
+            let (q, ball) = (point(), Circumball::new(&references(&vertices)));
             if ball.radius() >= 200.0 * scale {
                 continue;
             }
-            let anchor = &corners[ball.anchor as usize];
+            let anchor = &vertices[ball.anchor as usize];
             let center = ball.center_point(anchor);
             let squares = |x: &[f64; 3]| -> f64 {
                 x.iter().zip(&center).map(|(x, c)| (x - c) / scale * ((x - c) / scale)).sum()
             };
             let expected = squares(&q) - squares(anchor);
             let difference = ball.power(anchor, &q) / scale / scale - expected;
-            assert!(difference.abs() < 1e-8, "{corners:?} {q:?}: off by {difference}");
+            assert!(difference.abs() < 1e-8, "{vertices:?} {q:?}: off by {difference}");
             tested += 1;
         }
         assert!(tested > 100, "{tested}");
@@ -402,7 +402,7 @@ fn pairs_are_single_balls<const D: usize>() {
         for _ in 0..300 {
             let mut draw = || points::<D>(family, D + 1, &mut random);
             let (first, second) = (draw(), draw());
-            let one = |corners: &[[f64; D]]| Circumball::by_cramer(&|i| &corners[i], 0, FLAT);
+            let one = |vertices: &[[f64; D]]| Circumball::by_cramer(&|i| &vertices[i], 0, FLAT);
             let expected = one(&first).zip(one(&second)).map(|(first, second)| [first, second]);
             let pair = Circumball::ordinary_pair(|i| &first[i], |i| &second[i]);
             assert_eq!(pair, expected, "{family:?} {first:?} {second:?}");

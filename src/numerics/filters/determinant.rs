@@ -1,12 +1,11 @@
 //! Determinants in floating point, with a bound of their error.
 
-use super::MAX_SIZE;
-use super::power::{TINY, UNIT};
-use super::sign::Sign;
+use crate::numerics::power::{TINY, UNIT};
+use crate::numerics::{MAX_SIZE, Sign, laplace};
 
 pub(super) type Matrix = [[f64; MAX_SIZE]; MAX_SIZE];
 
-/// The sign of a determinant of which the value and a bound of its error are known; never
+/// The sign of a determinant whose value and error bound are known; never
 /// `Some(Sign::Zero)`.
 #[inline]
 pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
@@ -20,38 +19,47 @@ pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
     }
 }
 
-/// The determinant of the first `size` rows and columns, and a bound of its error. `roundings`: those that
-/// a product of one entry from each row carries already. Entries are at most 4 [`MAX_DIM`](super::MAX_DIM) in magnitude.
+/// The determinant of the first `size` rows and columns, and a bound of its error. A product of one
+/// entry from each row carries `roundings` already. No entry is larger than 32 in magnitude.
 pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64, f64) {
     let (determinant, permanent) = match size {
-        ..=4 => laplace::<16>(rows, size),
-        5 => laplace::<32>(rows, size),
-        _ => laplace::<512>(rows, size),
+        ..=4 => expanded::<16>(rows, size),
+        5 => expanded::<32>(rows, size),
+        _ => expanded::<512>(rows, size),
     };
     // Each level of the expansion adds at most `size` + 2 roundings to a product.
     let roundings = size * (size + 2) + roundings;
     (determinant, 2.0 * roundings as f64 * UNIT * permanent + TINY)
 }
 
-/// By Laplace expansion over all sets of columns, as many as `SETS`: entry s is the minor of the first |s|
-/// rows and the columns in s, beside its permanent of absolute values.
-fn laplace<const SETS: usize>(rows: &Matrix, size: usize) -> (f64, f64) {
-    let mut minors = [(1.0f64, 1.0f64); SETS];
-    for set in 1..1usize << size {
-        let row = &rows[set.count_ones() as usize - 1];
-        let (mut minor, mut permanent) = (0.0, 0.0);
-        // Columns from the highest: expansion along the last row, signs alternate from plus.
-        let (mut rest, mut sign) = (set, 1.0);
-        while rest != 0 {
-            let column = rest.ilog2() as usize;
-            rest ^= 1 << column;
-            let (m, p) = minors[set ^ (1 << column)];
-            minor += sign * row[column] * m;
-            permanent += row[column].abs() * p;
-            sign = -sign;
-        }
-        minors[set] = (minor, permanent);
+/// A matrix whose minors come with the permanents of their absolute values.
+struct Rows<'a>(&'a Matrix);
+
+impl laplace::Matrix for Rows<'_> {
+    type Minor = (f64, f64);
+    type Sum = (f64, f64);
+    type Sign = f64;
+    const ONE: (f64, f64) = (1.0, 1.0);
+    const PLUS: f64 = 1.0;
+    const ZERO: (f64, f64) = (0.0, 0.0);
+
+    #[inline(always)]
+    fn add(&self, sum: &mut (f64, f64), row: usize, column: usize, sign: f64, minor: (f64, f64)) {
+        let entry = self.0[row][column];
+        sum.0 += sign * entry * minor.0;
+        sum.1 += entry.abs() * minor.1;
     }
+
+    #[inline(always)]
+    fn minor(&self, sum: (f64, f64)) -> (f64, f64) {
+        sum
+    }
+}
+
+/// The determinant and its permanent, by the minors of all `SETS` sets of columns or less.
+fn expanded<const SETS: usize>(rows: &Matrix, size: usize) -> (f64, f64) {
+    let mut minors = [(1.0f64, 1.0f64); SETS];
+    laplace::expand(&Rows(rows), 1 << size, &mut minors);
     minors[(1 << size) - 1]
 }
 

@@ -1,17 +1,19 @@
-//! Lists of ids per id, in one array: the simplices of each vertex, the children of each domain.
+//! Lists of ids per id, in one array, by a counting sort: the simplices of each vertex, the children of
+//! each domain.
 
-use crate::memory::{AllocResult, filled};
+use super::{AllocResult, filled};
 
-/// For each of `0..count` the list of those that name it.
-pub(crate) struct Incidence {
+/// For each owner in `0..count` the list of its members.
+pub struct Incidence {
     /// Where each list begins; one more at the end.
     starts: Vec<usize>,
     members: Vec<u32>,
 }
 
 impl Incidence {
-    /// From pairs (owner, member), which must come the same twice; owners that are not below `count`
-    /// have no list. Members stand in the order of the pairs.
+    /// From pairs (owner, member). `pairs` is called twice and must give the same pairs in the same order.
+    /// Pairs whose owner is not below `count` are left out. Members stand in the order of the pairs.
+    /// O(`count` + pairs).
     pub fn new<I: Iterator<Item = (u32, u32)>>(
         count: usize,
         pairs: impl Fn() -> I,
@@ -44,11 +46,10 @@ impl Incidence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::NONE;
 
     #[test]
     fn lists_are_those_of_the_pairs() {
-        let pairs = [(2, 10), (0, 11), (2, 12), (NONE, 13), (4, 14), (2, 9)];
+        let pairs = [(2, 10), (0, 11), (2, 12), (u32::MAX, 13), (4, 14), (2, 9)];
         let incidence = Incidence::new(5, || pairs.into_iter()).unwrap();
         let lists: Vec<&[u32]> = (0..5).map(|owner| incidence.of(owner)).collect();
         assert_eq!(lists, [&[11][..], &[], &[10, 12, 9], &[], &[14]]);

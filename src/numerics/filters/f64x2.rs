@@ -38,9 +38,9 @@ impl Real for f64 {
 
 /// Two doubles.
 #[derive(Clone, Copy)]
-pub(super) struct Pair(lanes::Lanes);
+pub(super) struct F64x2(lanes::Lanes);
 
-impl Pair {
+impl F64x2 {
     #[inline(always)]
     pub fn new(first: f64, second: f64) -> Self {
         Self(lanes::new(first, second))
@@ -52,7 +52,7 @@ impl Pair {
     }
 }
 
-impl Real for Pair {
+impl Real for F64x2 {
     #[inline(always)]
     fn of(value: f64) -> Self {
         Self::new(value, value)
@@ -76,7 +76,7 @@ impl Real for Pair {
 
 macro_rules! by_lane {
     ($operation:ident, $name:ident) => {
-        impl $operation for Pair {
+        impl $operation for F64x2 {
             type Output = Self;
 
             #[inline(always)]
@@ -213,7 +213,7 @@ mod tests {
             };
             let (first, second): ([f64; 4], [f64; 4]) =
                 ([(); 4].map(|()| value()), [(); 4].map(|()| value()));
-            let both = formula(std::array::from_fn(|i| Pair::new(first[i], second[i])));
+            let both = formula(std::array::from_fn(|i| F64x2::new(first[i], second[i])));
             for (lane, values) in [first, second].into_iter().enumerate() {
                 for (both, one) in both.into_iter().zip(formula(values)) {
                     let both = both.get()[lane];
@@ -228,7 +228,7 @@ mod tests {
     fn both_are_at_most_as_large() {
         let values = [1.0, 2.0, f64::NEG_INFINITY, f64::NAN];
         for [a, b, c, d] in (0..256).map(|i| [0, 2, 4, 6].map(|shift| values[i >> shift & 3])) {
-            let are_at_most = Pair::new(a, b).is_at_most(Pair::new(c, d));
+            let are_at_most = F64x2::new(a, b).is_at_most(F64x2::new(c, d));
             assert_eq!(are_at_most, a <= c && b <= d, "{a} {b} {c} {d}");
         }
     }

@@ -1,15 +1,11 @@
-//! Lengths that neither overflow nor underflow on the way.
+//! The length of a vector and the distance of two points.
 
-use super::power::{biased_exponent, scale_by_power};
+use crate::numerics::power::{biased_exponent, scale_by_power};
 
 /// Sums of squares of numbers with a largest magnitude between these are safe: no overflow, and
 /// what underflows is far below the roundoff of the sum.
 const SAFE: std::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 500) << 52)..=f64::from_bits((1023 + 500) << 52);
-
-/// A sum of squares between these is that of numbers which are safe, and lost nothing of weight.
-const SAFE_SQUARE: std::ops::RangeInclusive<f64> =
-    f64::from_bits((1023 - 900) << 52)..=f64::from_bits((1023 + 900) << 52);
 
 /// The Euclidean distance of two finite points, in the coordinates' unit; infinite only if the true
 /// distance, rounded, exceeds `f64::MAX`. Relative error at most D + 4 units of roundoff (2^-53),
@@ -40,41 +36,10 @@ fn scaled_norm(vector: &[f64], largest: f64) -> f64 {
     scale_by_power(sum.sqrt(), exponent)
 }
 
-/// Two different points among at least two that are nearest to each other, by their numbers, the larger
-/// one first, and their [`distance`]. Of pairs that rounding makes equal it is one of the first.
-#[inline]
-pub fn shortest_distance<const D: usize>(points: &[&[f64; D]]) -> (usize, usize, f64) {
-    let square = |a: usize, b: usize| {
-        (0..D).fold(0.0, |sum, i| {
-            let x = points[a][i] - points[b][i];
-            sum + x * x
-        })
-    };
-    let (a, b, least) = least_pair(points.len(), square);
-    if SAFE_SQUARE.contains(&least) {
-        return (a, b, least.sqrt());
-    }
-    least_pair(points.len(), |a, b| distance(points[a], points[b]))
-}
-
-#[inline(always)]
-fn least_pair(count: usize, measure: impl Fn(usize, usize) -> f64) -> (usize, usize, f64) {
-    let mut least = (1, 0, f64::INFINITY);
-    for a in 1..count {
-        for b in 0..a {
-            let value = measure(a, b);
-            if value < least.2 {
-                least = (a, b, value);
-            }
-        }
-    }
-    least
-}
-
 /// The largest magnitude in `vector`, zero if it is empty. A plain comparison, since `f64::max`
 /// pays for NaN, which does not occur here.
 #[inline]
-pub(super) fn largest_magnitude(vector: &[f64]) -> f64 {
+pub fn largest_magnitude(vector: &[f64]) -> f64 {
     vector.iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })
 }
 
@@ -101,28 +66,6 @@ mod tests {
             assert_close(distance(&[unit, -unit], &[4.0 * unit, 3.0 * unit]), 5.0 * unit);
             assert_close(norm(&[2.0 * unit, -3.0 * unit, 6.0 * unit]), 7.0 * unit);
         }
-    }
-
-    #[test]
-    fn shortest_distances_are_the_least_at_every_scale() {
-        let mut state = 7u64;
-        let mut draw = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            (state >> 33) as f64 / (1u64 << 31) as f64 - 0.5
-        };
-        for exponent in (-1074..=1020).step_by(3) {
-            let unit = |x: f64| scale_by_power(x, exponent);
-            let points: [[f64; 3]; 4] =
-                std::array::from_fn(|_| std::array::from_fn(|_| unit(draw())));
-            let (a, b, length) = shortest_distance(&points.each_ref());
-            assert_eq!(length, distance(&points[a], &points[b]), "2^{exponent}");
-            let mut all = (0..16).filter(|i| i / 4 > i % 4);
-            let is_least = all.all(|i| length <= distance(&points[i / 4], &points[i % 4]));
-            assert!(a > b && is_least, "2^{exponent}");
-        }
-        // One pair's square vanishes, another one's overflows.
-        let points = [[0.0, 0.0], [1e200, 0.0], [0.0, 1e-200]];
-        assert_eq!(shortest_distance(&points.each_ref()), (2, 0, 1e-200));
     }
 
     #[test]

@@ -1,11 +1,10 @@
 //! The orientation of a simplex, exactly.
 
-use super::MAX_SIZE;
 use super::determinant::{certain_sign, determinant};
-use super::exact::orientation_exact;
-use super::length::largest_magnitude;
-use super::power::{TINY, UNIT, biased_exponent, power_of_two};
-use super::sign::Sign;
+use crate::numerics::exact::orientation_exact;
+use crate::numerics::lengths::largest_magnitude;
+use crate::numerics::power::{TINY, UNIT, biased_exponent, power_of_two};
+use crate::numerics::{MAX_SIZE, Sign};
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` points: positive if they turn
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
@@ -95,11 +94,11 @@ mod tests {
     #[test]
     fn the_standard_simplex_is_positive_and_holds_its_centroid() {
         fn check<const D: usize>() {
-            let mut corners = vec![[0.0; D]];
+            let mut vertices = vec![[0.0; D]];
             for i in 0..D {
-                corners.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+                vertices.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
             }
-            let simplex = references(&corners);
+            let simplex = references(&vertices);
             assert_eq!(orientation_filtered(&simplex), Some(Sign::Positive));
             assert_eq!(in_ball(&simplex, &[1.0 / (D as f64 + 1.0); D]), Sign::Positive);
             assert_eq!(in_ball(&simplex, &[1.0; D]), Sign::Zero);
@@ -144,14 +143,14 @@ mod tests {
     fn filters_allow_for_the_counted_roundings() {
         fn check<const D: usize>(allowance: f64) {
             let filtered = |units: f64| {
-                let mut corners = vec![[0.0; D]];
+                let mut vertices = vec![[0.0; D]];
                 for i in 0..D {
-                    corners.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
+                    vertices.push(std::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
                 }
-                corners[1][1] = 1.0;
-                corners[2][0] = 1.0;
-                corners[2][1] = 1.0 + (units / 2.0).round() * f64::EPSILON;
-                orientation_filtered(&references(&corners))
+                vertices[1][1] = 1.0;
+                vertices[2][0] = 1.0;
+                vertices[2][1] = 1.0 + (units / 2.0).round() * f64::EPSILON;
+                orientation_filtered(&references(&vertices))
             };
             assert_eq!(filtered(1.8 * allowance), None);
             assert_eq!(filtered(2.2 * allowance), Some(Sign::Positive));
@@ -168,22 +167,22 @@ mod tests {
         // In units of 2^-1074 the minors are 0.51 and -0.75 and round to 1 and -1; times the third
         // coordinates they would make a clearly positive sum of what is negative.
         let tiny = 2f64.powi(-537);
-        let corners =
+        let vertices =
             [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
-        agree_in_every_order(&corners);
+        agree_in_every_order(&vertices);
         // The minors are right, but times the third coordinates they are 0.51, 0.51 and -1.3 in units
         // of 2^-1074 and round to 1, 1 and -1.
         let (a, z) = (2f64.powi(-267), 2f64.powi(-540));
         agree_in_every_order(&[[0.0; 3], [a, 0.0, z], [-a, -1.3 * a, z], [0.0, -0.51 * a, z]]);
     }
 
-    /// Whatever the order of the corners after the first and the signs of the coordinates.
-    fn agree_in_every_order(corners: &[[f64; 3]; 4]) {
+    /// Whatever the order of the vertices after the first and the signs of the coordinates.
+    fn agree_in_every_order(vertices: &[[f64; 3]; 4]) {
         for order in [[1, 2, 3], [2, 3, 1], [3, 1, 2], [1, 3, 2], [3, 2, 1], [2, 1, 3]] {
             for signs in 0..8 {
                 let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
                 let turned = [0, order[0], order[1], order[2]].map(|i: usize| -> [f64; 3] {
-                    std::array::from_fn(|k| corners[i][k] * sign(k))
+                    std::array::from_fn(|k| vertices[i][k] * sign(k))
                 });
                 let simplex = references(&turned);
                 assert_eq!(orientation(&simplex), orientation_oracle(&simplex));
@@ -205,9 +204,9 @@ mod tests {
         (orientation(&simplex), in_ball(&simplex, &points[D + 1]))
     }
 
-    /// Swapping two corners flips both signs; negation multiplies them by (-1)^D; so does the
+    /// Swapping two vertices flips both signs; negation multiplies them by (-1)^D; so does the
     /// mirror of one axis by -1; the determinant of the lifted points flips when the query point
-    /// changes places with a corner.
+    /// changes places with a vertex.
     fn symmetries_hold<const D: usize>(values: &[f64], i: usize, j: usize) {
         let points: Vec<[f64; D]> =
             values.chunks_exact(D).take(D + 2).map(|c| c.try_into().expect("D long")).collect();

@@ -1,11 +1,30 @@
 //! Exact signs and circumcentres in integers of a fixed size, without an allocation. Right for every
 //! finite input; microseconds where the filters need nanoseconds.
+//!
+//! ```text
+//!   coordinates span at most 62 bits       any finite coordinates, and all circumcentres
+//!        |                                      |
+//!      wide: rows of one word,                edges: the matrix modulo one prime after the other
+//!      determinants of 1 to 11 words            |
+//!        |                                    residues (arithmetic modulo a prime)
+//!        |                                      |
+//!        |                                    integer: sign and value from all residues
+//!        v                                      |
+//!       sign                                  natural: quotients of the values
+//! ```
+//!
+//! Only what is exact for every finite double may enter, and nothing that allocates.
 
-use super::MAX_SIZE;
-use super::edges::{Column, Edges};
+mod edges;
+mod integer;
+mod natural;
+mod residues;
+mod wide;
+
 use super::power::scale_by_power;
-use super::sign::Sign;
-use super::wide::Rows;
+use super::{MAX_SIZE, Sign};
+pub(crate) use edges::{Column, Edges};
+use wide::Rows;
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, in integers.
 ///

@@ -1,7 +1,7 @@
 //! Small linear systems with a rigorous bound of the solution's error.
 
-use super::length::largest_magnitude;
-use super::power::{TINY, UNIT};
+use crate::numerics::lengths::largest_magnitude;
+use crate::numerics::power::{TINY, UNIT};
 
 /// Solves `rows * x = right`, where the rows' largest magnitudes are in [1, 2) and `right` is
 /// positive and at most 2 D. All stand for exact numbers, from which the entries differ by at most
@@ -88,8 +88,8 @@ fn by_inverse<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64
     let Some(inverse) = invert(a) else { return (*b, f64::INFINITY) };
     let solution: [f64; D] = std::array::from_fn(|i| dot(&inverse[i], b));
     let residual: [f64; D] = std::array::from_fn(|i| {
-        let reach = absolute_dot(&a[i], &solution) + b[i];
-        (dot(&a[i], &solution) - b[i]).abs() + gamma * reach + TINY
+        let magnitudes = absolute_dot(&a[i], &solution) + b[i];
+        (dot(&a[i], &solution) - b[i]).abs() + gamma * magnitudes + TINY
     });
     let row_sums: [f64; D] = std::array::from_fn(|i| a[i].iter().map(|x| x.abs()).sum());
     let mut error = 0.0f64;
@@ -154,7 +154,7 @@ fn invert<const D: usize>(matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
 mod tests {
     use super::*;
     use crate::numerics::power::scale_by_power;
-    use crate::numerics::testing::{Random, integer, is_close, laplace};
+    use crate::numerics::testing::{Random, determinant_oracle, integer, is_close};
 
     /// Rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`; right sides at most 2 D.
     fn system<const D: usize>(depth: i64, random: &mut Random) -> ([[f64; D]; D], [f64; D]) {
@@ -165,7 +165,7 @@ mod tests {
             std::array::from_fn(|k| first[k] + other[k] * scale_by_power(1.0, -depth))
         });
         for row in &mut rows {
-            let exponent = super::super::power::biased_exponent(largest_magnitude(row)) - 1023;
+            let exponent = crate::numerics::power::biased_exponent(largest_magnitude(row)) - 1023;
             *row = row.map(|x| scale_by_power(x, i64::from(-exponent)));
         }
         (rows, std::array::from_fn(|_| (random.unit() + 1.0) * D as f64))
@@ -180,12 +180,12 @@ mod tests {
             let is_bounded = error <= 1e-3 * largest_magnitude(&solution);
             if is_bounded {
                 let exact = rows.map(|row| row.map(integer).to_vec());
-                let denominator = laplace(&exact);
+                let denominator = determinant_oracle(&exact);
                 for k in 0..D {
                     let mut replaced = exact.clone();
                     replaced.iter_mut().zip(right).for_each(|(row, b)| row[k] = integer(b));
                     // `is_close` takes the quotient in units of 2^-1074.
-                    let quotient = (&(laplace(&replaced) << 1074), &denominator);
+                    let quotient = (&(determinant_oracle(&replaced) << 1074), &denominator);
                     assert!(is_close(solution[k], error, 0, quotient), "{rows:?} {right:?}");
                 }
             }

@@ -1,10 +1,9 @@
 //! Which side of a circumsphere a point is on, exactly.
 
-use super::MAX_SIZE;
 use super::determinant::{certain_sign, determinant};
-use super::exact::in_ball_exact;
-use super::power::{biased_exponent, power_of_two};
-use super::sign::Sign;
+use crate::numerics::exact::in_ball_exact;
+use crate::numerics::power::{biased_exponent, power_of_two};
+use crate::numerics::{MAX_SIZE, Sign};
 
 /// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the sphere
 /// through the `D + 1` points of a positively oriented simplex. The sign is reversed for a
@@ -91,7 +90,7 @@ mod tests {
         for (x, sign) in [(1.0, 0), (1.0f64.next_up(), -1), (1.0f64.next_down(), 1)] {
             let q = [0.0, 0.0, -x];
             assert_eq!(in_ball_filtered(&simplex, &q), None);
-            let signs = [&simplex, &flipped].map(|corners| in_ball(corners, &q) as i8);
+            let signs = [&simplex, &flipped].map(|vertices| in_ball(vertices, &q) as i8);
             assert_eq!(signs.map(i8::abs), [sign * sign; 2]);
             assert_eq!(signs[0], -signs[1]);
             assert_eq!(in_ball_oracle(&simplex, &q) as i8, signs[0]);

@@ -2,8 +2,8 @@
 //! square roots instead of a permanent for each determinant. For edges of everyday lengths, which
 //! need no scaling.
 
-use super::pair::Real;
-use super::power::{UNIT, power_of_two};
+use super::f64x2::Real;
+use crate::numerics::power::{UNIT, power_of_two};
 
 /// The highest dimension that [`circumcenter`] knows.
 pub(super) const MAX_CRAMER: usize = 4;
@@ -23,10 +23,10 @@ pub(super) struct Center<const D: usize, R = f64> {
     ratio: R,
 }
 
-/// Edges with lengths from 2^-`reach` to 2^`reach` need no scaling. [`circumcenter`] lets no length
-/// exceed that and no product of them fall below 2^(-D reach): each is then at least
-/// 2^-((2 D - 1) reach), and its square at least 2^-900.
-const fn reach(dim: usize) -> i32 {
+/// Edges with lengths from 2^-e to 2^e need no scaling, where e is this exponent. [`Center::is_usable`]
+/// lets no length exceed that and no product of them fall below 2^(-D e): each is then at least
+/// 2^-((2 D - 1) e), and its square at least 2^-900.
+const fn max_exponent(dim: usize) -> i32 {
     450 / (2 * dim as i32 - 1)
 }
 
@@ -35,7 +35,7 @@ const NUMERATOR: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 8.0, 13.0, 26.0];
 const DETERMINANT: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 5.0, 12.0, 31.0];
 
 impl<const D: usize, R: Real> Center<D, R> {
-    /// Whether lengths are within [`reach`], and the volume that the edges span is at least 1/`flatness`
+    /// Whether lengths are within [`max_exponent`], and the volume that the edges span is at least 1/`flatness`
     /// (which is at most 2^12) of that of a box with such edges.
     ///
     /// The distance of two ends of edges is then at least 1/`flatness` of both their distances to the
@@ -44,8 +44,8 @@ impl<const D: usize, R: Real> Center<D, R> {
     #[inline(always)]
     pub fn is_usable(&self, flatness: f64) -> bool {
         // Infinite squares, and the NaN that they lead to, fail the first comparison.
-        self.total.is_at_most(R::of(power_of_two(2 * reach(D))))
-            && R::of(power_of_two(-2 * D as i32 * reach(D))).is_at_most(self.product)
+        self.total.is_at_most(R::of(power_of_two(2 * max_exponent(D))))
+            && R::of(power_of_two(-2 * D as i32 * max_exponent(D))).is_at_most(self.product)
             && self.ratio.is_at_most(R::of(flatness))
     }
 }
@@ -147,12 +147,12 @@ fn minors<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 6] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::length::largest_magnitude;
-    use crate::numerics::testing::{Random, integer, is_close, laplace};
+    use crate::numerics::lengths::largest_magnitude;
+    use crate::numerics::testing::{Random, determinant_oracle, integer, is_close};
 
     /// Edges of one scale, or each of its own, flat by about 2^-`depth`.
     fn draw<const D: usize>(depth: i32, random: &mut Random) -> [[f64; D]; D] {
-        let limit = i64::from(reach(D)) - 4;
+        let limit = i64::from(max_exponent(D)) - 4;
         let scale = random.integer(-limit, limit);
         let is_mixed = random.bits() & 1 == 0;
         let mut row = || -> [f64; D] { std::array::from_fn(|_| random.unit()) };
@@ -174,13 +174,13 @@ mod tests {
                 return false;
             }
             let exact: Vec<_> = edges.iter().map(|row| row.map(integer).to_vec()).collect();
-            let denominator = laplace(&exact);
+            let denominator = determinant_oracle(&exact);
             for k in 0..D {
                 let mut replaced = exact.clone();
                 for (entries, row) in replaced.iter_mut().zip(&exact) {
                     entries[k] = row.iter().map(|x| x * x).sum();
                 }
-                let quotient = (&laplace(&replaced), &denominator);
+                let quotient = (&determinant_oracle(&replaced), &denominator);
                 assert!(is_close(center.twice[k], center.error, 0, quotient), "{edges:?}");
             }
             assert!(center.error <= 1e-9 * largest_magnitude(&center.twice), "{edges:?}");
@@ -270,18 +270,18 @@ mod tests {
     }
 
     #[test]
-    fn lengths_out_of_reach_are_left_to_others() {
+    fn lengths_out_of_range_are_left_to_others() {
         fn check<const D: usize>() {
             let cube = |exponents: [i32; D]| {
                 let edge =
                     |i| std::array::from_fn(|k| if i == k { 2f64.powi(exponents[i]) } else { 0.0 });
                 circumcenter::<D, f64>(&std::array::from_fn(edge)).is_usable(2.0)
             };
-            let reach = reach(D);
-            assert!(cube([reach - 1; D]) && cube([-reach; D]));
-            assert!(!cube([reach + 1; D]) && !cube([-reach - 1; D]));
-            let mut mixed = [reach - 1; D];
-            mixed[D - 1] = -reach + 1;
+            let most = max_exponent(D);
+            assert!(cube([most - 1; D]) && cube([-most; D]));
+            assert!(!cube([most + 1; D]) && !cube([-most - 1; D]));
+            let mut mixed = [most - 1; D];
+            mixed[D - 1] = -most + 1;
             assert!(cube(mixed));
             mixed[0] = 1020;
             assert!(!cube(mixed));
@@ -298,6 +298,6 @@ mod tests {
         check::<3>();
         check::<4>();
         // Every square is at least 2^-900 then.
-        assert_eq!([reach(2), reach(3), reach(4)], [150, 90, 64]);
+        assert_eq!([max_exponent(2), max_exponent(3), max_exponent(4)], [150, 90, 64]);
     }
 }

@@ -1,12 +1,12 @@
-//! The edges of a simplex as integers of one word, and signs of determinants of them in integers of a few:
-//! all but points whose coordinates are of very different sizes (those are for `edges`).
+//! The edges of a simplex as integers of one word, and signs of their determinants in integers of a few
+//! words. That is enough unless the coordinates have very different sizes: those are for `edges`.
 //!
 //! A determinant is computed modulo 2^(64 L). Whatever wraps on the way, it is right in the end if its
 //! magnitude is below 2^(64 L - 1), and L is chosen so.
 
-use super::power::{bits_of, power_of_two, unit_and_span};
-use super::sign::Sign;
-use super::{MAX_DIM, MAX_SIZE};
+use crate::numerics::power::{bits_of, power_of_two, unit_and_span};
+use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
+use std::marker::PhantomData;
 
 /// Coordinates that are smaller than 2 to this in their common unit, so that edges fit in a word.
 const MAX_SPAN: usize = 62;
@@ -55,14 +55,14 @@ impl Rows {
         self.sign(self.dim * self.bits)
     }
 
-    /// The sign of the determinant of `dim + 1` edges, whose squared lengths are the last column.
+    /// The sign of the determinant of `dim + 1` edges whose last column is their squared lengths.
     pub fn lifted_orientation(&self) -> Sign {
         debug_assert_eq!(self.count, self.dim + 1);
         self.sign((self.dim + 2) * self.bits + bits_of(self.dim))
     }
 
-    /// `product`: bits of a product of one entry from each column. By the Leibniz formula there are n! of
-    /// them.
+    /// The sign of the determinant. A product of one entry from each column has `product` bits; by the
+    /// Leibniz formula there are n! of them.
     fn sign(&self, product: usize) -> Sign {
         let bits = product + bits_of((1..=self.count).product());
         let words = (bits + 2).div_ceil(64);
@@ -78,35 +78,44 @@ impl Rows {
         }
     }
 
-    /// By Laplace expansion over all sets of rows, as many as `SETS`: entry s becomes the minor of the rows
-    /// in s and the first |s| columns. O(2^n n) products for n rows, no division.
+    /// The sign of the minor of all rows, by the minors of all `SETS` sets of rows or less.
     #[inline(never)]
     fn sign_in<T: Ring, const SETS: usize>(&self) -> Sign {
         let mut minors = [T::ZERO; SETS];
-        minors[0] = T::ONE;
-        for set in 1..1usize << self.count {
-            let column = set.count_ones() as usize - 1;
-            let mut minor = T::ZERO;
-            // Rows from the highest: expansion along the last column, signs alternate from plus.
-            let (mut rest, mut sign) = (set, 1);
-            while let Some(row) = rest.checked_ilog2() {
-                rest ^= 1 << row;
-                let other = minors[set ^ (1 << row)];
-                let row = &self.rows[row as usize];
-                if column < self.dim {
-                    minor.add_product(other, sign * row[column]);
-                } else {
-                    for &entry in &row[..self.dim] {
-                        let mut product = T::ZERO;
-                        product.add_product(other, entry);
-                        minor.add_product(product, sign * entry);
-                    }
-                }
-                sign = -sign;
-            }
-            minors[set] = minor;
-        }
+        laplace::expand(&Columns::<T>(self, PhantomData), 1 << self.count, &mut minors);
         minors[(1 << self.count) - 1].sign()
+    }
+}
+
+/// The columns as lines, so that the squared lengths are needed for one set only: that of all rows.
+struct Columns<'a, T>(&'a Rows, PhantomData<T>);
+
+impl<T: Ring> laplace::Matrix for Columns<'_, T> {
+    type Minor = T;
+    type Sum = T;
+    type Sign = i64;
+    const ONE: T = T::ONE;
+    const PLUS: i64 = 1;
+    const ZERO: T = T::ZERO;
+
+    #[inline(always)]
+    fn add(&self, sum: &mut T, column: usize, row: usize, sign: i64, minor: T) {
+        let row = &self.0.rows[row];
+        if column < self.0.dim {
+            sum.add_product(minor, sign * row[column]);
+        } else {
+            // A squared length need not fit in a word: two factors, one after the other.
+            for &entry in &row[..self.0.dim] {
+                let mut product = T::ZERO;
+                product.add_product(minor, entry);
+                sum.add_product(product, sign * entry);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn minor(&self, sum: T) -> T {
+        sum
     }
 }
 
@@ -117,7 +126,7 @@ trait Ring: Copy {
 
     fn add_product(&mut self, other: Self, factor: i64);
 
-    /// Of the one nearest to zero.
+    /// The sign of the representative that is nearest to zero.
     fn sign(self) -> Sign;
 }
 
@@ -161,7 +170,7 @@ impl<const L: usize> Ring for Wide<L> {
         Self(words)
     };
 
-    /// Without a branch: signs no processor can foresee.
+    /// Without a branch on the sign of `factor`, which no processor can foresee.
     #[inline]
     fn add_product(&mut self, other: Self, factor: i64) {
         // To subtract the product is to add its complement and one.
@@ -239,7 +248,7 @@ mod tests {
                 .map(|_| std::array::from_fn(|_| random.integer(-most, most) as f64))
                 .collect();
             if bits % 2 == 0 {
-                // As far from the first as a corner, and so on its sphere or near it.
+                // As far from the first as a vertex, and so on its sphere or near it.
                 points[D + 1] = std::array::from_fn(|axis| {
                     points[0][axis] + points[1][(axis + 1) % D] - points[0][(axis + 1) % D]
                 });
@@ -273,8 +282,8 @@ mod tests {
             let edges: Vec<[f64; D]> =
                 (0..D).map(|i| std::array::from_fn(|j| sign(i, j))).collect();
             let rows = Rows::new(&[0.0; D], edges.iter()).expect("a small span");
-            let corners: Vec<_> = [[0.0; D]].iter().chain(&edges).copied().collect();
-            assert_eq!(rows.orientation(), orientation_oracle(&references(&corners)), "{bits}");
+            let vertices: Vec<_> = [[0.0; D]].iter().chain(&edges).copied().collect();
+            assert_eq!(rows.orientation(), orientation_oracle(&references(&vertices)), "{bits}");
         }
     }
 

@@ -334,17 +334,15 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::testing::Random;
     use std::collections::HashMap;
 
     /// Points of a lattice with a few values an axis, both zeros and neighbouring doubles among them.
     #[test]
     fn duplicates_are_those_that_compare_equal() {
         let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), -1.0, 5e-324, 1e308];
-        let mut state = 1u64;
-        let mut draw = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            values[(state >> 33) as usize % values.len()]
-        };
+        let mut random = Random(1);
+        let mut draw = || values[random.integer(0, values.len() as i64 - 1) as usize];
         let points: Vec<f64> = (0..3 * 4000).map(|_| draw()).collect();
         let inputs = Inputs::new(3, 4000, &points, 0).unwrap();
         let mut known: HashMap<[u64; 3], u32> = HashMap::new();

@@ -69,6 +69,7 @@ mod tests {
     use crate::capi::structs::nm_counts;
     use crate::capi::test_support::{from_c, last_message, square};
     use crate::mesh::Mesh;
+    use crate::numerics::testing::Random;
     use crate::options::{Algorithm, Phase};
     use std::ffi::c_void;
     use std::ptr::{null, null_mut};
@@ -108,12 +109,8 @@ mod tests {
     }
     /// A handle with `n` points in a cube.
     fn cube(n: usize) -> nm_mesh {
-        let mut state = 1_u64;
-        let mut next = || {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (state >> 11) as f64
-        };
-        let points: Vec<f64> = (0..3 * n).map(|_| next()).collect();
+        let mut random = Random(1);
+        let points: Vec<f64> = (0..3 * n).map(|_| random.unit()).collect();
         nm_mesh::new(Mesh::new(3, n, &points, 0).expect("good points"))
     }
 

@@ -347,6 +347,7 @@ pub(super) fn write_point(out: &mut dyn Write, point: &[f64], separator: &str) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::testing::Random;
 
     fn lines_of(text: &[u8]) -> Result<Vec<(u64, String)>> {
         let mut input = text;
@@ -424,14 +425,8 @@ mod tests {
 
     #[test]
     fn numbers_read_back_as_the_same_bits() {
-        let mut state = 1u64;
-        let mut values: Vec<f64> = (0..2000)
-            .map(|_| {
-                state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-                f64::from_bits(state ^ (state >> 29))
-            })
-            .filter(|value| value.is_finite())
-            .collect();
+        let mut random = Random(1);
+        let mut values: Vec<f64> = (0..2000).map(|_| random.raw()).collect();
         values.extend_from_slice(&super::super::samples::AWKWARD);
         for value in values {
             let mut text = Vec::new();

@@ -6,13 +6,13 @@ use std::io::{Result, Write};
 
 pub(crate) struct Buffered<W> {
     out: W,
-    /// Never grows beyond the room that it was made with.
+    /// Never grows beyond its first capacity.
     bytes: Vec<u8>,
 }
 
 impl<W: Write> Buffered<W> {
-    pub fn new(room: usize, out: W) -> AllocResult<Self> {
-        Ok(Self { out, bytes: with_room(room)? })
+    pub fn new(capacity: usize, out: W) -> AllocResult<Self> {
+        Ok(Self { out, bytes: with_room(capacity)? })
     }
 
     /// The writer; what was not flushed is lost.

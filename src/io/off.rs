@@ -70,12 +70,12 @@ fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]
     }
 }
 
-/// A face: how many corners, their vertices, and whatever colour.
+/// A face: the number of its vertices, their ids, and any colour.
 fn check_face(line: &Line<'_>, vertices: u64) -> Result<()> {
     let mut words = line.words();
     let mut missing = 0;
     if let Some((column, word)) = words.next() {
-        missing = line.integer(column, word, "number of corners")?;
+        missing = line.integer(column, word, "number of vertices")?;
     }
     for (column, word) in words {
         if missing == 0 {
@@ -90,13 +90,13 @@ fn check_face(line: &Line<'_>, vertices: u64) -> Result<()> {
     }
     match missing {
         0 => Ok(()),
-        _ => Err(line.error(format!("the face ends before its last {missing} corners"))),
+        _ => Err(line.error(format!("the face ends before its last {missing} vertices"))),
     }
 }
 
 /// `OFF` in the plane, `nOFF` above.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let (dim, corners) = (triangulation.dim, triangulation.dim + 1);
+    let (dim, vertices) = (triangulation.dim, triangulation.dim + 1);
     match dim {
         2 => writeln!(out, "OFF")?,
         _ => writeln!(out, "nOFF\n{dim}")?,
@@ -106,8 +106,8 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
         write_point(out, point, " ")?;
         out.write_all(if dim == 2 { b" 0\n" } else { b"\n" })?;
     }
-    for simplex in triangulation.simplices.chunks_exact(corners) {
-        write!(out, "{corners}")?;
+    for simplex in triangulation.simplices.chunks_exact(vertices) {
+        write!(out, "{vertices}")?;
         for vertex in simplex {
             write!(out, " {vertex}")?;
         }

@@ -105,7 +105,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
     Mesh::from_parts(inputs, triangulation)
 }
 
-/// Simplices that share all corners but one are neighbours across these.
+/// Simplices that share all vertices but one are neighbours across these.
 fn neighbors(simplices: &[u32], dim: usize) -> Vec<u32> {
     let all = || simplices.chunks_exact(dim + 1);
     let across = |simplex: &[u32], opposite: u32| {

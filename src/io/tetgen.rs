@@ -110,9 +110,9 @@ pub(super) fn write_node(triangulation: &Triangulation, out: &mut dyn Write) -> 
 }
 
 pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let corners = triangulation.dim + 1;
-    writeln!(out, "{} {corners} 0", triangulation.simplex_count())?;
-    for (id, simplex) in triangulation.simplices.chunks_exact(corners).enumerate() {
+    let vertices = triangulation.dim + 1;
+    writeln!(out, "{} {vertices} 0", triangulation.simplex_count())?;
+    for (id, simplex) in triangulation.simplices.chunks_exact(vertices).enumerate() {
         write!(out, "{id}")?;
         for vertex in simplex {
             write!(out, " {vertex}")?;

@@ -87,8 +87,8 @@ fn write_cells<const D: usize>(
 /// Puts the triangles around `site` in counterclockwise order; on the hull from one end of the
 /// unbounded cell to the other, elsewhere from the triangle that came first.
 fn go_round<const D: usize>(view: View<'_, D>, site: u32, star: &mut [u32]) {
-    // Across the edge from the site to the corner after it lies the triangle before, and the other
-    // way round: `step` is the corner, counted from the site, that the triangle in question is
+    // Across the edge from the site to the vertex after it lies the triangle before, and the other
+    // way round: `step` is the vertex, counted from the site, that the triangle in question is
     // opposite of.
     let across = |simplex: u32, step: usize| {
         let vertices = view.simplex(simplex as usize);

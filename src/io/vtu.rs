@@ -132,7 +132,7 @@ impl fmt::Display for Declaration {
 /// The arrays in the order of the XML.
 fn arrays(mesh: &Triangulation) -> [Array; 11] {
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
-    let corners = mesh.simplices.len();
+    let ids = mesh.simplices.len();
     let array = |name, scalar, scalar_size, tuples, write| Array {
         name,
         scalar,
@@ -172,14 +172,14 @@ fn arrays(mesh: &Triangulation) -> [Array; 11] {
             source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
         Array { components: 3, ..array("Points", "Float64", 8, vertices, write_points) },
-        array("connectivity", "Int64", 8, corners, |source, out| {
-            let mut corners = source.mesh.simplices.iter();
-            corners.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
+        array("connectivity", "Int64", 8, ids, |source, out| {
+            let mut ids = source.mesh.simplices.iter();
+            ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
         }),
         array("offsets", "Int64", 8, cells, |source, out| {
-            let corners = source.mesh.dim as i64 + 1;
+            let size = source.mesh.dim as i64 + 1;
             (1..=source.mesh.simplex_count() as i64)
-                .try_for_each(|cell| out.write_all(&(cell * corners).to_le_bytes()))
+                .try_for_each(|cell| out.write_all(&(cell * size).to_le_bytes()))
         }),
         array("types", "UInt8", 1, cells, |source, out| {
             let cell_type = if source.mesh.dim == 2 { TRIANGLE } else { TETRA };
@@ -238,8 +238,8 @@ mod tests {
             let points: Vec<f64> =
                 triangulation.points.chunks_exact(dim).flat_map(padded).collect();
             samples::assert_same_bits(&doubles(array_of(&file, "Points")), &points);
-            let corners: Vec<i64> = triangulation.simplices.iter().map(|&v| v.into()).collect();
-            assert_eq!(integers(array_of(&file, "connectivity")), corners);
+            let ids: Vec<i64> = triangulation.simplices.iter().map(|&v| v.into()).collect();
+            assert_eq!(integers(array_of(&file, "connectivity")), ids);
             let step = dim as i64 + 1;
             assert_eq!(integers(array_of(&file, "offsets")), [step, 2 * step]);
             assert_eq!(array_of(&file, "types"), if dim == 2 { [5, 5] } else { [10, 10] });

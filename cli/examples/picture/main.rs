@@ -69,7 +69,7 @@ fn scales(triangulation: &Triangulation) -> String {
     drawing(triangulation, panels.collect())
 }
 
-/// The second domain: its cage amid the gap around it, and the cage.
+/// The second domain: its cage amid the empty region around it, and the cage.
 fn cage(triangulation: &Triangulation) -> String {
     let domain = domains_round_the_origin(triangulation)[1];
     let center = position(triangulation, domain.center);

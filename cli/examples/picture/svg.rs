@@ -71,7 +71,7 @@ impl Drawing {
 
     /// Dots are round caps of lines without length: a few bytes each.
     pub fn dots(&mut self, kind: VertexKind, places: impl Iterator<Item = [f64; 2]>) {
-        let (colour, diameter) = look(kind);
+        let (colour, diameter) = appearance(kind);
         let _ = write!(
             self.text,
             "<path stroke=\"{colour}\" stroke-width=\"{diameter}\" stroke-linecap=\"round\" d=\""
@@ -91,7 +91,7 @@ impl Drawing {
         let (left, y) = (self.width / 2.0 - 230.0, GAP + PANEL + 44.0);
         for (i, (kind, name)) in entries.into_iter().enumerate() {
             let x = left + 130.0 * i as f64;
-            let (colour, diameter) = look(kind);
+            let (colour, diameter) = appearance(kind);
             let _ = writeln!(
                 self.text,
                 "<circle cx=\"{x}\" cy=\"{}\" r=\"{}\" fill=\"{colour}\"/><text x=\"{}\" y=\"{y}\">{name}</text>",
@@ -113,7 +113,7 @@ impl Drawing {
 }
 
 /// Colour (told apart by the colour-blind as well) and diameter.
-fn look(kind: VertexKind) -> (&'static str, f64) {
+fn appearance(kind: VertexKind) -> (&'static str, f64) {
     match kind {
         VertexKind::Input => ("#1a4f8b", 3.4),
         VertexKind::Steiner => ("#e08214", 2.4),

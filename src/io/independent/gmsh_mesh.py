@@ -12,8 +12,8 @@ tags, coordinates, _ = gmsh.model.mesh.getNodes()
 order = numpy.argsort(tags)
 assert (tags[order] == numpy.arange(1, len(tags) + 1)).all()
 print(coordinates.reshape(-1, 3)[order].astype("<f8").view("<u8").ravel().tolist())
-elements, corners = gmsh.model.mesh.getElementsByType(int(sys.argv[2]))
-print((corners.astype("i8") - 1).tolist())
+elements, vertices = gmsh.model.mesh.getElementsByType(int(sys.argv[2]))
+print((vertices.astype("i8") - 1).tolist())
 views = {gmsh.option.getString(f"View[{gmsh.view.getIndex(tag)}].Name"): tag for tag in gmsh.view.getTags()}
 for name in sys.argv[3:]:
     on_cells = name.startswith("cell ")

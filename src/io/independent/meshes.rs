@@ -148,19 +148,19 @@ fn gmsh_reads_medit() {
             let triangulation = mesh.triangulation().unwrap();
             let name = format!("gmsh-{which}-{dim}.mesh");
             let read = as_read_by(GMSH, &mesh, &name, &[cell_type]);
-            let (points, corners) = read.trim_end().split_once('\n').unwrap();
+            let (points, vertices) = read.trim_end().split_once('\n').unwrap();
             assert_eq!(points, format!("{:?}", bits(&in_space(triangulation))), "{name}");
             // Gmsh makes an entity of each reference: simplices of one domain stand together.
             let mut simplices: Vec<(u32, &[u32])> =
                 simplex_domain::simplices(triangulation).map(|(s, domain)| (domain, s)).collect();
             simplices.sort_by_key(|(domain, _)| *domain);
             let expected: Vec<u32> = simplices.iter().flat_map(|(_, s)| *s).copied().collect();
-            assert_eq!(corners, format!("{expected:?}"), "{name}");
+            assert_eq!(vertices, format!("{expected:?}"), "{name}");
         }
     }
 }
 
-/// The corners of the facets that one simplex has alone, in order.
+/// The vertices of the facets that one simplex has alone, in order.
 fn boundary(mesh: &Triangulation) -> Vec<Vec<u32>> {
     let mut facets: Vec<Vec<u32>> = mesh
         .simplices
@@ -180,8 +180,8 @@ fn boundary(mesh: &Triangulation) -> Vec<Vec<u32>> {
 }
 
 /// What the script says of the triangles of a file, in order.
-fn triangles(corners: &str) -> Vec<Vec<u32>> {
-    let numbers = corners.trim_matches(['[', ']']).split(", ").map(|word| word.parse().unwrap());
+fn triangles(vertices: &str) -> Vec<Vec<u32>> {
+    let numbers = vertices.trim_matches(['[', ']']).split(", ").map(|word| word.parse().unwrap());
     let numbers: Vec<u32> = numbers.collect();
     let mut triangles: Vec<Vec<u32>> = numbers.chunks_exact(3).map(<[u32]>::to_vec).collect();
     triangles.iter_mut().for_each(|triangle| triangle.sort_unstable());
@@ -206,9 +206,9 @@ fn meshio_reads_ply() {
         let triangulation = mesh.triangulation().unwrap();
         let name = format!("meshio-{which}-3.ply");
         let read = as_read_by(MESHIO, &mesh, &name, &["triangle"]);
-        let (points, corners) = read.trim_end().split_once('\n').unwrap();
+        let (points, vertices) = read.trim_end().split_once('\n').unwrap();
         assert_eq!(points, format!("{:?}", bits(&triangulation.points)), "{name}");
-        assert_eq!(triangles(corners), boundary(triangulation), "{name}");
+        assert_eq!(triangles(vertices), boundary(triangulation), "{name}");
     }
 }
 
@@ -221,7 +221,7 @@ fn vtk_reads_ply() {
         let mesh = samples::nested(dim);
         let triangulation = mesh.triangulation().unwrap();
         let read = as_read_by(VTK, &mesh, &format!("vtk-{dim}.ply"), &["5"]);
-        let (points, corners) = read.trim_end().split_once('\n').unwrap();
+        let (points, vertices) = read.trim_end().split_once('\n').unwrap();
         let rounded: Vec<u32> =
             in_space(triangulation).iter().map(|x| (*x as f32).to_bits()).collect();
         assert_eq!(points, format!("{rounded:?}"));
@@ -229,6 +229,6 @@ fn vtk_reads_ply() {
             2 => triangles(&format!("{:?}", triangulation.simplices)),
             _ => boundary(triangulation),
         };
-        assert_eq!(triangles(corners), expected);
+        assert_eq!(triangles(vertices), expected);
     }
 }

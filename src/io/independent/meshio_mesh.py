@@ -1,4 +1,4 @@
-"""Prints the bits of the points, then the corners of all cells of a type, then integer arrays, those of
+"""Prints the bits of the points, then the vertices of all cells of a type, then integer arrays, those of
 cells under a name that begins with "cell ". Arguments: the path, meshio's name of the type, arrays."""
 import contextlib
 import sys

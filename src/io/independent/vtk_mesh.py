@@ -12,16 +12,16 @@ reader.SetFileName(path)
 reader.Update()
 assert reader.GetErrorCode() == 0
 grid = reader.GetOutput()
-corners = []
+vertices = []
 for i in range(grid.GetNumberOfCells()):
     cell = grid.GetCell(i)
     if cell.GetCellType() == int(sys.argv[2]):
-        corners += [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
+        vertices += [cell.GetPointId(k) for k in range(cell.GetNumberOfPoints())]
 points = vtk_to_numpy(grid.GetPoints().GetData())
 # VTK's reader of PLY rounds coordinates to floats.
 kind, bits = ("<f4", "<u4") if is_ply else ("<f8", "<u8")
 print(points.astype(kind).view(bits).ravel().tolist())
-print(corners)
+print(vertices)
 for name in sys.argv[3:]:
     data = grid.GetCellData() if name.startswith("cell ") else grid.GetPointData()
     array = data.GetArray(name.removeprefix("cell "))

@@ -65,7 +65,7 @@ fn write_boundary(triangulation: &Triangulation, out: &mut dyn Write) -> io::Res
         let vertices = triangulation.simplex(simplex);
         for (neighbor, facet) in triangulation.neighbors_of(simplex).iter().zip(FACETS) {
             if *neighbor == NONE {
-                write_face(&facet.map(|corner| vertices[corner]), out)?;
+                write_face(&facet.map(|index| vertices[index]), out)?;
             }
         }
     }
@@ -164,11 +164,11 @@ mod tests {
         }
     }
 
-    /// All facets of one tetrahedron, each with its normal away from the corner that is left out.
+    /// All facets of one tetrahedron, each with its normal away from the vertex that is left out.
     #[test]
     fn the_boundary_looks_outward() {
-        let corners = [0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];
-        let mut mesh = crate::Mesh::new(3, 4, &corners, 0).unwrap();
+        let points = [0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];
+        let mut mesh = crate::Mesh::new(3, 4, &points, 0).unwrap();
         mesh.run(&samples::delaunay(), None).unwrap();
         let mut file = Vec::new();
         write(&mesh, Format::Ply, &mut file).unwrap();

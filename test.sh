@@ -1,55 +1,120 @@
 #!/usr/bin/env bash
-# Runs every test there is; installs what that needs on Debian. NETMESH_JOBS limits the processes.
+# Runs every test there is, or those of some lanes; installs what they need on Debian.
+#
+#   ./test.sh [--without TOOL]... [LANE...]
+#
+# Lanes: format clippy rust cpp sanitizers miri. Without a tool its tests are skipped; the tools that
+# may be absent so are `readers` (the Python packages that read in tests what netmesh has written) and
+# `miri`. NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes.
+# The end tells the seconds of every lane, and what was skipped and why.
 set -euo pipefail
 cd "$(dirname "$0")"
 exec </dev/null
 
+readonly all_lanes=(format clippy rust cpp sanitizers miri)
 readonly jobs="${NETMESH_JOBS:-$(nproc)}"
 readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 # shellcheck source=scripts/common.sh
 . scripts/common.sh
+# shellcheck source=scripts/report.sh
+. scripts/report.sh
 # shellcheck source=scripts/tools.sh
 . scripts/tools.sh
 # shellcheck source=scripts/sanitizers.sh
 . scripts/sanitizers.sh
 
-step "tools"
-need_cargo
-need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev locales doxygen python3 python3-venv \
-  libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libgomp1
-need_rust_components
+usage() {
+  fail "usage: ./test.sh [--without readers|miri]... [LANE...]; lanes: ${all_lanes[*]}"
+}
+
+lanes=() without=" ${NETMESH_WITHOUT:-} "
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --without)
+      [ $# -gt 1 ] || usage
+      without+="$2 "
+      shift
+      ;;
+    *)
+      [[ " ${all_lanes[*]} " == *" $1 "* ]] || usage
+      lanes+=("$1")
+      ;;
+  esac
+  shift
+done
+for tool in $without; do
+  [[ " readers miri " == *" $tool "* ]] || usage
+done
+[ ${#lanes[@]} -gt 0 ] || lanes=("${all_lanes[@]}")
+
+tools_lane() {
+  need_cargo
+  need_linker
+  if has_lane format || has_lane clippy; then need_rust_components; fi
+  if has_lane cpp; then
+    need_packages g++ cmake make pkg-config valgrind libcgal-dev libeigen3-dev libtet1.5-dev locales doxygen python3
+  elif has_lane sanitizers; then
+    need_packages g++ cmake make
+  fi
+  if has_lane rust; then
+    need_packages g++ bsdutils python3
+    need_cbindgen
+    need_readers
+  fi
+}
+
+format_lane() {
+  cargo fmt --all --check
+}
+
+clippy_lane() {
+  cargo clippy --workspace --all-targets --locked -- -D warnings
+}
+
+# Tests that cannot run say so on a line of their own: `skipped: REASON`.
+rust_lane() {
+  local log="$PWD/target/rust_tests.log"
+  cargo test --workspace --locked --no-fail-fast -- --show-output | tee "$log"
+  skips_of_cargo "$log"
+}
+
+cpp_lane() {
+  cmake --preset release
+  cmake --build --preset release --parallel "$jobs"
+  ctest --preset release --parallel "$jobs"
+  skips_of_ctest target/cmake
+}
+
+sanitizers_lane() {
+  address_sanitizer_tests
+  thread_sanitizer_tests
+}
+
+miri_lane() {
+  local toolchain
+  toolchain="$(miri_toolchain)"
+  if is_without miri; then
+    skipped "miri" "--without miri"
+  elif [ -z "$toolchain" ]; then
+    skipped "miri" "there is no nightly toolchain with the component miri"
+  else
+    MIRIFLAGS=-Zmiri-disable-isolation cargo "+$toolchain" miri test --package netmesh --lib -- \
+      capi memory pair::
+  fi
+}
+
+# Nothing is edited between two builds here, and nobody looks at a test with a debugger.
+export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 export PATH="$venv/bin:$tools/bin:$PATH" CARGO_BUILD_JOBS="$jobs"
-need_cbindgen
-need_readers
 
-step "format"
-cargo fmt --all --check
-
-step "clippy"
-cargo clippy --workspace --all-targets --locked -- -D warnings
-
-step "Rust tests"
-cargo test --workspace --locked --no-fail-fast
-
-step "C++ harness: build"
-cmake --preset release
-cmake --build --preset release --parallel "$jobs"
-
-step "C++ harness: CGAL, TetGen, valgrind, projects that use the package"
-ctest --preset release --parallel "$jobs"
-
-step "C ABI: address and undefined behaviour sanitizers"
-address_sanitizer_tests
-
-step "C ABI: thread sanitizer"
-thread_sanitizer_tests
-
-step "Miri"
-miri="$(miri_toolchain)"
-if [ -n "$miri" ]; then
-  MIRIFLAGS=-Zmiri-disable-isolation cargo "+$miri" miri test --package netmesh --lib -- capi memory pair::
-else
-  echo "skipped: no nightly toolchain with the component miri"
-fi
-
+mkdir -p target
+trap report EXIT
+timed tools
+for lane in "${all_lanes[@]}"; do
+  if has_lane "$lane"; then
+    timed "$lane"
+  else
+    skipped "$lane" "other lanes were asked for"
+  fi
+done
 step "all tests passed"

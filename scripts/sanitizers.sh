@@ -9,6 +9,7 @@ build_and_test() {
   local steady=()
   if setarch --addr-no-randomize true 2>/dev/null; then steady=(setarch --addr-no-randomize); fi
   "${steady[@]}" ctest --test-dir "$directory" --output-on-failure
+  skips_of_ctest "$directory"
 }
 
 address_sanitizer_tests() {
@@ -28,7 +29,7 @@ thread_sanitizer_tests() {
   # shellcheck disable=SC2086
   if ! RUSTC_BOOTSTRAP=1 rustc $flags --crate-type lib --crate-name probe --emit metadata \
     --out-dir "$probe" - </dev/null; then
-    echo "skipped: this Rust compiler has no thread sanitizer"
+    skipped "thread sanitizer" "this Rust compiler has none"
     return 0
   fi
   local environment="RUSTC_BOOTSTRAP=1;RUSTFLAGS=$flags;CARGO_PROFILE_RELEASE_LTO=off"

@@ -1,7 +1,7 @@
 # Sourced by test.sh: the pinned tools, each in its place under target/.
 
 readonly CBINDGEN_VERSION=0.29.0
-readonly MESHIO_VERSION=5.3.5 GMSH_VERSION=4.15.2 VTK_VERSION=9.7.2
+readonly NUMPY_VERSION=2.3.5 MESHIO_VERSION=5.3.5 RICH_VERSION=14.2.0 GMSH_VERSION=4.15.2 VTK_VERSION=9.7.2
 
 need_rust_components() {
   if cargo fmt --version && cargo clippy --version; then
@@ -21,19 +21,22 @@ need_cbindgen() {
   cbindgen --version
 }
 
-# What reads in tests what netmesh has written. Of vtk without what it depends on: that is for drawing.
-# Where gmsh or vtk cannot be had, on another processor for example, their tests say so and pass.
+# What reads in tests what netmesh has written: the readers and what they import, not what else they
+# could draw with.
 need_readers() {
-  local wanted="meshio $MESHIO_VERSION, gmsh $GMSH_VERSION, vtk $VTK_VERSION"
-  if [ "$(cat "$venv/readers" 2>/dev/null)" != "$wanted" ]; then
-    python3 -m venv --clear "$venv"
-    local pip=("$venv/bin/pip" install --quiet --disable-pip-version-check)
-    "${pip[@]}" "meshio==$MESHIO_VERSION"
-    "${pip[@]}" --no-deps "gmsh==$GMSH_VERSION" || echo "there is no gmsh here"
-    "${pip[@]}" --no-deps "vtk==$VTK_VERSION" || echo "there is no vtk here"
-    echo "$wanted" >"$venv/readers"
+  if is_without readers; then
+    skipped "readers" "--without readers"
+    return 0
   fi
-  "$venv/bin/pip" list --format=freeze --disable-pip-version-check | grep --extended-regexp '^(meshio|gmsh|vtk|numpy)=='
+  need_packages python3-venv libglu1-mesa libgl1 libxcursor1 libxft2 libxinerama1 libgomp1
+  local wanted=("numpy==$NUMPY_VERSION" "meshio==$MESHIO_VERSION" "rich==$RICH_VERSION" "gmsh==$GMSH_VERSION" "vtk==$VTK_VERSION")
+  if [ "$(cat "$venv/readers" 2>/dev/null)" != "${wanted[*]}" ]; then
+    python3 -m venv --clear "$venv"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check --no-deps --no-compile --only-binary :all: \
+      "${wanted[@]}" || fail "cannot install the readers; without them: ./test.sh --without readers"
+    echo "${wanted[*]}" >"$venv/readers"
+  fi
+  echo "${wanted[*]}"
 }
 
 # Miri runs the tests of the unsafe code under a checker for undefined behaviour; only a nightly has it.

@@ -122,8 +122,16 @@ fn nested_clusters_in_4d() {
 }
 
 #[test]
-fn pairs() {
+fn pairs_in_2d() {
     check_pairs(2, 500, &[6.0, 7.0, 8.0, 9.0, 10.0]);
+}
+
+#[test]
+fn pairs_in_3d() {
     check_pairs(3, 250, &[5.0, 5.5, 6.0, 7.0, 8.0]);
+}
+
+#[test]
+fn pairs_in_4d() {
     check_pairs(4, 120, &[4.0, 5.0, 6.0]);
 }

@@ -90,7 +90,7 @@ struct Product {
     negative: bool,
     /// The number of limbs in use.
     length: usize,
-    /// In bits, over as many factors' 2^-1074.
+    /// In bits: the product's unit is 2^-1074 for each factor, and this many bits more.
     shift: usize,
     limbs: [u64; FACTORS - 1],
 }

@@ -32,8 +32,8 @@ pub fn check_points<const D: usize>(points: &[[f64; D]], swapped: (usize, usize)
     let signs = Signs::of(points);
     assert_eq!(signs, Signs::exact(points), "{points:?}");
     assert_eq!(signs, Signs::oracle(points), "{points:?}");
-    let turned = orientation_filtered(&references(points)[..=D]);
-    assert!(turned.is_none_or(|sign| sign == signs.turn), "{points:?}");
+    let filtered = orientation_filtered(&references(points)[..=D]);
+    assert!(filtered.is_none_or(|sign| sign == signs.orientation), "{points:?}");
     check_symmetry(points, signs, swapped);
     check_circumball(points, signs);
 }
@@ -41,7 +41,7 @@ pub fn check_points<const D: usize>(points: &[[f64; D]], swapped: (usize, usize)
 /// The orientation of the first `D + 1` points, and the side of the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Signs {
-    turn: Sign,
+    orientation: Sign,
     side: Sign,
 }
 
@@ -49,25 +49,28 @@ impl Signs {
     fn of<const D: usize>(points: &[[f64; D]]) -> Self {
         let references = references(points);
         let simplex = &references[..=D];
-        Self { turn: orientation(simplex), side: in_ball(simplex, &points[D + 1]) }
+        Self { orientation: orientation(simplex), side: in_ball(simplex, &points[D + 1]) }
     }
 
     fn exact<const D: usize>(points: &[[f64; D]]) -> Self {
         let references = references(points);
         let simplex = &references[..=D];
-        Self { turn: orientation_exact(simplex), side: in_ball_exact(simplex, &points[D + 1]) }
+        Self {
+            orientation: orientation_exact(simplex),
+            side: in_ball_exact(simplex, &points[D + 1]),
+        }
     }
 
     fn oracle<const D: usize>(points: &[[f64; D]]) -> Self {
         let simplex = &points[..=D];
         Self {
-            turn: sign(oracle::orientation(simplex)),
+            orientation: sign(oracle::orientation(simplex)),
             side: sign(oracle::in_ball(simplex, &points[D + 1])),
         }
     }
 
     fn flip(self) -> Self {
-        Self { turn: self.turn.flip(), side: self.side.flip() }
+        Self { orientation: self.orientation.flip(), side: self.side.flip() }
     }
 }
 
@@ -104,7 +107,7 @@ fn check_symmetry<const D: usize>(points: &[[f64; D]], signs: Signs, swapped: (u
 
 /// What a ball decides is so, for the query point and for the corners, which are on the sphere.
 fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
-    if signs.turn == Sign::Zero {
+    if signs.orientation == Sign::Zero {
         return;
     }
     let simplex = &references(points)[..=D];
@@ -114,7 +117,7 @@ fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
         assert_eq!(ball.side(anchor, corner), None, "{corner:?} of {points:?}");
     }
     if let Some(inside) = ball.side(anchor, &points[D + 1]) {
-        let expected = if inside { signs.turn } else { signs.turn.flip() };
+        let expected = if inside { signs.orientation } else { signs.orientation.flip() };
         assert_eq!(signs.side, expected, "{ball:?} of {points:?}");
     }
 }

@@ -1,9 +1,8 @@
 //! The cone of a new vertex over the boundary of its cavity, and which two of its simplices share a
 //! ridge of the boundary. In the plane a ridge is a vertex, which remembers the edge that starts
 //! there; in space an edge of few vertices, a table of whose pairs is small; then a hash table
-//! knows them, and beyond that one pivots round each through the cavity. How many steps that takes
-//! no processor can foresee, nor what a hash table finds: the first two have no branch that depends
-//! on either.
+//! knows them, and beyond that one pivots round each through the cavity. The first two are free of
+//! branches in the sense of [`Array::push_if`](crate::memory::Array::push_if).
 
 use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
 use super::{Complex, Facet, INFINITE, VertexSet, position};

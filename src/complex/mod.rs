@@ -263,7 +263,7 @@ impl<const D: usize> Complex<D> {
     }
 }
 
-/// Where `id` stands last in `ids`, 0 if nowhere, without a branch.
+/// Where `id` stands last in `ids`, 0 if nowhere. Without a branch, as `Array::push_if`.
 #[inline(always)]
 fn index_of(ids: &[u32], id: u32) -> usize {
     ids.iter().enumerate().fold(0, |found, (at, &other)| if other == id { at } else { found })

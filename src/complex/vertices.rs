@@ -36,7 +36,7 @@ impl VertexSet {
     pub fn insert(&mut self, id: u32) -> AllocResult<()> {
         self.ids.make_room(1)?;
         let mark = &mut self.marks[id as usize];
-        // Without a branch on what no processor can foresee.
+        // Without a branch on `is_new`, as `Array::push_if`.
         let is_new = *mark < self.base;
         let next = self.base + self.ids.len() as u32;
         *mark = if is_new { next } else { *mark };

@@ -1,5 +1,5 @@
-//! The search of a cavity. Which way it goes no processor can foresee, so it branches seldom: a
-//! simplex is written where it may belong, and stays if it does.
+//! The search of a cavity, without branches on what a processor cannot guess
+//! ([`Array::push_if`] tells why): a simplex is written where it may belong, and stays if it does.
 
 use super::Delaunay;
 use super::conflict::Conflicts;

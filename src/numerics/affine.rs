@@ -78,7 +78,7 @@ impl<const D: usize> Basis<D> {
         false
     }
 
-    /// Whether the points, one more than the columns looked at, are independent on those.
+    /// Whether the points are affinely independent on the first columns, of which there is one less.
     fn minor_is_nonzero(&self) -> bool {
         match self.size - 1 {
             1 => self.points[0][self.columns[0]] != self.points[1][self.columns[0]],

@@ -64,7 +64,7 @@ pub(super) fn unit_and_span<'a>(
     (unit <= top).then(|| (unit, (top - unit) as usize))
 }
 
-/// A sum of `count` numbers has so many bits more than the largest.
+/// How many bits a sum of `count` numbers may have more than the largest of them.
 pub(super) fn bits_of(count: usize) -> usize {
     count.next_power_of_two().ilog2() as usize
 }

@@ -1,4 +1,4 @@
-//! Oracles and point generators for the tests of this room. The oracles share nothing with the
+//! Oracles, point generators and random numbers for unit tests. The oracles share nothing with the
 //! code under test: coordinates in units of 2^-1074, homogeneous matrices, Laplace expansion.
 
 use super::sign::Sign;

@@ -34,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let mut near = 0;
             for &vertex in vertices {
                 let cell = &mut cells[vertex as usize];
-                // Written in any case: whether it grows no processor can foresee.
+                // Written in any case, without a branch (`Array::push_if`).
                 cell.farthest = if radius > cell.farthest { radius } else { cell.farthest };
                 near += usize::from(cell.nearest < allowed);
             }
@@ -202,7 +202,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         counts: impl Fn(&mut Self, u32) -> bool,
     ) -> Option<u32> {
         let mut least = self.nearest_allowed(radius);
-        // The worst of all, without a branch: mostly it counts, or is not bad.
+        // The worst of all, without a branch (`Array::push_if`): mostly it counts, or is not bad.
         let vertices = self.state.delaunay.complex().vertices(simplex);
         let all = vertices.iter().fold((least, NONE), |(least, worst), &vertex| {
             let nearest = self.state.cells[vertex as usize].nearest;

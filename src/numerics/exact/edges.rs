@@ -328,7 +328,7 @@ mod tests {
         thread.expect("a thread").join().expect("no overflow, which would end the process");
     }
 
-    /// The right sides that no public function of this room asks for.
+    /// The right sides that no public function of this module asks for.
     fn solutions_agree<const D: usize>(trials: usize) {
         for family in FAMILIES {
             let mut random = Random(family as u64 * 100 + 70 + D as u64);

@@ -8,7 +8,7 @@ use crate::numerics::power::{bits_of, power_of_two, unit_and_span};
 use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
 use std::marker::PhantomData;
 
-/// Coordinates that are smaller than 2 to this in their common unit, so that edges fit in a word.
+/// Coordinates below 2 to this power, in their common unit, have edges that fit in a word.
 const MAX_SPAN: usize = 62;
 
 /// Edges from an origin to other points, in the largest power of two that divides all coordinates.
@@ -21,7 +21,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// `None` if they do not fit.
+    /// `None` if the coordinates span more than [`MAX_SPAN`] bits, or if all are zero.
     pub fn new<'a, const D: usize>(
         origin: &'a [f64; D],
         ends: impl Iterator<Item = &'a [f64; D]> + Clone,
@@ -158,7 +158,7 @@ impl Ring for i128 {
     }
 }
 
-/// Words from the lowest.
+/// `L` words, the lowest first.
 #[derive(Clone, Copy)]
 struct Wide<const L: usize>([u64; L]);
 
@@ -170,7 +170,7 @@ impl<const L: usize> Ring for Wide<L> {
         Self(words)
     };
 
-    /// Without a branch on the sign of `factor`, which no processor can foresee.
+    /// Without a branch on the sign of `factor`, which a processor cannot guess.
     #[inline]
     fn add_product(&mut self, other: Self, factor: i64) {
         // To subtract the product is to add its complement and one.

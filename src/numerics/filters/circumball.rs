@@ -12,17 +12,18 @@ use std::ops::RangeInclusive;
 #[cfg(test)]
 mod tests;
 
-/// The circumball of a simplex, its centre relative to one of the vertices and scaled by a power
-/// of two, so that tiny and huge simplices are told apart from their neighbours alike. Half a cache
-/// line in space.
+/// The circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power of
+/// two, so that it is as accurate for tiny and huge simplices as for others. It takes half a cache line
+/// in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
     /// (circumcentre - anchor point) / unit. If the exponent is not -1, the largest magnitude is in
     /// [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot be used.
     pub center: [f64; D],
-    /// The vertex that `center` is relative to: its index in the simplex, in whose place the caller may
-    /// put a name of its own. No two vertices are much nearer to each other than both are to it: it is
-    /// an endpoint of the shortest edge in the sum norm, or the simplex is not [`FLAT`] at it.
+    /// The vertex that `center` is relative to, as its index in the simplex. A caller may put an id of
+    /// its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to each other
+    /// than both are to the anchor: it is an endpoint of the shortest edge in the sum norm, or the simplex
+    /// is not [`FLAT`] at it.
     pub anchor: u32,
     precision: Precision,
 }
@@ -38,11 +39,11 @@ const PLAIN: i16 = -1;
 /// numbers of single precision.
 const PLAIN_EXPONENTS: RangeInclusive<i32> = -70..=100;
 
-/// How many times smaller than a box with its edges a simplex may be at its first vertex, for this
-/// to be the anchor: a loss of as many bits for points near another vertex.
+/// The first vertex may be the anchor if the volume that its edges span is at most this many times smaller
+/// than that of a box with such edges. Points near another vertex lose log2 of it in bits.
 const FLAT: f64 = 128.0;
 
-/// The same for the endpoint of the shortest edge, where only the error grows.
+/// The same limit for an endpoint of the shortest edge, where only the error grows.
 const FLATTER: f64 = 1024.0;
 
 /// Units of roundoff of the centre's length that are in `error` for [`Circumball::side`].
@@ -72,8 +73,8 @@ impl<const D: usize> Circumball<D> {
         Self::by_cramer(&vertex, 0, FLAT).unwrap_or_else(|| Self::with_care(&vertex))
     }
 
-    /// The circumballs of two simplices, for less than twice the price, if the size and the shape of both
-    /// are nothing special; `None` otherwise.
+    /// The circumballs of two simplices, in less than twice the time of one. `None` unless both simplices
+    /// have an ordinary size and shape.
     #[inline(always)]
     pub fn ordinary_pair<'a>(
         first: impl Fn(usize) -> &'a [f64; D],
@@ -98,8 +99,8 @@ impl<const D: usize> Circumball<D> {
         Some([first, second])
     }
 
-    /// The ball of a simplex whose size and shape are nothing special; `None` otherwise, and beyond
-    /// dimension [`MAX_CRAMER`].
+    /// The ball of a simplex of ordinary size and shape. `None` for others, and beyond dimension
+    /// [`MAX_CRAMER`].
     #[inline(always)]
     fn by_cramer<'a>(
         vertex: &impl Fn(usize) -> &'a [f64; D],
@@ -190,7 +191,7 @@ impl<const D: usize> Circumball<D> {
         Self { center, anchor: anchor as u32, precision }
     }
 
-    /// The same ball; `anchor` names its anchor.
+    /// The same ball, whose anchor has the id `anchor`.
     #[inline]
     pub const fn anchored(self, anchor: u32) -> Self {
         Self { anchor, ..self }
@@ -246,7 +247,7 @@ impl<const D: usize> Circumball<D> {
         self.rare_side(anchor_point, q)
     }
 
-    /// The side for balls of a size out of the ordinary and for points that are far away.
+    /// The side for balls of an unusual size and for points that are far away.
     #[cold]
     #[inline(never)]
     fn rare_side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
@@ -274,7 +275,7 @@ impl<const D: usize> Circumball<D> {
         let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));
         let power = terms[1..].iter().fold(terms[0], |power, x| power + x);
         let sum = w[1..].iter().fold(w[0].abs(), |sum, x| sum + x.abs());
-        // Not so if anything is NaN.
+        // False if anything is NaN.
         let is_decided = power.abs() > error * sum + TINY;
         is_decided.then_some(power < 0.0)
     }

@@ -1,16 +1,16 @@
 //! Formulas for one double, or for two side by side, which a processor computes in the same time. Both
-//! come to the same bits: every operation is rounded as IEEE 754 has it.
+//! give the same bits, since every operation is rounded as IEEE 754 says.
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// What formulas are written in.
+/// What a formula computes with: one double, or two side by side.
 pub(super) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     fn of(value: f64) -> Self;
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
-    /// Not so if anything is NaN; of two, whether both are.
+    /// False if either is NaN. For two doubles side by side the comparison must hold for both.
     fn is_at_most(self, other: Self) -> bool;
 }
 

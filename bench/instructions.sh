@@ -5,16 +5,16 @@
 #
 #   bench/instructions.sh [--record "what changed"]
 #
-# --record appends the figures to docs/instructions.md, under that label and the last commit that
-# changed src (with a + where src differs from what is committed).
+# --record appends the figures to the table at the end of docs/performance.md, under that label and the
+# last commit that changed src (with a + where src differs from what is committed).
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/.." && pwd)"
-readonly target="${CARGO_TARGET_DIR:-$root/target}" document="$root/docs/instructions.md"
+readonly target="${CARGO_TARGET_DIR:-$root/target}" document="$root/docs/performance.md"
 # shellcheck source=scripts/common.sh
 . "$root/scripts/common.sh"
 
-# Dimension, points, kind; the columns of docs/instructions.md have the same order.
+# Dimension, points, kind; the columns of the last table of docs/performance.md have the same order.
 readonly cases=(
   "2 5000 uniform"
   "3 5000 uniform"

@@ -123,9 +123,9 @@ fn every_region_of_the_examples_is_in_a_page() {
     assert_eq!(found, quoted.len());
 }
 
-/// The documents of the project: those at the root, in docs and in bench.
+/// The documents of the project: those at the root, in docs and its reports, and in bench.
 fn documents() -> Vec<String> {
-    let directories = ["", "docs", "bench"].map(|name| root().join(name));
+    let directories = ["", "docs", "docs/reports", "bench"].map(|name| root().join(name));
     let entries = directories.iter().flat_map(|path| fs::read_dir(path).expect("a directory"));
     let paths = entries.map(|entry| entry.expect("an entry").path());
     let pages = paths.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
@@ -166,6 +166,24 @@ fn links_lead_somewhere() {
         }
     }
     assert!(links > 50, "{links} links");
+}
+
+#[test]
+fn the_glossary_has_each_word_once_and_in_order() {
+    let text = read("docs/glossary.md");
+    let rows = text.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let cells: Vec<Vec<&str>> = rows.map(|line| line.split('|').map(str::trim).collect()).collect();
+    assert!(cells.len() > 50, "{} words", cells.len());
+    for row in &cells {
+        // Nothing before the first bar and after the last, and between them word, meaning and place.
+        assert_eq!(row.len(), 5, "{row:?}");
+        assert!(row[1..4].iter().all(|cell| !cell.is_empty()), "{row:?}");
+        assert!(row[2].ends_with('.'), "{}: the meaning is a sentence", row[1]);
+    }
+    let words: Vec<String> = cells.iter().map(|row| row[1].to_lowercase()).collect();
+    for pair in words.windows(2) {
+        assert!(pair[0] < pair[1], "{} stands before {}", pair[0], pair[1]);
+    }
 }
 
 /// The path from the root of what `document` links to.

@@ -4,14 +4,14 @@
 #
 #   bench/breakers/run.sh [--write] [options of breakers, see main.cpp]
 #
-# --write puts the table into docs/breakers.md. NETMESH_BUILD is where CMake builds (target/cmake),
+# --write puts the table into docs/reports/breakers.md. NETMESH_BUILD is where CMake builds (target/cmake),
 # NETMESH_JOBS how many processes run at a time (2).
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 root="$(cd "$here/../.." && pwd)"
 build="${NETMESH_BUILD:-$root/target/cmake}"
 jobs="${NETMESH_JOBS:-2}"
-document="$root/docs/breakers.md"
+document="$root/docs/reports/breakers.md"
 
 write=no
 if [ "${1:-}" = --write ]; then

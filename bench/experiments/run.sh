@@ -3,11 +3,12 @@
 # meshers. All of them are meant to take 20 minutes: the last full run took 16 with NETMESH_JOBS=4 on four
 # cores, the one before 27 with 2, on a machine with other work to do.
 #
-#   bench/experiments/run.sh [--write] [--quick] [names...]
+#   bench/experiments/run.sh [--write] [--quick | --from-csv] [names...]
 #
-# --write puts tables and plots into docs/experiments/ and the document into docs/experiments.md;
+# --from-csv runs nothing: it makes verdicts and plots again from the tables that are there.
+# --write puts tables and plots into docs/reports/ and the document into docs/reports/experiments.md;
 # without it they are left under target/experiments. names: spread, growth, finishing, skew_lines,
-# sizes, dimensions, closing. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
+# sizes, dimensions, cage_cells. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
 # many runs go on at a time where nothing is timed (2).
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
@@ -45,18 +46,22 @@ need_cargo
 cargo build --release --locked --manifest-path "$root/Cargo.toml" --package netmesh-experiments >&2
 
 options=(--jobs "$jobs" --scratch "$work/scratch")
-if build_peers >&2; then
+if [[ " $* " == *" --from-csv "* ]]; then
+  : # which needs no other mesher
+elif build_peers >&2; then
   options+=(--peers "$build/bench/experiments/peers/experiment_peers")
 else
   echo "TetGen and CGAL are left out: their program cannot be built here" >&2
 fi
-if has_triangle || { install_triangle && has_triangle; } >&2; then
+if [[ " $* " == *" --from-csv "* ]]; then
+  :
+elif has_triangle || { install_triangle && has_triangle; } >&2; then
   options+=(--triangle "$venv/bin/python" "$here/peers/refine_with_triangle.py")
 else
   echo "Triangle is left out: no python3 that can have the PyPI module triangle" >&2
 fi
 if [ "$write" = yes ]; then
-  options+=(--output "$root/docs/experiments" --document "$root/docs/experiments.md")
+  options+=(--output "$root/docs/reports" --document "$root/docs/reports/experiments.md")
 else
   options+=(--output "$work/results" --document "$work/results.md")
 fi

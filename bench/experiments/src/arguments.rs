@@ -15,7 +15,8 @@ Runs the experiments (all, without names) and prints their tables' verdicts.
   --triangle PY FILE  a Python with the module triangle, and refine_with_triangle.py
   --scratch FOLDER    where peers read and write (the system's folder for temporary files)
   --output FOLDER     where tables (.csv) and plots (.svg) go
-  --document FILE     where the sections go; OUTPUT's name is the link to tables and plots";
+  --document FILE     where the sections go; OUTPUT's name is the link to tables and plots
+  --from-csv          runs nothing: verdicts and plots again from the tables in OUTPUT";
 
 #[derive(Debug, PartialEq)]
 pub struct Arguments {
@@ -26,6 +27,7 @@ pub struct Arguments {
     pub scratch: PathBuf,
     pub output: Option<PathBuf>,
     pub document: Option<PathBuf>,
+    pub from_csv: bool,
     /// Of the experiments to run, in the order of [`ALL`].
     pub names: Vec<&'static str>,
 }
@@ -42,6 +44,7 @@ impl Arguments {
             scratch: std::env::temp_dir(),
             output: None,
             document: None,
+            from_csv: false,
             names: Vec::new(),
         };
         let mut wanted = Vec::new();
@@ -57,6 +60,7 @@ impl Arguments {
                     arguments.jobs =
                         jobs.ok_or(format!("--jobs is {value}; it must be at least 1"))?;
                 }
+                "--from-csv" => arguments.from_csv = true,
                 "--peers" => arguments.peers = Some(next()?.into()),
                 "--triangle" => arguments.triangle = Some((next()?.into(), next()?.into())),
                 "--scratch" => arguments.scratch = next()?.into(),
@@ -67,6 +71,9 @@ impl Arguments {
                 }
                 other => return Err(format!("{other} is neither an option nor an experiment")),
             }
+        }
+        if arguments.from_csv && arguments.output.is_none() {
+            return Err("--from-csv needs --output, where the tables are".to_string());
         }
         arguments.names = ALL
             .iter()
@@ -95,7 +102,7 @@ mod tests {
 
     #[test]
     fn wrong_words_are_refused() {
-        for words in ["spred", "--jobs", "--jobs 0", "--triangle python3"] {
+        for words in ["spred", "--jobs", "--jobs 0", "--triangle python3", "--from-csv"] {
             assert!(parse(words).is_err(), "{words}");
         }
     }

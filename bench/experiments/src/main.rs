@@ -2,6 +2,7 @@
 //! meshers that people use. `run.sh` builds what this needs and calls it.
 
 mod arguments;
+mod degrees;
 mod experiments;
 mod inputs;
 mod instruments;
@@ -15,11 +16,12 @@ mod table;
 mod verdict;
 
 use arguments::Arguments;
-use experiments::{ALL, Context, Scale};
+use experiments::{ALL, Again, Context, Scale};
 use report::{Report, Sections};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use table::Rows;
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -35,7 +37,8 @@ fn main() -> ExitCode {
             return ExitCode::from(2);
         }
     };
-    match run(&arguments) {
+    let done = if arguments.from_csv { make_again(&arguments) } else { run(&arguments) };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");
@@ -73,6 +76,26 @@ fn run(arguments: &Arguments) -> std::io::Result<()> {
     Ok(())
 }
 
+/// Verdicts and plots from the tables that are there.
+fn make_again(arguments: &Arguments) -> std::io::Result<()> {
+    let Some(output) = &arguments.output else { return Ok(()) };
+    for name in &arguments.names {
+        let experiment = ALL.iter().find(|e| e.name == *name).expect("names are those of ALL");
+        let path = output.join(format!("{name}.csv"));
+        let rows = Rows::parse(&std::fs::read_to_string(&path)?).ok_or_else(|| {
+            std::io::Error::other(format!("{}: the rows differ in length", path.display()))
+        })?;
+        match experiment.again {
+            Again::Report(report) => write(arguments, &report(&rows))?,
+            Again::Plots(plots) => {
+                Report { plots: plots(&rows), ..Report::default() }.write_files(output)?;
+            }
+            Again::Nothing => {}
+        }
+    }
+    Ok(())
+}
+
 fn context(arguments: &Arguments) -> Context {
     for (missing, what) in [
         (arguments.peers.is_none(), "TetGen, CGAL (no --peers)"),
@@ -101,13 +124,17 @@ fn write(arguments: &Arguments, report: &Report) -> std::io::Result<()> {
     let Some(document) = &arguments.document else { return Ok(()) };
     let old = if document.exists() { std::fs::read_to_string(document)? } else { String::new() };
     let mut sections = Sections::of(&old);
-    sections.replace(report.name, report.section(&link(output)));
+    sections.replace(report.name, report.section(&link(output, document)));
     let names: Vec<&str> = ALL.iter().map(|experiment| experiment.name).collect();
     std::fs::write(document, sections.document(&introduction(arguments.scale), &names))
 }
 
-/// The document is beside the folder of tables and plots.
-fn link(output: &Path) -> String {
+/// The path from the document to the folder of tables and plots, which is the document's own folder or
+/// one beside it.
+fn link(output: &Path, document: &Path) -> String {
+    if document.parent() == Some(output) {
+        return ".".into();
+    }
     output.file_name().map_or(".".into(), |name| name.to_string_lossy().into_owned())
 }
 

@@ -1,4 +1,4 @@
-//! What an experiment says, as files and as a section of docs/experiments.md.
+//! What an experiment says, as files and as a section of docs/reports/experiments.md.
 
 use crate::plot::Plot;
 use crate::table::Table;

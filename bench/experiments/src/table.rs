@@ -35,6 +35,68 @@ impl Table {
     }
 }
 
+/// What a table's file says, to make a report again without a run.
+#[derive(Debug)]
+pub struct Rows {
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// A row with the names of its cells.
+#[derive(Clone, Copy)]
+pub struct Row<'a> {
+    columns: &'a [String],
+    cells: &'a [String],
+}
+
+impl Rows {
+    /// Nothing if it is no table as [`Table::csv`] writes them; no cell of ours holds a line's end.
+    pub fn parse(csv: &str) -> Option<Self> {
+        let mut lines = csv.lines().map(cells);
+        let columns = lines.next()?;
+        let rows: Vec<Vec<String>> = lines.collect();
+        rows.iter().all(|row| row.len() == columns.len()).then_some(Self { columns, rows })
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = Row<'_>> {
+        self.rows.iter().map(|cells| Row { columns: &self.columns, cells })
+    }
+}
+
+impl<'a> Row<'a> {
+    /// The cell in `column`; "-" in a table of a version without that column.
+    pub fn word(&self, column: &str) -> &'a str {
+        let at = self.columns.iter().position(|name| name == column);
+        at.map_or("-", |at| &self.cells[at])
+    }
+
+    /// NaN for a cell without a number.
+    pub fn number(&self, column: &str) -> f64 {
+        self.word(column).parse().unwrap_or(f64::NAN)
+    }
+
+    /// Zero for a cell without a count.
+    pub fn count(&self, column: &str) -> usize {
+        self.word(column).parse().unwrap_or(0)
+    }
+}
+
+/// The cells of a line, without the quotes that [`quoted`] puts round some.
+fn cells(line: &str) -> Vec<String> {
+    let (mut cells, mut is_quoted) = (vec![String::new()], false);
+    let mut letters = line.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let cell = cells.last_mut().expect("one from the start");
+        match letter {
+            '"' if is_quoted && letters.next_if_eq(&'"').is_some() => cell.push('"'),
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => cells.push(String::new()),
+            _ => cell.push(letter),
+        }
+    }
+    cells
+}
+
 fn csv_line(row: &[String]) -> String {
     let cells: Vec<String> = row.iter().map(|cell| quoted(cell)).collect();
     cells.join(",") + "\n"
@@ -46,6 +108,11 @@ fn quoted(cell: &str) -> String {
     } else {
         cell.to_string()
     }
+}
+
+/// [`number`], or "-" for NaN, which stands for what was not measured.
+pub fn number_or_dash(x: f64) -> String {
+    if x.is_nan() { "-".to_string() } else { number(x) }
 }
 
 /// Four significant digits, without an exponent where six places do.
@@ -78,6 +145,18 @@ mod tests {
         table.add(row!["x, \"y\"", "two\nlines"]);
         assert_eq!(table.csv(), "a,b\nplain,1\n\"x, \"\"y\"\"\",\"two\nlines\"\n");
         assert_eq!(table.len(), 2);
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let mut table = Table::new("t", &["a, b", "n"]);
+        table.add(row!["x, \"y\"", 1.5]);
+        table.add(row!["-", "-"]);
+        let rows = Rows::parse(&table.csv()).unwrap();
+        let read: Vec<Row> = rows.iter().collect();
+        assert_eq!((read[0].word("a, b"), read[0].number("n")), ("x, \"y\"", 1.5));
+        assert!(read[1].number("n").is_nan() && read[0].word("other") == "-");
+        assert!(Rows::parse("a,b\n1\n").is_none() && Rows::parse("").is_none());
     }
 
     #[test]

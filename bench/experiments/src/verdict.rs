@@ -125,23 +125,6 @@ pub fn fit_line(points: &[(f64, f64)]) -> Line {
     Line { slope, intercept: y_mean - slope * x_mean, determination: xy * xy / (xx * yy) }
 }
 
-/// The constants a and b, neither negative, with which a x + b y comes nearest to z for all (x, y, z):
-/// the least sum of squares of (a x + b y) / z - 1.
-pub fn fit_sum(points: &[(f64, f64, f64)]) -> (f64, f64) {
-    let sum = |f: &dyn Fn(f64, f64) -> f64| -> f64 {
-        points.iter().map(|(x, y, z)| f(x / z, y / z)).sum()
-    };
-    let (xx, xy, yy) = (sum(&|x, _| x * x), sum(&|x, y| x * y), sum(&|_, y| y * y));
-    let (x, y) = (sum(&|x, _| x), sum(&|_, y| y));
-    let determinant = xx * yy - xy * xy;
-    let (a, b) = ((x * yy - y * xy) / determinant, (y * xx - x * xy) / determinant);
-    match (a < 0.0, b < 0.0) {
-        (true, _) => (0.0, y / yy),
-        (_, true) => (x / xx, 0.0),
-        _ => (a, b),
-    }
-}
-
 /// The exponent of the power law through the points: the slope between logarithms.
 pub fn exponent(points: &[(f64, f64)]) -> f64 {
     let logs: Vec<(f64, f64)> = points.iter().map(|p| (p.0.ln(), p.1.ln())).collect();
@@ -181,20 +164,6 @@ mod tests {
         assert!(fit_line(&[(1.0, 1.0), (2.0, 9.0), (3.0, 1.0)]).determination < 0.1);
         assert!((exponent(&[(1.0, 3.0), (10.0, 300.0), (100.0, 3e4)]) - 2.0).abs() < 1e-12);
         assert!(fit_line(&[(1.0, 1.0), (2.0, 2.0)]).slope.is_nan());
-    }
-
-    #[test]
-    fn sums_are_found_and_are_not_negative() {
-        let law = |a: f64, b: f64| {
-            [1.0f64, 2.0, 5.0].map(|n| (n * n, n + 3.0, a * n * n + b * (n + 3.0))).to_vec()
-        };
-        let (a, b) = fit_sum(&law(2.0, 0.5));
-        assert!((a - 2.0).abs() < 1e-9 && (b - 0.5).abs() < 1e-9);
-        // 2 (n + 3) - n^2 / 10 and n^2 - (n + 3) / 10.
-        let (a, b) = fit_sum(&law(-0.1, 2.0));
-        assert!(a == 0.0 && (1.5..2.0).contains(&b));
-        let (a, b) = fit_sum(&law(1.0, -0.1));
-        assert!(b == 0.0 && (0.5..1.0).contains(&a));
     }
 
     #[test]

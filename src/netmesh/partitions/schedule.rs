@@ -3,13 +3,16 @@
 
 use super::Partition;
 use crate::error::Result;
-use crate::memory::with_room;
+use crate::memory::{enqueue, with_room};
 use crate::netmesh::Mesher;
-use crate::netmesh::partitions::workers::{Workers, threads};
-use crate::netmesh::watch::{INTERVAL, Tally, Watch, cancelled};
+use crate::netmesh::partitions::workers::threads;
+use crate::netmesh::watch::{INTERVAL, Tally, Watch};
+use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::{Mutex, PoisonError};
 
-/// A partition that a worker has refined, with its number.
+/// Partitions that no thread has taken yet, with their numbers.
+type Queue<const D: usize> = Mutex<VecDeque<(usize, Partition<D>)>>;
 type Done<const D: usize> = (usize, Result<Partition<D>>);
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -42,22 +45,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<()> {
         self.split_reserves(&mut partitions)?;
         let count = partitions.len();
-        let refine = |partition: Partition<D>| Ok(partition.refine(Watch::of_partition(tally)));
-        let workers = Workers::new(partitions.into_iter(), refine);
-        let work = |sender: Sender<Done<D>>| {
-            // Nobody waits for the rest if the receiver is gone.
-            let send = |at, done| sender.send((at, done)).map_err(|_| cancelled());
-            let _ = workers.work(send);
-        };
+        let mut queue = VecDeque::new();
+        for partition in partitions.into_iter().enumerate() {
+            enqueue(&mut queue, partition)?;
+        }
+        let queue = Mutex::new(queue);
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();
             let spawn = |_: &usize| {
-                let (work, sender) = (&work, sender.clone());
-                std::thread::Builder::new().spawn_scoped(scope, move || work(sender)).is_ok()
+                let (queue, sender) = (&queue, sender.clone());
+                let work = move || refine_next(queue, tally, &sender);
+                std::thread::Builder::new().spawn_scoped(scope, work).is_ok()
             };
             // A system that refuses a thread may have given others.
             if (0..threads).filter(spawn).count() == 0 {
-                work(sender.clone());
+                refine_next(&queue, tally, &sender);
             }
             drop(sender);
             let gathered = self.gather(&receiver, count, tally, moved);
@@ -94,5 +96,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll()?;
         }
         Ok(())
+    }
+}
+
+/// Refines the next partition, until there is none.
+fn refine_next<const D: usize>(queue: &Queue<D>, tally: &Tally, sender: &Sender<Done<D>>) {
+    loop {
+        let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
+        let Some((at, partition)) = next else { return };
+        if sender.send((at, partition.refine(Watch::of_partition(tally)))).is_err() {
+            return;
+        }
     }
 }

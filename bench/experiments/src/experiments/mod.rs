@@ -1,6 +1,6 @@
 //! The experiments, a file each.
 
-mod closing;
+mod cage_cells;
 mod dimensions;
 mod finishing;
 mod growth;
@@ -11,7 +11,9 @@ mod spread;
 pub use dimensions::added_memory;
 
 use crate::peers::Peers;
+use crate::plot::Plot;
 use crate::report::Report;
+use crate::table::Rows;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
@@ -41,15 +43,31 @@ impl Context {
 pub struct Experiment {
     pub name: &'static str,
     pub run: fn(&Context) -> Report,
+    pub again: Again,
+}
+
+/// What can be made again from the experiment's table, without a run.
+pub enum Again {
+    Report(fn(&Rows) -> Report),
+    Plots(fn(&Rows) -> Vec<Plot>),
+    Nothing,
 }
 
 /// In the order of the document.
 pub const ALL: [Experiment; 7] = [
-    Experiment { name: spread::NAME, run: spread::run },
-    Experiment { name: growth::NAME, run: growth::run },
-    Experiment { name: finishing::NAME, run: finishing::run },
-    Experiment { name: skew_lines::NAME, run: skew_lines::run },
-    Experiment { name: sizes::NAME, run: sizes::run },
-    Experiment { name: dimensions::NAME, run: dimensions::run },
-    Experiment { name: closing::NAME, run: closing::run },
+    Experiment { name: spread::NAME, run: spread::run, again: Again::Plots(spread::plots_again) },
+    Experiment { name: growth::NAME, run: growth::run, again: Again::Report(growth::again) },
+    Experiment {
+        name: finishing::NAME,
+        run: finishing::run,
+        again: Again::Report(finishing::again),
+    },
+    Experiment {
+        name: skew_lines::NAME,
+        run: skew_lines::run,
+        again: Again::Plots(skew_lines::plots_again),
+    },
+    Experiment { name: sizes::NAME, run: sizes::run, again: Again::Plots(sizes::plots_again) },
+    Experiment { name: dimensions::NAME, run: dimensions::run, again: Again::Nothing },
+    Experiment { name: cage_cells::NAME, run: cage_cells::run, again: Again::Nothing },
 ];

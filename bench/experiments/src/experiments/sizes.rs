@@ -3,12 +3,12 @@
 use super::Context;
 use crate::inputs::{self, Points};
 use crate::peers::{self, Peer, PeerOutcome};
-use crate::plot::{Axis, Panel, Plot, Series};
+use crate::plot::{Axis, Missing, Panel, Plot, Series, Tool};
 use crate::report::Report;
 use crate::row;
 use crate::runner::{self, in_parallel};
 use crate::simplicial::{Figures, Simplicial};
-use crate::table::{Table, number};
+use crate::table::{Row, Rows, Table, number};
 use crate::verdict::Verdict;
 use netmesh::{Criterion, Options, Output};
 use std::f64::consts::SQRT_2;
@@ -45,6 +45,13 @@ impl Mesher {
             Mesher::Peer(peer) => peer.name(),
         }
     }
+
+    fn tool(self) -> Tool {
+        match self {
+            Mesher::Netmesh => Tool::Netmesh,
+            Mesher::Peer(peer) => peer.tool(),
+        }
+    }
 }
 
 impl Case {
@@ -79,7 +86,7 @@ pub fn run(context: &Context) -> Report {
         text: text(),
         verdicts,
         tables: vec![table(&entries)],
-        plots: vec![plot(&entries)],
+        plots: vec![plot(&entries.iter().map(Shown::of).collect::<Vec<_>>())],
     }
 }
 
@@ -241,25 +248,76 @@ fn hierarchical_verdicts(context: &Context) -> Vec<Verdict> {
     })
 }
 
+/// m/n of a mesher, or why there is none: what the plot shows of an entry.
+struct Shown {
+    input: &'static str,
+    dim: usize,
+    n: usize,
+    bound: String,
+    name: &'static str,
+    tool: Tool,
+    size: Result<f64, String>,
+}
+
+impl Shown {
+    fn of(entry: &Entry) -> Self {
+        let Entry { case, mesher, result } = entry;
+        let size = result.as_ref().map(|(figures, _)| figures.vertices as f64 / case.n as f64);
+        Self {
+            input: case.input,
+            dim: case.dim,
+            n: case.n,
+            bound: case.bound_name().to_string(),
+            name: mesher.name(),
+            tool: mesher.tool(),
+            size: size.map_err(Clone::clone),
+        }
+    }
+
+    /// Of the row that [`table`] made of an entry.
+    fn read(row: Row) -> Option<Self> {
+        let peers = [Peer::Mesh2, Peer::Triangle, Peer::TetGen].map(Mesher::Peer);
+        let mut meshers = std::iter::once(Mesher::Netmesh).chain(peers);
+        let mesher = meshers.find(|mesher| mesher.name() == row.word("mesher"))?;
+        let size = row.number("m/n");
+        Some(Self {
+            input: inputs::NAMES.into_iter().find(|&name| name == row.word("input"))?,
+            dim: row.count("dim"),
+            n: row.count("n"),
+            bound: row.word("bound").to_string(),
+            name: mesher.name(),
+            tool: mesher.tool(),
+            size: if size.is_nan() { Err(row.word("note").to_string()) } else { Ok(size) },
+        })
+    }
+}
+
+/// The plots of what an earlier run has measured.
+pub fn plots_again(rows: &Rows) -> Vec<Plot> {
+    vec![plot(&rows.iter().filter_map(Shown::read).collect::<Vec<_>>())]
+}
+
 /// m/n of each mesher at the largest n, input by input.
-fn plot(entries: &[Entry]) -> Plot {
-    let largest = entries.iter().map(|entry| entry.case.n).max().unwrap_or(0);
-    let panel = |dim: usize, bound: f64, caption: &str| {
+fn plot(entries: &[Shown]) -> Plot {
+    let largest = entries.iter().map(|entry| entry.n).max().unwrap_or(0);
+    let panel = |dim: usize, bound: &str| {
         let mut series: Vec<Series> = Vec::new();
-        for entry in
-            entries.iter().filter(|e| (e.case.dim, e.case.bound, e.case.n) == (dim, bound, largest))
-        {
-            let Ok((figures, _)) = &entry.result else { continue };
-            let place =
-                inputs::NAMES.iter().position(|&name| name == entry.case.input).unwrap_or(0);
-            let point = ((place + 1) as f64, figures.vertices as f64 / largest as f64);
-            match series.iter_mut().find(|s| s.name == entry.mesher.name()) {
-                Some(found) => found.points.push(point),
-                None => series.push(Series::new(entry.mesher.name(), vec![point])),
+        let is_in = |e: &&Shown| (e.dim, e.bound.as_str(), e.n) == (dim, bound, largest);
+        for entry in entries.iter().filter(is_in) {
+            let at = inputs::NAMES.iter().position(|&name| name == entry.input).unwrap_or(0);
+            let at = (at + 1) as f64;
+            let place = series.iter().position(|series| series.name == entry.name);
+            let place = place.unwrap_or_else(|| {
+                series.push(Series::new(entry.name, entry.tool, Vec::new()));
+                series.len() - 1
+            });
+            match &entry.size {
+                Ok(size) => series[place].points.push((at, *size)),
+                Err(why) => series[place].missing.extend(Missing::of(why).map(|why| (at, why))),
             }
         }
         Panel {
-            caption: caption.to_string(),
+            caption: format!("{dim}D, radius-edge {bound}"),
             x: Axis::named(&inputs::NAMES),
             y: Axis::linear("m / n"),
             series,
@@ -268,10 +326,6 @@ fn plot(entries: &[Entry]) -> Plot {
     Plot {
         name: "sizes".to_string(),
         title: format!("Vertices per input of finished meshes, n = {largest}"),
-        panels: vec![
-            panel(2, SQRT_2, "2D, radius-edge 1.414"),
-            panel(3, 2.0, "3D, radius-edge 2.0"),
-            panel(3, SQRT_2, "3D, radius-edge 1.414"),
-        ],
+        panels: vec![panel(2, "1.414"), panel(3, "2.0"), panel(3, "1.414")],
     }
 }

@@ -2,9 +2,11 @@
 //! they can be read on a light and on a dark page; text is text; the same data give the same bytes.
 
 mod axis;
+mod look;
 mod svg;
 
 pub use axis::Axis;
+pub use look::{Missing, Tool};
 
 #[derive(Clone, Debug)]
 pub struct Plot {
@@ -22,11 +24,16 @@ pub struct Panel {
     pub series: Vec<Series>,
 }
 
-/// A curve. Those of one name have one look in all panels.
+/// A curve. Its tool gives it its colour, in all plots; the curves of one tool in one plot differ in shade,
+/// marker and dashes by their variant.
 #[derive(Clone, Debug)]
 pub struct Series {
     pub name: String,
+    pub tool: Tool,
+    pub variant: usize,
     pub points: Vec<(f64, f64)>,
+    /// Where there is no point, and why: a mark above the axis.
+    pub missing: Vec<(f64, Missing)>,
 }
 
 impl Plot {
@@ -36,7 +43,17 @@ impl Plot {
 }
 
 impl Series {
-    pub fn new(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { name: name.into(), points }
+    pub fn new(name: impl Into<String>, tool: Tool, points: Vec<(f64, f64)>) -> Self {
+        Self { name: name.into(), tool, variant: 0, points, missing: Vec::new() }
+    }
+
+    pub fn variant(mut self, variant: usize) -> Self {
+        self.variant = variant;
+        self
+    }
+
+    pub fn missing(mut self, missing: Vec<(f64, Missing)>) -> Self {
+        self.missing = missing;
+        self
     }
 }

@@ -1,6 +1,6 @@
 //! Writing a plot.
 
-use super::{Panel, Plot, Series};
+use super::{Missing, Panel, Plot, Series};
 use std::fmt::Write;
 
 const WIDTH: f64 = 340.0;
@@ -13,15 +13,17 @@ const LEGEND_LINE: f64 = 20.0;
 const CHARACTER: f64 = 6.7;
 const KEY: f64 = 34.0;
 
-/// Told apart by the colour-blind as well [Okabe and Ito, 2008]; the markers differ too.
-const COLORS: [&str; 8] =
-    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#333333", "#7b3fa0"];
+/// The height of a row of marks for missing figures: one for each curve that misses some.
+const MISSING_ROW: f64 = 9.0;
 
 pub fn write(plot: &Plot) -> String {
-    let names = legend_names(plot);
+    let curves = legend_curves(plot);
+    let reasons = reasons(plot);
     let width = plot.panels.len() as f64 * (LEFT + WIDTH + RIGHT);
-    let keys = legend_places(&names, width);
-    let lines = keys.last().map_or(0.0, |key| key.1 + 1.0);
+    let keys = legend_places(curves.iter().map(|series| series.name.as_str()), width);
+    let curve_lines = keys.last().map_or(0.0, |key| key.1 + 1.0);
+    let reason_keys = legend_places(reasons.iter().map(|reason| reason.words()), width);
+    let lines = curve_lines + reason_keys.last().map_or(0.0, |key| key.1 + 1.0);
     let height = TOP + HEIGHT + BOTTOM + lines * LEGEND_LINE + 8.0;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
@@ -32,36 +34,45 @@ pub fn write(plot: &Plot) -> String {
         escaped(&plot.title),
     );
     for (i, panel) in plot.panels.iter().enumerate() {
-        write_panel(&mut out, panel, &names, i as f64 * (LEFT + WIDTH + RIGHT) + LEFT);
+        write_panel(&mut out, panel, i as f64 * (LEFT + WIDTH + RIGHT) + LEFT);
     }
-    for (look, (name, (x, line))) in names.iter().zip(&keys).enumerate() {
-        let y = TOP + HEIGHT + BOTTOM + line * LEGEND_LINE + 6.0;
-        write_line(&mut out, &[(*x, y), (x + 24.0, y)], look);
-        write_markers(&mut out, &[(x + 12.0, y)], look);
-        let _ = writeln!(
-            out,
-            "<text x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-            x + KEY,
-            y + 4.0,
-            escaped(name)
-        );
+    for (series, (x, line)) in curves.iter().zip(&keys) {
+        let y = legend_line(*line);
+        write_line(&mut out, &[(*x, y), (x + 24.0, y)], series);
+        write_markers(&mut out, &[(x + 12.0, y)], series);
+        text(&mut out, x + KEY, y + 4.0, "start", &series.name);
+    }
+    for (reason, (x, line)) in reasons.iter().zip(&reason_keys) {
+        let y = legend_line(curve_lines + line);
+        write_missing(&mut out, "#333333", &reason.mark(x + 12.0, y));
+        text(&mut out, x + KEY, y + 4.0, "start", reason.words());
     }
     out + "</svg>\n"
 }
 
-/// In the order of their first appearance.
-fn legend_names(plot: &Plot) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
+fn legend_line(line: f64) -> f64 {
+    TOP + HEIGHT + BOTTOM + line * LEGEND_LINE + 6.0
+}
+
+/// One curve of each name, in the order of their first appearance.
+fn legend_curves(plot: &Plot) -> Vec<&Series> {
+    let mut curves: Vec<&Series> = Vec::new();
     for series in plot.panels.iter().flat_map(|panel| &panel.series) {
-        if !names.contains(&series.name) {
-            names.push(series.name.clone());
+        if curves.iter().all(|other| other.name != series.name) {
+            curves.push(series);
         }
     }
-    names
+    curves
+}
+
+/// Those for which a figure is missing in some panel.
+fn reasons(plot: &Plot) -> Vec<Missing> {
+    let all = || plot.panels.iter().flat_map(|panel| &panel.series).flat_map(|s| &s.missing);
+    Missing::ALL.into_iter().filter(|reason| all().any(|(_, other)| other == reason)).collect()
 }
 
 /// Left end and line of each entry.
-fn legend_places(names: &[String], width: f64) -> Vec<(f64, f64)> {
+fn legend_places<'a>(names: impl Iterator<Item = &'a str>, width: f64) -> Vec<(f64, f64)> {
     let (mut x, mut line) = (LEFT, 0.0);
     let mut places = Vec::new();
     for name in names {
@@ -75,9 +86,10 @@ fn legend_places(names: &[String], width: f64) -> Vec<(f64, f64)> {
     places
 }
 
-fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
+fn write_panel(out: &mut String, panel: &Panel, left: f64) {
     let all = || panel.series.iter().flat_map(|series| &series.points);
-    let x = panel.x.range(all().map(|p| p.0));
+    let missing = panel.series.iter().flat_map(|series| &series.missing);
+    let x = panel.x.range(all().map(|p| p.0).chain(missing.map(|(x, _)| *x)));
     let y = panel.y.range(all().map(|p| p.1));
     let place = |p: &(f64, f64)| (left + WIDTH * x.place(p.0), TOP + HEIGHT * (1.0 - y.place(p.1)));
     let middle = left + WIDTH / 2.0;
@@ -108,13 +120,18 @@ fn write_panel(out: &mut String, panel: &Panel, names: &[String], left: f64) {
         out,
         "<rect x=\"{left:.1}\" y=\"{TOP:.1}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"none\" stroke=\"#888888\"/>"
     );
-    for Series { name, points } in &panel.series {
-        let look = names.iter().position(|other| other == name).unwrap_or(0);
-        let places: Vec<(f64, f64)> = points.iter().map(place).collect();
+    for series in &panel.series {
+        let places: Vec<(f64, f64)> = series.points.iter().map(place).collect();
         if panel.x.names.is_empty() {
-            write_line(out, &places, look);
+            write_line(out, &places, series);
         }
-        write_markers(out, &places, look);
+        write_markers(out, &places, series);
+    }
+    let with_gaps = panel.series.iter().filter(|series| !series.missing.is_empty());
+    for (row, series) in with_gaps.enumerate() {
+        let y = TOP + HEIGHT - 6.0 - MISSING_ROW * row as f64;
+        let mark = |(at, reason): &(f64, Missing)| reason.mark(left + WIDTH * x.place(*at), y);
+        write_missing(out, color(series), &series.missing.iter().map(mark).collect::<String>());
     }
 }
 
@@ -129,13 +146,14 @@ fn grid_line(out: &mut String, path: &str, numbered: bool) {
     let _ = writeln!(out, "<path stroke=\"{color}\" stroke-width=\"0.8\" d=\"{path}\"/>");
 }
 
-fn color(look: usize) -> &'static str {
-    COLORS[look % COLORS.len()]
+fn color(series: &Series) -> &'static str {
+    series.tool.color(series.variant)
 }
 
-fn write_line(out: &mut String, places: &[(f64, f64)], look: usize) {
-    let color = color(look);
-    let dashes = if look % 2 == 1 { " stroke-dasharray=\"6 3\"" } else { "" };
+fn write_line(out: &mut String, places: &[(f64, f64)], series: &Series) {
+    let color = color(series);
+    let is_dashed = (series.tool.marker() + series.variant) % 2 == 1;
+    let dashes = if is_dashed { " stroke-dasharray=\"6 3\"" } else { "" };
     let _ = write!(out, "<path fill=\"none\" stroke=\"{color}\" stroke-width=\"1.8\"{dashes} d=\"");
     for (i, (x, y)) in places.iter().enumerate() {
         let _ = write!(out, "{}{x:.1} {y:.1}", if i == 0 { "M" } else { "L" });
@@ -143,21 +161,29 @@ fn write_line(out: &mut String, places: &[(f64, f64)], look: usize) {
     *out += "\"/>\n";
 }
 
-fn write_markers(out: &mut String, places: &[(f64, f64)], look: usize) {
-    let _ = write!(out, "<path fill=\"{}\" d=\"", color(look));
+fn write_markers(out: &mut String, places: &[(f64, f64)], series: &Series) {
+    let _ = write!(out, "<path fill=\"{}\" d=\"", color(series));
     for (x, y) in places {
-        *out += &marker(look, *x, *y);
+        *out += &marker(series.tool.marker() + series.variant, *x, *y);
     }
     *out += "\"/>\n";
 }
 
-/// A disc, square, triangle or diamond about (x, y).
-fn marker(look: usize, x: f64, y: f64) -> String {
-    match look % 4 {
+fn write_missing(out: &mut String, color: &str, marks: &str) {
+    let _ = writeln!(
+        out,
+        "<path class=\"missing\" fill=\"none\" stroke=\"{color}\" stroke-width=\"1.4\" d=\"{marks}\"/>"
+    );
+}
+
+/// A disc, square, triangle, diamond or a triangle on its head about (x, y).
+fn marker(number: usize, x: f64, y: f64) -> String {
+    match number % 5 {
         0 => format!("M{:.1} {y:.1}a3.4 3.4 0 1 0 6.8 0a3.4 3.4 0 1 0 -6.8 0z", x - 3.4),
         1 => format!("M{:.1} {:.1}h6v6h-6z", x - 3.0, y - 3.0),
         2 => format!("M{x:.1} {:.1}l4 7h-8z", y - 4.4),
-        _ => format!("M{x:.1} {:.1}l4.4 4.4l-4.4 4.4l-4.4 -4.4z", y - 4.4),
+        3 => format!("M{x:.1} {:.1}l4.4 4.4l-4.4 4.4l-4.4 -4.4z", y - 4.4),
+        _ => format!("M{x:.1} {:.1}l4 -7h-8z", y + 4.4),
     }
 }
 
@@ -167,17 +193,18 @@ fn escaped(words: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Panel, Plot, Series};
+    use super::super::{Axis, Missing, Panel, Plot, Series, Tool};
 
     fn plot() -> Plot {
-        let series = |name: &str, factor: f64| {
-            Series::new(name, (1..6).map(|i| (10f64.powi(i), factor * f64::from(i))).collect())
+        let series = |name: &str, tool: Tool, factor: f64| {
+            let points = (1..6).map(|i| (10f64.powi(i), factor * f64::from(i)));
+            Series::new(name, tool, points.collect())
         };
         let panel = |caption: &str| Panel {
             caption: caption.to_string(),
             x: Axis::log("n"),
             y: Axis::linear("m/n"),
-            series: vec![series("a & b", 1.0), series("c < d", 2.0)],
+            series: vec![series("a & b", Tool::Netmesh, 1.0), series("c < d", Tool::Svr, 2.0)],
         };
         let panels = vec![panel("left"), panel("right")];
         Plot { name: "test".to_string(), title: "Title".to_string(), panels }
@@ -207,6 +234,19 @@ mod tests {
         plot.panels[1].x = Axis::named(&["one", "two"]);
         assert!(plot.svg().contains(">two<"));
         assert_eq!(lines(plot.svg()), 2);
+    }
+
+    /// A row of marks in the panel that misses something, and one in the legend.
+    #[test]
+    fn what_is_missing_is_marked_and_explained() {
+        let mut plot = plot();
+        let marks = |svg: &str| svg.matches("class=\"missing\"").count();
+        assert_eq!(marks(&plot.svg()), 0);
+        plot.panels[1].series[1].missing = vec![(1e6, Missing::Crashed), (1e7, Missing::Crashed)];
+        let svg = plot.svg();
+        assert_eq!(marks(&svg), 2);
+        assert!(svg.contains("class=\"missing\" fill=\"none\" stroke=\"#d55e00\""));
+        assert!(svg.contains(Missing::Crashed.words()) && !svg.contains(Missing::Wrong.words()));
     }
 
     /// A legend entry once, and a curve in each panel: five points, at equal steps.

@@ -10,7 +10,7 @@ use crate::verdict::Verdict;
 use netmesh::{Options, quality};
 use std::time::Duration;
 
-pub const NAME: &str = "closing";
+pub const NAME: &str = "cage_cells";
 const INPUTS: [&str; 4] = ["uniform", "gaussian", "nested clusters", "pairs"];
 
 struct Entry {
@@ -45,10 +45,9 @@ pub fn run(context: &Context) -> Report {
 }
 
 fn text() -> String {
-    "\"anywhere\" is the worst aspect of all cells off the hull (of vertices in no cage, and of cages) over \
-     all their corners, \"counted\" that of vertices over the corners well inside the hull of their \
-     domain's cage, both over tau. \"closing points\" are the vertices that cages were given to reach \
-     it. Default options."
+    "The worst aspect over tau, of all cells off the hull over all their corners (\"anywhere\"), and of \
+     the cells of vertices over the corners well inside the hull of their domain's cage (\"counted\"). \
+     \"closing points\" are the vertices that closed cage gaps in the final refinement. Default options."
         .to_string()
 }
 
@@ -85,7 +84,7 @@ fn verdict(entry: &Entry) -> Verdict {
 
 fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new(
-        "closing",
+        "cage_cells",
         &["input", "dim", "n", "m/n", "counted", "anywhere", "closing points", "closing/n"],
     );
     for e in entries {

@@ -2,7 +2,8 @@
 //! was linked with one ABI version never starts with another. Other systems than those with ELF
 //! libraries get no name from here.
 
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 
 const VERSION_PARTS: [&str; 3] = ["MAJOR", "MINOR", "PATCH"];
 
@@ -16,8 +17,46 @@ fn main() {
     let target = variable("CARGO_CFG_TARGET_OS");
     if matches!(target.as_str(), "linux" | "freebsd" | "netbsd" | "openbsd" | "dragonfly") {
         let abi = define(&header, "NM_ABI_VERSION");
-        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libnetmesh.so.{abi}");
+        let name = format!("libnetmesh.so.{abi}");
+        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,{name}");
+        link_by_abi(&name);
     }
+}
+
+/// A link `name` beside the library in cargo's directories: a program that was linked there asks for
+/// `name` when it starts. Where cargo's directories are laid out otherwise, or links cannot be made, the
+/// library stands without it: docs/install.md says what to do then.
+fn link_by_abi(name: &str) {
+    let out = PathBuf::from(variable("OUT_DIR"));
+    // <profile>/build/<package>/out
+    let Some(profile) = out.ancestors().nth(3) else { return };
+    if out.ancestors().nth(2).and_then(Path::file_name) != Some("build".as_ref()) {
+        return;
+    }
+    for directory in [profile.to_owned(), profile.join("deps")] {
+        if let Err(error) = make_link(&directory.join(name)) {
+            println!("cargo:warning={}: no link {name}: {error}", directory.display());
+        }
+    }
+}
+
+#[cfg(unix)]
+fn make_link(link: &Path) -> io::Result<()> {
+    let target = Path::new("libnetmesh.so");
+    let is_made = || std::fs::read_link(link).is_ok_and(|found| found == target);
+    if is_made() {
+        return Ok(());
+    }
+    match std::os::unix::fs::symlink(target, link) {
+        // Another build of the same directory was faster.
+        Err(_) if is_made() => Ok(()),
+        result => result,
+    }
+}
+
+#[cfg(not(unix))]
+fn make_link(_: &Path) -> io::Result<()> {
+    Ok(())
 }
 
 fn variable(name: &str) -> String {

@@ -58,7 +58,6 @@ tools_lane() {
   fi
   if has_lane rust; then
     need_packages g++ bsdutils python3
-    need_cbindgen
     need_readers
   fi
 }

@@ -55,7 +55,7 @@ int main(int argc, char **argv) {
   for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
     struct watch watch = {stages[i].after, stages[i].fraction, stages[i].phase, 0, 0, 0, 0, 0};
     nm_options options;
-    nm_options_init(&options, sizeof options);
+    if (nm_options_init(&options, sizeof options) != NM_OK) return 1;
     options.progress = progress;
     options.user_data = &watch;
     watch.begun = watch.last = seconds();

@@ -46,8 +46,7 @@ Medians compare(unsigned dim, std::size_t n, int turns, const std::string& distr
     std::size_t vertex_count = 0;
     for (int turn = 1; turn <= turns; ++turn) {
         require(nm_run(mesh, nullptr), "nm_run");
-        nm_stats stats{};
-        stats.struct_size = sizeof stats;
+        nm_stats stats = NM_STATS_INIT;
         require(nm_mesh_stats(mesh, &stats), "nm_mesh_stats");
         std::uint64_t needed = 0;
         require(nm_mesh_get_points(mesh, nullptr, 0, &needed), "nm_mesh_get_points");

@@ -63,11 +63,9 @@ int measure(unsigned dim, std::size_t n) {
     malloc_trim(0);
     const double trimmed = resident();
 
-    nm_counts counts{};
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     require(nm_mesh_counts(mesh, &counts), "nm_mesh_counts");
-    nm_stats stats{};
-    stats.struct_size = sizeof stats;
+    nm_stats stats = NM_STATS_INIT;
     require(nm_mesh_stats(mesh, &stats), "nm_mesh_stats");
     const auto per_simplex = [&](double now) {
         return (now - before) * 1048576 / static_cast<double>(counts.simplices);

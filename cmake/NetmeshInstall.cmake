@@ -1,5 +1,5 @@
-# Install rules: both libraries, the headers, find_package(netmesh), pkg-config, the command line with its
-# man page, and the licences.
+# Install rules: both libraries, the headers and the pages that they cite, find_package(netmesh), pkg-config,
+# the command line with its man page, and the licences.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -18,6 +18,9 @@ else()
 endif()
 install(DIRECTORY "${netmesh_include_dir}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
         FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/netmesh"
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png"
+        PATTERN doxygen EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE-MIT" "${PROJECT_SOURCE_DIR}/LICENSE-APACHE"
         DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/netmesh")
 

@@ -69,7 +69,7 @@ static nm_mesh *create(uint32_t dim) {
 }
 
 static void getters(const nm_mesh *mesh) {
-    nm_counts counts = {sizeof counts, 0, 0, 0, 0, 0, 0};
+    nm_counts counts = NM_COUNTS_INIT;
     uint64_t needed = 0;
     double *points;
     uint32_t *ids;
@@ -112,15 +112,9 @@ static void getters(const nm_mesh *mesh) {
 }
 
 static void measures(const nm_mesh *mesh) {
-    nm_quality quality;
-    nm_stats stats;
-    nm_report report;
-    memset(&quality, 0, sizeof quality);
-    memset(&stats, 0, sizeof stats);
-    memset(&report, 0, sizeof report);
-    quality.struct_size = sizeof quality;
-    stats.struct_size = sizeof stats;
-    report.struct_size = sizeof report;
+    nm_quality quality = NM_QUALITY_INIT;
+    nm_stats stats = NM_STATS_INIT;
+    nm_report report = NM_REPORT_INIT;
     REQUIRE(nm_mesh_quality(mesh, &quality) == NM_OK && quality.worst_aspect >= 1.0);
     REQUIRE(nm_mesh_stats(mesh, &stats) == NM_OK && stats.input_vertices == point_count - 1);
     REQUIRE(nm_mesh_validate(mesh, 3, &report) == NM_OK);
@@ -151,8 +145,8 @@ static void round_trips(const nm_mesh *mesh, const char *directory) {
     size_t i;
     for (i = 0; i < sizeof extensions / sizeof *extensions; ++i) {
         nm_mesh *again = NULL;
-        nm_counts before = {sizeof before, 0, 0, 0, 0, 0, 0};
-        nm_counts after = {sizeof after, 0, 0, 0, 0, 0, 0};
+        nm_counts before = NM_COUNTS_INIT;
+        nm_counts after = NM_COUNTS_INIT;
         snprintf(path, sizeof path, "%s/c_api_smoke.%s", directory, extensions[i]);
         REQUIRE(nm_export(mesh, path, NM_FORMAT_AUTO) == NM_OK);
         REQUIRE(nm_mesh_create_from_file(path, NM_FORMAT_AUTO, &again) == NM_OK);

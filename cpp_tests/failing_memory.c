@@ -156,9 +156,7 @@ static uint64_t fingerprint(const nm_mesh *mesh) {
   static double points[1 << 16];
   static uint32_t ids[1 << 18];
   uint64_t hash = 14695981039346656037u, needed = 0;
-  nm_counts counts;
-  memset(&counts, 0, sizeof counts);
-  counts.struct_size = sizeof counts;
+  nm_counts counts = NM_COUNTS_INIT;
   check(nm_mesh_counts(mesh, &counts) == NM_OK, "counts");
   hash = mixed(hash, &counts, sizeof counts);
   check(nm_mesh_get_points(mesh, points, 1 << 16, &needed) == NM_OK, "points");
@@ -184,7 +182,7 @@ static int succeeded(nm_status status, const char *what) {
 static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
   uint64_t before = fingerprint(mesh);
   nm_options options;
-  nm_options_init(&options, sizeof options);
+  check(nm_options_init(&options, sizeof options) == NM_OK, "options");
   options.output = output;
   options.algorithm = algorithm;
   if (succeeded(nm_run(mesh, &options), "nm_run")) return 1;
@@ -197,13 +195,9 @@ static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
 }
 
 static int measure(const nm_mesh *mesh) {
-  nm_quality quality;
-  memset(&quality, 0, sizeof quality);
-  quality.struct_size = sizeof quality;
+  nm_quality quality = NM_QUALITY_INIT;
   if (!succeeded(nm_mesh_quality(mesh, &quality), "nm_mesh_quality")) return 0;
-  nm_report report;
-  memset(&report, 0, sizeof report);
-  report.struct_size = sizeof report;
+  nm_report report = NM_REPORT_INIT;
   if (!succeeded(nm_mesh_validate(mesh, 3, &report), "nm_mesh_validate")) return 0;
   check(report.level == 3 && report.violations == 0, "the certificate");
   return 1;

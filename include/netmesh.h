@@ -6,7 +6,7 @@
  *
  *     double points[] = { 0, 0,  1, 0,  1, 1,  0, 1,  0.5, 1e-9 };
  *     nm_mesh *mesh = NULL;
- *     nm_counts counts = { sizeof counts };
+ *     nm_counts counts = NM_COUNTS_INIT;
  *     if (nm_mesh_create(2, 5, points, 0, &mesh) != NM_OK || nm_run(mesh, NULL) != NM_OK) {
  *         char message[256];
  *         nm_last_error(message, sizeof message);
@@ -35,12 +35,15 @@
  * that is too early, without waiting). nm_mesh_free is not checked. Callbacks run on the thread that
  * made the call.
  *
- * STRUCT SIZES. Structs begin with struct_size, set to sizeof by the caller (or nm_options_init), so
- * that programs and libraries of different versions fit: of a struct that the library fills, only
- * the first min(struct_size, what the library knows) bytes are written, and struct_size stays as it
- * was; of a struct that the library reads, missing fields have their defaults, and unknown ones must
- * be zero. A struct_size below 4 or above 4096 answers NM_INVALID_ARGUMENT. Enums are int32_t;
- * a value that the library does not know answers NM_INVALID_ARGUMENT.
+ * STRUCT SIZES. Structs begin with struct_size, so that programs and libraries of different versions
+ * fit. The caller sets it to sizeof, or has it set by NM_COUNTS_INIT and its like or by
+ * nm_options_init. Of a struct that the library fills, only the first min(struct_size, what the
+ * library knows) bytes are written, and struct_size stays as it was. Of a struct that the library
+ * reads, missing fields have their defaults, and unknown ones must be zero. A struct_size below 4 or
+ * above 4096 answers NM_INVALID_ARGUMENT. Enums are int32_t; a value that the library does not know
+ * answers NM_INVALID_ARGUMENT.
+ *
+ * DOCUMENTS. docs/... is in the source, and beside the installed library as share/doc/netmesh/....
  *
  * IDS. Vertices, simplices, domains and inputs are numbered from 0. Vertices 0, 1, ... are the
  * distinct inputs in input order, Steiner and cage vertices follow. NM_NONE is no id.
@@ -64,6 +67,9 @@
 #define NM_VERSION_MINOR 1
 #define NM_VERSION_PATCH 0
 
+/** Version of this header as one number, for comparisons: 10203 is 1.2.3. */
+#define NM_VERSION (NM_VERSION_MAJOR * 10000 + NM_VERSION_MINOR * 100 + NM_VERSION_PATCH)
+
 /** The ABI that this header describes. nm_abi_version tells that of the library. */
 #define NM_ABI_VERSION 1
 
@@ -73,6 +79,49 @@
 
 /** No id: the neighbour across the hull, the root's parent, no domain. */
 #define NM_NONE 0xFFFFFFFFu
+
+/**
+ * Stands before every function. The functions stay visible in a program whose other symbols are hidden.
+ * Define it before the inclusion to give them other attributes.
+ */
+#ifndef NM_API
+#if defined(__GNUC__) && !defined(_WIN32)
+#define NM_API __attribute__((visibility("default")))
+#else
+#define NM_API
+#endif
+#endif
+
+/**
+ * Stands before every function that answers an nm_status: the compiler warns where a program ignores
+ * the status. Define it as nothing before the inclusion to be spared the warning.
+ */
+#ifndef NM_NODISCARD
+#if defined(__cplusplus) && __cplusplus >= 201703L
+#define NM_NODISCARD [[nodiscard]]
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L
+#define NM_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define NM_NODISCARD __attribute__((warn_unused_result))
+#else
+#define NM_NODISCARD
+#endif
+#endif
+
+/**
+ * The initial value of an nm_counts that a function is to fill: struct_size is set, the rest is zero.
+ * The three below do the same for their structs.
+ */
+#define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
+/** The initial value of an nm_quality. */
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0 }
+/** The initial value of an nm_stats. */
+#define NM_STATS_INIT                                                                              \
+    { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+      0, 0, 0, 0 }
+/** The initial value of an nm_report. */
+#define NM_REPORT_INIT                                                                             \
+    { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
 
 /**
  * nm_options.algorithm: how nm_run works.
@@ -127,9 +176,9 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * File formats; docs/formats.md tells what each holds. Point formats (XYZ, CSV, NPY) can be written
+ * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
  * before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
- * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read, of the others the points are.
+ * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read; of the others, the points are read.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -305,7 +354,8 @@ enum nm_status
      */
     NM_DEGENERATE_INPUT = 6,
     /**
-     * The run needs more vertices than nm_options.max_vertices allows.
+     * The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
+     * (beyond some 4e307) that the root's cage leaves the range of double.
      */
     NM_LIMIT = 7,
     /**
@@ -479,7 +529,8 @@ enum nm_violation
      */
     NM_VIOLATION_INPUT_BITS = 202,
     /**
-     * A vertex's kind contradicts its place: inputs are vertices 0, 1, ... up to the distinct inputs, and no others.
+     * A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs are
+     * inputs, and no others are.
      */
     NM_VIOLATION_VERTEX_KIND = 203,
     /**
@@ -507,8 +558,8 @@ enum nm_violation
      */
     NM_VIOLATION_DOMAINS_OVERLAP = 209,
     /**
-     * A vertex is labelled with a domain that does not exist, whose ball does not hold it, or
-     * with one that has a child whose ball holds it.
+     * A vertex is labelled with a domain that does not exist, that does not contain it, or that has a
+     * child which contains it.
      */
     NM_VIOLATION_VERTEX_DOMAIN = 210,
     /**
@@ -581,7 +632,7 @@ typedef struct nm_progress {
      */
     nm_phase phase;
     /**
-     * The part of the whole run that is done, in [0, 1] and never falling; -1 if unknown.
+     * The fraction of the run that is done. In [0, 1] and never falling; -1 if unknown.
      */
     double fraction;
     /**
@@ -599,9 +650,9 @@ typedef struct nm_progress {
 } nm_progress;
 
 /**
- * Called by nm_run on the thread that called nm_run, about 20 times a second and where a round or a
- * stage ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the
- * run, which then answers NM_CANCELLED and leaves the mesh as it was.
+ * Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a stage
+ * ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the run,
+ * which then answers NM_CANCELLED and leaves the mesh as it was.
  *
  * It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
  * being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -657,8 +708,7 @@ typedef struct nm_options {
     double epsilon;
     /**
      * Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-     * at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D,
-     * 4D, more.
+     * at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
      */
     double delta;
     /**
@@ -705,8 +755,8 @@ typedef struct nm_options {
      */
     void *user_data;
     /**
-     * 1: measure the second part of nm_stats as well (from ply_probes on), which takes about as long
-     * again as the run, in 4D and more several times as long; the mesh is the same. Default 0.
+     * 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again as
+     * the run, in 4D and more several times as long. The mesh is the same. Default 0.
      */
     uint32_t instruments;
     /**
@@ -770,9 +820,9 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
- * How good a mesh is. The aspect of a Voronoi cell is the distance from its vertex to its farthest
- * corner over half the distance to the nearest other vertex; it is at least 1. A figure over no
- * cells at all is 0; infinity stands for ratios beyond the doubles.
+ * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+ * distance from its vertex to its farthest corner over half the distance to the nearest other vertex;
+ * it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles.
  */
 typedef struct nm_quality {
     /**
@@ -790,11 +840,11 @@ typedef struct nm_quality {
      */
     double worst_aspect;
     /**
-     * Worst aspect of all cells off the hull, over all corners: of the vertices in no cage and of the
-     * cages (below), precision-limited ones too. What NM_CRITERION_VORONOI_ASPECT bounds, but for
-     * precision-limited cells; and for cells in inner domains if epsilon > 0.8 cage_scale, where it
-     * bounds worst_aspect. (The cell of a single vertex of a cage is a part of the cage's cell. It has
-     * no bound: it bridges the gap that the cage saves.)
+     * Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of the
+     * cells of cages (see worst_cage_aspect), precision-limited ones included.
+     * NM_CRITERION_VORONOI_ASPECT bounds it, but for precision-limited cells. If epsilon > 0.8
+     * cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a single
+     * vertex of a cage has no bound: it reaches across the empty space that the cage stands for.
      */
     double worst_aspect_anywhere;
     /**
@@ -807,18 +857,19 @@ typedef struct nm_quality {
      */
     double worst_cage_aspect;
     /**
-     * Worst circumradius over shortest edge of the simplices without a vertex on the hull. What
-     * NM_CRITERION_RADIUS_EDGE bounds for every simplex of a well-spaced mesh, those at the hull too;
-     * in a hierarchical one for those with all vertices in one domain.
+     * Worst circumradius over shortest edge of the simplices without a vertex on the hull.
+     * NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at the
+     * hull included, and in a hierarchical mesh for the simplices with all vertices in one domain.
      */
     double worst_radius_edge;
     /**
-     * Smallest angle (2D) or dihedral angle (3D and more) of the same simplices, in degrees.
+     * Smallest angle (2D) or dihedral angle (3D and more), in degrees, of the simplices without a
+     * vertex on the hull.
      */
     double min_angle_degrees;
     /**
-     * Vertices whose cells no double can improve: too near to others for the grid of doubles. They
-     * are outside the promise; nm_mesh_get_precision_limited tells which.
+     * Vertices whose cells cannot be improved, because doubles are too coarse there. The quality
+     * bound does not hold for them; nm_mesh_get_precision_limited tells which they are.
      */
     uint64_t precision_limited;
 } nm_quality;
@@ -861,23 +912,23 @@ typedef struct nm_stats {
      */
     uint64_t cage_vertices;
     /**
-     * Cages made, ...
+     * Cages made during the run.
      */
     uint64_t cages_created;
     /**
-     * ... grown, ...
+     * How often a cage grew during the run.
      */
     uint64_t cages_grown;
     /**
-     * ... and released during the run.
+     * Cages released during the run.
      */
     uint64_t cages_released;
     /**
-     * Geometric tests that floating point could not decide and exact arithmetic did.
+     * Geometric tests that needed exact arithmetic, because floating point could not decide them.
      */
     uint64_t exact_fallbacks;
     /**
-     * As nm_quality.precision_limited.
+     * Vertices that are precision-limited, as nm_quality.precision_limited.
      */
     uint64_t precision_limited;
     /**
@@ -886,49 +937,50 @@ typedef struct nm_stats {
      */
     double seconds;
     /**
-     * Nets or samples taken in all rounds: rounds, and one more for each time that a round had not
-     * halved the inputs of every home.
+     * Nets or samples taken in all rounds. A round takes one, and another each time that the last one
+     * has not halved every conflict list. (The conflict list of a simplex holds the inputs assigned to
+     * it that are no vertices yet.)
      */
     uint64_t passes;
     /**
-     * The largest, over the rounds, of the most inputs in one home after the round over that before;
-     * at most 1/2. 0 without rounds (NM_ALGORITHM_SVR).
+     * The length of the longest conflict list after a round over that before the round, largest over
+     * all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
      */
     double worst_halving;
     /**
-     * Points inserted in the whole run for cages, those included whose cage was released later.
+     * Points inserted for cages during the run, those of cages released later included.
      * input_vertices, cage_points, far_corners and off_centers add up to the vertices.
      */
     uint64_t cage_points;
     /**
-     * Steiner points at a Voronoi corner (circumcentres).
+     * Steiner points inserted at a Voronoi corner (circumcentres).
      */
     uint64_t far_corners;
     /**
-     * Steiner points on the way to a Voronoi corner.
+     * Steiner points inserted on the segment from a vertex to a Voronoi corner of its cell.
      */
     uint64_t off_centers;
     /**
-     * How often an input near a Steiner or cage point went in instead of it.
+     * How often an input was inserted instead of a Steiner or cage point near it.
      */
     uint64_t yields;
     /**
-     * Those of cage_points that closed slits between the vertices of a cage at the end.
+     * Points inserted in cage gaps by the final refinement. cage_points includes them.
      */
     uint64_t closing_points;
     /**
-     * From here on 0 unless nm_options.instruments asked for it, and maxima over samples
-     * (docs/limitations.md). Points at which the ply was counted: Voronoi corners, all of them
-     * where there are few.
+     * Points at which the ply was counted: Voronoi corners, all of them if they are few. This field
+     * and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
+     * (docs/limitations.md).
      */
     uint64_t ply_probes;
     /**
-     * The largest number of D-balls (circumballs of simplices) with one probe point strictly inside:
-     * k of Definition 1.
+     * The largest number of D-balls (circumballs of simplices) that have one of these points strictly
+     * inside: k of Definition 1.
      */
     uint64_t max_ply;
     /**
-     * The mean of these numbers.
+     * The mean number of D-balls that have one of these points strictly inside.
      */
     double mean_ply;
     /**
@@ -936,28 +988,30 @@ typedef struct nm_stats {
      */
     uint64_t max_ball_intersections;
     /**
-     * The mean of these numbers.
+     * The mean number of other D-balls that meet one D-ball.
      */
     double mean_ball_intersections;
     /**
      * K of Definition 7: the largest feature size of the inputs over that of the mesh, in the same
      * domain and at a vertex of it. The feature size of a set at a point (Definition 5) is the
      * distance to its second nearest member. Domains with fewer than two inputs do not count.
-     * 0 for NM_ALGORITHM_DELAUNAY, as are the three constants below.
+     * 0 for NM_ALGORITHM_DELAUNAY.
      */
     double feature_size_constant;
     /**
-     * K'_I of Definition 8: the same ratio for a vertex that has just been inserted, with the inputs
-     * and the mesh of that moment; here for inputs, ...
+     * K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the mesh,
+     * at a vertex that has just been inserted and with the inputs and the mesh of that moment. 0 for
+     * NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_input;
     /**
-     * ... K'_S, for Steiner points, ...
+     * K'_S of Definition 8: the same ratio for Steiner points. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_corner;
     /**
-     * ... and K'_C, for vertices of cages (also inputs that a cage point yielded to). With only the
-     * centre of its domain inserted, the input that the cage is made for counts too.
+     * K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded to
+     * included. While a domain has no other vertex than its centre, the input that its cage is made
+     * for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_cage;
 } nm_stats;
@@ -971,31 +1025,31 @@ typedef struct nm_report {
      */
     uint32_t struct_size;
     /**
-     * The highest level that holds in full, 0 if level 1 does not.
+     * The highest level of which no rule is broken; 0 if one of level 1 is.
      */
     uint32_t level;
     /**
-     * Rules found broken.
+     * Violations found.
      */
     uint64_t violations;
     /**
-     * Single checks made.
+     * Checks made.
      */
     uint64_t checked;
     /**
-     * The first violation's kind, an nm_violation; 0 if there is none.
+     * The first violation's kind; NM_VIOLATION_NONE if there is none.
      */
-    uint32_t kind;
+    nm_violation kind;
     /**
-     * The first violation's simplex, NM_NONE where none.
+     * The first violation's simplex; NM_NONE if it concerns none.
      */
     uint32_t simplex;
     /**
-     * The first violation's vertex, NM_NONE where none.
+     * The first violation's vertex; NM_NONE if it concerns none.
      */
     uint32_t vertex;
     /**
-     * The first violation's domain, NM_NONE where none.
+     * The first violation's domain; NM_NONE if it concerns none.
      */
     uint32_t domain;
     /**
@@ -1020,23 +1074,22 @@ extern "C" {
 
 /**
  * The version of the library that is running, as "major.minor.patch". Static; never NULL; do not
- * free. Compare with NM_VERSION_MAJOR, _MINOR and _PATCH, the version of the header. O(1); any
- * thread.
+ * free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any thread.
  */
-const char *nm_version(void);
+NM_API const char *nm_version(void);
 
 /**
  * The ABI that the running library speaks. A program built with this header works with it if the
  * result equals NM_ABI_VERSION: within one ABI version only functions, enum values and trailing
  * struct fields are added. O(1); any thread.
  */
-uint32_t nm_abi_version(void);
+NM_API uint32_t nm_abi_version(void);
 
 /**
  * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not know.
  * Static; never NULL; do not free. O(1); any thread.
  */
-const char *nm_status_name(nm_status status);
+NM_API const char *nm_status_name(nm_status status);
 
 /**
  * Copies the calling thread's last message into buf: one sentence about the last call on this
@@ -1048,7 +1101,7 @@ const char *nm_status_name(nm_status status);
  * Returns the size in bytes of the whole message with its NUL (at least 1). Cannot fail. O(size);
  * each thread has its own message.
  */
-size_t nm_last_error(char *buf, size_t cap);
+NM_API size_t nm_last_error(char *buf, size_t cap);
 
 /**
  * Makes a mesh of n points; they are copied, and may be freed when the call returns. nm_run meshes
@@ -1056,7 +1109,8 @@ size_t nm_last_error(char *buf, size_t cap);
  *
  * dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
  * points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
- * 0 means dim. Every finite double is welcome, subnormals and 1e308 included. Points that are equal
+ * 0 means dim. Every finite double is accepted, subnormals and 1e308 included, but nm_run answers
+ * NM_LIMIT where the root's cage leaves the range of double, beyond some 4e307. Points that are equal
  * as numbers (-0.0 equals 0.0) are duplicates and share one vertex; two must be distinct.
  *
  * out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
@@ -1067,6 +1121,7 @@ size_t nm_last_error(char *buf, size_t cap);
  *
  * O(n dim) expected time and memory. Any thread.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_create(uint32_t dim,
                          size_t n,
                          const double *points,
@@ -1087,7 +1142,10 @@ nm_status nm_mesh_create(uint32_t dim,
  *
  * O(size of the file) expected time and memory. Any thread.
  */
-nm_status nm_mesh_create_from_file(const char *path_utf8, nm_format format, struct nm_mesh **out);
+NM_NODISCARD NM_API
+nm_status nm_mesh_create_from_file(const char *path_utf8,
+                                   nm_format format,
+                                   struct nm_mesh **out);
 
 /**
  * Frees a mesh; NULL is fine. The handle is gone afterwards, and no other call may be using it: to
@@ -1095,7 +1153,7 @@ nm_status nm_mesh_create_from_file(const char *path_utf8, nm_format format, stru
  *
  * O(size of the mesh). Any thread, not only the one that made the mesh.
  */
-void nm_mesh_free(struct nm_mesh *mesh);
+NM_API void nm_mesh_free(struct nm_mesh *mesh);
 
 /**
  * Fills options with the defaults and sets its struct_size; bytes beyond this version's struct
@@ -1105,7 +1163,7 @@ void nm_mesh_free(struct nm_mesh *mesh);
  *
  * Errors: NM_NULL_ARGUMENT (options), NM_INVALID_ARGUMENT (struct_size). O(1); any thread.
  */
-nm_status nm_options_init(struct nm_options *options, uint32_t struct_size);
+NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32_t struct_size);
 
 /**
  * Meshes the inputs. A second run replaces the first one's result. All or nothing: after any other
@@ -1119,14 +1177,16 @@ nm_status nm_options_init(struct nm_options *options, uint32_t struct_size);
  *
  * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
  * value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
- * affine rank), NM_LIMIT, NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
+ * affine rank), NM_LIMIT (too many vertices, or coordinates beyond some 4e307), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
  * or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
  * exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any
  * thread; different meshes may be run at the same time.
  */
-nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
+NM_NODISCARD NM_API
+nm_status nm_run(struct nm_mesh *mesh,
+                 const struct nm_options *options);
 
 /**
  * Writes how large the mesh is. O(1).
@@ -1135,7 +1195,7 @@ nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
  *
  * Errors: NM_NULL_ARGUMENT (mesh, counts), NM_INVALID_ARGUMENT (counts->struct_size), NM_STATE.
  */
-nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct nm_counts *counts);
+NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct nm_counts *counts);
 
 /**
  * Writes the vertices' coordinates: vertices x dim doubles, coordinate k of vertex v at
@@ -1145,18 +1205,20 @@ nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct nm_counts *counts);
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (nm_run at work, poisoned).
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_points(const struct nm_mesh *mesh,
                              double *buf,
                              uint64_t capacity,
                              uint64_t *needed);
 
 /**
- * Writes the simplices: simplices x (dim + 1) vertex ids, corner i of simplex s at
+ * Writes the simplices: simplices x (dim + 1) vertex ids, vertex i of simplex s at
  * buf[s * (dim + 1) + i]. Every simplex is positively oriented: det[v1-v0, ..., vdim-v0] > 0.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (no result yet, nm_run at work, poisoned).
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_simplices(const struct nm_mesh *mesh,
                                 uint32_t *buf,
                                 uint64_t capacity,
@@ -1164,10 +1226,11 @@ nm_status nm_mesh_get_simplices(const struct nm_mesh *mesh,
 
 /**
  * Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
- * buf[s * (dim + 1) + i], is the simplex across the facet opposite corner i, NM_NONE on the hull.
+ * buf[s * (dim + 1) + i], is the simplex across the facet opposite vertex i, NM_NONE on the hull.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_simplices.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_neighbors(const struct nm_mesh *mesh,
                                 uint32_t *buf,
                                 uint64_t capacity,
@@ -1179,17 +1242,19 @@ nm_status nm_mesh_get_neighbors(const struct nm_mesh *mesh,
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_vertex_kinds(const struct nm_mesh *mesh,
                                    uint8_t *buf,
                                    uint64_t capacity,
                                    uint64_t *needed);
 
 /**
- * Writes the index of the innermost domain that holds each vertex (nm_mesh_get_domains): one id per
+ * Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id per
  * vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_vertex_domains(const struct nm_mesh *mesh,
                                      uint32_t *buf,
                                      uint64_t capacity,
@@ -1201,6 +1266,7 @@ nm_status nm_mesh_get_vertex_domains(const struct nm_mesh *mesh,
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_precision_limited(const struct nm_mesh *mesh,
                                         uint8_t *buf,
                                         uint64_t capacity,
@@ -1213,6 +1279,7 @@ nm_status nm_mesh_get_precision_limited(const struct nm_mesh *mesh,
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_input_vertices(const struct nm_mesh *mesh,
                                      uint32_t *buf,
                                      uint64_t capacity,
@@ -1225,6 +1292,7 @@ nm_status nm_mesh_get_input_vertices(const struct nm_mesh *mesh,
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_get_domains(const struct nm_mesh *mesh,
                               struct nm_domain *buf,
                               uint64_t capacity,
@@ -1238,6 +1306,7 @@ nm_status nm_mesh_get_domains(const struct nm_mesh *mesh,
  * Errors: NM_NULL_ARGUMENT (mesh, quality), NM_INVALID_ARGUMENT (quality->struct_size), NM_STATE (no
  * result yet, nm_run at work, poisoned).
  */
+NM_NODISCARD NM_API
 nm_status nm_mesh_quality(const struct nm_mesh *mesh,
                           struct nm_quality *quality);
 
@@ -1249,7 +1318,7 @@ nm_status nm_mesh_quality(const struct nm_mesh *mesh,
  * Errors: NM_NULL_ARGUMENT (mesh, stats), NM_INVALID_ARGUMENT (stats->struct_size), NM_STATE (no
  * result yet, nm_run at work, poisoned).
  */
-nm_status nm_mesh_stats(const struct nm_mesh *mesh, struct nm_stats *stats);
+NM_NODISCARD NM_API nm_status nm_mesh_stats(const struct nm_mesh *mesh, struct nm_stats *stats);
 
 /**
  * Checks the mesh from its coordinates and simplices alone, independently of the code that built it
@@ -1267,7 +1336,10 @@ nm_status nm_mesh_stats(const struct nm_mesh *mesh, struct nm_stats *stats);
  *
  * O(vertices + simplices) for a mesh of bounded degree.
  */
-nm_status nm_mesh_validate(const struct nm_mesh *mesh, uint32_t level, struct nm_report *report);
+NM_NODISCARD NM_API
+nm_status nm_mesh_validate(const struct nm_mesh *mesh,
+                           uint32_t level,
+                           struct nm_report *report);
 
 /**
  * Writes the mesh to a file, replacing what was there. The file is written under another name and
@@ -1281,11 +1353,14 @@ nm_status nm_mesh_validate(const struct nm_mesh *mesh, uint32_t level, struct nm
  *
  * O(vertices + simplices).
  */
-nm_status nm_export(const struct nm_mesh *mesh, const char *path_utf8, nm_format format);
+NM_NODISCARD NM_API
+nm_status nm_export(const struct nm_mesh *mesh,
+                    const char *path_utf8,
+                    nm_format format);
 
 /**
  * Writes the mesh to a callback instead of a file; for NM_FORMAT_TETGEN_NODE the .node part, then
- * the .ele part. After a failure the callback may have received a part.
+ * the .ele part. After a failure the callback may have received some of it.
  *
  * format: not NM_FORMAT_AUTO. write: must not be NULL. user_data: handed to write, may be NULL.
  *
@@ -1295,6 +1370,7 @@ nm_status nm_export(const struct nm_mesh *mesh, const char *path_utf8, nm_format
  *
  * O(vertices + simplices).
  */
+NM_NODISCARD NM_API
 nm_status nm_export_write(const struct nm_mesh *mesh,
                           nm_format format,
                           nm_write_fn write,

@@ -7,7 +7,7 @@
 //     netmesh::options options;
 //     options.quality_bound = 4;
 //     mesh.run(options);
-//     for (netmesh::span<const std::uint32_t> corners : mesh.simplices()) { ... corners[0] ... }
+//     for (netmesh::span<const std::uint32_t> vertices : mesh.simplices()) { ... vertices[0] ... }
 //     mesh.save("mesh.vtu");
 //
 // ERRORS. Each function that can fail is there twice. mesh(), run(), points() and so on throw
@@ -52,8 +52,8 @@ namespace netmesh {
 // The version of the library that is linked, "major.minor.patch".
 inline std::string version() { return nm_version(); }
 
-// Sees a run's progress on the thread that called run(), about 20 times a second and where a round
-// or a stage ends; false cancels the run, which then fails with NM_CANCELLED.
+// Sees a run's progress on the thread that called run(), about every 30 ms and where a round or a
+// stage ends; false cancels the run, which then fails with NM_CANCELLED.
 using progress_function = std::function<bool(const nm_progress &)>;
 
 // Receives an export piece by piece; false stops it, and it fails with NM_IO.
@@ -158,7 +158,7 @@ public:
         return rows<std::uint32_t>(nm_mesh_get_simplices, 1);
     }
 
-    // simplices x (dim + 1) simplex ids, the i-th opposite corner i; NM_NONE on the hull.
+    // simplices x (dim + 1) simplex ids, the i-th opposite vertex i; NM_NONE on the hull.
     result<table<std::uint32_t>> try_neighbors() const {
         return rows<std::uint32_t>(nm_mesh_get_neighbors, 1);
     }

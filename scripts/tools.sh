@@ -1,6 +1,5 @@
 # Sourced by test.sh: the pinned tools, each in its place under target/.
 
-readonly CBINDGEN_VERSION=0.29.0
 readonly NUMPY_VERSION=2.3.5 MESHIO_VERSION=5.3.5 RICH_VERSION=14.2.0 GMSH_VERSION=4.15.2 VTK_VERSION=9.7.2
 
 need_rust_components() {
@@ -11,14 +10,6 @@ need_rust_components() {
   else
     need_packages rustfmt rust-clippy
   fi
-}
-
-# cbindgen makes include/netmesh.h; another version may format it differently.
-need_cbindgen() {
-  local wanted="cbindgen $CBINDGEN_VERSION"
-  [ "$(cbindgen --version 2>/dev/null)" = "$wanted" ] ||
-    cargo install cbindgen --version "$CBINDGEN_VERSION" --locked --root "$tools"
-  cbindgen --version
 }
 
 # What reads in tests what netmesh has written: the readers and what they import, not what else they

@@ -122,6 +122,6 @@ pub struct Progress {
     pub simplices: u64,
 }
 
-/// Called about 20 times a second, and where a round or a stage ends, on the thread that runs;
+/// Called about every 30 ms, and where a round or a stage ends, on the thread that runs;
 /// `false` cancels the run.
 pub type ProgressFn<'a> = dyn FnMut(&Progress) -> bool + 'a;

@@ -39,7 +39,8 @@ fn library(link: Link) -> PathBuf {
     profile_directory.join(name)
 }
 
-/// Compiles `source` against the library; `None` where that cannot be done here.
+/// Compiles `source` against the library, with nothing beside it but what cargo has left there: the name
+/// that a program asks for when it starts is a link that build.rs makes. `None` where that cannot be done here.
 fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     if !cfg!(unix) {
         skip("the link line is a Unix one; cpp_tests links on other systems");
@@ -57,9 +58,6 @@ fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     let made = directory(&format!("{name}-{language:?}-{link:?}")).join(name);
     command.arg(root().join(source)).args(["-x", "none"]).arg(&library);
     if link == Link::Shared {
-        let beside = made.parent().unwrap();
-        link_by_abi(&library, beside);
-        command.arg(format!("-Wl,-rpath,{}", beside.display()));
         command.arg(format!("-Wl,-rpath,{}", library.parent().unwrap().display()));
     }
     if cfg!(target_os = "linux") {
@@ -67,18 +65,6 @@ fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     }
     run(command.arg("-lm").arg("-o").arg(&made));
     Some(made)
-}
-
-/// Puts the library into `directory` under the name that a program asks for where it starts: cargo
-/// does not know that name.
-fn link_by_abi(library: &Path, directory: &Path) {
-    #[cfg(unix)]
-    if cfg!(not(target_os = "macos")) {
-        let name = format!("libnetmesh.so.{}", netmesh::capi::nm_abi_version());
-        std::os::unix::fs::symlink(library, directory.join(name)).unwrap();
-    }
-    #[cfg(not(unix))]
-    let _ = (library, directory);
 }
 
 /// A fresh directory.

@@ -95,12 +95,9 @@ void run_trial(const Trial& trial, Outcome& outcome) {
     outcome.inputs = points.size();
     nm_mesh* mesh = nullptr;
     if (mesh_it(trial, points, &mesh, outcome)) {
-        nm_counts counts{};
-        counts.struct_size = sizeof counts;
-        nm_stats stats{};
-        stats.struct_size = sizeof stats;
-        nm_report report{};
-        report.struct_size = sizeof report;
+        nm_counts counts = NM_COUNTS_INIT;
+        nm_stats stats = NM_STATS_INIT;
+        nm_report report = NM_REPORT_INIT;
         bool good = answered(outcome, nm_mesh_counts(mesh, &counts)) && answered(outcome, nm_mesh_stats(mesh, &stats));
         outcome.vertices = counts.vertices;
         outcome.precision_limited = stats.precision_limited;

@@ -8,7 +8,10 @@ file(RENAME "${scratch}/prefix" "${prefix}")
 
 file(GLOB_RECURSE headers RELATIVE "${source_dir}/include" "${source_dir}/include/*.h" "${source_dir}/include/*.hpp")
 list(TRANSFORM headers PREPEND "${include_dir}/")
-set(expected ${headers}
+file(GLOB_RECURSE pages RELATIVE "${source_dir}/docs" "${source_dir}/docs/*.md" "${source_dir}/docs/*.svg"
+     "${source_dir}/docs/*.png")
+list(TRANSFORM pages PREPEND "${data_dir}/doc/netmesh/")
+set(expected ${headers} ${pages}
     "${program_dir}/netmesh"
     "${manual_dir}/man1/netmesh.1"
     "${data_dir}/licenses/netmesh/LICENSE-APACHE"
@@ -34,6 +37,25 @@ foreach(name IN ITEMS "${soname}" libnetmesh.so)
     message(FATAL_ERROR "${name} is a copy")
   endif()
 endforeach()
+
+# Every page that a header cites is there.
+set(cited "")
+foreach(header IN LISTS headers)
+  file(STRINGS "${prefix}/${header}" lines REGEX "docs/[a-z_]+\\.md")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "docs/([a-z_]+\\.md)" unused "${line}")
+    list(APPEND cited "${CMAKE_MATCH_1}")
+  endforeach()
+endforeach()
+foreach(page IN LISTS cited)
+  if(NOT EXISTS "${prefix}/${data_dir}/doc/netmesh/${page}")
+    message(FATAL_ERROR "a header cites docs/${page}, which is not installed")
+  endif()
+endforeach()
+list(LENGTH cited count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "no header cites a page: this test sees nothing")
+endif()
 
 # Nobody's machine is in what others read.
 file(GLOB_RECURSE texts "${prefix}/${library_dir}/*.cmake" "${prefix}/${library_dir}/*.pc" "${prefix}/${manual_dir}/*")

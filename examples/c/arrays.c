@@ -5,15 +5,15 @@
 
 enum { DIM = 2, POINTS = 1000 };
 
-/* Twice the area of a triangle, positive if its corners are counterclockwise. */
-static double doubled_area(const double *points, const uint32_t *corners)
+/* Twice the area of a triangle, positive if its vertices are counterclockwise. */
+static double doubled_area(const double *points, const uint32_t *vertices)
 {
-    const double *a = points + DIM * corners[0], *b = points + DIM * corners[1],
-                 *c = points + DIM * corners[2];
+    const double *a = points + DIM * vertices[0], *b = points + DIM * vertices[1],
+                 *c = points + DIM * vertices[2];
     return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
 }
 
-/* The third corner is opposite to the edge of the other two; neighbours share that edge. */
+/* The third vertex is opposite to the edge of the other two; neighbours share that edge. */
 static int shares_edge(const uint32_t *triangle, int opposite, const uint32_t *other)
 {
     int shared = 0;
@@ -31,8 +31,7 @@ int main(void)
     must(nm_run(mesh, NULL));
 
     /* [arrays] */
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     const uint64_t coordinates = counts.vertices * DIM, ids = counts.simplices * (DIM + 1);
 
@@ -56,14 +55,14 @@ int main(void)
     double area = 0;
     uint64_t hull_edges = 0;
     for (uint64_t t = 0; t < counts.simplices; ++t) {
-        const uint32_t *corners = triangles + 3 * t;
-        area += doubled_area(points, corners) / 2;
+        const uint32_t *vertices = triangles + 3 * t;
+        area += doubled_area(points, vertices) / 2;
         for (int i = 0; i < 3; ++i) {
             uint32_t neighbor = neighbors[3 * t + i];
-            if (neighbor == NM_NONE) /* the edge opposite corner i is on the hull */
+            if (neighbor == NM_NONE) /* the edge opposite vertex i is on the hull */
                 ++hull_edges;
             else
-                expect(shares_edge(corners, i, triangles + 3 * neighbor), "neighbours share an edge");
+                expect(shares_edge(vertices, i, triangles + 3 * neighbor), "neighbours share an edge");
         }
     }
     /* [end] */

@@ -21,8 +21,7 @@ int main(void)
     free(inputs);
     must(nm_run(mesh, NULL));
 
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     double *points = malloc(counts.vertices * DIM * sizeof *points);
     expect(points != NULL, "there is memory for the vertices");

@@ -61,8 +61,7 @@ int main(int argc, char **argv)
     nm_mesh *mesh = NULL;
     must(nm_mesh_create_from_file(argv[1], NM_FORMAT_AUTO, &mesh));
     must(nm_run(mesh, NULL));
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     expect(counts.dim == DIM, "the file has two columns (of a mesh in space, nm_export a .vtu)");
 
@@ -86,12 +85,12 @@ int main(int argc, char **argv)
                      "stroke=\"#b0b0b0\" stroke-width=\"0.5\" d=\"");
     uint64_t edges = 0;
     for (uint64_t at = 0; at < ids; ++at) {
-        /* The edge opposite this corner, drawn from the side of the triangle with the larger id. */
-        const uint64_t triangle = at / 3, corner = at % 3;
+        /* The edge opposite this vertex, drawn from the side of the triangle with the larger id. */
+        const uint64_t triangle = at / 3, vertex = at % 3;
         if (neighbors[at] != NM_NONE && neighbors[at] > triangle)
             continue;
-        const double *a = points + DIM * triangles[3 * triangle + (corner + 1) % 3];
-        const double *b = points + DIM * triangles[3 * triangle + (corner + 2) % 3];
+        const double *a = points + DIM * triangles[3 * triangle + (vertex + 1) % 3];
+        const double *b = points + DIM * triangles[3 * triangle + (vertex + 2) % 3];
         ++edges;
         if (is_shown(&shown, a) || is_shown(&shown, b))
             fprintf(picture, "M%.2f %.2fL%.2f %.2f", across(&shown, a), down(&shown, a),

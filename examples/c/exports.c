@@ -16,8 +16,7 @@ static int32_t count_bytes(const void *data, size_t size, void *user_data)
 
 static uint64_t inputs(const nm_mesh *mesh)
 {
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     return counts.vertices;
 }

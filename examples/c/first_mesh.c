@@ -9,8 +9,7 @@ int main(void)
     must(nm_mesh_create(2, 6, points, 0, &mesh)); /* dimension, how many, where, stride */
     must(nm_run(mesh, NULL));                     /* NULL: the default options */
 
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     printf("%llu points, %llu vertices, %llu triangles\n", (unsigned long long)counts.inputs,
            (unsigned long long)counts.vertices, (unsigned long long)counts.simplices);

@@ -68,10 +68,8 @@ static int run(nm_mesh *mesh)
 
 static int print_counts_and_quality(const nm_mesh *mesh)
 {
-    nm_counts counts = {0};
-    nm_quality quality = {0};
-    counts.struct_size = sizeof counts;
-    quality.struct_size = sizeof quality;
+    nm_counts counts = NM_COUNTS_INIT;
+    nm_quality quality = NM_QUALITY_INIT;
     if (failed("nm_mesh_counts", nm_mesh_counts(mesh, &counts)) ||
         failed("nm_mesh_quality", nm_mesh_quality(mesh, &quality)))
         return 0;
@@ -104,8 +102,7 @@ static int print_first_simplex(const nm_mesh *mesh)
 
 static int validate(const nm_mesh *mesh)
 {
-    nm_report report = {0};
-    report.struct_size = sizeof report;
+    nm_report report = NM_REPORT_INIT;
     if (failed("nm_mesh_validate", nm_mesh_validate(mesh, 3, &report)))
         return 0;
     printf("certificate: level %u of 3, %llu checks, %llu violations\n", (unsigned)report.level,

@@ -23,8 +23,7 @@ static int32_t watch(const nm_progress *progress, void *user_data)
 
 static uint64_t vertices(const nm_mesh *mesh)
 {
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     return counts.vertices;
 }

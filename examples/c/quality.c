@@ -15,8 +15,7 @@ int main(void)
     must(nm_run(mesh, &options));
 
     /* [quality] */
-    nm_quality quality = { 0 };
-    quality.struct_size = sizeof quality;
+    nm_quality quality = NM_QUALITY_INIT;
     must(nm_mesh_quality(mesh, &quality));
     printf("Voronoi aspect at most %.3f, mean %.3f; smallest dihedral angle %.2f degrees\n",
            quality.worst_aspect_anywhere, quality.mean_aspect, quality.min_angle_degrees);
@@ -28,8 +27,7 @@ int main(void)
     expect(quality.precision_limited == 0, "doubles are fine enough here");
 
     /* [certificate] */
-    nm_report report = { 0 };
-    report.struct_size = sizeof report;
+    nm_report report = NM_REPORT_INIT;
     must(nm_mesh_validate(mesh, 3, &report)); /* NM_OK: the check ran. What it found: */
     printf("%llu checks, %llu violations\n", (unsigned long long)report.checked,
            (unsigned long long)report.violations);

@@ -6,16 +6,14 @@
 
 static nm_counts counts_of(const nm_mesh *mesh)
 {
-    nm_counts counts = { 0 };
-    counts.struct_size = sizeof counts;
+    nm_counts counts = NM_COUNTS_INIT;
     must(nm_mesh_counts(mesh, &counts));
     return counts;
 }
 
 static uint64_t precision_limited(const nm_mesh *mesh)
 {
-    nm_quality quality = { 0 };
-    quality.struct_size = sizeof quality;
+    nm_quality quality = NM_QUALITY_INIT;
     must(nm_mesh_quality(mesh, &quality));
     return quality.precision_limited;
 }
@@ -39,7 +37,7 @@ static void four_dimensions(void)
     uint64_t ids = 0; /* five a simplex */
     must(nm_mesh_get_simplices(mesh, NULL, 0, &ids));
     /* [end] */
-    expect(ids == 5 * counts_of(mesh).simplices, "a simplex has five corners");
+    expect(ids == 5 * counts_of(mesh).simplices, "a simplex has five vertices");
     free(events);
     nm_mesh_free(mesh);
 }

@@ -19,8 +19,10 @@ int main() {
     try {
         netmesh::mesh mesh = netmesh::cgal::make_mesh(points);
         mesh.run();
+        // [cgal]
         CGAL::Delaunay_triangulation_3<Kernel> triangulation;
-        const auto vertices = netmesh::cgal::fill(mesh, triangulation);
+        const auto vertices = netmesh::cgal::fill(mesh, triangulation);  // linear, nothing is inserted
+        // [end]
         std::cout << triangulation.number_of_vertices() << " vertices, "
                   << triangulation.number_of_finite_cells() << " cells; input 0 has "
                   << triangulation.degree(vertices[mesh.input_vertices()[0]]) << " neighbours, next to "

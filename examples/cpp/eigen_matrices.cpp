@@ -10,10 +10,12 @@
 int main() {
     const Eigen::MatrixXd points = Eigen::MatrixXd::Random(500, 3);  // one point a row
     try {
-        netmesh::mesh mesh = netmesh::eigen::mesh_of_rows(points);
+        // [eigen]
+        netmesh::mesh mesh = netmesh::eigen::mesh_of_rows(points);  // n x dim; Ref and Map too
         mesh.run();
         const Eigen::MatrixXd vertices = netmesh::eigen::points_in_rows(mesh);
         const Eigen::MatrixXi tetrahedra = netmesh::eigen::simplices_in_rows<int>(mesh);
+        // [end]
         double volume = 0;
         for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t) {
             Eigen::Matrix3d edges;

@@ -33,8 +33,8 @@ static void read_arrays(const netmesh::mesh &mesh, const std::vector<double> &in
     // [arrays]
     const auto points = mesh.points();
     double area = 0;
-    for (const auto corners : mesh.simplices()) {
-        const auto a = points[corners[0]], b = points[corners[1]], c = points[corners[2]];
+    for (const auto vertices : mesh.simplices()) {
+        const auto a = points[vertices[0]], b = points[vertices[1]], c = points[vertices[2]];
         area += ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) / 2;
     }
     // [end]

@@ -27,10 +27,12 @@ int main() {
         shadows.push_back({static_cast<float>(particle.position[0]), static_cast<float>(particle.position[1])});
     }
     try {
+        // [strided]
         const netmesh::strided_points<double> positions{
             &particles[0].position[0], particles.size(), 3, sizeof(Particle) / sizeof(double), 1};
         netmesh::mesh space = netmesh::make_mesh(positions);
-        netmesh::mesh plane = netmesh::make_mesh(netmesh::strided(shadows));
+        netmesh::mesh plane = netmesh::make_mesh(netmesh::strided(shadows));  // vector<array<float, 2>>
+        // [end]
         space.run();
         plane.run();
         std::cout << space.counts().simplices << " tetrahedra, " << plane.counts().simplices << " triangles\n";

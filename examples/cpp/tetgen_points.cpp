@@ -19,7 +19,9 @@ int main() {
         in.pointlist[i] = static_cast<double>(random()) / 4294967296.0;
     }
     try {
-        netmesh::tetgen::tetrahedralize("q1.5nQ", &in, &out);
+        // [tetgen]
+        netmesh::tetgen::tetrahedralize("q1.5nQ", &in, &out);  // other switches are refused
+        // [end]
         std::cout << out.numberofpoints << " points, " << out.numberoftetrahedra << " tetrahedra, "
                   << out.numberoftrifaces << " faces on the hull\n";
         netmesh::tetgen::tetrahedralize("pq", &in, &out);  // facets are no business of netmesh

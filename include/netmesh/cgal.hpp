@@ -120,11 +120,11 @@ void create_cells(typename traits<Triangulation>::data_structure &tds, const clo
     const std::size_t count = complex.simplices();
     std::vector<typename kind::cell> cells;
     cells.reserve(count);
-    const std::uint32_t *corner = complex.corners.data();
+    const std::uint32_t *id = complex.vertices.data();
     for (std::size_t c = 0; c < count; ++c) {
         const typename kind::cell cell = kind::create_cell(tds);
-        for (int k = 0; k < each; ++k, ++corner) {
-            const typename kind::vertex vertex = *corner == NM_NONE ? infinite : vertices[*corner];
+        for (int k = 0; k < each; ++k, ++id) {
+            const typename kind::vertex vertex = *id == NM_NONE ? infinite : vertices[*id];
             cell->set_vertex(k, vertex);
             kind::set_incident(vertex, cell);
         }

@@ -136,7 +136,7 @@ inline columns<double> points_in_columns(const mesh &mesh) {
     return detail::fetched<columns<double>>(mesh, nm_mesh_get_points, 0, false);
 }
 
-// The corners of the simplices: simplices x (dim + 1), and (dim + 1) x simplices.
+// The vertices of the simplices: simplices x (dim + 1), and (dim + 1) x simplices.
 template <typename Index = std::uint32_t>
 rows<Index> simplices_in_rows(const mesh &mesh) {
     return detail::converted_matrix<rows<Index>>(
@@ -148,7 +148,7 @@ columns<Index> simplices_in_columns(const mesh &mesh) {
         detail::fetched<columns<std::uint32_t>>(mesh, nm_mesh_get_simplices, 1, false));
 }
 
-// The neighbours of the simplices, the i-th opposite corner i: shaped like the simplices.
+// The neighbours of the simplices, the i-th opposite vertex i: shaped like the simplices.
 template <typename Index = std::uint32_t>
 rows<Index> neighbors_in_rows(const mesh &mesh) {
     return detail::converted_matrix<rows<Index>>(

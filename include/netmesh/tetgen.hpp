@@ -26,8 +26,8 @@
 // Every other switch is an error (NM_INVALID_ARGUMENT) whose message names it, and so is what in
 // holds besides points and their markers, an addin and a bgmin.
 //
-// OUT is what TetGen makes of points: pointlist, tetrahedronlist with four corners, det[v1-v0, v2-v0,
-// v3-v0] > 0; neighborlist (n), the i-th opposite corner i, -1 beyond the hull; trifacelist, the facets
+// OUT is what TetGen makes of points: pointlist, tetrahedronlist with four vertices, det[v1-v0, v2-v0,
+// v3-v0] > 0; neighborlist (n), the i-th opposite vertex i, -1 beyond the hull; trifacelist, the facets
 // of the hull, counterclockwise seen from outside; pointmarkerlist where in has one. Numbers start
 // at in->firstnumber. Exact duplicates are left out, as TetGen does; the first one stays (TetGen
 // keeps any). Points keep their order; Steiner points follow, with marker 0. Memory is what
@@ -162,8 +162,8 @@ inline void copy_hull(const table<std::uint32_t> &simplices, const table<std::ui
             if (neighbors[s][i] != NM_NONE) {
                 continue;
             }
-            for (const std::size_t corner : outward[i]) {
-                faces.push_back(static_cast<int>(simplices[s][corner]) + first);
+            for (const std::size_t vertex : outward[i]) {
+                faces.push_back(static_cast<int>(simplices[s][vertex]) + first);
             }
         }
     }
@@ -287,7 +287,7 @@ inline void fill(const mesh &mesh, tetgenio &out, const layout &wanted = {}) {
         detail::refuse("firstnumber = " + std::to_string(wanted.first_number) + " is neither 0 nor 1");
     }
     detail::to_int(counts.vertices + offset, "points");
-    detail::to_int(counts.simplices * 4, "corners");
+    detail::to_int(counts.simplices * 4, "vertices of tetrahedra");
     tetgenio built;
     built.firstnumber = wanted.first_number;
     detail::copy_points(mesh, built);

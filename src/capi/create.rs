@@ -17,7 +17,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 ///
 /// dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
 /// points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
-/// 0 means dim. Every finite double is welcome, subnormals and 1e308 included. Points that are equal
+/// 0 means dim. Every finite double is accepted, subnormals and 1e308 included, but nm_run answers
+/// NM_LIMIT where the root's cage leaves the range of double, beyond some 4e307. Points that are equal
 /// as numbers (-0.0 equals 0.0) are duplicates and share one vertex; two must be distinct.
 ///
 /// out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
@@ -77,6 +78,7 @@ pub unsafe extern "C" fn nm_mesh_create_from_file(
 /// free a mesh during nm_run, a getter or from one of its callbacks is undefined behaviour.
 ///
 /// O(size of the mesh). Any thread, not only the one that made the mesh.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
     if !mesh.is_null() {

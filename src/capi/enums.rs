@@ -29,7 +29,8 @@ pub enum nm_status {
     /// Fewer than two distinct points, or (NM_ALGORITHM_DELAUNAY) all points in a lower-dimensional
     /// affine subspace; the message names the rank.
     NM_DEGENERATE_INPUT = 6,
-    /// The run needs more vertices than nm_options.max_vertices allows.
+    /// The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
+    /// (beyond some 4e307) that the root's cage leaves the range of double.
     NM_LIMIT = 7,
     /// The progress callback cancelled the run.
     NM_CANCELLED = 8,
@@ -171,9 +172,9 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
     value as u8
 }
 
-/// File formats; docs/formats.md tells what each holds. Point formats (XYZ, CSV, NPY) can be written
+/// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
 /// before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
-/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read, of the others the points are.
+/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read; of the others, the points are read.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

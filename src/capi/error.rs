@@ -84,6 +84,7 @@ pub(super) fn prefix(text: &str, limit: usize) -> &str {
 ///
 /// Returns the size in bytes of the whole message with its NUL (at least 1). Cannot fail. O(size);
 /// each thread has its own message.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_last_error(buf: *mut c_char, cap: usize) -> usize {
     let size = LAST_MESSAGE.try_with(|last| {

@@ -50,7 +50,7 @@ pub unsafe extern "C" fn nm_export(
 }
 
 /// Writes the mesh to a callback instead of a file; for NM_FORMAT_TETGEN_NODE the .node part, then
-/// the .ele part. After a failure the callback may have received a part.
+/// the .ele part. After a failure the callback may have received some of it.
 ///
 /// format: not NM_FORMAT_AUTO. write: must not be NULL. user_data: handed to write, may be NULL.
 ///

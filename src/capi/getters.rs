@@ -76,7 +76,7 @@ pub unsafe extern "C" fn nm_mesh_get_points(
     unsafe { with_mesh(mesh, body) }
 }
 
-/// Writes the simplices: simplices x (dim + 1) vertex ids, corner i of simplex s at
+/// Writes the simplices: simplices x (dim + 1) vertex ids, vertex i of simplex s at
 /// buf[s * (dim + 1) + i]. Every simplex is positively oriented: det[v1-v0, ..., vdim-v0] > 0.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn nm_mesh_get_simplices(
 }
 
 /// Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
-/// buf[s * (dim + 1) + i], is the simplex across the facet opposite corner i, NM_NONE on the hull.
+/// buf[s * (dim + 1) + i], is the simplex across the facet opposite vertex i, NM_NONE on the hull.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_simplices.
 #[unsafe(no_mangle)]
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_kinds(
     unsafe { get_per_vertex(mesh, buf, capacity, needed, before, of) }
 }
 
-/// Writes the index of the innermost domain that holds each vertex (nm_mesh_get_domains): one id per
+/// Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id per
 /// vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_points.

@@ -142,7 +142,7 @@ fn encode_report(report: &Report) -> nm_report {
         level: report.level,
         violations: report.violations,
         checked: report.checked,
-        kind: first.map_or(0, |violation| nm_violation::from(violation.kind) as u32),
+        kind: first.map_or(nm_violation::NM_VIOLATION_NONE, |violation| violation.kind.into()),
         simplex: first.map_or(NONE, |violation| violation.simplex),
         vertex: first.map_or(NONE, |violation| violation.vertex),
         domain: first.map_or(NONE, |violation| violation.domain),
@@ -179,20 +179,21 @@ mod tests {
     fn a_report_carries_the_first_violation() {
         let encoded = encode_report(&report("facet 1 of simplex 3"));
         let ids = (encoded.kind, encoded.simplex, encoded.vertex, encoded.domain);
-        assert_eq!(ids, (103, 3, 4, NONE));
+        assert_eq!(ids, (nm_violation::NM_VIOLATION_DELAUNAY, 3, 4, NONE));
         assert_eq!((encoded.level, encoded.violations, encoded.checked), (1, 2, 30));
         assert_eq!(message(&encoded), "facet 1 of simplex 3");
         let clean = encode_report(&Report { level: 3, violations: 0, checked: 9, first: None });
         let ids = (clean.kind, clean.simplex, clean.vertex, clean.domain);
-        assert_eq!((ids, clean.message), ((0, NONE, NONE, NONE), [0; 160]));
+        assert_eq!(ids, (nm_violation::NM_VIOLATION_NONE, NONE, NONE, NONE));
+        assert_eq!(clean.message, [0; 160]);
     }
 
     #[test]
     fn a_long_message_is_cut_between_characters() {
         let long = "é".repeat(100);
         assert_eq!(message(&encode_report(&report(&long))), "é".repeat(79));
-        let whole = "x".repeat(159);
-        assert_eq!(message(&encode_report(&report(&whole))), whole);
+        let longest = "x".repeat(159);
+        assert_eq!(message(&encode_report(&report(&longest))), longest);
     }
 
     #[test]

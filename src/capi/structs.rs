@@ -2,6 +2,7 @@
 
 use super::enums::{nm_algorithm, nm_criterion, nm_ordering, nm_output, nm_phase};
 use super::memory::Versioned;
+use super::violations::nm_violation;
 use std::ffi::{c_char, c_void};
 use std::mem::{MaybeUninit, offset_of};
 
@@ -14,7 +15,7 @@ pub struct nm_progress {
     pub struct_size: u32,
     /// The stage of the run; never falls.
     pub phase: nm_phase,
-    /// The part of the whole run that is done, in [0, 1] and never falling; -1 if unknown.
+    /// The fraction of the run that is done. In [0, 1] and never falling; -1 if unknown.
     pub fraction: f64,
     /// Distinct inputs that are vertices by now.
     pub inputs_inserted: u64,
@@ -24,9 +25,9 @@ pub struct nm_progress {
     pub simplices: u64,
 }
 
-/// Called by nm_run on the thread that called nm_run, about 20 times a second and where a round or a
-/// stage ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the
-/// run, which then answers NM_CANCELLED and leaves the mesh as it was.
+/// Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a stage
+/// ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the run,
+/// which then answers NM_CANCELLED and leaves the mesh as it was.
 ///
 /// It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
 /// being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -67,8 +68,7 @@ pub struct nm_options {
     /// makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
     pub epsilon: f64,
     /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-    /// at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D,
-    /// 4D, more.
+    /// at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
     pub delta: f64,
     /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
     /// nearest vertex. In [0.01, 0.25], default 0.1.
@@ -95,8 +95,8 @@ pub struct nm_options {
     pub progress: nm_progress_fn,
     /// Handed to progress as it is; the library never looks at it. Default NULL.
     pub user_data: *mut c_void,
-    /// 1: measure the second part of nm_stats as well (from ply_probes on), which takes about as long
-    /// again as the run, in 4D and more several times as long; the mesh is the same. Default 0.
+    /// 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again as
+    /// the run, in 4D and more several times as long. The mesh is the same. Default 0.
     pub instruments: u32,
     /// Zero.
     pub reserved: u32,
@@ -166,9 +166,9 @@ pub struct nm_domain {
     pub radius: f64,
 }
 
-/// How good a mesh is. The aspect of a Voronoi cell is the distance from its vertex to its farthest
-/// corner over half the distance to the nearest other vertex; it is at least 1. A figure over no
-/// cells at all is 0; infinity stands for ratios beyond the doubles.
+/// How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+/// distance from its vertex to its farthest corner over half the distance to the nearest other vertex;
+/// it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -181,25 +181,26 @@ pub struct nm_quality {
     /// precision-limited, over the corners well inside the hull of their domain's cage: within min(0.85,
     /// 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are no domains).
     pub worst_aspect: f64,
-    /// Worst aspect of all cells off the hull, over all corners: of the vertices in no cage and of the
-    /// cages (below), precision-limited ones too. What NM_CRITERION_VORONOI_ASPECT bounds, but for
-    /// precision-limited cells; and for cells in inner domains if epsilon > 0.8 cage_scale, where it
-    /// bounds worst_aspect. (The cell of a single vertex of a cage is a part of the cage's cell. It has
-    /// no bound: it bridges the gap that the cage saves.)
+    /// Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of the
+    /// cells of cages (see worst_cage_aspect), precision-limited ones included.
+    /// NM_CRITERION_VORONOI_ASPECT bounds it, but for precision-limited cells. If epsilon > 0.8
+    /// cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a single
+    /// vertex of a cage has no bound: it reaches across the empty space that the cage stands for.
     pub worst_aspect_anywhere: f64,
     /// Mean of the aspects of which worst_aspect is the largest.
     pub mean_aspect: f64,
     /// Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
     /// domain's centre, over the corners well inside the parent's cage.
     pub worst_cage_aspect: f64,
-    /// Worst circumradius over shortest edge of the simplices without a vertex on the hull. What
-    /// NM_CRITERION_RADIUS_EDGE bounds for every simplex of a well-spaced mesh, those at the hull too;
-    /// in a hierarchical one for those with all vertices in one domain.
+    /// Worst circumradius over shortest edge of the simplices without a vertex on the hull.
+    /// NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at the
+    /// hull included, and in a hierarchical mesh for the simplices with all vertices in one domain.
     pub worst_radius_edge: f64,
-    /// Smallest angle (2D) or dihedral angle (3D and more) of the same simplices, in degrees.
+    /// Smallest angle (2D) or dihedral angle (3D and more), in degrees, of the simplices without a
+    /// vertex on the hull.
     pub min_angle_degrees: f64,
-    /// Vertices whose cells no double can improve: too near to others for the grid of doubles. They
-    /// are outside the promise; nm_mesh_get_precision_limited tells which.
+    /// Vertices whose cells cannot be improved, because doubles are too coarse there. The quality
+    /// bound does not hold for them; nm_mesh_get_precision_limited tells which they are.
     pub precision_limited: u64,
 }
 
@@ -232,61 +233,64 @@ pub struct nm_stats {
     pub steiner_vertices: u64,
     /// Vertices of cages that are alive at the end.
     pub cage_vertices: u64,
-    /// Cages made, ...
+    /// Cages made during the run.
     pub cages_created: u64,
-    /// ... grown, ...
+    /// How often a cage grew during the run.
     pub cages_grown: u64,
-    /// ... and released during the run.
+    /// Cages released during the run.
     pub cages_released: u64,
-    /// Geometric tests that floating point could not decide and exact arithmetic did.
+    /// Geometric tests that needed exact arithmetic, because floating point could not decide them.
     pub exact_fallbacks: u64,
-    /// As nm_quality.precision_limited.
+    /// Vertices that are precision-limited, as nm_quality.precision_limited.
     pub precision_limited: u64,
     /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
     /// that differs between equal runs.
     pub seconds: f64,
-    /// Nets or samples taken in all rounds: rounds, and one more for each time that a round had not
-    /// halved the inputs of every home.
+    /// Nets or samples taken in all rounds. A round takes one, and another each time that the last one
+    /// has not halved every conflict list. (The conflict list of a simplex holds the inputs assigned to
+    /// it that are no vertices yet.)
     pub passes: u64,
-    /// The largest, over the rounds, of the most inputs in one home after the round over that before;
-    /// at most 1/2. 0 without rounds (NM_ALGORITHM_SVR).
+    /// The length of the longest conflict list after a round over that before the round, largest over
+    /// all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
     pub worst_halving: f64,
-    /// Points inserted in the whole run for cages, those included whose cage was released later.
+    /// Points inserted for cages during the run, those of cages released later included.
     /// input_vertices, cage_points, far_corners and off_centers add up to the vertices.
     pub cage_points: u64,
-    /// Steiner points at a Voronoi corner (circumcentres).
+    /// Steiner points inserted at a Voronoi corner (circumcentres).
     pub far_corners: u64,
-    /// Steiner points on the way to a Voronoi corner.
+    /// Steiner points inserted on the segment from a vertex to a Voronoi corner of its cell.
     pub off_centers: u64,
-    /// How often an input near a Steiner or cage point went in instead of it.
+    /// How often an input was inserted instead of a Steiner or cage point near it.
     pub yields: u64,
-    /// Those of cage_points that closed slits between the vertices of a cage at the end.
+    /// Points inserted in cage gaps by the final refinement. cage_points includes them.
     pub closing_points: u64,
-    /// From here on 0 unless nm_options.instruments asked for it, and maxima over samples
-    /// (docs/limitations.md). Points at which the ply was counted: Voronoi corners, all of them
-    /// where there are few.
+    /// Points at which the ply was counted: Voronoi corners, all of them if they are few. This field
+    /// and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
+    /// (docs/limitations.md).
     pub ply_probes: u64,
-    /// The largest number of D-balls (circumballs of simplices) with one probe point strictly inside:
-    /// k of Definition 1.
+    /// The largest number of D-balls (circumballs of simplices) that have one of these points strictly
+    /// inside: k of Definition 1.
     pub max_ply: u64,
-    /// The mean of these numbers.
+    /// The mean number of D-balls that have one of these points strictly inside.
     pub mean_ply: f64,
     /// The largest number of other D-balls that meet one D-ball (Theorem 4).
     pub max_ball_intersections: u64,
-    /// The mean of these numbers.
+    /// The mean number of other D-balls that meet one D-ball.
     pub mean_ball_intersections: f64,
     /// K of Definition 7: the largest feature size of the inputs over that of the mesh, in the same
     /// domain and at a vertex of it. The feature size of a set at a point (Definition 5) is the
     /// distance to its second nearest member. Domains with fewer than two inputs do not count.
-    /// 0 for NM_ALGORITHM_DELAUNAY, as are the three constants below.
+    /// 0 for NM_ALGORITHM_DELAUNAY.
     pub feature_size_constant: f64,
-    /// K'_I of Definition 8: the same ratio for a vertex that has just been inserted, with the inputs
-    /// and the mesh of that moment; here for inputs, ...
+    /// K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the mesh,
+    /// at a vertex that has just been inserted and with the inputs and the mesh of that moment. 0 for
+    /// NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_input: f64,
-    /// ... K'_S, for Steiner points, ...
+    /// K'_S of Definition 8: the same ratio for Steiner points. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_corner: f64,
-    /// ... and K'_C, for vertices of cages (also inputs that a cage point yielded to). With only the
-    /// centre of its domain inserted, the input that the cage is made for counts too.
+    /// K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded to
+    /// included. While a domain has no other vertex than its centre, the input that its cage is made
+    /// for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_cage: f64,
 }
 
@@ -304,25 +308,26 @@ const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 28 * 8);
 pub struct nm_report {
     /// Set by the caller to sizeof(nm_report).
     pub struct_size: u32,
-    /// The highest level that holds in full, 0 if level 1 does not.
+    /// The highest level of which no rule is broken; 0 if one of level 1 is.
     pub level: u32,
-    /// Rules found broken.
+    /// Violations found.
     pub violations: u64,
-    /// Single checks made.
+    /// Checks made.
     pub checked: u64,
-    /// The first violation's kind, an nm_violation; 0 if there is none.
-    pub kind: u32,
-    /// The first violation's simplex, NM_NONE where none.
+    /// The first violation's kind; NM_VIOLATION_NONE if there is none.
+    pub kind: nm_violation,
+    /// The first violation's simplex; NM_NONE if it concerns none.
     pub simplex: u32,
-    /// The first violation's vertex, NM_NONE where none.
+    /// The first violation's vertex; NM_NONE if it concerns none.
     pub vertex: u32,
-    /// The first violation's domain, NM_NONE where none.
+    /// The first violation's domain; NM_NONE if it concerns none.
     pub domain: u32,
     /// The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is none.
     pub message: [c_char; 160],
 }
 
-// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers and an enum of four bytes that
+// the library only writes.
 unsafe impl Versioned for nm_report {
     const TYPE: &'static str = "nm_report";
 }

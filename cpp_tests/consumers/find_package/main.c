@@ -19,7 +19,7 @@ static nm_status mesh_file(const char *points, const char *path, nm_mesh **mesh,
 int main(int argc, char **argv)
 {
     nm_mesh *mesh = NULL;
-    nm_counts counts = {.struct_size = sizeof counts};
+    nm_counts counts = NM_COUNTS_INIT;
     if (argc != 3)
         return 2;
     if (mesh_file(argv[1], argv[2], &mesh, &counts) != NM_OK) {

@@ -33,7 +33,7 @@ int main(int argc, char **argv)
 {
     double numbers[LIMIT];
     nm_mesh *mesh = NULL;
-    nm_counts counts = {.struct_size = sizeof counts};
+    nm_counts counts = NM_COUNTS_INIT;
     uint64_t coordinates = 0;
     uint64_t corners = 0;
     size_t count;

@@ -10,7 +10,7 @@ uint32_t second_answer(void);
 int main(int argc, char **argv)
 {
     nm_mesh *mesh = NULL;
-    nm_counts counts = {.struct_size = sizeof counts};
+    nm_counts counts = NM_COUNTS_INIT;
     if (argc != 3)
         return 2;
     if (second_answer() != 3) {

@@ -178,7 +178,7 @@ typedef int32_t nm_criterion;
 /**
  * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
  * before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
- * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read; of the others, the points are read.
+ * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the points are read.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -610,6 +610,11 @@ enum nm_violation
 #ifndef __cplusplus
 typedef int32_t nm_violation;
 #endif // __cplusplus
+
+/**
+ * The extent of a vertex's Voronoi cell.
+ */
+typedef struct Cell Cell;
 
 /**
  * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
@@ -1177,16 +1182,14 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
  *
  * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
  * value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
- * affine rank), NM_LIMIT (too many vertices, or coordinates beyond some 4e307), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
- * or it is poisoned).
+ * affine rank), NM_LIMIT (too many vertices, or coordinates beyond some 4e307), NM_CANCELLED,
+ * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
  * exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any
  * thread; different meshes may be run at the same time.
  */
-NM_NODISCARD NM_API
-nm_status nm_run(struct nm_mesh *mesh,
-                 const struct nm_options *options);
+NM_NODISCARD NM_API nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
 
 /**
  * Writes how large the mesh is. O(1).

@@ -213,7 +213,8 @@ fn the_initialisers_set_the_size_and_zero_the_rest() {
 fn an_ignored_status_is_a_warning() {
     let header = header();
     let functions = header.split("extern \"C\" {").nth(1).expect("the functions are C's");
-    let declarations: Vec<_> = functions.split("*/\n").skip(1).collect();
+    let declarations: Vec<_> =
+        functions.split("*/\n").skip(1).filter(|text| text.contains("nm_")).collect();
     assert!(declarations.len() > 20, "{} functions", declarations.len());
     for declaration in declarations {
         let declaration = declaration.split(';').next().unwrap().replace('\n', " ");
@@ -237,7 +238,7 @@ fn an_ignored_status_is_a_warning() {
         let Some((compiled, message)) = ignoring("nm_run(mesh, NULL)") else {
             return skip(&format!("no compiler for {language:?}"));
         };
-        assert!(!compiled && message.contains("-Wunused"), "{message}");
+        assert!(!compiled && message.contains("unused-result"), "{message}");
         let (compiled, message) = ignoring("nm_mesh_free(mesh)").unwrap();
         assert!(compiled, "{message}");
     }

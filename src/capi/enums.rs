@@ -174,7 +174,7 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
 
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
 /// before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
-/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read; of the others, the points are read.
+/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the points are read.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -19,7 +19,6 @@ pub fn strict_compiler(language: Language) -> Result<Command, String> {
         .host(&host)
         .target(&host)
         .cargo_metadata(false)
-        .warnings(false)
         .try_get_compiler()
         .map_err(|error| format!("no compiler for {language:?}: {error}"))?;
     if tool.is_like_msvc() {

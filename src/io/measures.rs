@@ -20,7 +20,7 @@ impl Measures {
         let view = View::<D> { mesh };
         let mut radius_edge = with_room(mesh.simplex_count())?;
         let cells =
-            Cells::survey(view, None, 1.0, |simplex| radius_edge.push(simplex.radius_edge))?;
+            Cells::survey(view, None, 1.0, |simplex| radius_edge.try_push(simplex.radius_edge))?;
         let on_hull = view.hull_vertices()?;
         let mut aspect = with_room(mesh.vertex_count())?;
         for (vertex, &on_hull) in on_hull.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The Voronoi diagram of the vertices as JSON: a corner for each simplex, a cell for each vertex.
 
 use super::{allocation_failed, json};
-use crate::memory::{TryGrow, filled};
+use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use crate::quality::corner::Corner;
 use crate::quality::length::scale;
@@ -28,9 +28,11 @@ fn write_in<const D: usize>(
     write!(out, r#"{{"format":"netmesh voronoi","version":1,"dim":{D},"sites":"#)?;
     json::lines(out, view.mesh.points.chunks_exact(D), json::point)?;
     out.write_all(b",\n\"corners\":")?;
-    json::lines(out, 0..view.simplex_count(), |out, simplex| match corner(view, simplex) {
-        Some(corner) => json::point(out, &corner),
-        None => out.write_all(b"null"),
+    json::lines(out, 0..view.simplex_count(), |out, simplex| {
+        match corner(view, simplex).map_err(allocation_failed)? {
+            Some(corner) => json::point(out, &corner),
+            None => out.write_all(b"null"),
+        }
     })?;
     out.write_all(b",\n\"cells\":")?;
     write_cells(view, inputs, out)?;
@@ -38,9 +40,11 @@ fn write_in<const D: usize>(
 }
 
 /// The circumcentre; `None` where it is beyond the doubles.
-fn corner<const D: usize>(view: View<'_, D>, simplex: usize) -> Option<[f64; D]> {
+fn corner<const D: usize>(view: View<'_, D>, simplex: usize) -> AllocResult<Option<[f64; D]>> {
     let points = view.points_of(view.simplex(simplex));
-    let corner = Corner::new(&points[..View::<D>::CORNERS])?;
+    let Some(corner) = Corner::new(&points[..View::<D>::CORNERS])? else {
+        return Ok(None);
+    };
     let base = points[corner.base];
     // Halves: an offset may be longer than any double where the sum is not.
     let half = |axis: usize| scale(corner.center.vector[axis], corner.center.exponent - 1);
@@ -48,7 +52,7 @@ fn corner<const D: usize>(view: View<'_, D>, simplex: usize) -> Option<[f64; D]>
         let offset = 2.0 * half(axis);
         if offset.is_finite() { base[axis] + offset } else { 2.0 * (base[axis] / 2.0 + half(axis)) }
     });
-    sum.iter().all(|x| x.is_finite()).then_some(sum)
+    Ok(sum.iter().all(|x| x.is_finite()).then_some(sum))
 }
 
 fn write_cells<const D: usize>(
@@ -158,7 +162,7 @@ mod tests {
             let corners = list(line, "corners");
             let [x, y] = *view.point(site as u32);
             let at: Vec<[f64; 2]> =
-                corners.iter().map(|&c| corner(view, c as usize).unwrap()).collect();
+                corners.iter().map(|&c| corner(view, c as usize).unwrap().unwrap()).collect();
             let next = at.iter().cycle().skip(1);
             let turns =
                 at.iter().zip(next).map(|(p, q)| (p[0] - x) * (q[1] - y) - (p[1] - y) * (q[0] - x));

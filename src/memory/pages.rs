@@ -33,42 +33,24 @@ pub(super) fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
 #[cfg(all(target_os = "linux", not(miri)))]
 #[allow(unsafe_code)]
 mod system {
-    use std::ffi::{c_int, c_void};
+    use libc::{_SC_PAGESIZE, MADV_DONTNEED, MADV_HUGEPAGE, c_void, madvise, sysconf};
     use std::mem::MaybeUninit;
-
-    const MADV_DONTNEED: c_int = 4;
-    const MADV_HUGEPAGE: c_int = 14;
 
     pub fn prefer_large(begin: usize, length: usize) {
         // SAFETY: this advice changes neither what is mapped nor what it holds, for any range; a
         // system that has no large pages answers an error, which changes nothing either.
-        unsafe { advise(begin as *mut c_void, length, MADV_HUGEPAGE) };
-    }
-
-    /// # Safety
-    /// That of what the `advice` does in the range.
-    unsafe fn advise(begin: *mut c_void, length: usize, advice: c_int) {
-        // In here, where the header's maker does not take it for the library's.
-        unsafe extern "C" {
-            fn madvise(begin: *mut c_void, length: usize, advice: c_int) -> c_int;
-        }
-        // SAFETY: the caller's. What the system answers changes nothing.
-        unsafe { madvise(begin, length, advice) };
+        unsafe { madvise(begin as *mut c_void, length, MADV_HUGEPAGE) };
     }
 
     pub fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
-        unsafe extern "C" {
-            fn getpagesize() -> c_int;
-        }
-        // SAFETY: it only answers.
-        let page = unsafe { getpagesize() } as usize;
+        // SAFETY: it only answers; -1, which is no size, if it does not know.
+        let Ok(page) = usize::try_from(unsafe { sysconf(_SC_PAGESIZE) }) else { return };
         let begin = memory.as_mut_ptr().cast::<u8>();
         let skipped = begin.align_offset(page);
         let length = size_of_val(memory).saturating_sub(skipped) / page * page;
-        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be
-        // anything: they stay mapped, and hold zeros afterwards, or what they held if the system
-        // refuses.
-        unsafe { advise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
+        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be anything:
+        // they stay mapped, and hold zeros afterwards, or what they held if the system refuses.
+        unsafe { madvise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
     }
 }
 

@@ -2,12 +2,13 @@
 
 use super::corner::normals;
 use super::view::View;
+use crate::memory::AllocResult;
 
 /// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half, which
 /// grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
-pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> f64 {
-    let Some(normals) = normals(points) else {
-        return 0.0;
+pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
+    let Some(normals) = normals(points)? else {
+        return Ok(0.0);
     };
     let units = normals.map(unit);
     let corners = View::<D>::CORNERS;
@@ -17,7 +18,7 @@ pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> 
             smallest = smallest.min(squared_tangent_inside(&units[i], &units[j]));
         }
     }
-    smallest
+    Ok(smallest)
 }
 
 /// The angle in radians whose half has a tangent of this square.
@@ -42,7 +43,7 @@ mod tests {
     use super::*;
 
     fn degrees<const D: usize>(points: &[[f64; D]]) -> f64 {
-        angle(smallest_squared_tangent(&points.iter().collect::<Vec<_>>())).to_degrees()
+        angle(smallest_squared_tangent(&points.iter().collect::<Vec<_>>()).unwrap()).to_degrees()
     }
 
     #[test]

@@ -7,6 +7,7 @@ use super::tree::DomainTree;
 use super::view::View;
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::NONE;
+use crate::parameters::Parameters;
 
 /// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
 /// not encroached let no D-ball span more than a few.
@@ -48,7 +49,7 @@ impl Cells {
         view: View<'_, D>,
         tree: Option<&DomainTree>,
         slack: f64,
-        mut visit: impl FnMut(&SimplexCell),
+        mut visit: impl FnMut(&SimplexCell) -> AllocResult<()>,
     ) -> AllocResult<Self> {
         let mut cells = Self::empty(view.vertex_count(), view.mesh.domains.len())?;
         let limits = limits(view, slack)?;
@@ -57,14 +58,14 @@ impl Cells {
             let vertices = view.simplex(simplex);
             let points = &view.points_of(vertices)[..View::<D>::CORNERS];
             let star =
-                Star { view, vertices, points, corner: Corner::new(points), limits: &limits };
+                Labelled { view, vertices, points, corner: Corner::new(points)?, limits: &limits };
             let counts = cells.add_vertices(&star, tree.is_some());
             if let Some(tree) = tree {
                 cells.add_cages(&star, tree, &mut climbs);
             }
             let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
             let radius_edge = star.corner.as_ref().map_or(f64::INFINITY, ratio);
-            visit(&SimplexCell { simplex, radius_edge, counts, domain: star.common_label() });
+            visit(&SimplexCell { simplex, radius_edge, counts, domain: star.common_label() })?;
         }
         Ok(cells)
     }
@@ -105,7 +106,7 @@ impl Cells {
     }
 
     /// Enters one simplex into the cells of its vertices; returns whether its corner counts in all.
-    fn add_vertices<const D: usize>(&mut self, star: &Star<'_, D>, restricted: bool) -> bool {
+    fn add_vertices<const D: usize>(&mut self, star: &Labelled<'_, D>, restricted: bool) -> bool {
         let radius = star.corner.as_ref().map_or(Length::INFINITE, |corner| corner.radius);
         let (mut last, mut last_counts, mut all_count) = (NONE, true, true);
         for (i, &v) in star.vertices.iter().enumerate() {
@@ -133,7 +134,7 @@ impl Cells {
     /// ball, so that vertex has a neighbour among the vertices inside.
     fn add_cages<const D: usize>(
         &mut self,
-        star: &Star<'_, D>,
+        star: &Labelled<'_, D>,
         tree: &DomainTree,
         climbs: &mut usize,
     ) {
@@ -154,7 +155,7 @@ impl Cells {
         }
     }
 
-    fn add_cage<const D: usize>(&mut self, star: &Star<'_, D>, tree: &DomainTree, domain: u32) {
+    fn add_cage<const D: usize>(&mut self, star: &Labelled<'_, D>, tree: &DomainTree, domain: u32) {
         let index = domain as usize;
         let center = star.view.point(star.view.mesh.domains[index].center);
         for (point, &w) in star.points.iter().zip(star.vertices) {
@@ -172,8 +173,8 @@ impl Cells {
     }
 }
 
-/// One simplex with its corner.
-struct Star<'a, const D: usize> {
+/// One simplex with the domains of its vertices and its corner.
+struct Labelled<'a, const D: usize> {
     view: View<'a, D>,
     vertices: &'a [u32],
     points: &'a [&'a [f64; D]],
@@ -181,7 +182,7 @@ struct Star<'a, const D: usize> {
     limits: &'a [Length],
 }
 
-impl<const D: usize> Star<'_, D> {
+impl<const D: usize> Labelled<'_, D> {
     fn label(&self, vertex: u32) -> u32 {
         self.view.mesh.vertex_domains[vertex as usize]
     }
@@ -203,7 +204,15 @@ impl<const D: usize> Star<'_, D> {
 
 /// Domain -> the distance from its centre within which corners count.
 fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Length>> {
-    let factor =
-        view.mesh.parameters.corner_restriction() * view.mesh.parameters.cage_scale * slack;
+    let parameters = &view.mesh.parameters;
+    let factor = corner_restriction(parameters) * parameters.cage_scale * slack;
     collected(view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)))
+}
+
+/// The fraction of the radius of a domain's cage sphere within which corners count. The cage is a
+/// delta-net of its sphere, whose hull holds the ball of 1 - delta^2 / 2; what is beyond belongs to the
+/// union cell of the cage.
+fn corner_restriction(parameters: &Parameters) -> f64 {
+    const LARGEST: f64 = 0.85;
+    LARGEST.min(1.0 - 0.5 * parameters.delta * parameters.delta)
 }

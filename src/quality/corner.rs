@@ -2,7 +2,8 @@
 //! written apart from the builder's so that the certificate does not repeat the builder's mistakes.
 
 use super::length::{Length, Offset, scale};
-use super::rational::IntegerEdges;
+use super::rational;
+use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
 /// Below this ratio of pivots a solution in doubles is no longer good to 1e-10: go exact.
@@ -20,10 +21,10 @@ pub(crate) struct Corner<const D: usize> {
 impl<const D: usize> Corner<D> {
     /// The corner of the simplex `points` (`D + 1` of them), with a relative error of at most
     /// about 1e-10; `None` if the simplex is flat.
-    pub fn new(points: &[&[f64; D]]) -> Option<Self> {
+    pub fn new(points: &[&[f64; D]]) -> AllocResult<Option<Self>> {
         let (base, shortest_edge) = shortest_edge(points);
         let center = circumcenter(points, base)?;
-        Some(Self { base, center, radius: center.length(), shortest_edge })
+        Ok(center.map(|center| Self { base, center, radius: center.length(), shortest_edge }))
     }
 
     /// The distance of the corner to `point`; `points` as given to [`Corner::new`].
@@ -51,49 +52,59 @@ fn edges<const D: usize>(points: &[&[f64; D]], base: usize) -> [Offset<D>; D] {
     std::array::from_fn(|k| Offset::between(points[k + usize::from(k >= base)], points[base]))
 }
 
-fn circumcenter<const D: usize>(points: &[&[f64; D]], base: usize) -> Option<Offset<D>> {
+fn circumcenter<const D: usize>(
+    points: &[&[f64; D]],
+    base: usize,
+) -> AllocResult<Option<Offset<D>>> {
     let edges = edges(points, base);
     let exponent = edges.iter().map(|edge| edge.exponent).max().unwrap_or(0);
     // e . c = |e|^2 / 2, each row in units of its own edge, c in units of the longest.
     let mut matrix = edges.map(|edge| edge.vector);
     let mut right = edges.map(|e| [scale(e.squared_mantissa() / 2.0, e.exponent - exponent)]);
     if solve(&mut matrix, &mut right) < WELL_CONDITIONED {
-        return IntegerEdges::new(points, base).circumcenter();
+        return rational::circumcenter(points, base);
     }
-    Some(Offset::normalized(right.map(|[x]| x), exponent))
+    Ok(Some(Offset::normalized(right.map(|[x]| x), exponent)))
 }
 
 /// The inward normals of the `D + 1` facets, the i-th opposite vertex i, each of magnitude about
 /// one; `None` if the simplex is flat.
-pub(crate) fn normals<const D: usize>(points: &[&[f64; D]]) -> Option<[[f64; D]; MAX_DIM + 1]> {
+pub(crate) fn normals<const D: usize>(
+    points: &[&[f64; D]],
+) -> AllocResult<Option<[[f64; D]; MAX_DIM + 1]>> {
     let (base, _) = shortest_edge(points);
-    let gradients = gradients(points, base)?;
+    let Some(gradients) = gradients(points, base)? else {
+        return Ok(None);
+    };
     let mut normals = [[0.0; D]; MAX_DIM + 1];
     normals[base] = gradients[D].vector;
     for k in 0..D {
         normals[k + usize::from(k >= base)] = gradients[k].vector;
     }
-    Some(normals)
+    Ok(Some(normals))
 }
 
 /// One gradient for each vertex of a simplex; what follows is zero.
 pub(super) type Gradients<const D: usize> = [Offset<D>; MAX_DIM + 1];
 
 /// The gradients of the barycentric coordinates of the other vertices; last, that of `base`.
-fn gradients<const D: usize>(points: &[&[f64; D]], base: usize) -> Option<Gradients<D>> {
+fn gradients<const D: usize>(
+    points: &[&[f64; D]],
+    base: usize,
+) -> AllocResult<Option<Gradients<D>>> {
     let edges = edges(points, base);
     let mut matrix = edges.map(|edge| edge.vector);
     let mut right: [[f64; D]; D] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
     if solve(&mut matrix, &mut right) < WELL_CONDITIONED {
-        return IntegerEdges::new(points, base).gradients();
+        return rational::gradients(points, base);
     }
     let column = |j: usize| Offset::normalized(right.map(|row| row[j]), -edges[j].exponent);
     let mut gradients = [Offset::ZERO; MAX_DIM + 1];
     (0..D).for_each(|k| gradients[k] = column(k));
     let sum = gradients[..D].iter().fold(Offset::ZERO, |sum, gradient| sum.plus(gradient));
     gradients[D] = Offset { vector: sum.vector.map(|x| -x), exponent: sum.exponent };
-    Some(gradients)
+    Ok(Some(gradients))
 }
 
 /// Solves `matrix x = right` for each column of `right`, in place, by Gauss-Jordan elimination
@@ -160,7 +171,7 @@ mod tests {
 
     fn check<const D: usize>(points: &[[f64; D]], center: [f64; D]) {
         let points: Vec<&[f64; D]> = points.iter().collect();
-        let corner = Corner::new(&points).expect("not flat");
+        let corner = Corner::new(&points).unwrap().expect("not flat");
         for point in &points {
             let ratio = corner.distance(&points, point).ratio(corner.radius);
             assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
@@ -180,8 +191,9 @@ mod tests {
 
     #[test]
     fn flat_simplices_have_no_corner() {
-        assert!(Corner::new(&[&[0.0, 0.0], &[1.0, 1.0], &[3.0, 3.0]]).is_none());
-        assert!(normals(&[&[0.0, 0.0], &[1.0, 1.0], &[3.0, 3.0]]).is_none());
+        let flat: [&[f64; 2]; 3] = [&[0.0, 0.0], &[1.0, 1.0], &[3.0, 3.0]];
+        assert!(Corner::new(&flat).unwrap().is_none());
+        assert!(normals(&flat).unwrap().is_none());
     }
 
     #[test]
@@ -198,7 +210,7 @@ mod tests {
     fn normals_point_inward_and_span_the_right_angles() {
         let points = [[0.0, 0.0, 0.0], [1e-200, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let points: Vec<&[f64; 3]> = points.iter().collect();
-        let normals = normals(&points).unwrap();
+        let normals = normals(&points).unwrap().unwrap();
         assert!(normals[1][0] > 0.0 && normals[1][1] == 0.0 && normals[1][2] == 0.0);
         assert!(normals[2][1] > 0.0 && normals[3][2] > 0.0);
         assert!(normals[0][0] < 0.0);
@@ -208,10 +220,10 @@ mod tests {
     fn exact_and_rounded_solutions_agree() {
         let points = [[0.1, 0.2, -0.4], [1.3, 0.1, 0.2], [0.3, 1.7, 0.4], [0.2, 0.6, 2.1]];
         let points: Vec<&[f64; 3]> = points.iter().collect();
-        let rounded = circumcenter(&points, 1).unwrap();
-        let exact = IntegerEdges::new(&points, 1).circumcenter().unwrap();
-        let gradients = gradients(&points, 1).unwrap();
-        let exact_gradients = IntegerEdges::new(&points, 1).gradients().unwrap();
+        let rounded = circumcenter(&points, 1).unwrap().unwrap();
+        let exact = rational::circumcenter(&points, 1).unwrap().unwrap();
+        let gradients = gradients(&points, 1).unwrap().unwrap();
+        let exact_gradients = rational::gradients(&points, 1).unwrap().unwrap();
         for (a, b) in
             [(rounded, exact)].into_iter().chain(gradients.into_iter().zip(exact_gradients))
         {

@@ -4,6 +4,7 @@
 pub(crate) mod angles;
 pub(crate) mod cells;
 pub(crate) mod corner;
+pub(crate) mod exact;
 pub(crate) mod length;
 pub(crate) mod rational;
 pub(crate) mod tree;
@@ -22,7 +23,7 @@ use view::View;
 /// in-radius (half the distance to the nearest vertex); it is at least 1. The cells of a hierarchical
 /// mesh are those of Definition 4: of the vertices that are in no living cage, and the union cells of
 /// the cages. While the mesh grows, corners count in a domain of radius r only within
-/// `corner_restriction() * cage_scale * r` of its centre; `worst_aspect` and its like say what that
+/// `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of its centre; `worst_aspect` and its like say what that
 /// leaves, the figures "anywhere" are over all corners. Without domains (plain Delaunay) every corner
 /// counts. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles and for
 /// flat simplices.
@@ -82,9 +83,8 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let on_hull = view.hull_vertices()?;
     let tree = DomainTree::new(&mesh.domains)?;
     let mut simplices = SimplexMeasures { radius_edge: 0.0, squared_tangent: f64::INFINITY };
-    let cells = Cells::survey(view, tree.as_ref(), 1.0, |cell| {
-        simplices.add(view, cell, &on_hull);
-    })?;
+    let cells =
+        Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &on_hull))?;
     let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
     let mut quality = Quality {
         max_degree: max_degree(view)?,
@@ -106,15 +106,21 @@ struct SimplexMeasures {
 }
 
 impl SimplexMeasures {
-    fn add<const D: usize>(&mut self, view: View<'_, D>, cell: &SimplexCell, on_hull: &[bool]) {
+    fn add<const D: usize>(
+        &mut self,
+        view: View<'_, D>,
+        cell: &SimplexCell,
+        on_hull: &[bool],
+    ) -> AllocResult<()> {
         let vertices = view.simplex(cell.simplex);
         if vertices.iter().any(|&v| on_hull[v as usize]) {
-            return;
+            return Ok(());
         }
         let points = view.points_of(vertices);
         self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::CORNERS]);
+        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::CORNERS])?;
         self.squared_tangent = self.squared_tangent.min(squared_tangent);
+        Ok(())
     }
 
     fn angle_degrees(&self) -> f64 {

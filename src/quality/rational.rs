@@ -1,42 +1,47 @@
-//! Exact solutions of small linear systems, for simplices whose doubles are too ill-conditioned:
-//! Cramer's rule on the coordinates as integers.
+//! Exact solutions of small linear systems, for simplices whose doubles are too ill-conditioned.
 
 use super::corner::Gradients;
+use super::exact::{Side, Solution, ratio, solve};
 use super::length::{Offset, exponent_of, scale};
+use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
-use crate::numerics::{Column, Edges};
 
-/// Edges `p_i - p_base` of a simplex as integers.
-pub(crate) struct IntegerEdges<const D: usize>(Edges<D>);
-
-impl<const D: usize> IntegerEdges<D> {
-    /// `points`: `D + 1` points; the edge of `base` to itself is left out.
-    pub fn new(points: &[&[f64; D]], base: usize) -> Self {
-        let others = points.iter().enumerate().filter(|(i, _)| *i != base).map(|(_, p)| *p);
-        Self(Edges::new(points[base], others))
-    }
-
-    /// The circumcentre relative to the base point; `None` if the simplex is flat.
-    pub fn circumcenter(&self) -> Option<Offset<D>> {
-        // The products of the edges with twice the centre are their squares.
-        Some(aligned(&self.0.solve(Column::Square)?, self.0.unit - 1))
-    }
-
-    /// The gradients of the barycentric coordinates of the vertices other than the base, then that
-    /// of the base, their negated sum; `None` if the simplex is flat.
-    pub fn gradients(&self) -> Option<Gradients<D>> {
-        let solution = |right| Some(aligned(&self.0.solve(right)?, -self.0.unit));
-        let mut gradients = [Offset::ZERO; MAX_DIM + 1];
-        for (i, gradient) in gradients[..D].iter_mut().enumerate() {
-            *gradient = solution(Column::Unit(i))?;
-        }
-        let sum = solution(Column::Ones)?;
-        gradients[D] = Offset { vector: sum.vector.map(|x| -x), exponent: sum.exponent };
-        Some(gradients)
-    }
+/// The circumcentre of `D + 1` points relative to that at `base`; `None` if the simplex is flat.
+pub(crate) fn circumcenter<const D: usize>(
+    points: &[&[f64; D]],
+    base: usize,
+) -> AllocResult<Option<Offset<D>>> {
+    // The products of the edges with twice the centre are their squares.
+    let solution = solve(points[base], &others(points, base), &[Side::Square])?;
+    Ok(solution.map(|(solution, unit)| quotient(&solution, 0, unit - 1)))
 }
 
-fn aligned<const D: usize>(ratios: &[(f64, i64); D], exponent: i32) -> Offset<D> {
+/// The gradients of the barycentric coordinates of the vertices other than that at `base`, then that of
+/// the base, their negated sum; `None` if the simplex is flat.
+pub(crate) fn gradients<const D: usize>(
+    points: &[&[f64; D]],
+    base: usize,
+) -> AllocResult<Option<Gradients<D>>> {
+    let mut sides = [Side::Ones; MAX_DIM + 1];
+    (0..D).for_each(|i| sides[i] = Side::Unit(i));
+    let solution = solve(points[base], &others(points, base), &sides[..=D])?;
+    Ok(solution.map(|(solution, unit)| {
+        let mut gradients = [Offset::ZERO; MAX_DIM + 1];
+        (0..=D).for_each(|i| gradients[i] = quotient(&solution, i, -unit));
+        gradients[D].vector = gradients[D].vector.map(|x| -x);
+        gradients
+    }))
+}
+
+/// The points but that at `base`.
+fn others<'a, const D: usize>(points: &[&'a [f64; D]], base: usize) -> [&'a [f64; D]; D] {
+    std::array::from_fn(|k| points[k + usize::from(k >= base)])
+}
+
+/// The solution for one of the sides, in units of `2^exponent`.
+fn quotient<const D: usize>(solution: &Solution, side: usize, exponent: i32) -> Offset<D> {
+    let part = |k: usize| ratio(solution.numerator(k, side), solution.denominator());
+    let ratios: [(f64, i64); D] = std::array::from_fn(part);
     let magnitude = |&(mantissa, own): &(f64, i64)| exponent_of(mantissa).map(|e| e + own as i32);
     let Some(largest) = ratios.iter().filter_map(magnitude).max() else {
         return Offset::ZERO;

@@ -1,5 +1,5 @@
 //! Level 3: tau-quality (Definition 4): over all corners where the cage of a domain surrounds its
-//! inputs ([`crate::parameters::Parameters::closes`]), otherwise over those within the corner
+//! inputs ([`counts_all_corners`]), otherwise over those within the corner
 //! restriction.
 
 use super::report::{Findings, Violation, ViolationKind};
@@ -15,6 +15,9 @@ use crate::quality::view::View;
 /// The builder compares rounded radii; so does this, with other roundings.
 const SLACK: f64 = 1e-7;
 
+/// A cage surrounds inputs within this fraction of its sphere's radius.
+const SURROUNDED: f64 = 0.8;
+
 /// Surveys the cells of the mesh, checking the bound on simplices on the way if that is the
 /// run's criterion. Corners within a rounding of the restriction do not count.
 pub(super) fn survey<const D: usize>(
@@ -27,6 +30,7 @@ pub(super) fn survey<const D: usize>(
         if per_simplex && is_promised(view, cell) {
             check_simplex(view, cell, findings);
         }
+        Ok(())
     })
 }
 
@@ -55,10 +59,18 @@ fn is_bounded<const D: usize>(view: View<'_, D>, v: usize) -> bool {
 fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
     let vertices = view.simplex(cell.simplex);
     let is_limited = |&v: &u32| view.mesh.precision_limited[v as usize];
-    let closed = cell.domain != NONE && view.mesh.parameters.closes(cell.domain);
+    let all_corners = cell.domain != NONE && counts_all_corners(view, cell.domain);
     !vertices.iter().any(is_limited)
-        && (closed
+        && (all_corners
             || cell.counts && vertices.iter().all(|&v| view.mesh.cage_of[v as usize] == NONE))
+}
+
+/// Whether the bound is promised over all corners of a domain's cells, not only over those within the
+/// corner restriction: its cage must surround its inputs, which are within epsilon of its radius. The
+/// root's cage always does.
+fn counts_all_corners<const D: usize>(view: View<'_, D>, domain: u32) -> bool {
+    let parameters = &view.mesh.parameters;
+    domain == 0 || parameters.epsilon <= SURROUNDED * parameters.cage_scale
 }
 
 fn bound<const D: usize>(view: View<'_, D>) -> f64 {
@@ -71,8 +83,8 @@ fn check_vertex<const D: usize>(
     v: usize,
     findings: &mut Findings,
 ) {
-    let closed = view.mesh.parameters.closes(view.mesh.vertex_domains[v]);
-    let aspect = if closed { cells.aspect_anywhere(v) } else { cells.aspect(v) };
+    let all_corners = counts_all_corners(view, view.mesh.vertex_domains[v]);
+    let aspect = if all_corners { cells.aspect_anywhere(v) } else { cells.aspect(v) };
     findings.check(aspect <= bound(view), || {
         let (label, limit) = (view.mesh.vertex_domains[v], view.mesh.parameters.quality_bound);
         let message = message!("the cell of vertex {v} has aspect {aspect}, the bound is {limit}");
@@ -88,7 +100,7 @@ fn check_cages<const D: usize>(
     let limited = precision_limited_cages(view.mesh)?;
     let cages = view.mesh.domains.iter().enumerate().skip(1);
     for (i, domain) in cages.filter(|&(i, _)| !limited[i]) {
-        let aspect = match view.mesh.parameters.closes(domain.parent) {
+        let aspect = match counts_all_corners(view, domain.parent) {
             true => cells.cage_aspect_anywhere(i, domain.radius),
             false => cells.cage_aspect(i, domain.radius),
         };

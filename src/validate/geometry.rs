@@ -1,20 +1,24 @@
 //! Level 2: exact signs on every simplex and every interior facet.
 
 use super::report::{Findings, Violation, ViolationKind};
+use super::signs::{Adaptive, Signs};
 use crate::error::message;
 use crate::memory::{AllocResult, with_room};
 use crate::mesh::NONE;
-use crate::numerics::{Sign, in_ball, orientation};
 use crate::quality::view::View;
+use std::cmp::Ordering;
 
 /// Checks orientations, folds and local Delaunay-ness; level 1 must hold. Returns whether all
 /// simplices are positively oriented and none is folded onto a neighbour.
-pub(super) fn check<const D: usize>(
+pub(super) fn check<const D: usize, A: Adaptive>(
     view: View<'_, D>,
+    signs: &mut Signs<A>,
     findings: &mut Findings,
 ) -> AllocResult<bool> {
     let mut positive = with_room(view.simplex_count())?;
-    positive.extend((0..view.simplex_count()).map(|s| check_orientation(view, s, findings)));
+    for s in 0..view.simplex_count() {
+        positive.push(check_orientation(view, s, signs, findings)?);
+    }
     let mut unfolded = true;
     for s in 0..view.simplex_count() {
         for slot in 0..View::<D>::CORNERS {
@@ -24,20 +28,25 @@ pub(super) fn check<const D: usize>(
             }
             unfolded &= check_fold(view, s, slot, findings);
             if positive[s] && positive[neighbor as usize] {
-                check_delaunay(view, s, slot, findings);
+                check_delaunay(view, s, slot, signs, findings)?;
             }
         }
     }
     Ok(unfolded && positive.iter().all(|&positive| positive))
 }
 
-fn check_orientation<const D: usize>(view: View<'_, D>, s: usize, findings: &mut Findings) -> bool {
+fn check_orientation<const D: usize, A: Adaptive>(
+    view: View<'_, D>,
+    s: usize,
+    signs: &mut Signs<A>,
+    findings: &mut Findings,
+) -> AllocResult<bool> {
     let points = view.points_of(view.simplex(s));
-    let sign = orientation(&points[..View::<D>::CORNERS]);
-    findings.check(sign == Sign::Positive, || {
-        let word = if sign == Sign::Zero { "flat" } else { "negatively oriented" };
+    let sign = signs.orientation(&points[..View::<D>::CORNERS])?;
+    Ok(findings.check(sign == Ordering::Greater, || {
+        let word = if sign == Ordering::Equal { "flat" } else { "negatively oriented" };
         Violation::new(ViolationKind::Orientation, message!("simplex {s} is {word}")).simplex(s)
-    })
+    }))
 }
 
 /// The vertex of the neighbour at `slot` that is not in `s`.
@@ -73,16 +82,17 @@ fn parity(ids: &[u32]) -> bool {
 }
 
 /// The exact sign seen from the other side is the same determinant, so one side is enough.
-fn check_delaunay<const D: usize>(
+fn check_delaunay<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     s: usize,
     slot: usize,
+    signs: &mut Signs<A>,
     findings: &mut Findings,
-) {
+) -> AllocResult<()> {
     let points = view.points_of(view.simplex(s));
     let vertex = opposite(view, s, slot);
-    let sign = in_ball(&points[..View::<D>::CORNERS], view.point(vertex));
-    findings.check(sign != Sign::Positive, || {
+    let sign = signs.in_ball(&points[..View::<D>::CORNERS], view.point(vertex))?;
+    findings.check(sign != Ordering::Greater, || {
         let neighbor = view.neighbors(s)[slot];
         let message = message!(
             "vertex {vertex} of simplex {neighbor} is inside the circumball of simplex {s}"
@@ -90,4 +100,5 @@ fn check_delaunay<const D: usize>(
         let violation = Violation::new(ViolationKind::Delaunay, message);
         violation.simplex(s).vertex(vertex as usize)
     });
+    Ok(())
 }

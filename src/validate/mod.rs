@@ -1,5 +1,5 @@
 //! The certificate: a checker that recomputes what must hold of a mesh from its coordinates and
-//! simplices alone. It shares no code with the builder but exact signs of determinants.
+//! simplices alone. It shares neither code nor arithmetic with the builder.
 //!
 //! - Level 1, topology: ids in range, every facet in one or two simplices as the neighbours say,
 //!   the simplices are a ball by their Euler characteristic, links of vertices and the hull are
@@ -11,16 +11,13 @@
 //!   (Definition 4), precision-limited ones apart.
 //!
 //! Quality conventions at level 3: Definition 4 holds over all corners in a domain whose cage
-//! surrounds its inputs ([`Parameters::closes`]: the root, and unless `cage_scale` is hardly larger
-//! than `epsilon` every domain). In others a cell counts the corners within `corner_restriction() *
-//! cage_scale * r` of the domain's centre. The union cell of a cage counts as cells of its parent do;
+//! surrounds its inputs: the root, and every domain if `epsilon <= 0.8 cage_scale`. In others a cell
+//! counts the corners within `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of the domain's centre. The union cell of a cage counts as cells of its parent do;
 //! [`crate::quality`] has the measures. A vertex marked as precision-limited is exempt, and so is a
 //! cage whose centre or one of whose vertices is. With the criterion `RadiusEdge` the bound holds
 //! for each simplex without an exempt vertex whose vertices are all of one such domain; otherwise for
 //! each whose vertices are in no cage and whose corner counts in the domain of each; union cells are
 //! not bounded then.
-//!
-//! [`Parameters::closes`]: crate::parameters::Parameters::closes
 
 mod arrays;
 mod aspect;
@@ -33,7 +30,10 @@ mod hull;
 mod inputs;
 mod links;
 mod report;
-mod turns;
+mod signs;
+#[cfg(test)]
+mod tests;
+mod winding;
 
 pub use report::{Report, Violation, ViolationKind};
 
@@ -43,6 +43,7 @@ use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation};
 use crate::options::{Algorithm, Output};
 use crate::quality::view::View;
 use report::Findings;
+use signs::{Adaptive, Robust, Signs};
 
 /// Checks levels `1..=level` (1 topology, 2 geometry, 3 the paper).
 ///
@@ -83,9 +84,7 @@ fn check<const D: usize>(
     let mut levels = collected([topology])?;
     if holds && level >= 2 {
         let mut findings = Findings::default();
-        if geometry::check(view, &mut findings)? {
-            turns::check(view, &mut findings)?;
-        }
+        check_geometry(view, &mut Signs::<Robust>::default(), &mut findings)?;
         levels.try_push(findings)?;
     }
     if holds && level >= 3 {
@@ -94,6 +93,18 @@ fn check<const D: usize>(
         levels.try_push(findings)?;
     }
     Ok(levels)
+}
+
+/// Level 2, with `signs` of any source.
+fn check_geometry<const D: usize, A: Adaptive>(
+    view: View<'_, D>,
+    signs: &mut Signs<A>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    if geometry::check(view, signs, findings)? {
+        winding::check(view, signs, findings)?;
+    }
+    Ok(())
 }
 
 fn check_topology<const D: usize>(

@@ -47,9 +47,6 @@ pub(crate) enum Column {
     Component(usize),
     /// The edges' squared lengths.
     Square,
-    /// One in the given row and zero in the others.
-    Unit(usize),
-    Ones,
 }
 
 /// `mantissa * 2^(63 limbs + shift)` with `shift` < 63.
@@ -175,7 +172,6 @@ impl<const D: usize> Edges<D> {
         let entries = columns.iter().map(|column| match column {
             Column::Component(_) => self.bits,
             Column::Square => 2 * self.bits + bits_of(D),
-            Column::Unit(_) | Column::Ones => 0,
         });
         let smallest = if columns.len() > self.count { entries.clone().min() } else { None };
         entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
@@ -196,8 +192,6 @@ impl<const D: usize> Edges<D> {
                 let residue = match *column {
                     Column::Component(k) => edge[k],
                     Column::Square => field.sum_of_products(edge.into_iter().zip(edge)),
-                    Column::Unit(row) => u64::from(row == i),
-                    Column::Ones => 1,
                 };
                 *entry = [residue, field.subtract(0, residue)];
             }
@@ -244,7 +238,6 @@ mod tests {
     use super::*;
     use crate::numerics::testing::*;
     use crate::numerics::{circumcenter_exact, in_ball_exact, orientation_exact};
-    use dashu_int::IBig;
 
     /// Coordinates from both ends of the doubles, so that the numbers are as long as they get.
     fn at_the_ends<const D: usize>(random: &mut Random) -> Vec<[f64; D]> {
@@ -326,49 +319,5 @@ mod tests {
         };
         let thread = std::thread::Builder::new().stack_size(64 << 10).spawn(work);
         thread.expect("a thread").join().expect("no overflow, which would end the process");
-    }
-
-    /// The right sides that no public function of this module asks for.
-    fn solutions_agree<const D: usize>(trials: usize) {
-        for family in FAMILIES {
-            let mut random = Random(family as u64 * 100 + 70 + D as u64);
-            for trial in 0..trials {
-                let points = points::<D>(family, D + 1, &mut random);
-                let edges = Edges::new(&points[0], points[1..].iter());
-                let rows: Vec<Vec<IBig>> = (1..=D)
-                    .map(|i| {
-                        (0..D).map(|k| integer(points[i][k]) - integer(points[0][k])).collect()
-                    })
-                    .collect();
-                let determinant = determinant_oracle(&rows);
-                let row = trial % (D + 1);
-                let right = if row < D { Column::Unit(row) } else { Column::Ones };
-                let Some(solution) = edges.solve(right) else {
-                    assert!(determinant.is_zero(), "{points:?}");
-                    continue;
-                };
-                for (k, (mantissa, exponent)) in solution.into_iter().enumerate() {
-                    let mut replaced = rows.clone();
-                    for (i, entries) in replaced.iter_mut().enumerate() {
-                        entries[k] = IBig::from(u8::from(row == D || row == i));
-                    }
-                    // The edges here are in units of 2^-1074 and the solution in their inverse.
-                    let shift = exponent - i64::from(edges.unit) - 1074;
-                    let (up, down) = ((-shift).max(0) as usize, shift.max(0) as usize);
-                    let quotient =
-                        (&(determinant_oracle(&replaced) << (1074 + up)), &(&determinant << down));
-                    assert!(is_close(mantissa, f64::EPSILON, 0, quotient), "{points:?} {row}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn solutions_agree_with_cramers_rule() {
-        solutions_agree::<2>(60);
-        solutions_agree::<3>(40);
-        solutions_agree::<4>(20);
-        solutions_agree::<6>(7);
-        solutions_agree::<8>(2);
     }
 }

@@ -1,4 +1,4 @@
-//! Level 2: exact turns round every face of codimension two. They certify that the mesh covers its
+//! Level 2: the exact winding of the simplices round every face of codimension two. It certifies that the mesh covers its
 //! convex hull once, which sums of volumes cannot: for a coherently oriented complex, simplices
 //! and a fan over the hull add up to the same volume whatever it covers twice.
 //!
@@ -9,11 +9,12 @@
 //! (Tietze and Nakajima).
 
 use super::report::{Findings, Violation, ViolationKind};
+use super::signs::{Adaptive, Signs};
 use crate::error::message;
 use crate::memory::{AllocResult, filled};
 use crate::mesh::{MAX_DIM, NONE};
-use crate::numerics::{Sign, orientation};
 use crate::quality::view::View;
+use std::cmp::Ordering;
 
 /// A simplex seen in the walk round a face: the two vertices that are not in the face, by their
 /// slots; the walk turns from `from` to `to`.
@@ -36,9 +37,13 @@ impl Step {
     }
 }
 
-/// Checks the turns round all faces of codimension two. Level 1 must hold, and all simplices be
+/// Checks the winding round all faces of codimension two. Level 1 must hold, and all simplices be
 /// positively oriented and unfolded. O(simplices D^2) orientation tests.
-pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
+pub(super) fn check<const D: usize, A: Adaptive>(
+    view: View<'_, D>,
+    signs: &mut Signs<A>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
     let mut done = filled(view.simplex_count(), 0u64)?;
     for simplex in 0..view.simplex_count() {
         for to in 1..View::<D>::CORNERS {
@@ -46,7 +51,7 @@ pub(super) fn check<const D: usize>(view: View<'_, D>, findings: &mut Findings) 
                 let step = Step { simplex, from, to };
                 if done[simplex] & step.bit() == 0 {
                     let (start, closed) = first_step(view, step);
-                    check_face(view, start, closed, &mut done, findings);
+                    check_face(view, start, closed, &mut done, signs, findings)?;
                 }
             }
         }
@@ -61,9 +66,9 @@ fn next_step<const D: usize>(view: View<'_, D>, step: Step) -> Option<Step> {
         return None;
     }
     let simplex = neighbor as usize;
-    let turned_to = view.simplex(step.simplex)[step.to];
+    let vertex = view.simplex(step.simplex)[step.to];
     let to = view.neighbors(simplex).iter().position(|&n| n as usize == step.simplex);
-    let from = view.simplex(simplex).iter().position(|&v| v == turned_to);
+    let from = view.simplex(simplex).iter().position(|&v| v == vertex);
     Some(Step { simplex, from: from.expect("level 1 holds"), to: to.expect("level 1 holds") })
 }
 
@@ -80,16 +85,17 @@ fn first_step<const D: usize>(view: View<'_, D>, step: Step) -> (Step, bool) {
 }
 
 /// Walks round one face and checks each vertex met against the plane of the face and the first.
-fn check_face<const D: usize>(
+fn check_face<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     start: Step,
     closed: bool,
     done: &mut [u64],
+    signs: &mut Signs<A>,
     findings: &mut Findings,
-) {
+) -> AllocResult<()> {
     let mut points = view.points_of(view.simplex(start.simplex));
     done[start.simplex] |= start.bit();
-    let mut turn = Sign::Positive;
+    let mut last = Ordering::Greater;
     let mut holds = true;
     let mut step = start;
     while let Some(next) = next_step(view, step) {
@@ -104,18 +110,19 @@ fn check_face<const D: usize>(
             continue;
         }
         points[start.to] = view.point(vertex);
-        let sign = orientation(&points[..View::<D>::CORNERS]);
-        holds &= if closed { keeps_turning(turn, sign) } else { turn == Sign::Positive };
-        turn = sign;
+        let sign = signs.orientation(&points[..View::<D>::CORNERS])?;
+        holds &= if closed { winds_once(last, sign) } else { last == Ordering::Greater };
+        last = sign;
     }
-    holds &= closed || turn != Sign::Negative;
+    holds &= closed || last != Ordering::Less;
     findings.check(holds, || describe(view, start, closed));
+    Ok(())
 }
 
 /// The angles from the first vertex grow from 0 to 2 pi: first positive signs, then at most one
 /// zero, then negative ones.
-fn keeps_turning(before: Sign, now: Sign) -> bool {
-    before == Sign::Positive || now == Sign::Negative
+fn winds_once(before: Ordering, now: Ordering) -> bool {
+    before == Ordering::Greater || now == Ordering::Less
 }
 
 fn describe<const D: usize>(view: View<'_, D>, start: Step, closed: bool) -> Violation {

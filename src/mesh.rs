@@ -11,6 +11,27 @@ pub const NONE: u32 = u32::MAX;
 pub const MIN_DIM: usize = 2;
 pub const MAX_DIM: usize = 8;
 
+/// `body` with the dimension as the constant `D`, `other` for a dimension that no mesh has.
+macro_rules! in_dimension {
+    ($dim:expr, $D:ident => $body:expr, _ => $other:expr) => {
+        match $dim {
+            2 => crate::mesh::in_dimension!(@2, $D, $body),
+            3 => crate::mesh::in_dimension!(@3, $D, $body),
+            4 => crate::mesh::in_dimension!(@4, $D, $body),
+            5 => crate::mesh::in_dimension!(@5, $D, $body),
+            6 => crate::mesh::in_dimension!(@6, $D, $body),
+            7 => crate::mesh::in_dimension!(@7, $D, $body),
+            8 => crate::mesh::in_dimension!(@8, $D, $body),
+            _ => $other,
+        }
+    };
+    (@$value:literal, $D:ident, $body:expr) => {{
+        const $D: usize = $value;
+        $body
+    }};
+}
+pub(crate) use in_dimension;
+
 /// Where a vertex comes from. A released cage's vertices stay `Cage` only while their cage lives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]

@@ -2,22 +2,18 @@
 
 use super::{allocation_failed, json};
 use crate::memory::{AllocResult, TryGrow, filled};
-use crate::mesh::{Inputs, NONE, Triangulation};
+use crate::mesh::{Inputs, NONE, Triangulation, in_dimension};
 use crate::quality::corner::Corner;
 use crate::quality::length::scale;
 use crate::quality::view::View;
 use std::io::{self, Write};
 
 pub(super) fn write(inputs: &Inputs, mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    match mesh.dim {
-        2 => write_in(View::<2> { mesh }, inputs, out),
-        3 => write_in(View::<3> { mesh }, inputs, out),
-        4 => write_in(View::<4> { mesh }, inputs, out),
-        5 => write_in(View::<5> { mesh }, inputs, out),
-        6 => write_in(View::<6> { mesh }, inputs, out),
-        7 => write_in(View::<7> { mesh }, inputs, out),
-        _ => write_in(View::<8> { mesh }, inputs, out),
-    }
+    in_dimension!(
+        mesh.dim,
+        D => write_in(View::<D> { mesh }, inputs, out),
+        _ => unreachable!("inputs of another dimension are refused when they are made")
+    )
 }
 
 fn write_in<const D: usize>(
@@ -42,7 +38,7 @@ fn write_in<const D: usize>(
 /// The circumcentre; `None` where it is beyond the doubles.
 fn corner<const D: usize>(view: View<'_, D>, simplex: usize) -> AllocResult<Option<[f64; D]>> {
     let points = view.points_of(view.simplex(simplex));
-    let Some(corner) = Corner::new(&points[..View::<D>::CORNERS])? else {
+    let Some(corner) = Corner::new(&points[..View::<D>::VERTICES])? else {
         return Ok(None);
     };
     let base = points[corner.base];
@@ -97,7 +93,7 @@ fn go_round<const D: usize>(view: View<'_, D>, site: u32, star: &mut [u32]) {
     let across = |simplex: u32, step: usize| {
         let vertices = view.simplex(simplex as usize);
         let at = vertices.iter().position(|&vertex| vertex == site).unwrap_or(0);
-        view.neighbors(simplex as usize)[(at + step) % View::<D>::CORNERS]
+        view.neighbors(simplex as usize)[(at + step) % View::<D>::VERTICES]
     };
     let Some(&first) = star.first() else { return };
     let mut start = first;

@@ -11,10 +11,10 @@ pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> 
         return Ok(0.0);
     };
     let units = normals.map(unit);
-    let corners = View::<D>::CORNERS;
+    let count = View::<D>::VERTICES;
     let mut smallest = f64::INFINITY;
-    for i in 0..corners {
-        for j in i + 1..corners {
+    for i in 0..count {
+        for j in i + 1..count {
             smallest = smallest.min(squared_tangent_inside(&units[i], &units[j]));
         }
     }

@@ -56,7 +56,7 @@ impl Cells {
         let mut climbs = view.simplex_count().saturating_mul(CLIMBS_PER_SIMPLEX);
         for simplex in 0..view.simplex_count() {
             let vertices = view.simplex(simplex);
-            let points = &view.points_of(vertices)[..View::<D>::CORNERS];
+            let points = &view.points_of(vertices)[..View::<D>::VERTICES];
             let star =
                 Labelled { view, vertices, points, corner: Corner::new(points)?, limits: &limits };
             let counts = cells.add_vertices(&star, tree.is_some());

@@ -12,7 +12,7 @@ pub(crate) mod view;
 
 use crate::error::Result;
 use crate::memory::{AllocResult, collected, filled};
-use crate::mesh::{NONE, Triangulation};
+use crate::mesh::{NONE, Triangulation, in_dimension};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
 use view::View;
@@ -65,16 +65,7 @@ pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
     if !is_consistent(triangulation) {
         return Ok(Quality::default());
     }
-    let quality = match triangulation.dim {
-        2 => measure_in::<2>(triangulation),
-        3 => measure_in::<3>(triangulation),
-        4 => measure_in::<4>(triangulation),
-        5 => measure_in::<5>(triangulation),
-        6 => measure_in::<6>(triangulation),
-        7 => measure_in::<7>(triangulation),
-        8 => measure_in::<8>(triangulation),
-        _ => Ok(Quality::default()),
-    };
+    let quality = in_dimension!(triangulation.dim, D => measure_in::<D>(triangulation), _ => Ok(Quality::default()));
     Ok(quality?)
 }
 
@@ -118,7 +109,7 @@ impl SimplexMeasures {
         }
         let points = view.points_of(vertices);
         self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::CORNERS])?;
+        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
         self.squared_tangent = self.squared_tangent.min(squared_tangent);
         Ok(())
     }
@@ -193,7 +184,7 @@ fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
 /// Whether array lengths fit and ids are in range, so that reading cannot go astray.
 fn is_consistent(mesh: &Triangulation) -> bool {
     let vertices = mesh.kinds.len();
-    let corners = mesh.dim + 1;
+    let size = mesh.dim + 1;
     let below = |ids: &[u32], end: usize| ids.iter().all(|&id| (id as usize) < end);
     let below_or_none =
         |ids: &[u32], end: usize| ids.iter().all(|&id| id == NONE || (id as usize) < end);
@@ -201,10 +192,10 @@ fn is_consistent(mesh: &Triangulation) -> bool {
     let labelled = mesh.domains.is_empty() || below(&mesh.vertex_domains, mesh.domains.len());
     mesh.points.len() == vertices * mesh.dim
         && per_vertex == [vertices; 3]
-        && mesh.simplices.len() % corners == 0
+        && mesh.simplices.len() % size == 0
         && mesh.neighbors.len() == mesh.simplices.len()
         && below(&mesh.simplices, vertices)
-        && below_or_none(&mesh.neighbors, mesh.simplices.len() / corners)
+        && below_or_none(&mesh.neighbors, mesh.simplices.len() / size)
         && labelled
         && below_or_none(&mesh.cage_of, mesh.domains.len())
         && mesh.domains.iter().all(|domain| (domain.center as usize) < vertices)

@@ -9,14 +9,14 @@ pub(crate) struct View<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> View<'a, D> {
-    pub const CORNERS: usize = D + 1;
+    pub const VERTICES: usize = D + 1;
 
     pub fn vertex_count(self) -> usize {
         self.mesh.kinds.len()
     }
 
     pub fn simplex_count(self) -> usize {
-        self.mesh.simplices.len() / Self::CORNERS
+        self.mesh.simplices.len() / Self::VERTICES
     }
 
     pub fn point(self, vertex: u32) -> &'a [f64; D] {
@@ -26,12 +26,12 @@ impl<'a, const D: usize> View<'a, D> {
 
     /// The `D + 1` vertices of a simplex.
     pub fn simplex(self, simplex: usize) -> &'a [u32] {
-        &self.mesh.simplices[simplex * Self::CORNERS..][..Self::CORNERS]
+        &self.mesh.simplices[simplex * Self::VERTICES..][..Self::VERTICES]
     }
 
     /// The `D + 1` neighbours of a simplex, the i-th opposite vertex i.
     pub fn neighbors(self, simplex: usize) -> &'a [u32] {
-        &self.mesh.neighbors[simplex * Self::CORNERS..][..Self::CORNERS]
+        &self.mesh.neighbors[simplex * Self::VERTICES..][..Self::VERTICES]
     }
 
     /// The points of `vertices` (at most `D + 1`); what follows them repeats the first.
@@ -46,8 +46,8 @@ impl<'a, const D: usize> View<'a, D> {
     /// Vertex -> the simplices there, ascending. O(simplices).
     pub fn stars(self) -> AllocResult<Incidence> {
         Incidence::new(self.vertex_count(), || {
-            let corners = self.mesh.simplices.iter().enumerate();
-            corners.map(|(index, &vertex)| (vertex, (index / Self::CORNERS) as u32))
+            let slots = self.mesh.simplices.iter().enumerate();
+            slots.map(|(index, &vertex)| (vertex, (index / Self::VERTICES) as u32))
         })
     }
 
@@ -56,7 +56,7 @@ impl<'a, const D: usize> View<'a, D> {
         let mut on_hull = filled(self.vertex_count(), false)?;
         for s in 0..self.simplex_count() {
             let (vertices, neighbors) = (self.simplex(s), self.neighbors(s));
-            for i in (0..Self::CORNERS).filter(|&i| neighbors[i] == NONE) {
+            for i in (0..Self::VERTICES).filter(|&i| neighbors[i] == NONE) {
                 for (_, &v) in vertices.iter().enumerate().filter(|&(j, _)| j != i) {
                     on_hull[v as usize] = true;
                 }

@@ -24,7 +24,7 @@ pub(super) fn check(
 
 fn check_lengths(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings) -> bool {
     let vertices = mesh.kinds.len();
-    let corners = mesh.dim + 1;
+    let size = mesh.dim + 1;
     let rows = [
         ("dim", mesh.dim, inputs.dim()),
         ("points", mesh.points.len(), vertices * mesh.dim),
@@ -32,7 +32,7 @@ fn check_lengths(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings)
         ("cage_of", mesh.cage_of.len(), vertices),
         ("precision_limited", mesh.precision_limited.len(), vertices),
         ("neighbors", mesh.neighbors.len(), mesh.simplices.len()),
-        ("simplices beyond a multiple of dim + 1", mesh.simplices.len() % corners, 0),
+        ("simplices beyond a multiple of dim + 1", mesh.simplices.len() % size, 0),
         ("simplices == 0", usize::from(mesh.simplices.is_empty()), 0),
         ("vertices == NONE", usize::from(vertices >= NONE as usize), 0),
     ];

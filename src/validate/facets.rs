@@ -37,7 +37,7 @@ fn sorted_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<Facet<D>>
     let mut facets = with_room(view.mesh.simplices.len())?;
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
-        for apex in 0..View::<D>::CORNERS {
+        for apex in 0..View::<D>::VERTICES {
             let mut vertices: [u32; D] =
                 std::array::from_fn(|k| simplex[k + usize::from(k >= apex)]);
             vertices.sort_unstable();

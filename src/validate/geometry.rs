@@ -21,7 +21,7 @@ pub(super) fn check<const D: usize, A: Adaptive>(
     }
     let mut unfolded = true;
     for s in 0..view.simplex_count() {
-        for slot in 0..View::<D>::CORNERS {
+        for slot in 0..View::<D>::VERTICES {
             let neighbor = view.neighbors(s)[slot];
             if neighbor == NONE || (neighbor as usize) < s {
                 continue;
@@ -42,7 +42,7 @@ fn check_orientation<const D: usize, A: Adaptive>(
     findings: &mut Findings,
 ) -> AllocResult<bool> {
     let points = view.points_of(view.simplex(s));
-    let sign = signs.orientation(&points[..View::<D>::CORNERS])?;
+    let sign = signs.orientation(&points[..View::<D>::VERTICES])?;
     Ok(findings.check(sign == Ordering::Greater, || {
         let word = if sign == Ordering::Equal { "flat" } else { "negatively oriented" };
         Violation::new(ViolationKind::Orientation, message!("simplex {s} is {word}")).simplex(s)
@@ -66,9 +66,9 @@ fn check_fold<const D: usize>(
 ) -> bool {
     let neighbor = view.neighbors(s)[slot] as usize;
     let mut replaced = [NONE; 9];
-    replaced[..View::<D>::CORNERS].copy_from_slice(view.simplex(s));
+    replaced[..View::<D>::VERTICES].copy_from_slice(view.simplex(s));
     replaced[slot] = opposite(view, s, slot);
-    let even = parity(&replaced[..View::<D>::CORNERS]) == parity(view.simplex(neighbor));
+    let even = parity(&replaced[..View::<D>::VERTICES]) == parity(view.simplex(neighbor));
     findings.check(!even, || {
         let message = message!("neighbours {s} and {neighbor} lie on the same side of their facet");
         Violation::new(ViolationKind::FoldedFacet, message).simplex(s)
@@ -91,7 +91,7 @@ fn check_delaunay<const D: usize, A: Adaptive>(
 ) -> AllocResult<()> {
     let points = view.points_of(view.simplex(s));
     let vertex = opposite(view, s, slot);
-    let sign = signs.in_ball(&points[..View::<D>::CORNERS], view.point(vertex))?;
+    let sign = signs.in_ball(&points[..View::<D>::VERTICES], view.point(vertex))?;
     findings.check(sign != Ordering::Greater, || {
         let neighbor = view.neighbors(s)[slot];
         let message = message!(

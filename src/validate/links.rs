@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, copied, filled};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -17,7 +17,7 @@ pub(super) fn check<const D: usize>(
     facets: usize,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let stars = Stars::new(view)?;
+    let stars = view.stars()?;
     let mut seen = filled(view.simplex_count(), NONE)?;
     let mut totals = [0u64; D];
     let mut keys = Vec::new();
@@ -38,35 +38,6 @@ pub(super) fn check<const D: usize>(
     }
     check_euler(view, facets, &totals, findings);
     Ok(())
-}
-
-/// Vertex -> simplices.
-struct Stars {
-    start: Vec<usize>,
-    simplices: Vec<u32>,
-}
-
-impl Stars {
-    fn new<const D: usize>(view: View<'_, D>) -> AllocResult<Self> {
-        let mut start = filled(view.vertex_count() + 1, 0usize)?;
-        for &v in &view.mesh.simplices {
-            start[v as usize + 1] += 1;
-        }
-        for v in 1..start.len() {
-            start[v] += start[v - 1];
-        }
-        let mut placed = copied(&start)?;
-        let mut simplices = filled(view.mesh.simplices.len(), NONE)?;
-        for (i, &v) in view.mesh.simplices.iter().enumerate() {
-            simplices[placed[v as usize]] = (i / View::<D>::CORNERS) as u32;
-            placed[v as usize] += 1;
-        }
-        Ok(Self { start, simplices })
-    }
-
-    fn of(&self, vertex: usize) -> &[u32] {
-        &self.simplices[self.start[vertex]..self.start[vertex + 1]]
-    }
 }
 
 /// Checks that the star is connected through facets that contain `v`.

@@ -39,7 +39,7 @@ pub use report::{Report, Violation, ViolationKind};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};
-use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation};
+use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation, in_dimension};
 use crate::options::{Algorithm, Output};
 use crate::quality::view::View;
 use report::Findings;
@@ -58,16 +58,11 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
         let message = message!("level is {level}; it must be 1, 2 or 3");
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
-    let findings = match triangulation.dim {
-        2 => check::<2>(inputs, triangulation, level),
-        3 => check::<3>(inputs, triangulation, level),
-        4 => check::<4>(inputs, triangulation, level),
-        5 => check::<5>(inputs, triangulation, level),
-        6 => check::<6>(inputs, triangulation, level),
-        7 => check::<7>(inputs, triangulation, level),
-        8 => check::<8>(inputs, triangulation, level),
-        dim => wrong_dimension(dim),
-    };
+    let findings = in_dimension!(
+        triangulation.dim,
+        D => check::<D>(inputs, triangulation, level),
+        _ => wrong_dimension(triangulation.dim)
+    );
     Ok(report(findings?))
 }
 

@@ -46,7 +46,7 @@ pub(super) fn check<const D: usize, A: Adaptive>(
 ) -> AllocResult<()> {
     let mut done = filled(view.simplex_count(), 0u64)?;
     for simplex in 0..view.simplex_count() {
-        for to in 1..View::<D>::CORNERS {
+        for to in 1..View::<D>::VERTICES {
             for from in 0..to {
                 let step = Step { simplex, from, to };
                 if done[simplex] & step.bit() == 0 {
@@ -110,7 +110,7 @@ fn check_face<const D: usize, A: Adaptive>(
             continue;
         }
         points[start.to] = view.point(vertex);
-        let sign = signs.orientation(&points[..View::<D>::CORNERS])?;
+        let sign = signs.orientation(&points[..View::<D>::VERTICES])?;
         holds &= if closed { winds_once(last, sign) } else { last == Ordering::Greater };
         last = sign;
     }

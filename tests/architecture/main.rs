@@ -1,10 +1,12 @@
 //! ARCHITECTURE.md is what the sources are: its table of layers, its directories, its files.
 
-use std::collections::{BTreeMap, BTreeSet};
+mod planted;
+mod uses;
+
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-type Layers = BTreeMap<String, BTreeSet<String>>;
+use uses::{Layers, Source, uses};
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -39,13 +41,8 @@ fn layers() -> Layers {
     table("Layers").into_iter().map(row).collect()
 }
 
-/// A source file: its path below src, with slashes.
-struct Source {
-    path: String,
-    text: String,
-}
-
-fn sources() -> Vec<Source> {
+/// The source files: their paths below src, with slashes, and their text.
+fn files() -> Vec<(String, String)> {
     let mut found = Vec::new();
     let mut directories = vec![root().join("src")];
     while let Some(directory) = directories.pop() {
@@ -55,7 +52,7 @@ fn sources() -> Vec<Source> {
                 directories.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let text = fs::read_to_string(&path).expect("a source").replace('\r', "");
-                found.push(Source { path: below_src(&path), text });
+                found.push((below_src(&path), text));
             }
         }
     }
@@ -68,14 +65,14 @@ fn below_src(path: &Path) -> String {
 }
 
 /// Files and directories of modules that are only there for tests.
-fn test_modules(sources: &[Source]) -> Vec<String> {
+fn test_modules(files: &[(String, String)]) -> Vec<String> {
     let mut modules = Vec::new();
-    for source in sources {
-        let directory = match source.path.strip_suffix("mod.rs") {
+    for (path, text) in files {
+        let directory = match path.strip_suffix("mod.rs") {
             Some(directory) => directory.to_owned(),
-            None => format!("{}/", source.path.trim_end_matches(".rs")),
+            None => format!("{}/", path.trim_end_matches(".rs")),
         };
-        for (line, next) in source.text.lines().zip(source.text.lines().skip(1)) {
+        for (line, next) in text.lines().zip(text.lines().skip(1)) {
             let declared = next.trim_start_matches("pub(crate) ").strip_prefix("mod ");
             if let (true, Some(name)) = (line.starts_with("#[cfg(test)]"), declared) {
                 if let Some(name) = name.strip_suffix(';') {
@@ -88,71 +85,20 @@ fn test_modules(sources: &[Source]) -> Vec<String> {
     modules
 }
 
-/// The code without comments, and without the tests at its end.
-fn code(source: &Source) -> String {
-    let text = source.text.split("\n#[cfg(test)]\nmod tests {").next().expect("a beginning");
-    let uncommented = text.lines().map(|line| line.split("//").next().expect("a beginning"));
-    uncommented.collect::<Vec<_>>().join("\n")
-}
-
-/// The modules that a text names as `crate::<module>`.
-fn named(path: &str, text: &str) -> BTreeSet<String> {
-    let mut modules = BTreeSet::new();
-    for rest in text.split("crate::").skip(1) {
-        let end = rest.find(|letter: char| letter != '_' && !letter.is_ascii_lowercase());
-        let name = &rest[..end.unwrap_or(rest.len())];
-        assert!(
-            !name.is_empty(),
-            "{path}: name the module: crate::{}",
-            &rest[..rest.len().min(30)]
-        );
-        modules.insert(name.to_owned());
-    }
-    modules
-}
-
-/// `super::super::...` must not reach the crate's root, past the table.
-fn assert_it_stays_inside(path: &str, text: &str) {
-    let depth = path.trim_end_matches("/mod.rs").split('/').count();
-    let mut rest = text;
-    while let Some(at) = rest.find("super::") {
-        rest = &rest[at..];
-        let mut length = 0;
-        while let Some(more) = rest.strip_prefix("super::") {
-            (rest, length) = (more, length + 1);
-        }
-        assert!(
-            length < depth,
-            "{path}: write crate:: for super::{}",
-            rest.lines().next().unwrap()
-        );
-    }
-}
-
 /// Which module uses which, tests apart.
-fn uses() -> Layers {
-    let sources = sources();
-    let tests = test_modules(&sources);
-    let mut uses = Layers::new();
-    for source in &sources {
-        let is_test = |module: &String| {
-            source.path == *module || module.ends_with('/') && source.path.starts_with(module)
-        };
-        if source.path == "lib.rs" || tests.iter().any(is_test) {
-            continue;
-        }
-        let module = source.path.split('/').next().expect("a name").trim_end_matches(".rs");
-        let code = code(source);
-        assert_it_stays_inside(&source.path, &code);
-        let used = uses.entry(module.to_owned()).or_default();
-        used.extend(named(&source.path, &code).into_iter().filter(|name| name != module));
-    }
-    uses
+fn uses_of_the_sources() -> Layers {
+    let files = files();
+    let tests = test_modules(&files);
+    let is_test = |path: &str| {
+        tests.iter().any(|t| path == t || t.ends_with('/') && path.starts_with(t.as_str()))
+    };
+    let kept = files.iter().filter(|(path, _)| !is_test(path));
+    uses(&kept.map(|(path, text)| Source::parse(path, text)).collect::<Vec<_>>())
 }
 
 #[test]
 fn modules_use_what_the_table_says_and_nothing_else() {
-    let (allowed, uses) = (layers(), uses());
+    let (allowed, uses) = (layers(), uses_of_the_sources());
     let names = |layers: &Layers| layers.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&allowed), names(&uses), "the modules of the table and those under src");
     for (module, used) in &uses {
@@ -165,6 +111,7 @@ fn modules_use_what_the_table_says_and_nothing_else() {
 fn no_arrow_runs_back() {
     let line = ["numerics", "complex", "delaunay", "netmesh"];
     let readers = ["quality", "validate", "io"];
+    let data = ["error", "memory", "options", "parameters", "mesh"];
     let allowed = layers();
     for (place, module) in line.iter().enumerate() {
         let above = line[place + 1..].iter().chain(&readers).chain(&["capi"]);
@@ -173,8 +120,13 @@ fn no_arrow_runs_back() {
         }
     }
     for module in readers {
-        for maker in &line[1..] {
+        for maker in line.iter().chain(&["run"]) {
             assert!(!allowed[module].contains(*maker), "{module} uses {maker}");
+        }
+    }
+    for module in data {
+        for other in line.iter().chain(&readers).chain(&["run"]) {
+            assert!(!allowed[module].contains(*other), "{module} uses {other}");
         }
     }
     for (module, used) in &allowed {
@@ -187,9 +139,9 @@ fn no_arrow_runs_back() {
 fn every_directory_is_named() {
     let named: BTreeSet<String> =
         table("Directories under src").into_iter().map(|(name, _)| name).collect();
-    let directories: BTreeSet<String> = sources()
+    let directories: BTreeSet<String> = files()
         .iter()
-        .filter_map(|source| source.path.rsplit_once('/'))
+        .filter_map(|(path, _)| path.rsplit_once('/'))
         .map(|(directory, _)| directory.to_owned())
         .collect();
     assert_eq!(named, directories);
@@ -197,7 +149,7 @@ fn every_directory_is_named() {
 
 #[test]
 fn every_file_that_is_named_is_there() {
-    let files: Vec<String> = sources().into_iter().map(|source| source.path).collect();
+    let files: Vec<String> = files().into_iter().map(|(path, _)| path).collect();
     let text = document();
     let names = quoted(&text);
     let rust: Vec<&String> = names.iter().filter(|name| name.ends_with(".rs")).collect();

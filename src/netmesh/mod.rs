@@ -2,9 +2,11 @@
 //! it has:
 //!
 //! - [`rounds`]: the order of the inputs, the conflict lists that say where they are, the rounds
-//! that insert them, and the nets that choose what a round inserts. - [`cages`]: domains and their
-//! tree, encroachment, where a cage goes, and the operations on cages. - [`refinement`]: which
-//! simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH and the final refinement.
+//!   that insert them, and the nets that choose what a round inserts.
+//! - [`cages`]: domains and their tree, encroachment, where a cage goes, and the operations on
+//!   cages.
+//! - [`refinement`]: which simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH
+//!   and the final refinement.
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
 //!
 //! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the

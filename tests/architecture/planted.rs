@@ -1,6 +1,6 @@
 //! The checker on a small crate of text: it sees what is planted there.
 
-use crate::uses::{Layers, Source, uses};
+use super::uses::{Layers, Source, uses};
 
 const LIBRARY: &str = "
     pub mod mesh;

@@ -217,7 +217,7 @@ mod tests {
         let mut state = 7u64;
         let mut random = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            state >> 32 | state << 32
+            state.rotate_left(32)
         };
         for _ in 0..20_000 {
             let (a, b) = (draw(&mut random), draw(&mut random));

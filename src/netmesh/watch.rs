@@ -151,11 +151,13 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.last = Instant::now();
         let is_stopped = self.tally.is_some_and(|tally| tally.is_stopped.load(Ordering::Relaxed));
         if !go_on || is_stopped {
-            return Err(Error::new(
-                ErrorKind::Cancelled,
-                "the progress function cancelled the run",
-            ));
+            return Err(cancelled());
         }
         Ok(())
     }
+}
+
+/// What a run ends with that its caller has stopped.
+pub(super) fn cancelled() -> Error {
+    Error::new(ErrorKind::Cancelled, "the progress function cancelled the run")
 }

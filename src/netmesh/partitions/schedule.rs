@@ -3,16 +3,13 @@
 
 use super::Partition;
 use crate::error::Result;
-use crate::memory::{enqueue, with_room};
+use crate::memory::with_room;
 use crate::netmesh::Mesher;
-use crate::netmesh::partitions::workers::threads;
-use crate::netmesh::watch::{INTERVAL, Tally, Watch};
-use std::collections::VecDeque;
+use crate::netmesh::partitions::workers::{Workers, threads};
+use crate::netmesh::watch::{INTERVAL, Tally, Watch, cancelled};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
-use std::sync::{Mutex, PoisonError};
 
-/// Partitions that no thread has taken yet, with their numbers.
-type Queue<const D: usize> = Mutex<VecDeque<(usize, Partition<D>)>>;
+/// A partition that a worker has refined, with its number.
 type Done<const D: usize> = (usize, Result<Partition<D>>);
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -45,21 +42,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<()> {
         self.split_reserves(&mut partitions)?;
         let count = partitions.len();
-        let mut queue = VecDeque::new();
-        for partition in partitions.into_iter().enumerate() {
-            enqueue(&mut queue, partition)?;
-        }
-        let queue = Mutex::new(queue);
+        let refine = |partition: Partition<D>| Ok(partition.refine(Watch::of_partition(tally)));
+        let workers = Workers::new(partitions.into_iter(), refine);
+        let work = |sender: Sender<Done<D>>| {
+            // Nobody waits for the rest if the receiver is gone.
+            let send = |at, done| sender.send((at, done)).map_err(|_| cancelled());
+            let _ = workers.work(send);
+        };
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();
             let spawn = |_: &usize| {
-                let (queue, sender) = (&queue, sender.clone());
-                let work = move || refine_next(queue, tally, &sender);
-                std::thread::Builder::new().spawn_scoped(scope, work).is_ok()
+                let (work, sender) = (&work, sender.clone());
+                std::thread::Builder::new().spawn_scoped(scope, move || work(sender)).is_ok()
             };
             // A system that refuses a thread may have given others.
             if (0..threads).filter(spawn).count() == 0 {
-                refine_next(&queue, tally, &sender);
+                work(sender.clone());
             }
             drop(sender);
             let gathered = self.gather(&receiver, count, tally, moved);
@@ -96,16 +94,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll()?;
         }
         Ok(())
-    }
-}
-
-/// Refines the next partition, until there is none.
-fn refine_next<const D: usize>(queue: &Queue<D>, tally: &Tally, sender: &Sender<Done<D>>) {
-    loop {
-        let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
-        let Some((at, partition)) = next else { return };
-        if sender.send((at, partition.refine(Watch::of_partition(tally)))).is_err() {
-            return;
-        }
     }
 }

@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_room};
 use crate::netmesh::Mesher;
 use crate::netmesh::watch::Watch;
+use std::iter::Enumerate;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -48,42 +49,77 @@ pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
     pieces: impl Iterator<Item = W> + Send,
     act: impl Fn(W) -> AllocResult<T> + Sync,
 ) -> Result<Vec<T>> {
-    let workers =
-        Workers { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act };
+    let workers = Workers::new(pieces, act);
     // A scope asks for memory that cannot be refused.
     let mut done = match threads {
-        0 | 1 => workers.work(|| watch.poll())?,
-        _ => workers.work_together(threads, watch)?,
+        0 | 1 => workers.collect(|| watch.poll())?,
+        _ => workers.collect_together(threads, watch)?,
     };
     done.sort_unstable_by_key(|&(at, _)| at);
     Ok(collected(done.into_iter().map(|(_, made)| made))?)
 }
 
-struct Workers<Q, A> {
+/// Pieces that no worker has taken yet, with their numbers, and what is to be made of each.
+pub(super) struct Workers<Q, A> {
     queue: Mutex<Q>,
     is_stopped: AtomicBool,
     act: A,
 }
 
-impl<Q, A> Workers<Q, A> {
+impl<I: Iterator, A> Workers<Enumerate<I>, A> {
+    pub fn new(pieces: I, act: A) -> Self {
+        Self { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act }
+    }
+
+    /// Does pieces until there are none, or until a worker has failed. `deliver` gets what was made
+    /// of each, with its number.
+    pub fn work<T>(&self, mut deliver: impl FnMut(usize, T) -> Result<()>) -> Result<()>
+    where
+        A: Fn(I::Item) -> AllocResult<T>,
+    {
+        while !self.is_stopped.load(Ordering::Relaxed) {
+            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some((at, piece)) = next else { break };
+            let made = (self.act)(piece).map_err(Into::into);
+            let delivered = made.and_then(|made| deliver(at, made));
+            if delivered.is_err() {
+                self.is_stopped.store(true, Ordering::Relaxed);
+            }
+            delivered?;
+        }
+        Ok(())
+    }
+
+    /// [`Self::work`] on one thread. `poll` is called after each piece.
+    fn collect<T>(&self, mut poll: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
+    where
+        A: Fn(I::Item) -> AllocResult<T>,
+    {
+        let mut done = Vec::new();
+        self.work(|at, made| {
+            done.try_push((at, made))?;
+            poll()
+        })?;
+        Ok(done)
+    }
+
     /// [`Self::work`] on `threads` threads, of which this is one.
-    fn work_together<W, T>(
+    fn collect_together<T: Send>(
         &self,
         threads: usize,
         watch: &mut Watch<'_, '_>,
     ) -> Result<Vec<(usize, T)>>
     where
-        Q: Iterator<Item = (usize, W)> + Send,
-        A: Fn(W) -> AllocResult<T> + Sync,
-        T: Send,
+        I: Send,
+        A: Fn(I::Item) -> AllocResult<T> + Sync,
     {
         std::thread::scope(|scope| {
             let mut others = with_room(threads)?;
             for _ in 1..threads {
                 let builder = std::thread::Builder::new();
-                others.extend(builder.spawn_scoped(scope, || self.work(|| Ok(()))));
+                others.extend(builder.spawn_scoped(scope, || self.collect(|| Ok(()))));
             }
-            let mut done = self.work(|| watch.poll())?;
+            let mut done = self.collect(|| watch.poll())?;
             for other in others {
                 let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 for made in other? {
@@ -92,28 +128,6 @@ impl<Q, A> Workers<Q, A> {
             }
             Ok(done)
         })
-    }
-
-    /// Does pieces until there are none, or until a worker has stopped.
-    fn work<W, T>(&self, mut watch: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
-    where
-        Q: Iterator<Item = (usize, W)>,
-        A: Fn(W) -> AllocResult<T>,
-    {
-        let mut done = Vec::new();
-        while !self.is_stopped.load(Ordering::Relaxed) {
-            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some((at, piece)) = next else { break };
-            let made = (self.act)(piece).map_err(Into::into).and_then(|made| {
-                done.try_push((at, made))?;
-                watch()
-            });
-            if made.is_err() {
-                self.is_stopped.store(true, Ordering::Relaxed);
-            }
-            made?;
-        }
-        Ok(done)
     }
 }
 

@@ -1,5 +1,6 @@
-//! Measures of a mesh (docs/guarantees.md has the conventions): Voronoi aspect, radius-edge ratio,
-//! angles, degrees. Computed from coordinates and simplices alone.
+//! Measures of a mesh, from coordinates and simplices alone: Voronoi aspect, radius-edge ratio,
+//! angles, degrees. The aspect of a vertex v is R_v / r_v: r_v is half the distance to the nearest
+//! neighbour, and R_v the distance to the farthest Voronoi corner.
 
 pub(crate) mod angles;
 pub(crate) mod cells;

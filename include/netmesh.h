@@ -355,7 +355,7 @@ enum nm_status
     NM_DEGENERATE_INPUT = 6,
     /**
      * The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
-     * (beyond some 4e307) that the root's cage leaves the range of double.
+     * that the root's cage leaves the range of double: above 3e306 with the default options.
      */
     NM_LIMIT = 7,
     /**
@@ -1114,9 +1114,10 @@ NM_API size_t nm_last_error(char *buf, size_t cap);
  *
  * dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
  * points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
- * 0 means dim. Every finite double is accepted, subnormals and 1e308 included, but nm_run answers
- * NM_LIMIT where the root's cage leaves the range of double, beyond some 4e307. Points that are equal
- * as numbers (-0.0 equals 0.0) are duplicates and share one vertex; two must be distinct.
+ * 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's cage
+ * reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run answer
+ * NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one vertex;
+ * two must be distinct.
  *
  * out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
  *
@@ -1182,7 +1183,7 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
  *
  * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
  * value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
- * affine rank), NM_LIMIT (too many vertices, or coordinates beyond some 4e307), NM_CANCELLED,
+ * affine rank), NM_LIMIT (too many vertices, or coordinates above 3e306), NM_CANCELLED,
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing

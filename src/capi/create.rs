@@ -17,9 +17,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 ///
 /// dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
 /// points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
-/// 0 means dim. Every finite double is accepted, subnormals and 1e308 included, but nm_run answers
-/// NM_LIMIT where the root's cage leaves the range of double, beyond some 4e307. Points that are equal
-/// as numbers (-0.0 equals 0.0) are duplicates and share one vertex; two must be distinct.
+/// 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's cage
+/// reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run answer
+/// NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one vertex;
+/// two must be distinct.
 ///
 /// out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
 ///

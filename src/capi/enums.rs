@@ -30,7 +30,7 @@ pub enum nm_status {
     /// affine subspace; the message names the rank.
     NM_DEGENERATE_INPUT = 6,
     /// The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
-    /// (beyond some 4e307) that the root's cage leaves the range of double.
+    /// that the root's cage leaves the range of double: above 3e306 with the default options.
     NM_LIMIT = 7,
     /// The progress callback cancelled the run.
     NM_CANCELLED = 8,

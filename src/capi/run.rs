@@ -18,7 +18,7 @@ use crate::options::{Options, Progress};
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
 /// value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
-/// affine rank), NM_LIMIT (too many vertices, or coordinates beyond some 4e307), NM_CANCELLED,
+/// affine rank), NM_LIMIT (too many vertices, or coordinates above 3e306), NM_CANCELLED,
 /// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
 ///
 /// O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing

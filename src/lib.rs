@@ -12,6 +12,7 @@ pub mod numerics;
 pub mod options;
 pub mod parameters;
 pub mod quality;
+pub mod query;
 mod run;
 pub mod validate;
 

@@ -1,0 +1,192 @@
+//! Barycentric coordinates of a point in a face of a simplex.
+
+use crate::mesh::MAX_DIM;
+
+/// A weight for each vertex of a simplex.
+pub(super) type Weights = [f64; MAX_DIM + 1];
+
+/// Differences of points in a unit that is a power of two.
+#[derive(Clone, Copy)]
+pub(super) struct Unit {
+    /// 1, or a half where differences would overflow.
+    half: f64,
+    /// What a difference of halved coordinates is multiplied by.
+    scale: f64,
+}
+
+impl Unit {
+    /// A unit in which points as large as `largest` have finite differences.
+    pub fn of_points(largest: f64) -> Self {
+        Self { half: if largest > power_of_two(1000) { 0.5 } else { 1.0 }, scale: 1.0 }
+    }
+
+    /// About `length`, a difference in the present unit that is not zero.
+    pub fn scaled_to(self, length: f64) -> Self {
+        Self { scale: power_of_two((-exponent(length)).min(1000)), ..self }
+    }
+
+    /// a - b.
+    #[inline]
+    pub fn difference<const D: usize>(self, a: &[f64; D], b: &[f64; D]) -> [f64; D] {
+        std::array::from_fn(|i| (a[i] * self.half - b[i] * self.half) * self.scale)
+    }
+
+    /// A vector of real units in this unit.
+    #[inline]
+    pub fn vector<const D: usize>(self, x: [f64; D]) -> [f64; D] {
+        x.map(|x| x * self.half * self.scale)
+    }
+
+    /// A vector in this unit in real units.
+    pub fn real<const D: usize>(self, x: [f64; D]) -> [f64; D] {
+        x.map(|x| x / self.scale / self.half)
+    }
+}
+
+/// The barycentric coordinates of `q` in the face `face` of the simplex `points`; those of other
+/// vertices are zero. They sum to one up to a rounding, and combine the vertices to `q` up to a few
+/// roundings of the longest edge, however flat the simplex is.
+pub(super) fn coordinates_in<const D: usize>(
+    points: &[&[f64; D]],
+    face: u32,
+    q: &[f64; D],
+) -> Weights {
+    let mut weights = [0.0; MAX_DIM + 1];
+    if face.count_ones() == 1 {
+        weights[face.trailing_zeros() as usize] = 1.0;
+        return weights;
+    }
+    let magnitudes = points.iter().copied().chain([q]).map(largest);
+    let unit = Unit::of_points(magnitudes.fold(0.0, f64::max));
+    let base = nearest_vertex(points, face, q, unit);
+    weights = combination(points, face, base, unit.difference(q, points[base]), unit);
+    weights[base] += 1.0;
+    weights
+}
+
+/// The vertex of the face that is nearest to `q` in the maximum norm: differences from it lose the
+/// least.
+fn nearest_vertex<const D: usize>(
+    points: &[&[f64; D]],
+    face: u32,
+    q: &[f64; D],
+    unit: Unit,
+) -> usize {
+    let size = |i: usize| largest(&unit.difference(points[i], q));
+    let of_face = (0..=D).filter(|i| face >> i & 1 == 1);
+    of_face.min_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0)
+}
+
+/// Weights that sum to zero and combine the vertices of the face to `target`, a vector in its
+/// affine hull.
+fn combination<const D: usize>(
+    points: &[&[f64; D]],
+    face: u32,
+    base: usize,
+    target: [f64; D],
+    unit: Unit,
+) -> Weights {
+    let mut system = System { rows: [[0.0; D]; D], right: [0.0; D] };
+    let mut vertices = [(0, 0); MAX_DIM];
+    let mut count = 0;
+    for i in (0..=D).filter(|&i| face >> i & 1 == 1 && i != base) {
+        let (edge, exponent) = normalized(unit.difference(points[i], points[base]));
+        (0..D).for_each(|row| system.rows[row][count] = edge[row]);
+        vertices[count] = (i, exponent);
+        count += 1;
+    }
+    let (right, top) = normalized(target);
+    system.right = right;
+    let solution = system.solve(count);
+    let mut weights = [0.0; MAX_DIM + 1];
+    for (&(i, exponent), x) in vertices[..count].iter().zip(solution) {
+        weights[i] = scaled(x, top - exponent);
+        weights[base] -= weights[i];
+    }
+    weights
+}
+
+/// `D` equations in at most as many unknowns, consistent if there are fewer.
+pub(super) struct System<const D: usize> {
+    pub rows: [[f64; D]; D],
+    pub right: [f64; D],
+}
+
+impl<const D: usize> System<D> {
+    /// By Gaussian elimination with complete pivoting: residuals are small whatever the condition.
+    pub fn solve(&mut self, unknowns: usize) -> [f64; D] {
+        let mut order: [usize; D] = std::array::from_fn(|column| column);
+        let mut rank = 0;
+        while rank < unknowns && self.bring_pivot(rank, unknowns, &mut order) {
+            let (pivot, right) = (self.rows[rank], self.right[rank]);
+            for row in rank + 1..D {
+                let factor = self.rows[row][order[rank]] / pivot[order[rank]];
+                order[rank..unknowns].iter().for_each(|&column| {
+                    self.rows[row][column] -= factor * pivot[column];
+                });
+                self.right[row] -= factor * right;
+            }
+            rank += 1;
+        }
+        let mut solution = [0.0; D];
+        for row in (0..rank).rev() {
+            let known = order[row + 1..rank].iter();
+            let sum = known.fold(self.right[row], |sum, &column| {
+                sum - self.rows[row][column] * solution[column]
+            });
+            solution[order[row]] = sum / self.rows[row][order[row]];
+        }
+        solution
+    }
+
+    /// Swaps the largest entry that is left to row and place `rank`; false if all are zero.
+    fn bring_pivot(&mut self, rank: usize, unknowns: usize, order: &mut [usize; D]) -> bool {
+        let (mut best, mut at) = (0.0, (rank, rank));
+        for row in rank..D {
+            for (place, &column) in order.iter().enumerate().take(unknowns).skip(rank) {
+                let size = self.rows[row][column].abs();
+                if size > best {
+                    (best, at) = (size, (row, place));
+                }
+            }
+        }
+        self.rows.swap(rank, at.0);
+        self.right.swap(rank, at.0);
+        order.swap(rank, at.1);
+        best > 0.0
+    }
+}
+
+pub(super) fn largest<const D: usize>(vector: &[f64; D]) -> f64 {
+    vector.iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })
+}
+
+/// A vector times 2^-e with its largest component in [1, 2), or zero, and e.
+fn normalized<const D: usize>(vector: [f64; D]) -> ([f64; D], i32) {
+    let exponent = exponent(largest(&vector));
+    (vector.map(|x| scaled(x, -exponent)), exponent)
+}
+
+/// The exponent of a finite number that is not negative; 0 for zero.
+fn exponent(x: f64) -> i32 {
+    match x.to_bits() >> 52 {
+        0 if x == 0.0 => 0,
+        0 => x.to_bits().ilog2() as i32 - 1074,
+        field => field as i32 - 1023,
+    }
+}
+
+/// `x * 2^exponent`.
+fn scaled(x: f64, exponent: i32) -> f64 {
+    if (-1000..=1000).contains(&exponent) {
+        return x * power_of_two(exponent);
+    }
+    let half = (exponent / 2).clamp(-1000, 1000);
+    let rest = (exponent - half).clamp(-1000, 1000);
+    x * power_of_two(half) * power_of_two(rest)
+}
+
+/// For -1022 to 1023.
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}

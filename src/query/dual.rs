@@ -1,0 +1,159 @@
+//! What a simplex contributes to the volumes of Voronoi cells and of their faces.
+//!
+//! A Voronoi cell is the sum, with signs, of simplices between the circumcentres of a chain of
+//! faces of ever higher dimension, from the vertex to a simplex of the mesh. Each step of a chain
+//! is at right angles to those before: the volume is the product of the steps over dim factorial.
+
+use super::barycentric::Unit;
+use crate::mesh::MAX_DIM;
+use crate::numerics::{Circumball, Sign, norm, orientation};
+
+/// Sets of the vertices other than the base, as bits.
+const SETS: usize = 1 << MAX_DIM;
+
+/// What of the length of an edge its distance from a facet must be for its side to be certain.
+const CLEAR: f64 = 1e-9;
+
+/// The sums over all chains from a face, by the set of its vertices beside the base.
+pub(super) struct Chains {
+    /// The step from a set to the same and one vertex more.
+    steps: [[f64; MAX_DIM]; SETS],
+    sums: [f64; SETS],
+}
+
+impl Default for Chains {
+    fn default() -> Self {
+        Self { steps: [[0.0; MAX_DIM]; SETS], sums: [0.0; SETS] }
+    }
+}
+
+/// A simplex seen from one of its vertices, in some unit.
+struct Seen<'a, const D: usize> {
+    points: &'a [&'a [f64; D]],
+    base: usize,
+    unit: Unit,
+    /// From the base to the other vertices.
+    edges: [[f64; D]; D],
+    /// From the base to the circumcentre.
+    center: [f64; D],
+}
+
+/// Unit vectors at right angles to each other that span a face, and its circumcentre.
+#[derive(Clone, Copy)]
+struct Frame<const D: usize> {
+    vectors: [[f64; D]; D],
+    count: usize,
+    center: [f64; D],
+}
+
+impl Chains {
+    /// Takes up a positively oriented simplex with its ball. NaN or infinity come from a ball that
+    /// cannot be used.
+    pub fn of<const D: usize>(
+        &mut self,
+        points: &[&[f64; D]],
+        base: usize,
+        ball: &Circumball<D>,
+        unit: Unit,
+    ) {
+        let edge = |k: usize| unit.difference(points[k + usize::from(k >= base)], points[base]);
+        let anchor = unit.difference(points[ball.anchor as usize], points[base]);
+        let real = ball.unit();
+        let offset = unit.vector(ball.center.map(|x| x * real));
+        let center = std::array::from_fn(|i| anchor[i] + offset[i]);
+        let seen = Seen { points, base, unit, edges: std::array::from_fn(edge), center };
+        let frame = Frame { vectors: [[0.0; D]; D], count: 0, center: [0.0; D] };
+        self.measure(&seen, 0, frame);
+        let full = (1 << D) - 1;
+        self.sums[full] = 1.0;
+        for set in (0..full).rev() {
+            let others = (0..D).filter(|w| set >> w & 1 == 0);
+            self.sums[set] = others.map(|w| self.steps[set][w] * self.sums[set | 1 << w]).sum();
+        }
+    }
+
+    /// dim factorial times the volume of the base's cell that is due to the simplex.
+    pub fn of_cell(&self) -> f64 {
+        self.sums[0]
+    }
+
+    /// dim - 1 factorial times the volume, due to the simplex, of the facet between the cells of
+    /// the base and of another vertex.
+    pub fn of_facet<const D: usize>(&self, base: usize, vertex: usize) -> f64 {
+        self.sums[1 << (vertex - usize::from(vertex > base))]
+    }
+
+    /// The steps from a set and from all those that have members beyond its last one besides.
+    fn measure<const D: usize>(&mut self, seen: &Seen<'_, D>, set: usize, frame: Frame<D>) {
+        for w in (0..D).filter(|w| set >> w & 1 == 0) {
+            let edge = &seen.edges[w];
+            if frame.count == D - 1 {
+                let normal = seen.normal(&frame, w);
+                let rest = std::array::from_fn(|i| seen.center[i] - frame.center[i]);
+                self.steps[set][w] = dot(&rest, &normal);
+                continue;
+            }
+            let rest = frame.without(*edge);
+            let length = norm(&rest);
+            let step = (0.5 * dot(edge, edge) - dot(edge, &frame.center)) / length;
+            self.steps[set][w] = step;
+            if set >> w == 0 {
+                self.measure(seen, set | 1 << w, frame.with(rest.map(|x| x / length), step));
+            }
+        }
+    }
+}
+
+impl<const D: usize> Seen<'_, D> {
+    /// The unit normal of a facet on the side of vertex `w`, of those other than the base.
+    fn normal(&self, frame: &Frame<D>, w: usize) -> [f64; D] {
+        // The axis that is least in the facet's hyperplane.
+        let within =
+            |axis: usize| frame.vectors[..D - 1].iter().map(|v| v[axis] * v[axis]).sum::<f64>();
+        let best =
+            (1..D).fold(0, |best, axis| if within(axis) < within(best) { axis } else { best });
+        let axis = std::array::from_fn(|i| f64::from(u8::from(i == best)));
+        let rest = frame.without(frame.without(axis));
+        let length = norm(&rest);
+        let normal = rest.map(|x| x / length);
+        let (side, edge) = (dot(&normal, &self.edges[w]), norm(&self.edges[w]));
+        let is_beyond =
+            if side.abs() > CLEAR * edge { side > 0.0 } else { self.is_beyond(&normal, w) };
+        if is_beyond { normal } else { normal.map(|x| -x) }
+    }
+
+    /// Whether a nearly flat simplex has vertex `w` where the normal points: in its place, a point
+    /// well beyond the facet makes a simplex of the same orientation.
+    #[cold]
+    fn is_beyond(&self, normal: &[f64; D], w: usize) -> bool {
+        let longest = self.edges.iter().map(|edge| norm(edge)).fold(0.0, f64::max);
+        let offset = self.unit.real(normal.map(|x| x * longest));
+        let apex: [f64; D] = std::array::from_fn(|i| self.points[self.base][i] + offset[i]);
+        let mut points = [self.points[0]; MAX_DIM + 1];
+        points[..=D].copy_from_slice(self.points);
+        points[w + usize::from(w >= self.base)] = &apex;
+        apex.iter().all(|x| x.is_finite()) && orientation(&points[..=D]) == Sign::Positive
+    }
+}
+
+impl<const D: usize> Frame<D> {
+    /// What is left of a vector without its part in the face.
+    fn without(&self, vector: [f64; D]) -> [f64; D] {
+        self.vectors[..self.count].iter().fold(vector, |rest, v| {
+            let along = dot(&rest, v);
+            std::array::from_fn(|i| rest[i] - along * v[i])
+        })
+    }
+
+    fn with(mut self, vector: [f64; D], step: f64) -> Self {
+        self.vectors[self.count] = vector;
+        self.count += 1;
+        self.center = std::array::from_fn(|i| self.center[i] + step * vector[i]);
+        self
+    }
+}
+
+#[inline]
+pub(super) fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
+    (0..D).fold(0.0, |sum, i| sum + a[i] * b[i])
+}

@@ -1,0 +1,59 @@
+//! Values of the inputs at all vertices of a mesh of theirs.
+
+use super::{Among, Index, Interpolation, Method, Outside, Values};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{filled, with_room};
+use crate::mesh::{Inputs, Triangulation};
+
+/// Writes values at all vertices of `mesh` (`vertices x components`) that agree with `values` at
+/// the inputs (`inputs x components`, in the caller's order; of equal inputs the first counts):
+/// linear in `delaunay`, the Delaunay triangulation of the inputs, and those of the nearest input
+/// beyond its hull. Without `delaunay`, for inputs in a hyperplane, those of the nearest input.
+///
+/// # Errors
+/// `InvalidArgument` (a length; a triangulation of other inputs), `OutOfMemory`.
+pub fn extend_values(
+    inputs: &Inputs,
+    delaunay: Option<&Triangulation>,
+    mesh: &Triangulation,
+    values: Values<'_>,
+    threads: u32,
+    out: &mut [f64],
+) -> Result<()> {
+    let refuse = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let components = values.components;
+    if components == 0 {
+        return refuse(message!("components is 0; it must be at least 1"));
+    }
+    values.check("input_values", inputs.count(), "inputs")?;
+    if out.len() != mesh.vertex_count() * components {
+        let (length, vertices) = (out.len(), mesh.vertex_count());
+        return refuse(message!(
+            "vertex_values has length {length}; it must be {vertices} vertices x {components}"
+        ));
+    }
+    let is_of_inputs =
+        |mesh: &Triangulation| mesh.dim == inputs.dim() && mesh.vertex_count() >= inputs.distinct();
+    let is_plain = |mesh: &Triangulation| mesh.vertex_count() == inputs.distinct();
+    if !is_of_inputs(mesh) || !delaunay.is_none_or(|mesh| is_of_inputs(mesh) && is_plain(mesh)) {
+        return refuse(message!("the triangulation is not one of these inputs"));
+    }
+    let mut of_vertices = with_room(inputs.distinct() * components)?;
+    for vertex in 0..inputs.distinct() {
+        of_vertices.extend_from_slice(values.of(inputs.first_input(vertex).unwrap_or(0)));
+    }
+    let of_vertices = Values { components, values: &of_vertices };
+    if let Some(delaunay) = delaunay {
+        let method = Method { interpolation: Interpolation::Linear, outside: Outside::Nearest };
+        let index = Index::new(delaunay)?;
+        return index.interpolate(delaunay, method, of_vertices, &mesh.points, threads, out);
+    }
+    let mut nearest = filled(mesh.vertex_count(), 0)?;
+    let mut distances = filled(mesh.vertex_count(), 0.0)?;
+    let index = Index::new(mesh)?;
+    index.nearest(mesh, Among::Inputs, &mesh.points, threads, &mut nearest, &mut distances)?;
+    for (out, &vertex) in out.chunks_exact_mut(components).zip(&nearest) {
+        out.copy_from_slice(of_vertices.of(vertex));
+    }
+    Ok(())
+}

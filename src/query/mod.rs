@@ -1,0 +1,56 @@
+//! Questions to a result, from its arrays alone: which simplex holds a point, which vertex is the
+//! nearest, what a function given at the vertices is elsewhere; and arrays made ready to use.
+//!
+//! Signs and the order of distances are exact. An answer depends on neither the order of the points
+//! nor the number of threads. Points may come in any order: they are sorted inside.
+//!
+//! The C functions that belong here, by the names of the functions of [`Index`]:
+//!
+//! ```c
+//! nm_status nm_mesh_locate(const nm_mesh *mesh, uint64_t count, const double *points,
+//!                          uint32_t threads, uint32_t *simplices);
+//! nm_status nm_mesh_nearest(const nm_mesh *mesh, uint64_t count, const double *points,
+//!                           uint32_t threads, uint32_t *vertices, double *distances);
+//! nm_status nm_mesh_interpolate(const nm_mesh *mesh, nm_interpolation interpolation,
+//!                               uint32_t components, const double *values, uint64_t count,
+//!                               const double *points, uint32_t threads, double *out);
+//! nm_status nm_mesh_extend_values(const nm_mesh *mesh, uint32_t components,
+//!                                 const double *input_values, double *vertex_values);
+//! ```
+
+mod barycentric;
+mod dual;
+mod extend;
+mod id_set;
+mod index;
+mod interpolate;
+mod locate;
+mod natural;
+mod nearest;
+#[cfg(test)]
+mod tests;
+mod threads;
+mod tree;
+mod view;
+
+pub use extend::extend_values;
+pub use index::Index;
+pub use interpolate::{Interpolation, Method, Outside, Values};
+pub use locate::Place;
+pub use nearest::Among;
+
+/// Calls a function with the dimension as a type.
+macro_rules! in_dimension {
+    ($dim:expr, $function:ident($($argument:expr),* $(,)?)) => {
+        match $dim {
+            2 => $function::<2>($($argument),*),
+            3 => $function::<3>($($argument),*),
+            4 => $function::<4>($($argument),*),
+            5 => $function::<5>($($argument),*),
+            6 => $function::<6>($($argument),*),
+            7 => $function::<7>($($argument),*),
+            _ => $function::<8>($($argument),*),
+        }
+    };
+}
+use in_dimension;

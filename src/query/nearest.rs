@@ -1,0 +1,125 @@
+//! The vertex nearest to a point: a search of a k-d tree. Lengths in doubles with a bound of their
+//! error decide nearly all, exact signs the rest.
+
+use super::tree::{Node, Tree};
+use crate::mesh::NONE;
+use crate::numerics::{Column, Edges, Sign, distance, norm};
+
+/// Which vertices count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Among {
+    Vertices,
+    /// Those that are points of the caller.
+    Inputs,
+}
+
+/// How far from each other two computed measures may be while the order of the exact ones is open:
+/// a square carries D + 2 roundings, a length D + 4.
+const fn slack(dim: usize) -> f64 {
+    (4 * dim + 16) as f64 * f64::EPSILON
+}
+
+/// A square between these has lost nothing of weight to underflow or overflow.
+const SMALLEST_SQUARE: f64 = 1e-250;
+const LARGEST_SQUARE: f64 = 1e250;
+
+/// A difference of lengths that rounding to subnormal numbers may make.
+const TINY: f64 = 1e-322;
+
+/// The nearest vertex, the least of those at the same exact distance, and its distance.
+/// [`NONE`] and infinity if the tree is empty.
+pub(super) fn nearest<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
+    let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, measure: square };
+    search.visit(1, &mut [0.0; D]);
+    if !(SMALLEST_SQUARE..=LARGEST_SQUARE).contains(&search.best) && search.best != 0.0 {
+        return nearest_by_length(tree, q);
+    }
+    // Squares underflow to zero too.
+    if search.best == 0.0 && search.point != *q {
+        return nearest_by_length(tree, q);
+    }
+    (search.id, distance(q, &search.point))
+}
+
+#[cold]
+#[inline(never)]
+fn nearest_by_length<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
+    let measure = |vector: &[f64; D]| norm(vector);
+    let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, measure };
+    search.visit(1, &mut [0.0; D]);
+    let length = if search.id == NONE { f64::INFINITY } else { distance(q, &search.point) };
+    (search.id, length)
+}
+
+#[inline(always)]
+fn square<const D: usize>(vector: &[f64; D]) -> f64 {
+    vector[1..].iter().fold(vector[0] * vector[0], |sum, x| sum + x * x)
+}
+
+struct Search<'a, const D: usize, M> {
+    tree: &'a Tree,
+    q: &'a [f64; D],
+    /// The measure of the nearest one yet, ...
+    best: f64,
+    /// ... its id ...
+    id: u32,
+    /// ... and its place.
+    point: [f64; D],
+    measure: M,
+}
+
+impl<const D: usize, M: Fn(&[f64; D]) -> f64> Search<'_, D, M> {
+    /// Visits what is below a node; `offsets` are the distances of the point to the node's region
+    /// along each axis.
+    fn visit(&mut self, node: usize, offsets: &mut [f64; D]) {
+        let Some(Node { value, axis }) = self.tree.node(node) else {
+            return self.visit_leaf(self.tree.leaf_at(node));
+        };
+        let axis = axis as usize;
+        let beyond = self.q[axis] - value;
+        let near = 2 * node + usize::from(beyond >= 0.0);
+        self.visit(near, offsets);
+        let kept = std::mem::replace(&mut offsets[axis], beyond.abs());
+        if (self.measure)(offsets) <= self.limit() {
+            self.visit(near ^ 1, offsets);
+        }
+        offsets[axis] = kept;
+    }
+
+    /// What measures more is farther away than the nearest one yet.
+    fn limit(&self) -> f64 {
+        self.best * (1.0 + slack(D)) + TINY
+    }
+
+    #[inline]
+    fn visit_leaf(&mut self, leaf: usize) {
+        let tree = self.tree;
+        for (id, point) in tree.members::<D>(leaf) {
+            let offset = std::array::from_fn(|axis| point[axis] - self.q[axis]);
+            let measure = (self.measure)(&offset);
+            if measure <= self.limit() && self.is_nearer(id, point, measure) {
+                (self.best, self.id, self.point) = (measure, id, *point);
+            }
+        }
+    }
+
+    #[inline]
+    fn is_nearer(&self, id: u32, point: &[f64; D], measure: f64) -> bool {
+        if self.id == NONE || measure * (1.0 + slack(D)) + TINY < self.best {
+            return true;
+        }
+        match compare(self.q, point, &self.point) {
+            Sign::Negative => true,
+            Sign::Zero => id < self.id,
+            Sign::Positive => false,
+        }
+    }
+}
+
+/// The sign of |a - q| - |b - q|, exactly.
+#[cold]
+#[inline(never)]
+fn compare<const D: usize>(q: &[f64; D], a: &[f64; D], b: &[f64; D]) -> Sign {
+    // The determinant of the rows (|a - q|^2, 1) and (|b - q|^2, 1).
+    Edges::new(q, [a, b].into_iter()).sign_of_determinant(&[Column::Square, Column::Ones])
+}

@@ -1,0 +1,109 @@
+//! Pieces of work that do not need each other, on as many threads as the caller allows.
+
+use crate::memory::{AllocResult, with_room};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// The most points of a piece: enough that sorting them brings near ones together.
+const LARGEST: usize = 1 << 15;
+
+/// The fewest, unless there are no more.
+const SMALLEST: usize = 1 << 10;
+
+/// Threads to use: what the caller allows (0: all cores), and no more than there are cores.
+pub(super) fn threads(wanted: u32) -> usize {
+    let cores = || std::thread::available_parallelism().map_or(1, |count| count.get());
+    match wanted {
+        0 => cores(),
+        1 => 1,
+        _ => (wanted as usize).min(cores()),
+    }
+}
+
+/// How many of `count` points make a piece. No answer depends on it.
+pub(super) fn piece(count: usize, threads: usize) -> usize {
+    (count / (4 * threads)).clamp(SMALLEST, LARGEST)
+}
+
+/// Does each of the pieces, in any order, with scratch memory of each thread.
+pub(super) fn on_threads<W: Send, S: Default>(
+    threads: usize,
+    pieces: impl Iterator<Item = W> + Send,
+    act: impl Fn(&mut S, W) -> AllocResult<()> + Sync,
+) -> AllocResult<()> {
+    let workers = Workers { queue: Mutex::new(pieces), is_stopped: AtomicBool::new(false), act };
+    // A scope asks for memory that cannot be refused.
+    if threads <= 1 {
+        return workers.work();
+    }
+    std::thread::scope(|scope| {
+        let mut others = with_room(threads)?;
+        for _ in 1..threads {
+            // What the system refuses of the other threads, this one does as well.
+            others.extend(std::thread::Builder::new().spawn_scoped(scope, || workers.work()));
+        }
+        let mut done = workers.work();
+        for other in others {
+            let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            done = done.and(other);
+        }
+        done
+    })
+}
+
+struct Workers<Q, A> {
+    queue: Mutex<Q>,
+    is_stopped: AtomicBool,
+    act: A,
+}
+
+impl<Q, A> Workers<Q, A> {
+    /// Does pieces until there are none, or one has failed.
+    fn work<W, S: Default>(&self) -> AllocResult<()>
+    where
+        Q: Iterator<Item = W>,
+        A: Fn(&mut S, W) -> AllocResult<()>,
+    {
+        let mut scratch = S::default();
+        while !self.is_stopped.load(Ordering::Relaxed) {
+            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+            let Some(piece) = next else { break };
+            let made = (self.act)(&mut scratch, piece);
+            if made.is_err() {
+                self.is_stopped.store(true, Ordering::Relaxed);
+            }
+            made?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::memory::AllocError;
+
+    #[test]
+    fn every_piece_is_done_once() {
+        for threads in [1, 2, 5] {
+            let mut counts = vec![0u32; 1000];
+            on_threads(threads, counts.chunks_mut(7), |_: &mut (), chunk| {
+                chunk.iter_mut().for_each(|count| *count += 1);
+                Ok(())
+            })
+            .unwrap();
+            assert!(counts.iter().all(|&count| count == 1));
+        }
+    }
+
+    #[test]
+    fn a_refusal_of_memory_is_passed_on() {
+        for threads in [1, 2, 3] {
+            let act = |_: &mut (), piece| match piece {
+                40 => Err(AllocError::Memory),
+                _ => Ok(()),
+            };
+            assert_eq!(on_threads(threads, 0..1 << 20, act), Err(AllocError::Memory));
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! A balanced k-d tree of vertices: it bounds a search for the nearest one, brings queries into an
+//! order of locality and names a vertex to walk from. Halving the points, not space, keeps it
+//! O(log n) deep whatever the spread.
+
+use super::view::{View, coordinates};
+use crate::memory::{AllocResult, collected, filled, make_room, with_room};
+use crate::mesh::Triangulation;
+
+/// A leaf has at most as many points, and more than half of that unless it is the only one.
+const LEAF: usize = 8;
+
+/// Where a range of points is divided: no coordinate on this axis is larger than `value` in the
+/// first half, and none is smaller in the second.
+#[derive(Clone, Copy)]
+pub(super) struct Node {
+    pub value: f64,
+    pub axis: u32,
+}
+
+pub(super) struct Tree {
+    /// Divisions on the way to a leaf.
+    levels: u32,
+    /// Node 1 is the root, 2 i and 2 i + 1 are the halves of node i.
+    nodes: Vec<Node>,
+    /// The vertices, leaf by leaf; ...
+    ids: Vec<u32>,
+    /// ... and their coordinates.
+    points: Vec<f64>,
+}
+
+impl Tree {
+    /// Of those vertices. O(n log n).
+    pub fn new<const D: usize>(mesh: &Triangulation, mut ids: Vec<u32>) -> AllocResult<Self> {
+        let view = View::<D> { mesh };
+        let mut levels = 0;
+        while ids.len() >> levels > LEAF {
+            levels += 1;
+        }
+        let mut nodes = filled(1 << levels, Node { value: 0.0, axis: 0 })?;
+        for level in 0..levels {
+            for at in 0..1usize << level {
+                let begin = bound(ids.len(), at, level);
+                let middle = bound(ids.len(), 2 * at + 1, level + 1);
+                let end = bound(ids.len(), at + 1, level);
+                let half = &mut ids[begin..end];
+                let axis = widest_axis(view, half);
+                let coordinate = |v: &u32| view.point(*v)[axis];
+                let (_, &mut median, _) = half.select_nth_unstable_by(middle - begin, |a, b| {
+                    coordinate(a).total_cmp(&coordinate(b))
+                });
+                let value = coordinate(&median);
+                nodes[(1 << level) + at] = Node { value, axis: axis as u32 };
+            }
+        }
+        let mut points = with_room(ids.len() * D)?;
+        ids.iter().for_each(|&v| points.extend_from_slice(view.point(v)));
+        Ok(Self { levels, nodes, ids, points })
+    }
+
+    /// Of all vertices of a mesh.
+    pub fn of_all<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
+        Self::new::<D>(mesh, collected(0..mesh.vertex_count() as u32)?)
+    }
+
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.ids) + size_of_val(&*self.points)
+    }
+
+    /// The leaf where a point belongs, from 0 in the order of the tree.
+    #[inline]
+    pub fn leaf<const D: usize>(&self, point: &[f64; D]) -> usize {
+        let mut node = 1;
+        for _ in 0..self.levels {
+            let Node { value, axis } = self.nodes[node];
+            node = 2 * node + usize::from(point[axis as usize] >= value);
+        }
+        node - (1 << self.levels)
+    }
+
+    /// The vertices of a leaf with their points.
+    #[inline]
+    pub fn members<const D: usize>(&self, leaf: usize) -> impl Iterator<Item = (u32, &[f64; D])> {
+        let n = self.ids.len();
+        let range = bound(n, leaf, self.levels)..bound(n, leaf + 1, self.levels);
+        let points = self.points[range.start * D..range.end * D].chunks_exact(D);
+        let points = points.map(|point| point.try_into().expect("D coordinates"));
+        self.ids[range].iter().copied().zip(points)
+    }
+
+    /// The division at `node`; `None` for a leaf.
+    #[inline]
+    pub fn node(&self, node: usize) -> Option<Node> {
+        self.nodes.get(node).copied()
+    }
+
+    /// The leaf that stands where a node would: numbers go on after the last node.
+    #[inline]
+    pub fn leaf_at(&self, node: usize) -> usize {
+        node - (1 << self.levels)
+    }
+
+    /// A vertex of the leaf, one of those nearest to `point` in the maximum norm, which cannot
+    /// underflow.
+    #[inline]
+    pub fn near<const D: usize>(&self, leaf: usize, point: &[f64; D]) -> Option<u32> {
+        let (mut least, mut near) = (f64::INFINITY, None);
+        for (id, other) in self.members::<D>(leaf) {
+            let mut size = 0.0f64;
+            for axis in 0..D {
+                let x = (other[axis] - point[axis]).abs();
+                size = if x > size { x } else { size };
+            }
+            if size < least || near.is_none() {
+                (least, near) = (size, Some(id));
+            }
+        }
+        near
+    }
+}
+
+/// Where piece `at` of 2^`level` pieces of `count` begins.
+#[inline]
+fn bound(count: usize, at: usize, level: u32) -> usize {
+    ((count as u64 * at as u64) >> level) as usize
+}
+
+fn widest_axis<const D: usize>(view: View<'_, D>, vertices: &[u32]) -> usize {
+    let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+    for &v in vertices {
+        for (axis, &x) in view.point(v).iter().enumerate() {
+            low[axis] = low[axis].min(x);
+            high[axis] = high[axis].max(x);
+        }
+    }
+    // A width beyond the doubles is as good as any other.
+    let width = |axis: usize| high[axis] - low[axis];
+    (1..D).fold(0, |widest, axis| if width(axis) > width(widest) { axis } else { widest })
+}
+
+/// The numbers of the points in the order of the leaves where they belong; `keys` is scratch
+/// memory. Each key holds the leaf in its upper half and the number in its lower half.
+pub(super) fn sort_by_leaf<const D: usize>(
+    tree: &Tree,
+    points: &[f64],
+    keys: &mut Vec<u64>,
+) -> AllocResult<()> {
+    keys.clear();
+    make_room(keys, points.len() / D)?;
+    let leaf = |at: usize| tree.leaf(coordinates::<D>(points, at));
+    keys.extend((0..points.len() / D).map(|at| (leaf(at) as u64) << 32 | at as u64));
+    keys.sort_unstable();
+    Ok(())
+}

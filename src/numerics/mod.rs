@@ -35,6 +35,7 @@ pub(crate) mod testing;
 mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
+pub(crate) use exact::{Column, Edges};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub use lengths::{distance, norm, shortest_distance};

@@ -47,6 +47,8 @@ pub(crate) enum Column {
     Component(usize),
     /// The edges' squared lengths.
     Square,
+    /// One in every row.
+    Ones,
 }
 
 /// `mantissa * 2^(63 limbs + shift)` with `shift` < 63.
@@ -172,6 +174,7 @@ impl<const D: usize> Edges<D> {
         let entries = columns.iter().map(|column| match column {
             Column::Component(_) => self.bits,
             Column::Square => 2 * self.bits + bits_of(D),
+            Column::Ones => 0,
         });
         let smallest = if columns.len() > self.count { entries.clone().min() } else { None };
         entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
@@ -192,6 +195,7 @@ impl<const D: usize> Edges<D> {
                 let residue = match *column {
                     Column::Component(k) => edge[k],
                     Column::Square => field.sum_of_products(edge.into_iter().zip(edge)),
+                    Column::Ones => 1,
                 };
                 *entry = [residue, field.subtract(0, residue)];
             }

@@ -23,7 +23,7 @@ mod wide;
 
 use super::power::scale_by_power;
 use super::{MAX_SIZE, Sign};
-use edges::{Column, Edges};
+pub(crate) use edges::{Column, Edges};
 use wide::Rows;
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, in integers.

@@ -207,7 +207,7 @@ fn off_refuses_damaged_files() {
             (
                 b"OFF\n1 1 0\n1 2 3\n3 0 0\n",
                 Broken,
-                "line 4: the face ends before its last 1 corners",
+                "line 4: the face ends before its last 1 vertices",
             ),
             (
                 b"OFF\n1 1 0\n1 2 3\n18446744073709551615 0\n",

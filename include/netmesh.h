@@ -612,11 +612,6 @@ typedef int32_t nm_violation;
 #endif // __cplusplus
 
 /**
- * The extent of a vertex's Voronoi cell.
- */
-typedef struct Cell Cell;
-
-/**
  * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
  * nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time from
  * any threads; nm_run needs the handle for itself, which is checked: the call that comes too early

@@ -70,6 +70,7 @@ const STANDARD: &[&str] = &[
     "retain",
     "rev",
     "reverse",
+    "scan",
     "skip",
     "sort",
     "split",

@@ -53,6 +53,7 @@ const STANDARD: &[&str] = &[
     "kind",
     "last",
     "len",
+    "lock",
     "map",
     "max",
     "min",

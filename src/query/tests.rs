@@ -276,23 +276,37 @@ fn weights<const D: usize>(
     out
 }
 
-/// In the middle part of a lattice's cell the new cell is cut from the unit cells round it.
+/// The weights at `q` of the lattice's points `sites`.
+fn lattice_weights<const D: usize>(
+    how: Interpolation,
+    q: [f64; D],
+    sites: &[[f64; D]],
+) -> Vec<f64> {
+    let points = lattice::<D>(6);
+    let mesh = meshed(&points, &delaunay()).unwrap();
+    let vertex = |site: &[f64; D]| points.iter().position(|p| p == site).unwrap();
+    let weight = |site| weights(mesh.triangulation().unwrap(), how, &[q], vertex(site))[0];
+    sites.iter().map(weight).collect()
+}
+
+/// Where the cells are unit cubes, volumes and facets are known.
 #[test]
 fn weights_of_natural_neighbours_are_known_in_a_lattice() {
-    let points = lattice::<2>(6);
-    let mesh = meshed(&points, &delaunay()).unwrap();
-    let mesh = mesh.triangulation().unwrap();
-    let vertex = points.iter().position(|p| *p == [2.0, 2.0]).unwrap();
-    // On an edge's middle: the cell between two sites, with tips beyond where four cells meet.
-    let queries = [[2.5, 2.5], [2.5, 2.0]];
-    for how in [Interpolation::Sibson, Interpolation::Laplace] {
-        let found = weights(mesh, how, &queries, vertex);
-        assert!((found[0] - 0.25).abs() < 1e-14, "{found:?}");
-    }
-    // The new cell is |x - 2.5| <= 1/4 where |y - 2| <= 3/8 or so; neighbours above and below share
-    // the rest: compared with the area by counting below.
-    let sibson = weights(mesh, Interpolation::Sibson, &queries[1..], vertex)[0];
-    assert!((sibson - counted_weight(&points, &queries[1], vertex)).abs() < 5e-3, "{sibson}");
+    use Interpolation::{Laplace, Sibson};
+    let check = |found: Vec<f64>, expected: &[f64]| {
+        let close = found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-13);
+        assert!(close, "{found:?} {expected:?}");
+    };
+    check(lattice_weights(Sibson, [2.5, 2.5], &[[2.0, 2.0]]), &[0.25]);
+    check(lattice_weights(Laplace, [2.5, 2.5], &[[3.0, 2.0]]), &[0.25]);
+    // With t = x - 9/4 the left half of the new cell is |y - 2| <= (1 + t) / 2 for 0 <= t <= 1/4.
+    let sites = [[2.0, 2.0], [3.0, 2.0], [2.0, 3.0], [3.0, 1.0]];
+    let share = 1.0 / 36.0;
+    check(lattice_weights(Sibson, [2.5, 2.0], &sites), &[16.0 * share, 16.0 * share, share, share]);
+    check(lattice_weights(Laplace, [2.5, 2.0], &sites), &[0.4, 0.4, 0.05, 0.05]);
+    // And in space |z - 2| <= (1 + t) / 2 and |y - 2| + |z - 2| <= 1 + t / 2: 121/192 in all.
+    let sites = [[2.0, 2.0, 2.0], [3.0, 2.0, 2.0]];
+    check(lattice_weights(Sibson, [2.5, 2.0, 2.0], &sites), &[48.0 / 121.0, 48.0 / 121.0]);
 }
 
 /// Sibson's weight by counting which cells points nearest to `q` were in.

@@ -118,7 +118,7 @@ void reading(const Files& files) {
     EXPECT(read_status("\xff\xfe.xyz"), NM_INVALID_ARGUMENT, "path_utf8");
     EXPECT(read_status(files.path("missing.xyz"), static_cast<nm_format>(77)), NM_INVALID_ARGUMENT, "77");
     EXPECT(read_status(files.path("missing.vtu")), NM_INVALID_ARGUMENT, "VTU");
-    EXPECT(read_status(files.path("missing.voronoi.json")), NM_INVALID_ARGUMENT, "VoronoiJson");
+    EXPECT(read_status(files.path("missing.voronoi.json")), NM_INVALID_ARGUMENT, "the Voronoi diagram");
     EXPECT(read_status(files.path("missing.npy")), NM_IO, "missing.npy");
 
     CHECK_STATUS(read_status(files.write("good.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n")), NM_OK);
@@ -151,13 +151,13 @@ void writing(const Files& files) {
     EXPECT(nm_export(mesh.get(), files.path("no/such/place.vtu").c_str(), NM_FORMAT_AUTO), NM_IO, "place.vtu");
     const MeshHandle four = create(generate("uniform", 4, 20));
     for (const nm_format low : {NM_FORMAT_VTU, NM_FORMAT_GMSH, NM_FORMAT_MEDIT, NM_FORMAT_PLY}) {
-        EXPECT(nm_export(four.get(), files.path("four").c_str(), low), NM_INVALID_ARGUMENT, "format", "nOFF");
+        EXPECT(nm_export(four.get(), files.path("four").c_str(), low), NM_INVALID_ARGUMENT, "holds meshes of dimension 2 and 3", "nOFF");
     }
     CHECK(!Files::exists(files.path("four")));
 
     const nm_write_fn stop = [](const void*, std::size_t, void*) -> std::int32_t { return 42; };
     EXPECT(nm_export_write(mesh.get(), NM_FORMAT_OFF, nullptr, nullptr), NM_NULL_ARGUMENT, "write");
-    EXPECT(nm_export_write(mesh.get(), NM_FORMAT_AUTO, stop, nullptr), NM_INVALID_ARGUMENT, "AUTO");
+    EXPECT(nm_export_write(mesh.get(), NM_FORMAT_AUTO, stop, nullptr), NM_INVALID_ARGUMENT, "name a format");
     EXPECT(nm_export_write(mesh.get(), NM_FORMAT_OFF, stop, nullptr), NM_IO, "42");
 }
 

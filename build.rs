@@ -1,6 +1,6 @@
-//! Keeps the header's version the package's, and names the shared library by its ABI: a program that
-//! was linked with one ABI version never starts with another. Other systems than those with ELF
-//! libraries get no name from here.
+//! Keeps the header's version the package's, and names the shared library by its ABI: a program
+//! that was linked with one ABI version never starts with another. Other systems than those with
+//! ELF libraries get no name from here.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -23,9 +23,9 @@ fn main() {
     }
 }
 
-/// A link `name` beside the library in cargo's directories: a program that was linked there asks for
-/// `name` when it starts. Where cargo's directories are laid out otherwise, or links cannot be made, the
-/// library stands without it: docs/install.md says what to do then.
+/// A link `name` beside the library in cargo's directories: a program that was linked there asks
+/// for `name` when it starts. Where cargo's directories are laid out otherwise, or links cannot be
+/// made, the library stands without it: docs/install.md says what to do then.
 fn link_by_abi(name: &str) {
     let out = PathBuf::from(variable("OUT_DIR"));
     // <profile>/build/<package>/out

@@ -1,5 +1,5 @@
-//! What a caller may ask of a run. Zero means "the default for the dimension"; [`crate::parameters`]
-//! resolves, documents the ranges and refuses what lies outside them.
+//! What a caller may ask of a run. Zero means "the default for the dimension";
+//! [`crate::parameters`] resolves, documents the ranges and refuses what lies outside them.
 
 /// What the run leaves behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,5 +1,5 @@
-//! The meshing parameters (§4, end): defaults per dimension, and the ranges that are accepted. Plain data
-//! that a result keeps; what the algorithm derives from them is its own affair.
+//! The meshing parameters (§4, end): defaults per dimension, and the ranges that are accepted.
+//! Plain data that a result keeps; what the algorithm derives from them is its own affair.
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
@@ -46,7 +46,8 @@ impl Parameters {
                 (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [1.1, 1.25, 1.75, 2.25]), 50.0)
             }
         };
-        // At 1.0 the corner of a D-ball that has inputs always yields, to inputs that are not medial.
+        // At 1.0 the corner of a D-ball that has inputs always yields, to inputs that are not
+        // medial.
         let yield_radius = match options.algorithm {
             Algorithm::Svr => pick(dim, [0.6, 0.9, 0.9, 0.9]),
             _ => 1.0,

@@ -39,9 +39,9 @@ fn library(link: Link) -> PathBuf {
     profile_directory.join(name)
 }
 
-/// Compiles `source` against the library, with nothing beside it but what cargo has left there: the name
-/// that a program asks for when it starts is a link that build.rs makes. `None` where that cannot be
-/// done here.
+/// Compiles `source` against the library, with nothing beside it but what cargo has left there: the
+/// name that a program asks for when it starts is a link that build.rs makes. `None` where that
+/// cannot be done here.
 fn program(language: Language, source: &str, link: Link) -> Option<PathBuf> {
     if !cfg!(unix) {
         skip("the link line is a Unix one; cpp_tests links on other systems");

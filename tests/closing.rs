@@ -1,5 +1,5 @@
-//! Definition 4 as it stands: after a run every cell keeps its bound over all its corners, beside cages
-//! and at the root too, and where the criterion is radius-edge every simplex does.
+//! Definition 4 as it stands: after a run every cell keeps its bound over all its corners, beside
+//! cages and at the root too, and where the criterion is radius-edge every simplex does.
 
 use netmesh::quality::measure;
 use netmesh::validate::validate;
@@ -141,8 +141,9 @@ fn every_simplex_of_a_finished_mesh_keeps_its_radius_edge_ratio() {
 }
 
 /// A cage sphere inside the ball that inputs may be in: cells in inner domains answer only for the
-/// corners well inside; the union cells of the root's children close all the same. The corner that was
-/// missed belongs to a simplex with an inner input and no vertex of the cage (found by proptest).
+/// corners well inside; the union cells of the root's children close all the same. The corner that
+/// was missed belongs to a simplex with an inner input and no vertex of the cage (found by
+/// proptest).
 #[test]
 fn cages_within_their_inputs() {
     let options = Options { cage_scale: 0.3, epsilon: 0.6, ..Options::default() };

@@ -10,7 +10,8 @@ fn from_bytes(bytes: &[u8], format: Format) -> Result<PointCloud, Error> {
     read(&mut input, format)
 }
 
-/// Damaged files: what follows a beginning, the kind of the error, and the beginning of its message.
+/// Damaged files: what follows a beginning, the kind of the error, and the beginning of its
+/// message.
 type Damaged = (&'static str, ErrorKind, &'static str);
 
 fn assert_refused(format: Format, beginning: &str, table: &[Damaged]) {

@@ -1,5 +1,5 @@
-//! A mesh is a function of its points and options: the same bytes every time, in this process and in
-//! any other. The bytes themselves are nobody's promise; a better algorithm may give others.
+//! A mesh is a function of its points and options: the same bytes every time, in this process and
+//! in any other. The bytes themselves are nobody's promise; a better algorithm may give others.
 
 use netmesh::validate::validate;
 use netmesh::{Algorithm, Inputs, Mesh, NetOrdering, Options, Output, Triangulation};
@@ -86,8 +86,8 @@ fn a_second_run_gives_the_bytes_of_a_first_one() {
     assert_same_bytes(mesh.triangulation().unwrap(), &expected, "after other runs");
 }
 
-/// The deterministic ordering uses no random number: the seed changes nothing, and each round halves
-/// the homes.
+/// The deterministic ordering uses no random number: the seed changes nothing, and each round
+/// halves the homes.
 #[test]
 fn the_deterministic_ordering_has_no_seed() {
     let kinds = [

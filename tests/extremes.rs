@@ -77,8 +77,8 @@ fn subnormal_coordinates() {
     });
 }
 
-/// An input 10.2 units from a centre, which rounds to 10, was taken for one inside the 10 units that its
-/// cage allows (found by the breakers).
+/// An input 10.2 units from a centre, which rounds to 10, was taken for one inside the 10 units
+/// that its cage allows (found by the breakers).
 #[test]
 fn distances_that_round_to_the_limit() {
     let units = [[1, 4, 0, 3], [1, 5, 4, 3], [9, 1, 6, 8]];

@@ -1,5 +1,5 @@
-//! The file formats as a caller meets them: damaged files of points, extensions, and files that cannot
-//! be written. `damaged_meshes.rs` has the formats of other programs' meshes.
+//! The file formats as a caller meets them: damaged files of points, extensions, and files that
+//! cannot be written. `damaged_meshes.rs` has the formats of other programs' meshes.
 
 use crate::directory::Directory;
 use netmesh::ErrorKind::{Dimension, Format as Broken, NonFinite};

@@ -166,8 +166,8 @@ fn the_cpp_header_compiles_alone_and_twice() {
     compiles("hpp-twice", Language::Cpp17, &["#include \"netmesh.hpp\""; 2]);
 }
 
-/// The initialisers set `struct_size` and nothing else, and no compiler has anything to say of them,
-/// in a program whose own symbols are hidden too.
+/// The initialisers set `struct_size` and nothing else, and no compiler has anything to say of
+/// them, in a program whose own symbols are hidden too.
 #[test]
 fn the_initialisers_set_the_size_and_zero_the_rest() {
     let lines = [

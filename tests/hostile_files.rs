@@ -1,4 +1,5 @@
-//! Files that claim much and hold little, or much of nothing: refused within bounded memory and time.
+//! Files that claim much and hold little, or much of nothing: refused within bounded memory and
+//! time.
 
 use netmesh::io::{Format, read, read_points};
 use netmesh::{Error, ErrorKind};

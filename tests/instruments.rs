@@ -179,7 +179,8 @@ fn intersections_are_those_of_all_pairs_of_balls() {
     check_meetings::<4>("plain", &uniform(4, 20), &plain);
 }
 
-/// M_Omega (Definition 3): the vertices whose innermost domain is `omega`, and its children's centres.
+/// M_Omega (Definition 3): the vertices whose innermost domain is `omega`, and its children's
+/// centres.
 fn members(mesh: &Triangulation, omega: u32) -> Vec<u32> {
     let own = (0..mesh.vertex_count() as u32).filter(|&v| mesh.vertex_domains[v as usize] == omega);
     let children = mesh.domains.iter().filter(|domain| domain.parent == omega);

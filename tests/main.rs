@@ -1,6 +1,6 @@
-//! The tests from outside, as one program: every program of its own is linked anew and compiles again
-//! what it uses of the library. `hostile_files.rs` is another one, since it counts what its allocator
-//! is asked for.
+//! The tests from outside, as one program: every program of its own is linked anew and compiles
+//! again what it uses of the library. `hostile_files.rs` is another one, since it counts what its
+//! allocator is asked for.
 
 mod architecture;
 mod c_api;

@@ -1,4 +1,5 @@
-//! The code in the tutorial and in the recipes is that of the examples, which ctest builds and runs.
+//! The code in the tutorial and in the recipes is that of the examples, which ctest builds and
+//! runs.
 //!
 //! A block of code follows a line `<!-- FILE: REGION -->`. In the file the region stands between a
 //! comment `[REGION]` and a comment `[end]`. `NETMESH_WRITE_PAGES=1 cargo test pages` copies the
@@ -175,7 +176,8 @@ fn the_glossary_has_each_word_once_and_in_order() {
     let cells: Vec<Vec<&str>> = rows.map(|line| line.split('|').map(str::trim).collect()).collect();
     assert!(cells.len() > 50, "{} words", cells.len());
     for row in &cells {
-        // Nothing before the first bar and after the last, and between them word, meaning and place.
+        // Nothing before the first bar and after the last, and between them word, meaning and
+        // place.
         assert_eq!(row.len(), 5, "{row:?}");
         assert!(row[1..4].iter().all(|cell| !cell.is_empty()), "{row:?}");
         assert!(row[2].ends_with('.'), "{}: the meaning is a sentence", row[1]);

@@ -34,8 +34,8 @@ fn reports_of(mesh: &mut Mesh, options: &Options) -> (Vec<Progress>, Vec<Instant
     (reports, times)
 }
 
-/// The shares of the run: insertion, in rounds that end with a report each, then FINISHMESH, and then
-/// the last refinement, which begins and ends with one. In between the clock decides.
+/// The shares of the run: insertion, in rounds that end with a report each, then FINISHMESH, and
+/// then the last refinement, which begins and ends with one. In between the clock decides.
 #[test]
 fn progress_grows_with_the_inputs_and_then_with_the_refinement() {
     let runs = [(Output::Hierarchical, 0.6, 0.6), (Output::WellSpaced, 0.3, 0.7)];

@@ -24,7 +24,8 @@ fn radius_edge(quality_bound: f64) -> Options {
     }
 }
 
-/// 2.58 and 2.43. Without what docs/decisions.md has on off-centres and on the order: 2.94 and 2.86.
+/// 2.58 and 2.43. Without what docs/decisions.md has on off-centres and on the order: 2.94 and
+/// 2.86.
 #[test]
 fn cells_of_the_default_aspect() {
     let sizes = [2, 3].map(|dim| vertices_per_input(dim, &Options::default()));

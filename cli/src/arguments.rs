@@ -18,8 +18,8 @@ Examples:
 
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
-/// The number of coordinates in the input is the dimension, 2 to 8. Every number under Meshing has a
-/// default for the dimension; a value out of range is refused, and the message tells the range.
+/// The number of coordinates in the input is the dimension, 2 to 8. Every number under Meshing has
+/// a default for the dimension; a value out of range is refused, and the message tells the range.
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
@@ -27,7 +27,8 @@ pub struct Arguments {
     pub input: PathBuf,
 
     /// Where the mesh goes; the extension names the format. "-" is standard output, with
-    /// --output-format; the summary then goes to standard error. Without it only the summary is made
+    /// --output-format; the summary then goes to standard error. Without it only the summary is
+    /// made
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -35,8 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FORMAT")]
     pub input_format: Option<ReadableFormat>,
 
-    /// Columns of the input that are the coordinates: numbers from 1 (1,2,5), a range (1-3), or names
-    /// of a CSV header (x,y,z). For XYZ, CSV and NumPy files, which often have more columns
+    /// Columns of the input that are the coordinates: numbers from 1 (1,2,5), a range (1-3), or
+    /// names of a CSV header (x,y,z). For XYZ, CSV and NumPy files, which often have more columns
     #[arg(long, value_name = "LIST", value_parser = parse_columns, allow_hyphen_values = true)]
     pub columns: Option<Columns>,
 
@@ -56,18 +57,19 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
-    /// Print nothing but errors. The quality is then not measured (unless --json asks for it), which
-    /// takes longer than the meshing of a large input
+    /// Print nothing but errors. The quality is then not measured (unless --json asks for it),
+    /// which takes longer than the meshing of a large input
     #[arg(short, long)]
     pub quiet: bool,
 
-    /// Print what the run did as well: rounds, touches, cages, points by kind, exact tests, parameters,
-    /// and the constants of the paper's theorems as measured, which takes about as long again
+    /// Print what the run did as well: rounds, touches, cages, points by kind, exact tests,
+    /// parameters, and the constants of the paper's theorems as measured, which takes about as long
+    /// again
     #[arg(long)]
     pub stats: bool,
 
-    /// Write counts, options, quality and statistics as a JSON object; what --stats measures is null
-    /// without it. "-" is standard output, in place of the summary
+    /// Write counts, options, quality and statistics as a JSON object; what --stats measures is
+    /// null without it. "-" is standard output, in place of the summary
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 

@@ -1,5 +1,6 @@
 //! JSON objects, written by hand: names and texts escaped, numbers that read back as the same
-//! doubles. JSON has no infinity: it becomes the text "inf" (-inf, nan), what was not measured null.
+//! doubles. JSON has no infinity: it becomes the text "inf" (-inf, nan), what was not measured
+//! null.
 
 use std::fmt::Write;
 

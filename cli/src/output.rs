@@ -1,4 +1,5 @@
-//! What the mesh and the record go to: whatever can be known before the work is said before the work.
+//! What the mesh and the record go to: whatever can be known before the work is said before the
+//! work.
 
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;

@@ -1,5 +1,5 @@
-//! A buffer before a writer, as `BufWriter`, but it asks for its memory, and what it holds when it is
-//! dropped is gone: a writer that failed is not called again.
+//! A buffer before a writer, as `BufWriter`, but it asks for its memory, and what it holds when it
+//! is dropped is gone: a writer that failed is not called again.
 
 use crate::memory::{AllocResult, with_room};
 use std::io::{Result, Write};

@@ -183,8 +183,8 @@ impl Layout {
     }
 }
 
-/// Points whose coordinates stood column by column, in the order of the file's columns, in the order
-/// of `columns`.
+/// Points whose coordinates stood column by column, in the order of the file's columns, in the
+/// order of `columns`.
 pub(super) fn transposed(cloud: PointCloud, columns: &[u64]) -> Result<PointCloud> {
     let points = cloud.coordinates.len() / cloud.dim;
     let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();

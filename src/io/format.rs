@@ -13,11 +13,12 @@ pub enum Format {
     /// VTK's XML unstructured grid, for ParaView: triangles (z = 0) or tetrahedra as appended raw
     /// little-endian binary. Dimensions 2 and 3; cannot be read.
     ///
-    /// Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or [`crate::NONE`]), `input` (the
-    /// first input that is this vertex, or [`crate::NONE`]), `precision_limited` (0 or 1) and
+    /// Per point: `kind` ([`crate::VertexKind`]), `domain` (index, or [`crate::NONE`]), `input`
+    /// (the first input that is this vertex, or [`crate::NONE`]), `precision_limited` (0 or 1) and
     /// `aspect` (of the Voronoi cell, over all its corners; NaN on the hull, where cells are
-    /// unbounded, and for the vertices of cages). Per cell: `cell_domain` (the innermost domain that
-    /// holds all vertices, or [`crate::NONE`]) and `radius_edge` (circumradius over shortest edge).
+    /// unbounded, and for the vertices of cages). Per cell: `cell_domain` (the innermost domain
+    /// that holds all vertices, or [`crate::NONE`]) and `radius_edge` (circumradius over shortest
+    /// edge).
     Vtu = 1,
     /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
     ///
@@ -29,17 +30,17 @@ pub enum Format {
     /// physical group, `kind` as node data and `domain` (VTU's `cell_domain`, 0 without domains) as
     /// element data. Dimensions 2 and 3.
     ///
-    /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z is
-    /// zero the points are of dimension 2.
+    /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z
+    /// is zero the points are of dimension 2.
     Gmsh = 3,
-    /// Medit's `.mesh`: vertices with [`crate::VertexKind`] as reference, triangles or tetrahedra with
-    /// their domain (as in [`Format::Gmsh`]). Dimensions 2 and 3. Read: the vertices; references are
-    /// checked and dropped, other fields are skipped.
+    /// Medit's `.mesh`: vertices with [`crate::VertexKind`] as reference, triangles or tetrahedra
+    /// with their domain (as in [`Format::Gmsh`]). Dimensions 2 and 3. Read: the vertices;
+    /// references are checked and dropped, other fields are skipped.
     Medit = 4,
     /// In the plane `OFF`, with z = 0 and triangles, which every viewer opens (and which reads back
-    /// as points of dimension 3, the dimension of `OFF`). In dimension d >= 3 `nOFF`: d, the counts,
-    /// the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not polygons, and
-    /// an `OFF` that lists them as such would be read wrongly.
+    /// as points of dimension 3, the dimension of `OFF`). In dimension d >= 3 `nOFF`: d, the
+    /// counts, the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not
+    /// polygons, and an `OFF` that lists them as such would be read wrongly.
     ///
     /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and dropped.
     Off = 5,
@@ -47,20 +48,21 @@ pub enum Format {
     /// and triangles. In the plane these are the mesh (z = 0); in dimension 3 they are the mesh's
     /// boundary, as the format has no tetrahedra. Dimensions 2 and 3.
     ///
-    /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads back
-    /// as points of dimension 3), from text and binary of either byte order; all else is checked as
-    /// far as its size goes and dropped.
+    /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads
+    /// back as points of dimension 3), from text and binary of either byte order; all else is
+    /// checked as far as its size goes and dropped.
     Ply = 6,
     /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
     /// decimal comma would read so). The first point's number of columns is the dimension.
     Xyz = 7,
-    /// Comma-separated points. A first line without any number is a header. Where it names the columns
-    /// `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise `x0`, `x1`
-    /// and so on, as [`crate::io::write()`] names them; otherwise all columns, without a last one
-    /// called `kind`. Other columns may hold anything. Quotes have no meaning but around a name.
+    /// Comma-separated points. A first line without any number is a header. Where it names the
+    /// columns `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise
+    /// `x0`, `x1` and so on, as [`crate::io::write()`] names them; otherwise all columns, without a
+    /// last one called `kind`. Other columns may hold anything. Quotes have no meaning but around a
+    /// name.
     Csv = 8,
-    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order. Read:
-    /// versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order.
+    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order.
+    /// Read: versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order.
     Npy = 9,
     /// The Voronoi diagram of the vertices, dual to the mesh, as JSON (`.voronoi.json`). Any
     /// dimension; cannot be read. `docs/formats.md` has the fields.

@@ -145,8 +145,8 @@ fn read_blocks(lines: &mut Lines<'_>, points: &mut Points) -> Result<()> {
 /// The line before the nodes of an entity.
 struct Block {
     nodes: u64,
-    /// Numbers in a node's line: its coordinates, and as many parameters as the entity has dimensions
-    /// if there are any.
+    /// Numbers in a node's line: its coordinates, and as many parameters as the entity has
+    /// dimensions if there are any.
     columns: usize,
 }
 

@@ -8,9 +8,9 @@ use crate::quality::view::View;
 pub(super) struct Measures {
     /// Simplex -> circumradius over shortest edge; infinite where no double is large enough.
     pub radius_edge: Vec<f64>,
-    /// Vertex -> aspect of its Voronoi cell over all corners; NaN on the hull and for the vertices of
-    /// a cage. Cells of a cage span the empty region around it, so their aspects would take up the
-    /// whole range of a colour map.
+    /// Vertex -> aspect of its Voronoi cell over all corners; NaN on the hull and for the vertices
+    /// of a cage. Cells of a cage span the empty region around it, so their aspects would take up
+    /// the whole range of a colour map.
     pub aspect: Vec<f64>,
 }
 

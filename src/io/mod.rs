@@ -173,7 +173,8 @@ pub fn read_columns(
 /// old file is untouched and nothing is left beside it.
 ///
 /// `TetgenNode` writes two files. `a.node` and `a.ele` both stand for the pair; any other name `b`
-/// is that of the `.node` part and the other is `b.ele`. Both are complete before either is renamed.
+/// is that of the `.node` part and the other is `b.ele`. Both are complete before either is
+/// renamed.
 ///
 /// A symbolic link is followed, a read-only file is refused; a device or a pipe, which cannot be
 /// replaced, is written as by [`write()`].
@@ -200,9 +201,9 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
 
 /// Writes `mesh` to `out`; for `TetgenNode` the `.node` part, then the `.ele` part.
 ///
-/// `Xyz`, `Csv` and `Npy` write the mesh's vertices, before a run the distinct inputs (which are the
-/// first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu` and `VoronoiJson`
-/// measure the mesh first, which takes longer than writing it.
+/// `Xyz`, `Csv` and `Npy` write the mesh's vertices, before a run the distinct inputs (which are
+/// the first vertices of every mesh); `Csv` under the header `x0,x1,..,kind`. `Vtu` and
+/// `VoronoiJson` measure the mesh first, which takes longer than writing it.
 ///
 /// # Errors
 /// - `Io`: `out` fails; it is not called again;

@@ -62,8 +62,8 @@ pub fn finished(dim: usize) -> Mesh {
     run(dim, &scattered(dim), &Options { output: Output::WellSpaced, ..Options::default() })
 }
 
-/// A mesh that a run made, with a cluster a million times smaller than what is around it: the domain
-/// of the cluster is inside the root.
+/// A mesh that a run made, with a cluster a million times smaller than what is around it: the
+/// domain of the cluster is inside the root.
 pub fn nested(dim: usize) -> Mesh {
     let around = scattered(dim);
     let cluster: Vec<f64> = around.iter().map(|x| 0.3 + 1e-6 * x).collect();

@@ -2,7 +2,8 @@
 
 use crate::mesh::{NONE, Triangulation};
 
-/// The innermost domain that holds all `vertices` of a simplex; [`NONE`] where there are no domains.
+/// The innermost domain that holds all `vertices` of a simplex; [`NONE`] where there are no
+/// domains.
 ///
 /// A parent stands before its children, so the later of two domains is not the other's ancestor.
 pub(super) fn domain_of(triangulation: &Triangulation, vertices: &[u32]) -> u32 {
@@ -21,8 +22,8 @@ fn common_ancestor(triangulation: &Triangulation, mut a: u32, mut b: u32) -> u32
     a
 }
 
-/// All simplices with their domains, 0 where there are none: for formats in which a number less than
-/// 2^31 must stand.
+/// All simplices with their domains, 0 where there are none: for formats in which a number less
+/// than 2^31 must stand.
 pub(super) fn simplices(triangulation: &Triangulation) -> impl Iterator<Item = (&[u32], u32)> {
     let domain = |vertices: &[u32]| match domain_of(triangulation, vertices) {
         NONE => 0,

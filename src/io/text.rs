@@ -86,8 +86,8 @@ impl<'a> Lines<'a> {
         Ok(true)
     }
 
-    /// Passes over the empty lines at the front of the input's buffer, some ten times faster than line
-    /// by line: a file may be a gigabyte of nothing else.
+    /// Passes over the empty lines at the front of the input's buffer, some ten times faster than
+    /// line by line: a file may be a gigabyte of nothing else.
     fn skip_empty_lines(&mut self) -> Result<()> {
         loop {
             let buffered = match self.input.fill_buf() {

@@ -258,8 +258,8 @@ mod tests {
         }
     }
 
-    /// ParaView lists the arrays of points and cells together, and some readers take an array without
-    /// a number of components as one of none.
+    /// ParaView lists the arrays of points and cells together, and some readers take an array
+    /// without a number of components as one of none.
     #[test]
     fn arrays_have_names_of_their_own_and_a_number_of_components() {
         let mut file = Vec::new();

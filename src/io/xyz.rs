@@ -35,8 +35,8 @@ fn read_chosen(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
     points.finish()
 }
 
-/// The fields of a line: between commas (and blanks around them), or between blanks where there is no
-/// comma. Two commas have an empty field between them, which is refused later: a number may be
+/// The fields of a line: between commas (and blanks around them), or between blanks where there is
+/// no comma. Two commas have an empty field between them, which is refused later: a number may be
 /// missing there.
 fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
     line.text.split(',').flat_map(|part| {
@@ -45,8 +45,9 @@ fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
     })
 }
 
-/// Refuses numbers that are separated by blanks in one place and by a comma in another: `0,5 1,5` is
-/// how half of the world writes one point in the plane, and must not become one in four dimensions.
+/// Refuses numbers that are separated by blanks in one place and by a comma in another: `0,5 1,5`
+/// is how half of the world writes one point in the plane, and must not become one in four
+/// dimensions.
 fn refuse_decimal_commas(line: &Line<'_>) -> Result<()> {
     let mut column = 0;
     let mut parts = line.text.split(',').peekable();

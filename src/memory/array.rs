@@ -184,12 +184,12 @@ impl<T: Copy> Array<T> {
 
     /// Appends `value` if it is wanted, without a branch. There must be room for it in any case.
     ///
-    /// This is the branch-free idiom of the hot loops. A processor guesses which way a branch goes, and a
-    /// wrong guess costs as much time as some 20 instructions. Whether a simplex is in conflict, a vertex
-    /// is new or a neighbor is nearer cannot be guessed. So the loops do the work of both ways and the
-    /// condition only selects a value: here the value is always written, and the length grows by one or
-    /// by zero. That pays where the condition is unpredictable and the work is a few instructions; a
-    /// branch that nearly always goes the same way is cheaper.
+    /// This is the branch-free idiom of the hot loops. A processor guesses which way a branch goes,
+    /// and a wrong guess costs as much time as some 20 instructions. Whether a simplex is in
+    /// conflict, a vertex is new or a neighbor is nearer cannot be guessed. So the loops do the
+    /// work of both ways and the condition only selects a value: here the value is always written,
+    /// and the length grows by one or by zero. That pays where the condition is unpredictable and
+    /// the work is a few instructions; a branch that nearly always goes the same way is cheaper.
     #[inline(always)]
     pub fn push_if(&mut self, is_wanted: bool, value: T) {
         assert!(self.length < self.capacity, "room is made before");

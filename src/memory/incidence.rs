@@ -1,5 +1,5 @@
-//! Lists of ids per id, in one array, by a counting sort: the simplices of each vertex, the children of
-//! each domain.
+//! Lists of ids per id, in one array, by a counting sort: the simplices of each vertex, the
+//! children of each domain.
 
 use super::{AllocResult, filled};
 
@@ -11,9 +11,9 @@ pub struct Incidence {
 }
 
 impl Incidence {
-    /// From pairs (owner, member). `pairs` is called twice and must give the same pairs in the same order.
-    /// Pairs whose owner is not below `count` are left out. Members stand in the order of the pairs.
-    /// O(`count` + pairs).
+    /// From pairs (owner, member). `pairs` is called twice and must give the same pairs in the same
+    /// order. Pairs whose owner is not below `count` are left out. Members stand in the order of
+    /// the pairs. O(`count` + pairs).
     pub fn new<I: Iterator<Item = (u32, u32)>>(
         count: usize,
         pairs: impl Fn() -> I,

@@ -48,8 +48,9 @@ mod system {
         let begin = memory.as_mut_ptr().cast::<u8>();
         let skipped = begin.align_offset(page);
         let length = size_of_val(memory).saturating_sub(skipped) / page * page;
-        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be anything:
-        // they stay mapped, and hold zeros afterwards, or what they held if the system refuses.
+        // SAFETY: these are whole pages of `memory`, which nobody else sees and whose values may be
+        // anything: they stay mapped, and hold zeros afterwards, or what they held if the system
+        // refuses.
         unsafe { madvise(begin.wrapping_add(skipped).cast(), length, MADV_DONTNEED) };
     }
 }

@@ -78,7 +78,8 @@ impl<const D: usize> Basis<D> {
         false
     }
 
-    /// Whether the points are affinely independent on the first columns, of which there is one less.
+    /// Whether the points are affinely independent on the first columns, of which there is one
+    /// less.
     fn minor_is_nonzero(&self) -> bool {
         match self.size - 1 {
             1 => self.points[0][self.columns[0]] != self.points[1][self.columns[0]],

@@ -30,8 +30,8 @@ pub(super) trait Matrix {
     fn minor(&self, sum: Self::Sum) -> Self::Minor;
 }
 
-/// Sets `minors[s]`, for each set s of places from the empty one to the one before `end`, to the minor
-/// of the first |s| lines and the places in s. The bits of a number are the set's members.
+/// Sets `minors[s]`, for each set s of places from the empty one to the one before `end`, to the
+/// minor of the first |s| lines and the places in s. The bits of a number are the set's members.
 ///
 /// ```text
 ///   places   0 1 2 3        s = {0, 2, 3} = 0b1101

@@ -17,9 +17,9 @@
 //!   lengths   distances at every scale, for callers and for filters
 //! ```
 //!
-//! What more than one group needs stands beside them: `sign`, `power` (scaling without rounding) and
-//! `laplace` (the expansion of a determinant over any ring). A group uses another one only through its
-//! front page, and `exact` uses no other group.
+//! What more than one group needs stands beside them: `sign`, `power` (scaling without rounding)
+//! and `laplace` (the expansion of a determinant over any ring). A group uses another one only
+//! through its front page, and `exact` uses no other group.
 
 mod affine;
 mod exact;

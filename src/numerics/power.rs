@@ -48,8 +48,8 @@ pub(super) fn decompose(value: f64) -> (i64, i32) {
     (if value < 0.0 { -odd } else { odd }, exponent)
 }
 
-/// The exponent of the largest power of two that divides all coordinates, and the least span such that they
-/// are smaller than 2^(unit + span); `None` if all are zero.
+/// The exponent of the largest power of two that divides all coordinates, and the least span such
+/// that they are smaller than 2^(unit + span); `None` if all are zero.
 pub(super) fn unit_and_span<'a>(
     coordinates: impl Iterator<Item = &'a f64>,
 ) -> Option<(i32, usize)> {

@@ -4,8 +4,8 @@ use super::corner::normals;
 use super::view::View;
 use crate::memory::AllocResult;
 
-/// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half, which
-/// grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
+/// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half,
+/// which grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
 pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
     let Some(normals) = normals(points)? else {
         return Ok(0.0);
@@ -31,8 +31,8 @@ fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
     vector.map(|x| x / norm)
 }
 
-/// For the angle between two facets with these inward unit normals: it is pi minus that of the normals,
-/// and the tangent of its half is accurate at both ends.
+/// For the angle between two facets with these inward unit normals: it is pi minus that of the
+/// normals, and the tangent of its half is accurate at both ends.
 fn squared_tangent_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     let square = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>();
     square(1.0) / square(-1.0)

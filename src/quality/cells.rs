@@ -1,5 +1,6 @@
 //! Voronoi cells of vertices and of cages (§3, §4): in-radii, and out-radii restricted to the
-//! corners that count for a cell. One pass over the simplices; shared by the measures and the certificate.
+//! corners that count for a cell. One pass over the simplices; shared by the measures and the
+//! certificate.
 
 use super::corner::Corner;
 use super::length::Length;
@@ -210,8 +211,8 @@ fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Leng
 }
 
 /// The fraction of the radius of a domain's cage sphere within which corners count. The cage is a
-/// delta-net of its sphere, whose hull holds the ball of 1 - delta^2 / 2; what is beyond belongs to the
-/// union cell of the cage.
+/// delta-net of its sphere, whose hull holds the ball of 1 - delta^2 / 2; what is beyond belongs to
+/// the union cell of the cage.
 fn corner_restriction(parameters: &Parameters) -> f64 {
     const LARGEST: f64 = 0.85;
     LARGEST.min(1.0 - 0.5 * parameters.delta * parameters.delta)

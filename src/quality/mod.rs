@@ -21,13 +21,13 @@ use view::View;
 /// The quality of a mesh.
 ///
 /// The aspect of a Voronoi cell is its out-radius (distance to the farthest corner) over its
-/// in-radius (half the distance to the nearest vertex); it is at least 1. The cells of a hierarchical
-/// mesh are those of Definition 4: of the vertices that are in no living cage, and the union cells of
-/// the cages. While the mesh grows, corners count in a domain of radius r only within
-/// `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of its centre; `worst_aspect` and its like say what that
-/// leaves, the figures "anywhere" are over all corners. Without domains (plain Delaunay) every corner
-/// counts. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles and for
-/// flat simplices.
+/// in-radius (half the distance to the nearest vertex); it is at least 1. The cells of a
+/// hierarchical mesh are those of Definition 4: of the vertices that are in no living cage, and the
+/// union cells of the cages. While the mesh grows, corners count in a domain of radius r only
+/// within `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of its centre; `worst_aspect` and its like
+/// say what that leaves, the figures "anywhere" are over all corners. Without domains (plain
+/// Delaunay) every corner counts. A figure over no cells at all is 0. Infinity stands for ratios
+/// beyond the doubles and for flat simplices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Quality {
     /// Largest number of Delaunay neighbours of a vertex.
@@ -35,8 +35,8 @@ pub struct Quality {
     /// Worst Voronoi aspect of the vertices that are neither in a living cage, on the hull, nor
     /// precision-limited, over the corners that count in the vertex's domain.
     pub worst_aspect: f64,
-    /// Worst aspect of all cells off the hull, vertices' and cages', precision-limited ones too, over
-    /// all corners. What tau bounds, but for precision-limited cells.
+    /// Worst aspect of all cells off the hull, vertices' and cages', precision-limited ones too,
+    /// over all corners. What tau bounds, but for precision-limited cells.
     pub worst_aspect_anywhere: f64,
     /// Mean of the aspects of which `worst_aspect` is the largest.
     pub mean_aspect: f64,

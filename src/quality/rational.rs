@@ -16,8 +16,8 @@ pub(crate) fn circumcenter<const D: usize>(
     Ok(solution.map(|(solution, unit)| quotient(&solution, 0, unit - 1)))
 }
 
-/// The gradients of the barycentric coordinates of the vertices other than that at `base`, then that of
-/// the base, their negated sum; `None` if the simplex is flat.
+/// The gradients of the barycentric coordinates of the vertices other than that at `base`, then
+/// that of the base, their negated sum; `None` if the simplex is flat.
 pub(crate) fn gradients<const D: usize>(
     points: &[&[f64; D]],
     base: usize,

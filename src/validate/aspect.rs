@@ -65,9 +65,9 @@ fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
             || cell.counts && vertices.iter().all(|&v| view.mesh.cage_of[v as usize] == NONE))
 }
 
-/// Whether the bound is promised over all corners of a domain's cells, not only over those within the
-/// corner restriction: its cage must surround its inputs, which are within epsilon of its radius. The
-/// root's cage always does.
+/// Whether the bound is promised over all corners of a domain's cells, not only over those within
+/// the corner restriction: its cage must surround its inputs, which are within epsilon of its
+/// radius. The root's cage always does.
 fn counts_all_corners<const D: usize>(view: View<'_, D>, domain: u32) -> bool {
     let parameters = &view.mesh.parameters;
     domain == 0 || parameters.epsilon <= SURROUNDED * parameters.cage_scale

@@ -11,13 +11,13 @@
 //!   (Definition 4), precision-limited ones apart.
 //!
 //! Quality conventions at level 3: Definition 4 holds over all corners in a domain whose cage
-//! surrounds its inputs: the root, and every domain if `epsilon <= 0.8 cage_scale`. In others a cell
-//! counts the corners within `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of the domain's centre. The union cell of a cage counts as cells of its parent do;
-//! [`crate::quality`] has the measures. A vertex marked as precision-limited is exempt, and so is a
-//! cage whose centre or one of whose vertices is. With the criterion `RadiusEdge` the bound holds
-//! for each simplex without an exempt vertex whose vertices are all of one such domain; otherwise for
-//! each whose vertices are in no cage and whose corner counts in the domain of each; union cells are
-//! not bounded then.
+//! surrounds its inputs: the root, and every domain if `epsilon <= 0.8 cage_scale`. In others a
+//! cell counts the corners within `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of the domain's
+//! centre. The union cell of a cage counts as cells of its parent do; [`crate::quality`] has the
+//! measures. A vertex marked as precision-limited is exempt, and so is a cage whose centre or one
+//! of whose vertices is. With the criterion `RadiusEdge` the bound holds for each simplex without
+//! an exempt vertex whose vertices are all of one such domain; otherwise for each whose vertices
+//! are in no cage and whose corner counts in the domain of each; union cells are not bounded then.
 
 mod arrays;
 mod aspect;

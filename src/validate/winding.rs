@@ -1,6 +1,7 @@
-//! Level 2: the exact winding of the simplices round every face of codimension two. It certifies that the mesh covers its
-//! convex hull once, which sums of volumes cannot: for a coherently oriented complex, simplices
-//! and a fan over the hull add up to the same volume whatever it covers twice.
+//! Level 2: the exact winding of the simplices round every face of codimension two. It certifies
+//! that the mesh covers its convex hull once, which sums of volumes cannot: for a coherently
+//! oriented complex, simplices and a fan over the hull add up to the same volume whatever it covers
+//! twice.
 //!
 //! Round an interior face the simplices must turn once. Then the ball maps to space as a local
 //! homeomorphism: it cannot branch at faces of codimension two, and spheres of dimension two and

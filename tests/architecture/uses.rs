@@ -1,6 +1,6 @@
-//! Which top-level module of a crate uses which, read from its parsed sources, tests apart: by paths from
-//! the root and past it by `super`, by names that the root or another module re-exports, and by calls of
-//! methods that another module alone defines.
+//! Which top-level module of a crate uses which, read from its parsed sources, tests apart: by
+//! paths from the root and past it by `super`, by names that the root or another module re-exports,
+//! and by calls of methods that another module alone defines.
 
 use std::collections::{BTreeMap, BTreeSet};
 use syn::punctuated::Punctuated;
@@ -9,8 +9,8 @@ use syn::{Attribute, Expr, Item, Meta, Token, UseTree};
 
 pub type Layers = BTreeMap<String, BTreeSet<String>>;
 
-/// Methods of the standard library's types whose names the crate uses for its own too. A call of one of
-/// these says nothing of a module.
+/// Methods of the standard library's types whose names the crate uses for its own too. A call of
+/// one of these says nothing of a module.
 const STANDARD: &[&str] = &[
     "abs",
     "add",
@@ -174,7 +174,8 @@ pub fn uses(sources: &[Source]) -> Layers {
         let used = uses.entry(module.clone()).or_default();
         let known: BTreeSet<&String> = used.iter().chain([&module]).collect();
         let foreign = called.iter().filter_map(|method| definitions.methods.get(method));
-        // A method of that name in a module that is used anyway is taken for the one that is called.
+        // A method of that name in a module that is used anyway is taken for the one that is
+        // called.
         let foreign = foreign.filter(|owners| !owners.iter().any(|owner| known.contains(owner)));
         let foreign: BTreeSet<String> = foreign.flatten().cloned().collect();
         used.extend(foreign);
@@ -247,8 +248,8 @@ impl Definitions {
         }
     }
 
-    /// The top-level module that a path seen in `modules` leads to; `None` if it does not leave its own
-    /// module for a known one.
+    /// The top-level module that a path seen in `modules` leads to; `None` if it does not leave its
+    /// own module for a known one.
     fn owner(&self, modules: &[String], path: &[String]) -> Option<String> {
         let rest = from_root(modules, path)?;
         let name = rest.first()?;

@@ -72,7 +72,8 @@ mod tests {
     use netmesh::{Options, quality};
     use std::time::Duration;
 
-    /// Twice the edges over the vertices, by Euler's formula, and the largest as the library has it.
+    /// Twice the edges over the vertices, by Euler's formula, and the largest as the library has
+    /// it.
     #[test]
     fn degrees_are_those_of_the_edges() {
         let points = inputs::uniform(2, 300, 1);

@@ -58,8 +58,8 @@ pub fn gaussian(dim: usize, n: usize, seed: u64) -> Points {
     filled(dim, n, |_| (0..dim).map(|_| random.gaussian()).collect())
 }
 
-/// Normal distributions of 100 points about uniform centres, in turn. Their deviation is 2^-6 of the
-/// centres' typical distance: larger n is more of the same.
+/// Normal distributions of 100 points about uniform centres, in turn. Their deviation is 2^-6 of
+/// the centres' typical distance: larger n is more of the same.
 pub fn gaussian_clusters(dim: usize, n: usize, seed: u64) -> Points {
     const POINTS: usize = 100;
     let clusters = n.div_ceil(POINTS);

@@ -1,5 +1,5 @@
-//! The paper's theorems as measured curves, against SVR, the algorithm that it beats, and against the
-//! meshers that people use. `run.sh` builds what this needs and calls it.
+//! The paper's theorems as measured curves, against SVR, the algorithm that it beats, and against
+//! the meshers that people use. `run.sh` builds what this needs and calls it.
 
 mod arguments;
 mod degrees;
@@ -129,8 +129,8 @@ fn write(arguments: &Arguments, report: &Report) -> std::io::Result<()> {
     std::fs::write(document, sections.document(&introduction(arguments.scale), &names))
 }
 
-/// The path from the document to the folder of tables and plots, which is the document's own folder or
-/// one beside it.
+/// The path from the document to the folder of tables and plots, which is the document's own folder
+/// or one beside it.
 fn link(output: &Path, document: &Path) -> String {
     if document.parent() == Some(output) {
         return ".".into();

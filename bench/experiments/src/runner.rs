@@ -42,8 +42,8 @@ pub fn svr(largest: u64) -> Options {
     Options { algorithm: Algorithm::Svr, max_vertices: largest, ..Options::default() }
 }
 
-/// The least seconds of each variant: other work on the machine can only add to them. The variants take
-/// turns, so that a machine whose speed drifts does not favour one.
+/// The least seconds of each variant: other work on the machine can only add to them. The variants
+/// take turns, so that a machine whose speed drifts does not favour one.
 pub fn least_seconds(turns: usize, variants: &mut [&mut dyn FnMut() -> f64]) -> Vec<f64> {
     let mut seconds = vec![Vec::new(); variants.len()];
     for _ in 0..turns {

@@ -27,8 +27,8 @@ pub struct Figures {
     pub simplices: usize,
     /// Distinct inputs that are not vertices, bit for bit.
     pub lost: usize,
-    /// Largest circumradius over shortest edge of the simplices whose corners are all in the inputs'
-    /// bounding box; 0 if none.
+    /// Largest circumradius over shortest edge of the simplices whose corners are all in the
+    /// inputs' bounding box; 0 if none.
     pub worst_radius_edge: f64,
 }
 

@@ -1,6 +1,6 @@
 //! All experiments on inputs so small that they take seconds: the tables have their headers and
-//! rows, the plots are well-formed, one experiment's section can be replaced alone, and the plots can be
-//! made again from the tables.
+//! rows, the plots are well-formed, one experiment's section can be replaced alone, and the plots
+//! can be made again from the tables.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

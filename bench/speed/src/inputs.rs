@@ -1,6 +1,6 @@
-//! The point sets, each a function of dimension and size alone. Defined as those of the experiments,
-//! and kept apart from them: who improves an experiment must not move a speed. Only the generator of
-//! numbers, which is a published one, serves both.
+//! The point sets, each a function of dimension and size alone. Defined as those of the
+//! experiments, and kept apart from them: who improves an experiment must not move a speed. Only
+//! the generator of numbers, which is a published one, serves both.
 
 use crate::random::Random;
 
@@ -12,13 +12,13 @@ pub enum Distribution {
     /// In the unit cube.
     Uniform,
     Gaussian,
-    /// Normal distributions of 100 points about uniform centres, in turn; their deviation is 2^-6 of
-    /// the centres' typical distance.
+    /// Normal distributions of 100 points about uniform centres, in turn; their deviation is 2^-6
+    /// of the centres' typical distance.
     Clusters,
     /// On the unit sphere.
     Sphere,
-    /// The points with whole coordinates of the smallest cube that has enough of them, row by row: most
-    /// signs are zero, and only exact arithmetic tells.
+    /// The points with whole coordinates of the smallest cube that has enough of them, row by row:
+    /// most signs are zero, and only exact arithmetic tells.
     Lattice,
 }
 

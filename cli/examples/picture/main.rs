@@ -6,10 +6,11 @@
 //! cargo run --release --package netmesh-cli --example picture FILE X Y HALF-WIDTH [X Y HALF-WIDTH] > ...
 //! ```
 //!
-//! The last one shows the mesh of a file's points, a panel for each square window. `scan.svg` was made so of
-//! easting and height, to the millimetre, of the points in PointCloudLibrary/data,
-//! `terrain/samp11-utm.pcd` (BSD licence; from ISPRS' filter test), whose northing is from 5403698 to
-//! 5403699.5, with the windows 512768 354 68 and 512830.1 339 2. The points are not shipped here.
+//! The last one shows the mesh of a file's points, a panel for each square window. `scan.svg` was
+//! made so of easting and height, to the millimetre, of the points in PointCloudLibrary/data,
+//! `terrain/samp11-utm.pcd` (BSD licence; from ISPRS' filter test), whose northing is from 5403698
+//! to 5403699.5, with the windows 512768 354 68 and 512830.1 339 2. The points are not shipped
+//! here.
 
 mod points;
 mod svg;
@@ -23,7 +24,8 @@ use window::Window;
 /// Half of a panel's width relative to the radius of its domain; the cage stands at 0.8.
 const MARGIN: f64 = 0.92;
 
-/// Half of a panel's width relative to the radius of the domain in its middle: from afar, then close.
+/// Half of a panel's width relative to the radius of the domain in its middle: from afar, then
+/// close.
 const CLOSE_UPS: [f64; 2] = [25.0, 1.05];
 
 /// A window, what its caption says, and a spot that the next panel shows.

@@ -61,8 +61,8 @@ pub fn run(bytes: &mut Bytes<'_>, handle: Option<&mut Handle>) {
     }
 }
 
-/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one. One that
-/// has `progress` without `user_data` loses it.
+/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one. One
+/// that has `progress` without `user_data` loses it.
 fn with_limit(struct_size: u32) -> u32 {
     let shortest = offset_of!(nm_options, progress);
     match struct_size as usize {

@@ -1,5 +1,5 @@
-//! Readers that others wrote, on files that this crate wrote. They need `python3` on the search path,
-//! with `meshio`, `vtk`, `gmsh` and `numpy`; where one is missing its tests say so and pass.
+//! Readers that others wrote, on files that this crate wrote. They need `python3` on the search
+//! path, with `meshio`, `vtk`, `gmsh` and `numpy`; where one is missing its tests say so and pass.
 
 mod diagrams;
 mod meshes;

@@ -204,7 +204,8 @@ impl Scalar {
         }
     }
 
-    /// The number in the first `size` of little-endian `bytes`; a double holds each of them exactly.
+    /// The number in the first `size` of little-endian `bytes`; a double holds each of them
+    /// exactly.
     pub fn value(self, bytes: [u8; 8]) -> f64 {
         let [a, b, c, d, ..] = bytes;
         match self {

@@ -106,7 +106,8 @@ mod tests {
         }
     }
 
-    /// A vertex with every type of number beside its coordinates, an element before it and one after.
+    /// A vertex with every type of number beside its coordinates, an element before it and one
+    /// after.
     #[test]
     fn binary_of_both_orders_is_read() {
         let scalars = ["char", "uint8", "int16", "ushort", "int", "uint32", "float32", "double"];

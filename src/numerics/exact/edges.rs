@@ -1,5 +1,6 @@
-//! The edges of a simplex as integers, and exact determinants of matrices made of them, whatever the sizes of
-//! the coordinates. One common power of two scales all of them, which makes them integers and changes no sign.
+//! The edges of a simplex as integers, and exact determinants of matrices made of them, whatever
+//! the sizes of the coordinates. One common power of two scales all of them, which makes them
+//! integers and changes no sign.
 //!
 //! A determinant is computed modulo as many primes as the bound of its magnitude asks for: nothing
 //! is rounded, and no memory grows with the numbers.

@@ -1,5 +1,5 @@
-//! Exact signs and circumcentres in integers of a fixed size, without an allocation. Right for every
-//! finite input; microseconds where the filters need nanoseconds.
+//! Exact signs and circumcentres in integers of a fixed size, without an allocation. Right for
+//! every finite input; microseconds where the filters need nanoseconds.
 //!
 //! ```text
 //!   coordinates span at most 62 bits       any finite coordinates, and all circumcentres
@@ -28,8 +28,9 @@ use wide::Rows;
 
 /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, in integers.
 ///
-/// O(2^D D) products of a number of words, where coordinates span no more than 62 bits together; else (at
-/// most 2100) modulo each of b/63 primes for b bits, `D` times those, and O(b^2) to put them together.
+/// O(2^D D) products of a number of words, where coordinates span no more than 62 bits together;
+/// else (at most 2100) modulo each of b/63 primes for b bits, `D` times those, and O(b^2) to put
+/// them together.
 pub fn orientation_exact<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     debug_assert_eq!(simplex.len(), D + 1);
     let ends = simplex[1..].iter().copied();

@@ -1,8 +1,9 @@
-//! The edges of a simplex as integers of one word, and signs of their determinants in integers of a few
-//! words. That is enough unless the coordinates have very different sizes: those are for `edges`.
+//! The edges of a simplex as integers of one word, and signs of their determinants in integers of a
+//! few words. That is enough unless the coordinates have very different sizes: those are for
+//! `edges`.
 //!
-//! A determinant is computed modulo 2^(64 L). Whatever wraps on the way, it is right in the end if its
-//! magnitude is below 2^(64 L - 1), and L is chosen so.
+//! A determinant is computed modulo 2^(64 L). Whatever wraps on the way, it is right in the end if
+//! its magnitude is below 2^(64 L - 1), and L is chosen so.
 
 use crate::numerics::power::{bits_of, power_of_two, unit_and_span};
 use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
@@ -61,8 +62,8 @@ impl Rows {
         self.sign((self.dim + 2) * self.bits + bits_of(self.dim))
     }
 
-    /// The sign of the determinant. A product of one entry from each column has `product` bits; by the
-    /// Leibniz formula there are n! of them.
+    /// The sign of the determinant. A product of one entry from each column has `product` bits; by
+    /// the Leibniz formula there are n! of them.
     fn sign(&self, product: usize) -> Sign {
         let bits = product + bits_of((1..=self.count).product());
         let words = (bits + 2).div_ceil(64);
@@ -239,7 +240,8 @@ mod tests {
         signs_agree_at_the_limit::<8>(3);
     }
 
-    /// From one bit a coordinate to as many as there may be, so that each number of words has its turn.
+    /// From one bit a coordinate to as many as there may be, so that each number of words has its
+    /// turn.
     fn signs_agree_for_all_sizes<const D: usize>(step: usize) {
         let mut random = Random(30 + D as u64);
         for bits in (1..=53).step_by(step) {
@@ -305,7 +307,8 @@ mod tests {
         assert!(rows_of(&[[0.0; 3]; 4]).is_none(), "no unit");
     }
 
-    /// Products of a long row of factors, in words and as they are, but for what the words do not hold.
+    /// Products of a long row of factors, in words and as they are, but for what the words do not
+    /// hold.
     fn products_wrap<T: Ring>(bits: usize, value_of: impl Fn(T) -> IBig) {
         let mut random = Random(bits as u64);
         let modulus = IBig::ONE << bits;

@@ -12,18 +12,18 @@ use std::ops::RangeInclusive;
 #[cfg(test)]
 mod tests;
 
-/// The circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power of
-/// two, so that it is as accurate for tiny and huge simplices as for others. It takes half a cache line
-/// in space.
+/// The circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power
+/// of two, so that it is as accurate for tiny and huge simplices as for others. It takes half a
+/// cache line in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
     /// (circumcentre - anchor point) / unit. If the exponent is not -1, the largest magnitude is in
     /// [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot be used.
     pub center: [f64; D],
-    /// The vertex that `center` is relative to, as its index in the simplex. A caller may put an id of
-    /// its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to each other
-    /// than both are to the anchor: it is an endpoint of the shortest edge in the sum norm, or the simplex
-    /// is not [`FLAT`] at it.
+    /// The vertex that `center` is relative to, as its index in the simplex. A caller may put an id
+    /// of its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to
+    /// each other than both are to the anchor: it is an endpoint of the shortest edge in the sum
+    /// norm, or the simplex is not [`FLAT`] at it.
     pub anchor: u32,
     precision: Precision,
 }
@@ -39,8 +39,8 @@ const PLAIN: i16 = -1;
 /// numbers of single precision.
 const PLAIN_EXPONENTS: RangeInclusive<i32> = -70..=100;
 
-/// The first vertex may be the anchor if the volume that its edges span is at most this many times smaller
-/// than that of a box with such edges. Points near another vertex lose log2 of it in bits.
+/// The first vertex may be the anchor if the volume that its edges span is at most this many times
+/// smaller than that of a box with such edges. Points near another vertex lose log2 of it in bits.
 const FLAT: f64 = 128.0;
 
 /// The same limit for an endpoint of the shortest edge, where only the error grows.
@@ -73,8 +73,8 @@ impl<const D: usize> Circumball<D> {
         Self::by_cramer(&vertex, 0, FLAT).unwrap_or_else(|| Self::with_care(&vertex))
     }
 
-    /// The circumballs of two simplices, in less than twice the time of one. `None` unless both simplices
-    /// have an ordinary size and shape.
+    /// The circumballs of two simplices, in less than twice the time of one. `None` unless both
+    /// simplices have an ordinary size and shape.
     #[inline(always)]
     pub fn ordinary_pair<'a>(
         first: impl Fn(usize) -> &'a [f64; D],
@@ -180,8 +180,8 @@ impl<const D: usize> Circumball<D> {
         Self::scaled(anchor, center, k as i32, error)
     }
 
-    /// The ball with the centre `half` * 2^k, every component known up to `error` * 2^k, for |k| < 1000
-    /// and no component of `half` beyond 2^32.
+    /// The ball with the centre `half` * 2^k, every component known up to `error` * 2^k, for |k| <
+    /// 1000 and no component of `half` beyond 2^32.
     fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64) -> Self {
         let shift = if PLAIN_EXPONENTS.contains(&k) { k } else { 0 };
         let factor = 2.0 * power_of_two(shift);
@@ -197,15 +197,16 @@ impl<const D: usize> Circumball<D> {
         Self { anchor, ..self }
     }
 
-    /// No component of `center` is further from the exact one than this, less D + 5 units of roundoff
-    /// of its length, which pay for [`Self::side`]; infinite if the centre cannot be used.
+    /// No component of `center` is further from the exact one than this, less D + 5 units of
+    /// roundoff of its length, which pay for [`Self::side`]; infinite if the centre cannot be used.
     #[inline]
     pub fn error(&self) -> f64 {
         self.precision.error()
     }
 
     /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
-    /// circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]): `center` is then twice the centre in real units.
+    /// circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]): `center` is then twice the
+    /// centre in real units.
     #[inline]
     pub fn exponent(&self) -> i16 {
         self.precision.exponent()
@@ -259,17 +260,17 @@ impl<const D: usize> Circumball<D> {
     /// The side of w, scaled, where the ball's error is `error`.
     ///
     /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
-    /// error of C makes of it, error |w|_1, the computed p is wrong by at most
-    /// (D + 2)u |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own and
-    /// D - 1 sums, and w is rounded in w - C too. If p <= 0, w is in the ball and both |w| and |w - C|
-    /// are at most |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings
-    /// in the bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
+    /// error of C makes of it, error |w|_1, the computed p is wrong by at most (D + 2)u |w||w - C|
+    /// + u |w|^2: each product carries the roundings of w, of w - C, its own and D - 1 sums, and w
+    /// is rounded in w - C too. If p <= 0, w is in the ball and both |w| and |w - C| are at most
+    /// |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings in the
+    /// bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
     /// than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w - C|^2 = |C|^2 + 2p, so
-    /// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most
-    /// (D + 3)u |w| (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most
-    /// (D + 3)u 3p: less in both cases. TINY pays for underflow. With overflow p or the bound is
-    /// infinite: an infinite p with a finite bound is right, as p is less than the square of a
-    /// length that overflows only far away.
+    /// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most (D + 3)u |w| (|C|
+    /// + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p: less in
+    /// both cases. TINY pays for underflow. With overflow p or the bound is infinite: an infinite p
+    /// with a finite bound is right, as p is less than the square of a length that overflows only
+    /// far away.
     #[inline(always)]
     fn side_of(&self, w: [f64; D], error: f64) -> Option<bool> {
         let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));
@@ -290,8 +291,8 @@ impl<const D: usize> Circumball<D> {
         })
     }
 
-    /// Whether a point is so far from the anchor that its square may have overflowed, which makes it
-    /// an outside point: no usable scaled centre exceeds 2^102.
+    /// Whether a point is so far from the anchor that its square may have overflowed, which makes
+    /// it an outside point: no usable scaled centre exceeds 2^102.
     fn is_far(&self, w: &[f64; D]) -> bool {
         const FAR: f64 = power_of_two(500);
         // Infinite differences of finite points are at least 2^1023: far unless the unit is huge.

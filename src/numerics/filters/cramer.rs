@@ -1,6 +1,6 @@
-//! Twice the circumcentre by Cramer's rule with a bound of its error by Hadamard's inequality: a few
-//! square roots instead of a permanent for each determinant. For edges of everyday lengths, which
-//! need no scaling.
+//! Twice the circumcentre by Cramer's rule with a bound of its error by Hadamard's inequality: a
+//! few square roots instead of a permanent for each determinant. For edges of everyday lengths,
+//! which need no scaling.
 
 use super::f64x2::Real;
 use crate::numerics::power::{UNIT, power_of_two};
@@ -23,9 +23,9 @@ pub(super) struct Center<const D: usize, R = f64> {
     ratio: R,
 }
 
-/// Edges with lengths from 2^-e to 2^e need no scaling, where e is this exponent. [`Center::is_usable`]
-/// lets no length exceed that and no product of them fall below 2^(-D e): each is then at least
-/// 2^-((2 D - 1) e), and its square at least 2^-900.
+/// Edges with lengths from 2^-e to 2^e need no scaling, where e is this exponent.
+/// [`Center::is_usable`] lets no length exceed that and no product of them fall below 2^(-D e):
+/// each is then at least 2^-((2 D - 1) e), and its square at least 2^-900.
 const fn max_exponent(dim: usize) -> i32 {
     450 / (2 * dim as i32 - 1)
 }
@@ -35,12 +35,12 @@ const NUMERATOR: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 8.0, 13.0, 26.0];
 const DETERMINANT: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 5.0, 12.0, 31.0];
 
 impl<const D: usize, R: Real> Center<D, R> {
-    /// Whether lengths are within [`max_exponent`], and the volume that the edges span is at least 1/`flatness`
-    /// (which is at most 2^12) of that of a box with such edges.
+    /// Whether lengths are within [`max_exponent`], and the volume that the edges span is at least
+    /// 1/`flatness` (which is at most 2^12) of that of a box with such edges.
     ///
-    /// The distance of two ends of edges is then at least 1/`flatness` of both their distances to the
-    /// origin, less roundoff: edges i and j span a volume with the others that is at most their difference
-    /// times the length of i times those of the others, and the same for j.
+    /// The distance of two ends of edges is then at least 1/`flatness` of both their distances to
+    /// the origin, less roundoff: edges i and j span a volume with the others that is at most their
+    /// difference times the length of i times those of the others, and the same for j.
     #[inline(always)]
     pub fn is_usable(&self, flatness: f64) -> bool {
         // Infinite squares, and the NaN that they lead to, fail the first comparison.
@@ -50,23 +50,25 @@ impl<const D: usize, R: Real> Center<D, R> {
     }
 }
 
-/// Solves v_i . x = |v_i|^2 for `edges` v_i that are rounded differences of finite points, in dimension
-/// 2 to [`MAX_CRAMER`]. Nothing is known of the result where it is not [usable](Center::is_usable).
+/// Solves v_i . x = |v_i|^2 for `edges` v_i that are rounded differences of finite points, in
+/// dimension 2 to [`MAX_CRAMER`]. Nothing is known of the result where it is not
+/// [usable](Center::is_usable).
 ///
 /// Proof of the bound. Let r be the product of the lengths, d the determinant, u the roundoff. An
 /// edge's component carries 1 rounding, its square length D + 2 (two components, a product, D - 1
-/// sums). A product of the determinant carries 4, 8 or 12 roundings in dimension 2, 3 or 4, one of a
-/// numerator 7, 12 or 17. Each counts in proportion to the sum of the absolute products, a permanent
-/// of absolute values. P(n) = sqrt((n - 1)!) bounds it for n rows of length 1: expanded along a row
-/// it is, by Cauchy's inequality, at most the root of the sum over k of the squared minors without
-/// column k, which are at most P(n - 1)^2 (1 - b_k^2) for any one b of their rows, in sum
-/// (n - 1) P(n - 1)^2. So the determinant is wrong by at most 4, 8 sqrt 2 or 12 sqrt 6 times u r, and
-/// a numerator by 7, 12 or 17 sqrt 2 times u r and the sum of the lengths, which is at most the root of
-/// D times the sum of their squares. d is known to 2^-35, since it is at least r / 2^12, and
-/// (n + a)/(d + b) - n/d = (a - b (n + a)/(d + b))/d bounds the error of a quotient n/d, whose own two
-/// roundings are the 2. The constants are rounded up by more than 3%, which pays for terms of second
-/// order and for the roundings here. What underflows, at most 2^-1075 in a product, has become at
-/// most 2^-700 in the end, where the bound is at least u r times a length, 2^-510. Nothing overflows.
+/// sums). A product of the determinant carries 4, 8 or 12 roundings in dimension 2, 3 or 4, one of
+/// a numerator 7, 12 or 17. Each counts in proportion to the sum of the absolute products, a
+/// permanent of absolute values. P(n) = sqrt((n - 1)!) bounds it for n rows of length 1: expanded
+/// along a row it is, by Cauchy's inequality, at most the root of the sum over k of the squared
+/// minors without column k, which are at most P(n - 1)^2 (1 - b_k^2) for any one b of their rows,
+/// in sum (n - 1) P(n - 1)^2. So the determinant is wrong by at most 4, 8 sqrt 2 or 12 sqrt 6 times
+/// u r, and a numerator by 7, 12 or 17 sqrt 2 times u r and the sum of the lengths, which is at
+/// most the root of D times the sum of their squares. d is known to 2^-35, since it is at least r /
+/// 2^12, and (n + a)/(d + b) - n/d = (a - b (n + a)/(d + b))/d bounds the error of a quotient n/d,
+/// whose own two roundings are the 2. The constants are rounded up by more than 3%, which pays for
+/// terms of second order and for the roundings here. What underflows, at most 2^-1075 in a product,
+/// has become at most 2^-700 in the end, where the bound is at least u r times a length, 2^-510.
+/// Nothing overflows.
 #[inline(always)]
 pub(super) fn circumcenter<const D: usize, R: Real>(edges: &[[R; D]; D]) -> Center<D, R> {
     let squares: [R; D] = std::array::from_fn(|i| square(&edges[i]));
@@ -119,9 +121,9 @@ fn cross<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 3] {
     [r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]]
 }
 
-/// Numerators and the determinant in dimension 4, by Laplace expansion along the first two rows: sums
-/// of minors of these times complementary minors of the other two. Where the right side is a column of
-/// the matrix, the minors with it are the components of `u` and `v`.
+/// Numerators and the determinant in dimension 4, by Laplace expansion along the first two rows:
+/// sums of minors of these times complementary minors of the other two. Where the right side is a
+/// column of the matrix, the minors with it are the components of `u` and `v`.
 #[inline(always)]
 fn in_four<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let [m01, m02, m03, m12, m13, m23] = minors(&a[0], &a[1]);
@@ -236,7 +238,8 @@ mod tests {
             free.map(|k| row[k].abs() * permanent(rest, used | 1 << k)).sum()
         }
         let mut random = Random(8);
-        // n! / n^(n/2) is the most (Carlen, Lieb, Loss 2006), of all ones; the proof allows sqrt((n - 1)!).
+        // n! / n^(n/2) is the most (Carlen, Lieb, Loss 2006), of all ones; the proof allows sqrt((n
+        // - 1)!).
         for (n, most, allowed) in
             [(2, 1.0, 1f64), (3, 6.0 / 27f64.sqrt(), 2f64.sqrt()), (4, 1.5, 6f64.sqrt())]
         {

@@ -1,5 +1,5 @@
-//! Formulas for one double, or for two side by side, which a processor computes in the same time. Both
-//! give the same bits, since every operation is rounded as IEEE 754 says.
+//! Formulas for one double, or for two side by side, which a processor computes in the same time.
+//! Both give the same bits, since every operation is rounded as IEEE 754 says.
 
 use std::ops::{Add, Div, Mul, Sub};
 

@@ -9,9 +9,9 @@ use crate::numerics::{MAX_SIZE, Sign};
 /// through the `D + 1` points of a positively oriented simplex. The sign is reversed for a
 /// negatively oriented simplex; for a flat one it says nothing of a ball.
 ///
-/// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; a point that is nearly on
-/// the sphere costs as many in integers. Where a simplex's [`Circumball`](super::Circumball) is
-/// at hand that is asked first, and then [`in_ball_exact`].
+/// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; a point that is
+/// nearly on the sphere costs as many in integers. Where a simplex's
+/// [`Circumball`](super::Circumball) is at hand that is asked first, and then [`in_ball_exact`].
 pub fn in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     in_ball_filtered(simplex, q).unwrap_or_else(|| in_ball_exact(simplex, q))
 }
@@ -41,7 +41,8 @@ pub fn in_ball_filtered<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> 
         edge.iter_mut().for_each(|x| *x *= scale);
         others[0] = edge.iter().map(|x| x * x).sum();
     }
-    // A difference carries one rounding, a squared length two of each difference and D more. With rows v_i,
+    // A difference carries one rounding, a squared length two of each difference and D more. With
+    // rows v_i,
     // |v_i|^2 and w, |w|^2 the determinant is det(v) (|w|^2 - 2 w.c), c the centre.
     certain_sign(determinant(&rows, D + 1, 2 * D + 2)).map(Sign::flip)
 }
@@ -82,7 +83,8 @@ mod tests {
         the_filter_is_right::<8>(2);
     }
 
-    /// A unit of roundoff beside the sphere: the bound may not claim more than the arithmetic knows.
+    /// A unit of roundoff beside the sphere: the bound may not claim more than the arithmetic
+    /// knows.
     #[test]
     fn points_next_to_the_sphere_are_told_apart_in_integers() {
         let simplex = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[-1.0, 0.0, 0.0]];

@@ -137,8 +137,8 @@ mod tests {
         filter_is_sound::<8>(300);
     }
 
-    /// A determinant of a few units of roundoff and a permanent of 2: undecided below what is allowed
-    /// for roundings, decided above.
+    /// A determinant of a few units of roundoff and a permanent of 2: undecided below what is
+    /// allowed for roundings, decided above.
     #[test]
     fn filters_allow_for_the_counted_roundings() {
         fn check<const D: usize>(allowance: f64) {
@@ -170,8 +170,8 @@ mod tests {
         let vertices =
             [[0.0; 3], [0.0, -0.75 * tiny, 1e300], [0.0, -0.51 * tiny, 0.9e300], [tiny, 0.0, 0.0]];
         agree_in_every_order(&vertices);
-        // The minors are right, but times the third coordinates they are 0.51, 0.51 and -1.3 in units
-        // of 2^-1074 and round to 1, 1 and -1.
+        // The minors are right, but times the third coordinates they are 0.51, 0.51 and -1.3 in
+        // units of 2^-1074 and round to 1, 1 and -1.
         let (a, z) = (2f64.powi(-267), 2f64.powi(-540));
         agree_in_every_order(&[[0.0; 3], [a, 0.0, z], [-a, -1.3 * a, z], [0.0, -0.51 * a, z]]);
     }

@@ -5,10 +5,10 @@ use crate::numerics::power::{TINY, UNIT};
 
 /// Solves `rows * x = right`, where the rows' largest magnitudes are in [1, 2) and `right` is
 /// positive and at most 2 D. All stand for exact numbers, from which the entries differ by at most
-/// one roundoff and those of `right` by D + 3, relatively, beside underflow. Returns x and a bound of
-/// the largest component error against the exact system's solution, which holds if it is at most a
-/// thousandth of the largest component; it is larger, infinite or NaN if the system is too close to
-/// singular.
+/// one roundoff and those of `right` by D + 3, relatively, beside underflow. Returns x and a bound
+/// of the largest component error against the exact system's solution, which holds if it is at most
+/// a thousandth of the largest component; it is larger, infinite or NaN if the system is too close
+/// to singular.
 #[inline]
 pub(super) fn solve<const D: usize>(rows: &[[f64; D]; D], right: &[f64; D]) -> ([f64; D], f64) {
     match D {
@@ -156,7 +156,8 @@ mod tests {
     use crate::numerics::power::scale_by_power;
     use crate::numerics::testing::{Random, determinant_oracle, integer, is_close};
 
-    /// Rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`; right sides at most 2 D.
+    /// Rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`; right sides at most
+    /// 2 D.
     fn system<const D: usize>(depth: i64, random: &mut Random) -> ([[f64; D]; D], [f64; D]) {
         let mut row = || -> [f64; D] { std::array::from_fn(|_| random.unit()) };
         let first = row();
@@ -221,7 +222,8 @@ mod tests {
             error / (UNIT * size)
         }
         for size in [1.0, 1.5] {
-            // 1.01 times what numerators and determinants are wrong by, and the last rounding twice.
+            // 1.01 times what numerators and determinants are wrong by, and the last rounding
+            // twice.
             assert!((units::<2>(size) - (1.01 * (16.0 + 8.0) + 2.0)).abs() < 1e-3);
             assert!((units::<3>(size) - (1.01 * (24.0 + 16.0) + 2.0)).abs() < 1e-3);
             // Twice gamma times |row| |x| + b.

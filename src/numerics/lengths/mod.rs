@@ -1,7 +1,8 @@
 //! Lengths that neither overflow nor underflow on the way, whatever the scale of the coordinates.
 //!
-//! Squares of ordinary lengths are compared as they are. Others are scaled by a power of two first, or
-//! compared as lengths. A measure may enter if it holds its relative error from 2^-1074 to `f64::MAX`.
+//! Squares of ordinary lengths are compared as they are. Others are scaled by a power of two first,
+//! or compared as lengths. A measure may enter if it holds its relative error from 2^-1074 to
+//! `f64::MAX`.
 
 mod norm;
 mod shortest;

@@ -16,8 +16,8 @@ pub fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     norm(&std::array::from_fn::<f64, D, _>(|i| a[i] - b[i]))
 }
 
-/// The Euclidean length of a vector; infinite only if a component is or if the true length, rounded,
-/// exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
+/// The Euclidean length of a vector; infinite only if a component is or if the true length,
+/// rounded, exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
 /// 2^-1074 absolutely where the result is subnormal. Zero iff all components are.
 #[inline]
 pub fn norm(vector: &[f64]) -> f64 {

@@ -6,8 +6,9 @@ use super::distance;
 const SAFE_SQUARE: std::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 900) << 52)..=f64::from_bits((1023 + 900) << 52);
 
-/// Two different points among at least two that are nearest to each other, by their numbers, the larger
-/// one first, and their [`distance`]. Of pairs that rounding makes equal it is one of the first.
+/// Two different points among at least two that are nearest to each other, by their numbers, the
+/// larger one first, and their [`distance`]. Of pairs that rounding makes equal it is one of the
+/// first.
 #[inline]
 pub fn shortest_distance<const D: usize>(points: &[&[f64; D]]) -> (usize, usize, f64) {
     let square = |a: usize, b: usize| {

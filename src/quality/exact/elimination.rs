@@ -1,5 +1,6 @@
-//! Determinants and linear systems of the edges of simplices, in integers: fraction-free elimination
-//! (E. H. Bareiss, "Sylvester's identity and multistep integer-preserving Gaussian elimination", 1968).
+//! Determinants and linear systems of the edges of simplices, in integers: fraction-free
+//! elimination (E. H. Bareiss, "Sylvester's identity and multistep integer-preserving Gaussian
+//! elimination", 1968).
 
 use super::{Integer, Number, Refusal};
 use crate::memory::{AllocResult, TryGrow, with_room};
@@ -159,8 +160,9 @@ impl<N: Number> Matrix<N> {
         &self.entries[row * self.width + column]
     }
 
-    /// Eliminates below the diagonal, or if `fully` above it too; returns the determinant's sign. Each
-    /// entry is a minor at every step, so that the division by the pivot before leaves no remainder.
+    /// Eliminates below the diagonal, or if `fully` above it too; returns the determinant's sign.
+    /// Each entry is a minor at every step, so that the division by the pivot before leaves no
+    /// remainder.
     fn eliminate(&mut self, fully: bool) -> Result<Ordering, Refusal> {
         let mut swapped = false;
         for k in 0..self.height {
@@ -178,8 +180,8 @@ impl<N: Number> Matrix<N> {
                     self.entries[i * self.width + j] = self.reduced(i, j, k)?;
                 }
             }
-            // An entry on the diagonal becomes the pivot, as all of them are in the end; the pivot before,
-            // which divides, comes last.
+            // An entry on the diagonal becomes the pivot, as all of them are in the end; the pivot
+            // before, which divides, comes last.
             for i in 0..if fully { k } else { 0 } {
                 self.entries[i * self.width + i] = self.reduced(i, i, k)?;
             }
@@ -233,8 +235,8 @@ mod tests {
                         Side::Ones => IBig::ONE,
                         Side::Unit(row) => IBig::from(u8::from(row == i)),
                     };
-                    // Edges are in units of 2^-1074 here: so are squares over edges, and 1 over edges in
-                    // the inverse.
+                    // Edges are in units of 2^-1074 here: so are squares over edges, and 1 over
+                    // edges in the inverse.
                     let power = if *side == Side::Square { unit + 1074 } else { -unit - 1074 };
                     for k in 0..D {
                         let mut replaced = rows.clone();

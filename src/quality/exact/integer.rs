@@ -76,8 +76,8 @@ impl Number for Integer {
         Ok(Self::new(self.negative != other.negative, limbs))
     }
 
-    /// From the lowest word, by the inverse of an odd number modulo a power of two (Hensel, Jebelean): for
-    /// that the powers of two in the divisor go first.
+    /// From the lowest word, by the inverse of an odd number modulo a power of two (Hensel,
+    /// Jebelean): for that the powers of two in the divisor go first.
     fn over(&self, divisor: &Self) -> Result<Self, Refusal> {
         if self.limbs.is_empty() {
             return Ok(Self::new(false, Vec::new()));
@@ -98,7 +98,8 @@ impl Number for Integer {
                 *limb = low;
                 borrow = (borrow >> 64) + u128::from(under);
             }
-            // What is borrowed beyond comes back with the next digits: the division has no remainder.
+            // What is borrowed beyond comes back with the next digits: the division has no
+            // remainder.
             for limb in &mut rest[end..] {
                 let (low, under) = limb.overflowing_sub(borrow as u64);
                 *limb = low;

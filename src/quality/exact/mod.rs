@@ -1,6 +1,6 @@
-//! Integers of any size and determinants in them, for the measures and the certificate alone: nothing
-//! that builds comes in here. Fraction-free elimination (Bareiss) in 128 bits where they suffice, else in
-//! as many words as it takes. Memory may be refused.
+//! Integers of any size and determinants in them, for the measures and the certificate alone:
+//! nothing that builds comes in here. Fraction-free elimination (Bareiss) in 128 bits where they
+//! suffice, else in as many words as it takes. Memory may be refused.
 
 mod elimination;
 mod integer;

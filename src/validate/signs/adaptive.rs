@@ -1,17 +1,18 @@
-//! Signs in two and three dimensions from adaptive floating-point expansions (J. R. Shewchuk, "Adaptive
-//! precision floating-point arithmetic and fast robust geometric predicates", 1997), which the package
-//! `robust` has.
+//! Signs in two and three dimensions from adaptive floating-point expansions (J. R. Shewchuk,
+//! "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997),
+//! which the package `robust` has.
 
 use robust::{Coord, Coord3D, incircle, insphere, orient2d, orient3d};
 use std::cmp::Ordering;
 
-/// Coordinates from this magnitude on, and zero, are within the window. The units of such a coordinate's
-/// last place are at least 2^-194, so that every product of five factors is a multiple of 2^-970: no
-/// expansion loses bits below 2^-1074, and an error bound of 2^-52 of such a product is still normal.
+/// Coordinates from this magnitude on, and zero, are within the window. The units of such a
+/// coordinate's last place are at least 2^-194, so that every product of five factors is a multiple
+/// of 2^-970: no expansion loses bits below 2^-1074, and an error bound of 2^-52 of such a product
+/// is still normal.
 const SMALLEST: f64 = f64::from_bits((1023 - 142) << 52);
 
-/// The largest magnitude within the window. The in-sphere determinant is a sum of 72 products of five
-/// differences below 2^202: less than 2^1017, and 2^7 times that is still finite.
+/// The largest magnitude within the window. The in-sphere determinant is a sum of 72 products of
+/// five differences below 2^202: less than 2^1017, and 2^7 times that is still finite.
 const LARGEST: f64 = f64::from_bits((1023 + 201) << 52);
 
 /// Where signs in two and three dimensions come from; `None` where this source has none.
@@ -33,7 +34,8 @@ impl Adaptive for Robust {
             2 => orient2d(planar(simplex[0]), planar(simplex[1]), planar(simplex[2])),
             _ => {
                 let [a, b, c, d] = std::array::from_fn(|i| spatial(simplex[i]));
-                // Positive for a fourth point below the first three, seen from where they turn left.
+                // Positive for a fourth point below the first three, seen from where they turn
+                // left.
                 -orient3d(a, b, c, d)
             }
         }))

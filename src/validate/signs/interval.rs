@@ -1,12 +1,13 @@
-//! Signs of determinants by Gaussian elimination in intervals: they are certain if no pivot may be zero.
+//! Signs of determinants by Gaussian elimination in intervals: they are certain if no pivot may be
+//! zero.
 
 use crate::mesh::MAX_DIM;
 use crate::quality::exact::Lift;
 use crate::quality::length::{exponent_of, scale};
 use std::cmp::Ordering;
 
-/// A real number between two doubles. Each operation widens what rounding to nearest gives by one double
-/// on either side, which covers rounding, underflow and overflow.
+/// A real number between two doubles. Each operation widens what rounding to nearest gives by one
+/// double on either side, which covers rounding, underflow and overflow.
 #[derive(Clone, Copy)]
 struct Interval {
     low: f64,
@@ -71,8 +72,8 @@ impl Interval {
 
 const SIZE: usize = MAX_DIM + 1;
 
-/// The sign of the determinant of the edges from `origin` to `ends`, each with its `lift`; `None` if the
-/// intervals do not tell.
+/// The sign of the determinant of the edges from `origin` to `ends`, each with its `lift`; `None`
+/// if the intervals do not tell.
 pub(super) fn determinant_sign<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
@@ -90,7 +91,8 @@ pub(super) fn determinant_sign<const D: usize>(
         }
     }
     if lift == Lift::Square {
-        // A row in units of its edge has the square in units of that edge too; the column in the longest.
+        // A row in units of its edge has the square in units of that edge too; the column in the
+        // longest.
         let longest = exponents[..ends.len()].iter().copied().max()?;
         for (row, exponent) in rows.iter_mut().zip(&exponents[..ends.len()]) {
             let square = row[..D].iter().fold(Interval::ZERO, |sum, &x| sum.plus(x.times(x)));
@@ -100,7 +102,8 @@ pub(super) fn determinant_sign<const D: usize>(
     eliminate(&mut rows, ends.len())
 }
 
-/// The sign of the determinant of the first `size` rows and columns: that of the product of the pivots.
+/// The sign of the determinant of the first `size` rows and columns: that of the product of the
+/// pivots.
 fn eliminate(rows: &mut [[Interval; SIZE]; SIZE], size: usize) -> Option<Ordering> {
     let mut sign = Ordering::Greater;
     for k in 0..size {

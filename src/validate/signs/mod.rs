@@ -1,6 +1,6 @@
 //! Exact signs of determinants of points, by other methods than the builder's. In two and three
-//! dimensions the adaptive expansions of the package `robust`, where they are exact; else, and from four
-//! dimensions on, elimination in intervals, and in integers where intervals do not decide.
+//! dimensions the adaptive expansions of the package `robust`, where they are exact; else, and from
+//! four dimensions on, elimination in intervals, and in integers where intervals do not decide.
 
 mod adaptive;
 mod interval;
@@ -43,7 +43,8 @@ impl<A: Adaptive> Signs<A> {
         }
         let mut ends = [q; crate::mesh::MAX_DIM + 1];
         ends[..D].copy_from_slice(&simplex[1..]);
-        // With edges v_i to the simplex, w to q and centre c: det(v) (|w|^2 - 2 w.c), positive outside.
+        // With edges v_i to the simplex, w to q and centre c: det(v) (|w|^2 - 2 w.c), positive
+        // outside.
         Ok(self.determinant(simplex[0], &ends[..=D], Lift::Square)?.reverse())
     }
 

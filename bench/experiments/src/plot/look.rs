@@ -11,8 +11,8 @@ pub enum Tool {
 }
 
 impl Tool {
-    /// Told apart by the colour-blind as well [Okabe and Ito, 2008]. NETMESH has shades of one colour, for
-    /// plots in which several of its curves are compared.
+    /// Told apart by the colour-blind as well [Okabe and Ito, 2008]. NETMESH has shades of one
+    /// colour, for plots in which several of its curves are compared.
     pub fn color(self, variant: usize) -> &'static str {
         match self {
             Tool::Netmesh => ["#0072b2", "#56b4e9", "#003f66", "#7aa6c2"][variant % 4],

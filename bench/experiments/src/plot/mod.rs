@@ -1,5 +1,6 @@
-//! Plots as SVG: panels side by side with one legend below. They bring their own background, so that
-//! they can be read on a light and on a dark page; text is text; the same data give the same bytes.
+//! Plots as SVG: panels side by side with one legend below. They bring their own background, so
+//! that they can be read on a light and on a dark page; text is text; the same data give the same
+//! bytes.
 
 mod axis;
 mod look;
@@ -24,8 +25,8 @@ pub struct Panel {
     pub series: Vec<Series>,
 }
 
-/// A curve. Its tool gives it its colour, in all plots; the curves of one tool in one plot differ in shade,
-/// marker and dashes by their variant.
+/// A curve. Its tool gives it its colour, in all plots; the curves of one tool in one plot differ
+/// in shade, marker and dashes by their variant.
 #[derive(Clone, Debug)]
 pub struct Series {
     pub name: String,

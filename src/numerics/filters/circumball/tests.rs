@@ -372,7 +372,8 @@ fn errors_are_rounded_up() {
     assert_eq!([size_of::<Circumball<2>>(), size_of::<Circumball<3>>()], [24, 32]);
 }
 
-/// On points of small integers, times a power of two that is another unit than the usual one, or not.
+/// On points of small integers, times a power of two that is another unit than the usual one, or
+/// not.
 #[test]
 fn powers_are_those_of_the_real_ball() {
     for exponent in [0, -400, 400] {

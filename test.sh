@@ -3,15 +3,16 @@
 #
 #   ./test.sh [--without TOOL]... [LANE...]
 #
-# Lanes: format clippy rust cpp sanitizers miri. Without a tool its tests are skipped; the tools that
-# may be absent so are `readers` (the Python packages that read in tests what netmesh has written) and
-# `miri`. NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes.
+# Lanes: format clippy rust cpp python sanitizers miri. Without a tool its tests are skipped; the tools that
+# may be absent so are `readers` (the Python packages that read in tests what netmesh has written),
+# `python` (those that the Python package is built and tested with) and `miri`.
+# NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes.
 # The end tells the seconds of every lane, and what was skipped and why.
 set -euo pipefail
 cd "$(dirname "$0")"
 exec </dev/null
 
-readonly all_lanes=(format clippy rust cpp sanitizers miri)
+readonly all_lanes=(format clippy rust cpp python sanitizers miri)
 readonly jobs="${NETMESH_JOBS:-$(nproc)}"
 readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 # shellcheck source=scripts/common.sh
@@ -22,9 +23,11 @@ readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 . scripts/tools.sh
 # shellcheck source=scripts/sanitizers.sh
 . scripts/sanitizers.sh
+# shellcheck source=scripts/python.sh
+. scripts/python.sh
 
 usage() {
-  fail "usage: ./test.sh [--without readers|miri]... [LANE...]; lanes: ${all_lanes[*]}"
+  fail "usage: ./test.sh [--without readers|python|miri]... [LANE...]; lanes: ${all_lanes[*]}"
 }
 
 lanes=() without=" ${NETMESH_WITHOUT:-} "
@@ -43,7 +46,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 for tool in $without; do
-  [[ " readers miri " == *" $tool "* ]] || usage
+  [[ " readers python miri " == *" $tool "* ]] || usage
 done
 [ ${#lanes[@]} -gt 0 ] || lanes=("${all_lanes[@]}")
 

@@ -1,0 +1,60 @@
+"""Time-optimal point meshing: conforming quality Delaunay meshes in 2 to 8 dimensions.
+
+`mesh` makes a mesh of linear size with a bound on its quality, whatever the spread of the points.
+`Delaunay`, `LinearNDInterpolator` and `Voronoi` have the names and meanings of SciPy's.
+"""
+
+from . import _errors
+from ._delaunay import Delaunay
+from ._errors import (
+    CancelledError,
+    CapacityError,
+    DegenerateInputError,
+    DimensionError,
+    Error,
+    FileError,
+    FormatError,
+    InternalError,
+    InvalidArgumentError,
+    LimitError,
+    NonFiniteError,
+    OutOfMemoryError,
+    StateError,
+)
+from ._interpolator import LinearNDInterpolator
+from ._mesh import Mesh, VertexKind, mesh
+from ._netmesh import VERSION as __version__
+from ._netmesh import Progress
+from ._results import Quality, Report, Stats, Violation
+
+__all__ = [
+    "CancelledError",
+    "CapacityError",
+    "DegenerateInputError",
+    "Delaunay",
+    "DimensionError",
+    "Error",
+    "FileError",
+    "FormatError",
+    "InternalError",
+    "InvalidArgumentError",
+    "LimitError",
+    "LinearNDInterpolator",
+    "Mesh",
+    "NonFiniteError",
+    "OutOfMemoryError",
+    "Progress",
+    "Quality",
+    "Report",
+    "StateError",
+    "Stats",
+    "VertexKind",
+    "Violation",
+    "mesh",
+]
+
+# Users see the exceptions where they import them from.
+for _name in dir(_errors):
+    _class = getattr(_errors, _name)
+    if isinstance(_class, type) and _class.__module__ == _errors.__name__:
+        _class.__module__ = __name__

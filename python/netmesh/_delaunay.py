@@ -1,0 +1,295 @@
+"""`Delaunay`, with the names and meanings of SciPy's."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, Optional
+
+import numpy as np
+
+from ._arrays import point_rows, query_points
+from ._errors import InvalidArgumentError, NonFiniteError, StateError
+from ._mesh import Mesh
+
+#: Options of Qhull that tell how it deals with rounding errors, of which there are none here.
+_QHULL_OPTIONS = {"Qbb", "Qc", "Qj", "QJ", "Qt", "Qx", "Qz", "Q12", "Pp"}
+
+
+class Delaunay:
+    """The Delaunay triangulation of points in 2 to 8 dimensions, as `scipy.spatial.Delaunay`.
+
+    It is exact: every point is a vertex unless it equals an earlier one, no simplex is flat, and
+    `find_simplex` answers -1 outside the hull only.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (npoints, ndim)
+    furthest_site : bool
+        Only False is supported.
+    incremental : bool
+        Whether `add_points` may be called, which triangulates all points anew.
+    qhull_options : str, optional
+        Without effect: options that tell Qhull how to deal with rounding errors are accepted, others
+        refused.
+    threads : int
+        For the queries; 0 for all cores.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (npoints, ndim)
+    simplices : ndarray of int32, shape (nsimplex, ndim + 1)
+        Indices of points, each simplex positively oriented (in 2D counterclockwise).
+    neighbors : ndarray of int32, shape (nsimplex, ndim + 1)
+        Entry k is the simplex opposite vertex k; -1 at the hull.
+    equations : ndarray of float64, shape (nsimplex, ndim + 2)
+        Normals and offsets of the hyperplanes through the lifted simplices.
+    paraboloid_scale, paraboloid_shift : float
+        Of the paraboloid that points are lifted to.
+    transform : ndarray of float64, shape (nsimplex, ndim + 1, ndim)
+        ``transform[i, :ndim] @ (x - transform[i, ndim])`` are the first ndim barycentric coordinates
+        of x in simplex i. NaN where the simplex is too flat for doubles.
+    vertex_to_simplex : ndarray of int32, shape (npoints,)
+        A simplex of each point, or of the point that it equals.
+    convex_hull : ndarray of int32, shape (nfaces, ndim)
+        The facets of the hull.
+    coplanar : ndarray of int32, shape (ncoplanar, 3)
+        Points that are no vertices because they equal an earlier one: the point, a simplex of that
+        vertex, the vertex.
+    vertex_neighbor_vertices : tuple of two ndarrays of int32, (indptr, indices)
+        The neighbours of point k are ``indices[indptr[k]:indptr[k+1]]``.
+    ndim, npoints, nsimplex : int
+    min_bound, max_bound : ndarray of float64, shape (ndim,)
+    mesh : Mesh
+        The triangulation of the distinct points.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from netmesh import Delaunay
+    >>> points = np.array([[0, 0], [0, 1.1], [1, 0], [1, 1]])
+    >>> tri = Delaunay(points)
+    >>> tri.simplices.shape, tri.neighbors.shape
+    ((2, 3), (2, 3))
+    >>> tri.find_simplex([[0.1, 0.2], [1.5, 0.5]]) >= 0
+    array([ True, False])
+
+    The barycentric coordinates of a point:
+
+    >>> x = np.array([0.1, 0.2])
+    >>> i = tri.find_simplex(x)
+    >>> b = tri.transform[i, :2] @ (x - tri.transform[i, 2])
+    >>> np.allclose(np.append(b, 1 - b.sum()) @ points[tri.simplices[i]], x)
+    True
+    """
+
+    def __init__(
+        self,
+        points: Any,
+        furthest_site: bool = False,
+        incremental: bool = False,
+        qhull_options: Optional[str] = None,
+        *,
+        threads: int = 1,
+    ) -> None:
+        if np.ma.isMaskedArray(points):
+            raise InvalidArgumentError("points is a masked array; fill or drop what is masked")
+        if furthest_site:
+            raise InvalidArgumentError("furthest_site is True; only False is supported")
+        for option in (qhull_options or "").split():
+            if option not in _QHULL_OPTIONS:
+                raise InvalidArgumentError(f"qhull_options has {option}, which is not supported")
+        self.furthest_site = False
+        self.threads = threads
+        self._is_open = incremental
+        self._triangulate(point_rows(points))
+
+    def _triangulate(self, points: np.ndarray) -> None:
+        self.mesh = Mesh._run(points, {"algorithm": "delaunay"})
+        # The caller may change the array that was given.
+        self.points = self.mesh.points if self._is_distinct else self.mesh._core.input_points()
+
+    @property
+    def _is_distinct(self) -> bool:
+        return len(self.mesh.points) == len(self.mesh.input_vertices)
+
+    @property
+    def ndim(self) -> int:
+        return self.points.shape[1]
+
+    @property
+    def npoints(self) -> int:
+        return len(self.points)
+
+    @property
+    def nsimplex(self) -> int:
+        return len(self.mesh.simplices)
+
+    @functools.cached_property
+    def min_bound(self) -> np.ndarray:
+        return self.points.min(axis=0)
+
+    @functools.cached_property
+    def max_bound(self) -> np.ndarray:
+        return self.points.max(axis=0)
+
+    @functools.cached_property
+    def _first_inputs(self) -> np.ndarray:
+        """Vertex of the mesh -> the first point that it is."""
+        vertices = self.mesh.input_vertices
+        first = np.empty(len(self.mesh.points), np.int32)
+        first[vertices[::-1]] = np.arange(len(vertices) - 1, -1, -1, dtype=np.int32)
+        return first
+
+    @functools.cached_property
+    def simplices(self) -> np.ndarray:
+        simplices = self.mesh.simplices
+        return simplices.copy() if self._is_distinct else self._first_inputs[simplices]
+
+    @functools.cached_property
+    def neighbors(self) -> np.ndarray:
+        return self.mesh.neighbors.copy()
+
+    @functools.cached_property
+    def vertex_to_simplex(self) -> np.ndarray:
+        mesh = self.mesh
+        of_vertices = np.empty(len(mesh.points), np.int32)
+        # Of several simplices the first remains.
+        simplices = np.repeat(np.arange(self.nsimplex, dtype=np.int32), self.ndim + 1)
+        of_vertices[mesh.simplices.ravel()[::-1]] = simplices[::-1]
+        return of_vertices[mesh.input_vertices]
+
+    @functools.cached_property
+    def coplanar(self) -> np.ndarray:
+        own = self._first_inputs[self.mesh.input_vertices]
+        points = np.flatnonzero(own != np.arange(self.npoints)).astype(np.int32)
+        return np.column_stack([points, self.vertex_to_simplex[points], own[points]])
+
+    @functools.cached_property
+    def convex_hull(self) -> np.ndarray:
+        simplex, opposite = np.nonzero(self.mesh.neighbors == -1)
+        others = np.arange(self.ndim) + (np.arange(self.ndim) >= opposite[:, None])
+        facets = np.take_along_axis(self.mesh.simplices[simplex], others, axis=1)
+        # So that all are oriented outwards: moving vertex i to the front takes i swaps.
+        swapped = opposite % 2 == 1
+        facets[swapped, :2] = facets[swapped, 1::-1]
+        return self._first_inputs[facets]
+
+    @functools.cached_property
+    def vertex_neighbor_vertices(self) -> tuple[np.ndarray, np.ndarray]:
+        n = self.npoints
+        pairs = [(i, j) for i in range(self.ndim + 1) for j in range(self.ndim + 1) if i != j]
+        simplices = self._first_inputs[self.mesh.simplices].astype(np.int64)
+        keys = np.unique(np.concatenate([simplices[:, i] * n + simplices[:, j] for i, j in pairs]))
+        indptr = np.searchsorted(keys, np.arange(n + 1, dtype=np.int64) * n)
+        return indptr.astype(np.int32), (keys % n).astype(np.int32)
+
+    @functools.cached_property
+    def transform(self) -> np.ndarray:
+        corners = self.mesh.points[self.mesh.simplices]
+        last = corners[:, -1]
+        edges = np.swapaxes(corners[:, :-1] - last[:, None], 1, 2)
+        transform = np.empty((self.nsimplex, self.ndim + 1, self.ndim))
+        transform[:, :-1] = _inverses(edges)
+        transform[:, -1] = np.where(np.isnan(transform[:, 0, :1]), np.nan, last)
+        return transform
+
+    @functools.cached_property
+    def _paraboloid(self) -> tuple[float, float]:
+        """Scale and shift that bring squares to the range of the coordinates, as Qhull's Qbb."""
+        squares = np.einsum("ij,ij->i", self.points, self.points)
+        # Qhull's point at infinity, which its Qz adds, is lifted a tenth higher than the others.
+        low, high = squares.min(), 1.1 * squares.max()
+        scale = np.abs(self.points).max() / (high - low)
+        return float(scale), float(-low * scale)
+
+    @property
+    def paraboloid_scale(self) -> float:
+        return self._paraboloid[0]
+
+    @property
+    def paraboloid_shift(self) -> float:
+        return self._paraboloid[1]
+
+    @functools.cached_property
+    def equations(self) -> np.ndarray:
+        heights = self.lift_points(self.mesh.points)[:, -1][self.mesh.simplices]
+        slopes = heights[:, :-1] - heights[:, -1:]
+        gradients = np.einsum("sj,sjk->sk", slopes, self.transform[:, :-1])
+        offsets = heights[:, -1] - np.einsum("sk,sk->s", gradients, self.transform[:, -1])
+        equations = np.column_stack([gradients, np.full(self.nsimplex, -1.0), offsets])
+        return equations / np.linalg.norm(equations[:, :-1], axis=1, keepdims=True)
+
+    def lift_points(self, x: Any) -> np.ndarray:
+        """Lift points to the paraboloid: shape (..., ndim) to (..., ndim + 1)."""
+        x = query_points(x, self.ndim, "x")
+        heights = self.paraboloid_scale * np.einsum("...i,...i->...", x, x) + self.paraboloid_shift
+        return np.concatenate([x, heights[..., None]], axis=-1)
+
+    def plane_distance(self, xi: Any) -> np.ndarray:
+        """Distances of lifted points to the hyperplanes of all simplices.
+
+        Shape (..., ndim) to (..., nsimplex). Positive where the simplex's circumball holds the point.
+        """
+        return self.lift_points(xi) @ self.equations[:, :-1].T + self.equations[:, -1]
+
+    def find_simplex(
+        self, xi: Any, bruteforce: bool = False, tol: Optional[float] = None
+    ) -> np.ndarray:
+        """Find the simplices that hold points, by exact signs.
+
+        Parameters
+        ----------
+        xi : array_like of float, shape (..., ndim)
+            In any order. A point with a coordinate that is not finite is outside.
+        bruteforce, tol
+            Without effect: the answer has no error that they would change.
+
+        Returns
+        -------
+        ndarray of int32, shape (...)
+            -1 outside the hull. On a face that several simplices share, the least of them.
+        """
+        xi = query_points(xi, self.ndim, "xi")
+        try:
+            return self.mesh.locate(xi, threads=self.threads)
+        except NonFiniteError:
+            finite = np.isfinite(xi).all(axis=-1)
+            found = np.full(xi.shape[:-1], -1, np.int32)
+            found[finite] = self.mesh.locate(xi[finite], threads=self.threads)
+            return found
+
+    def add_points(self, points: Any, restart: bool = False) -> None:
+        """Add points: all are triangulated anew, whatever `restart`.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (n, ndim)
+        """
+        if not self._is_open:
+            raise StateError("points can be added with incremental=True, until close()")
+        added = point_rows(points)
+        if added.shape[1] != self.ndim:
+            shape, ndim = added.shape, self.ndim
+            raise InvalidArgumentError(f"points has shape {shape}; it must be (n, {ndim})")
+        self._triangulate(np.concatenate([self.points, added]))
+        for name, attribute in vars(Delaunay).items():
+            if isinstance(attribute, functools.cached_property):
+                self.__dict__.pop(name, None)
+
+    def close(self) -> None:
+        """Accept no more points."""
+        self._is_open = False
+
+
+def _inverses(matrices: np.ndarray) -> np.ndarray:
+    """Of each matrix; NaN where rounding errors would exceed about a thousandth."""
+    try:
+        inverses = np.linalg.inv(matrices)
+    except np.linalg.LinAlgError:
+        singular = np.linalg.det(matrices) == 0
+        inverses = np.full_like(matrices, np.nan)
+        inverses[~singular] = np.linalg.inv(matrices[~singular])
+    norms = [np.abs(of).sum(axis=1).max(axis=1) for of in (matrices, inverses)]
+    ill = ~(norms[0] * norms[1] < 1e-3 / np.finfo(float).eps)
+    inverses[ill] = np.nan
+    return inverses

@@ -1,0 +1,53 @@
+"""The exceptions: all are `Error`, and what Python calls such an error besides."""
+
+
+class Error(Exception):
+    """The base of all exceptions of netmesh."""
+
+
+class InvalidArgumentError(Error, ValueError):
+    """An argument is out of its range. The message names it, its value and the range."""
+
+
+class NonFiniteError(InvalidArgumentError):
+    """A coordinate is infinite or NaN. The message names the point and the coordinate."""
+
+
+class DimensionError(InvalidArgumentError):
+    """Points have fewer than 2 or more than 8 coordinates."""
+
+
+class CapacityError(InvalidArgumentError):
+    """There are more points, vertices or simplices than ids."""
+
+
+class DegenerateInputError(InvalidArgumentError):
+    """Fewer than two distinct points or, for a Delaunay triangulation, points in a hyperplane."""
+
+
+class LimitError(Error, RuntimeError):
+    """The mesh needs more vertices than `max_vertices`, or larger numbers than doubles."""
+
+
+class CancelledError(Error, RuntimeError):
+    """The progress function answered `False`."""
+
+
+class FileError(Error, OSError):
+    """A file cannot be written. The message has the system's reason."""
+
+
+class FormatError(Error, ValueError):
+    """A file is not in its format. The message names the place."""
+
+
+class StateError(Error, RuntimeError):
+    """An object is in no state for the call."""
+
+
+class OutOfMemoryError(Error, MemoryError):
+    """An allocation failed."""
+
+
+class InternalError(Error, RuntimeError):
+    """A defect of the library: an internal check failed."""

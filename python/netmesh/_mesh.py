@@ -1,0 +1,368 @@
+"""Meshes: `mesh` makes them, `Mesh` holds the arrays and answers questions."""
+
+from __future__ import annotations
+
+import enum
+import os
+from typing import Any, Callable, Optional, Union
+
+import numpy as np
+
+from ._arrays import point_rows, query_points, shaped_values, value_columns
+from ._netmesh import Core, Progress
+from ._results import Quality, Report, Stats, Violation
+
+
+class VertexKind(enum.IntEnum):
+    """Where a vertex comes from: the values of `Mesh.kinds`."""
+
+    INPUT = 0
+    STEINER = 1
+    CAGE = 2
+
+
+#: One element of `Mesh.domains`.
+DOMAIN = np.dtype([("center", np.int32), ("parent", np.int32), ("radius", np.float64)])
+
+
+def mesh(
+    points: Any,
+    *,
+    output: str = "hierarchical",
+    algorithm: str = "netmesh",
+    ordering: str = "sampled_net",
+    criterion: str = "voronoi_aspect",
+    threads: int = 1,
+    quality_bound: float = 0.0,
+    epsilon: float = 0.0,
+    delta: float = 0.0,
+    gamma: float = 0.0,
+    yield_radius: float = 0.0,
+    encroachment: float = 0.0,
+    cage_scale: float = 0.0,
+    root_scale: float = 0.0,
+    seed: int = 0,
+    max_vertices: int = 0,
+    instruments: bool = False,
+    progress: Any = None,
+) -> Mesh:
+    """Mesh points in 2 to 8 dimensions.
+
+    The result is a Delaunay triangulation of the points and of O(n) further vertices, every cell
+    within `quality_bound`. It depends on the points and the options alone, not on `threads`.
+
+    Parameters
+    ----------
+    points : array_like of float, shape (n, dim)
+        At least two distinct points. Arrays of doubles whose rows are contiguous are read where
+        they are.
+    output : {'hierarchical', 'well_spaced'}
+        Stop at linear size, or refine across the scales too.
+    algorithm : {'netmesh', 'delaunay', 'svr'}
+        'delaunay': the points alone, without Steiner points. 'svr': Sparse Voronoi Refinement, the
+        baseline for comparisons.
+    ordering : {'sampled_net', 'deterministic_net'}
+        How the points of a round are chosen: by a sample that `seed` drives, or without any random
+        number.
+    criterion : {'voronoi_aspect', 'radius_edge'}
+        What `quality_bound` bounds: the aspect of a Voronoi cell, or the circumradius of a simplex
+        over its shortest edge.
+    threads : int
+        0 for all cores. Of use in 2D and 3D from 524,288 points on.
+    quality_bound, epsilon, delta, gamma, yield_radius, encroachment, cage_scale, root_scale : float
+        The promised quality and the constants of the algorithm; 0 is the default for the dimension.
+    seed : int
+        Of the sampling.
+    max_vertices : int
+        A mesh that needs more raises `LimitError`; 0 for as many as there are ids.
+    instruments : bool
+        Measure the second part of `Stats` too, which takes about as long again.
+    progress : callable or progress bar, optional
+        A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
+        Or a bar of tqdm, which is moved along.
+
+    Returns
+    -------
+    Mesh
+
+    Raises
+    ------
+    Error
+        `InvalidArgumentError` (an option or an array), `NonFiniteError`, `DegenerateInputError`,
+        `LimitError`, `CancelledError`, `OutOfMemoryError`. Ctrl-C raises `KeyboardInterrupt`.
+
+    Examples
+    --------
+    >>> import numpy as np, netmesh
+    >>> points = np.random.default_rng(1).random((100, 2))
+    >>> m = netmesh.mesh(points, quality_bound=2.5)
+    >>> bool((m.points[:100] == points).all())
+    True
+    >>> m.simplices.shape[1], m.quality().worst_aspect_anywhere <= 2.5
+    (3, True)
+    """
+    given = {name: value for name, value in locals().items() if name not in ("points", "progress")}
+    return Mesh._run(points, given, progress)
+
+
+class Mesh:
+    """A mesh. `netmesh.mesh` makes it; nothing changes it.
+
+    Its arrays share the library's memory, which they keep alive, and are read-only. An id of -1
+    stands for none.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1, 1.5]], algorithm="delaunay")
+    >>> m
+    <netmesh.Mesh: dim 2, 4 vertices, 2 simplices>
+    >>> m.simplices.shape, m.neighbors.shape
+    ((2, 3), (2, 3))
+    """
+
+    __slots__ = ("_core", "_options", "__weakref__")
+    _core: Core
+    _options: dict
+
+    def __init__(self) -> None:
+        raise TypeError("netmesh.mesh makes meshes")
+
+    @classmethod
+    def _run(cls, points: Any, options: dict, progress: Any = None) -> Mesh:
+        made = cls.__new__(cls)
+        report = _reporter(progress)
+        made._core = Core(point_rows(points), report, options)
+        made._options = options
+        if report is not None and report is not progress:
+            progress.update((progress.total or 1) - progress.n)
+        return made
+
+    def __repr__(self) -> str:
+        vertices, simplices = len(self.kinds), len(self.simplices)
+        return f"<netmesh.Mesh: dim {self.dim}, {vertices} vertices, {simplices} simplices>"
+
+    def __reduce__(self) -> tuple:
+        # The same points and options make the same mesh.
+        return Mesh._run, (self._core.input_points(), self._options)
+
+    def __copy__(self) -> Mesh:
+        return self
+
+    def __deepcopy__(self, memo: dict) -> Mesh:
+        return self
+
+    @property
+    def options(self) -> dict:
+        """The options by name, as they were given."""
+        return dict(self._options)
+
+    @property
+    def dim(self) -> int:
+        """The dimension."""
+        return self.points.shape[1]
+
+    @property
+    def points(self) -> np.ndarray:
+        """Vertices, float64, shape (vertices, dim): the distinct inputs first, in their order."""
+        return self._core.points
+
+    @property
+    def simplices(self) -> np.ndarray:
+        """Vertices of simplices, int32, shape (simplices, dim + 1), each positively oriented."""
+        return self._core.simplices
+
+    @property
+    def neighbors(self) -> np.ndarray:
+        """Neighbours of simplices, int32, shape (simplices, dim + 1).
+
+        Entry i is across the facet opposite vertex i; -1 on the hull.
+        """
+        return self._core.neighbors
+
+    @property
+    def kinds(self) -> np.ndarray:
+        """Where vertices come from, uint8, shape (vertices,): `VertexKind`."""
+        return self._core.kinds
+
+    @property
+    def vertex_domains(self) -> np.ndarray:
+        """The innermost domain of vertices, int32, shape (vertices,); -1 without domains."""
+        return self._core.vertex_domains
+
+    @property
+    def precision_limited(self) -> np.ndarray:
+        """Whether doubles are too coarse for the bound at vertices, bool, shape (vertices,)."""
+        return self._core.precision_limited
+
+    @property
+    def input_vertices(self) -> np.ndarray:
+        """Vertices of inputs, int32, shape (n,); equal inputs share one."""
+        return self._core.input_vertices
+
+    @property
+    def domains(self) -> np.ndarray:
+        """The balls of the hierarchy, fields center, parent (-1 for the root's) and radius.
+
+        The root is the first, every parent stands before its children. Empty for 'delaunay'.
+        """
+        centers, parents, radii = self._core.domains
+        domains = np.empty(len(radii), DOMAIN)
+        domains["center"], domains["parent"], domains["radius"] = centers, parents, radii
+        return domains
+
+    @property
+    def stats(self) -> Stats:
+        """What the run did."""
+        return Stats(**self._core.stats())
+
+    def quality(self) -> Quality:
+        """Measure the quality. O(vertices + simplices)."""
+        return Quality(**self._core.quality())
+
+    def validate(self, level: int = 3) -> Report:
+        """Check the mesh from its arrays alone, with exact arithmetic.
+
+        Parameters
+        ----------
+        level : {1, 2, 3}
+            1: topology; 2: geometry too, Delaunay on every facet; 3: what was promised too.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> report = netmesh.mesh([[0, 0], [1, 0], [0, 1]]).validate()
+        >>> report.level, report.violations, report.first
+        (3, 0, None)
+        """
+        level, violations, checked, first = self._core.validate(level)
+        if first is not None:
+            number, kind, ids, message = first
+            first = Violation(kind, number, *ids, message)
+        return Report(level, violations, checked, first)
+
+    def export(self, path: Union[str, os.PathLike], format: str = "auto") -> None:
+        """Write the mesh to a file, which appears complete or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+        format : str
+            'auto' goes by the extension; or 'vtu', 'tetgen_node', 'gmsh', 'medit', 'off', 'ply',
+            'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
+        """
+        self._core.export(path, format)
+
+    def locate(self, points: Any, *, threads: int = 1) -> np.ndarray:
+        """Find the simplices that hold points, by exact signs.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., dim)
+            In any order.
+        threads : int
+            0 for all cores. The answer does not depend on it.
+
+        Returns
+        -------
+        ndarray of int32, shape (...)
+            -1 outside. On a face that several simplices share, the least of them.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> m.locate([[0.2, 0.2], [2, 2]])
+        array([ 0, -1], dtype=int32)
+        """
+        points = query_points(points, self.dim)
+        found = self._core.locate(points.reshape(-1, self.dim), threads)
+        return found.reshape(points.shape[:-1])
+
+    def nearest(
+        self, points: Any, *, among: str = "vertices", threads: int = 1
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Find the nearest vertices, and how far they are.
+
+        Parameters
+        ----------
+        points : array_like of float, shape (..., dim)
+        among : {'vertices', 'inputs'}
+        threads : int
+            0 for all cores.
+
+        Returns
+        -------
+        vertices : ndarray of int32, shape (...)
+            The least of those at the same distance.
+        distances : ndarray of float64, shape (...)
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> m.nearest([0.9, 0], among="inputs")[0]
+        array(1, dtype=int32)
+        """
+        points = query_points(points, self.dim)
+        vertices, distances = self._core.nearest(points.reshape(-1, self.dim), among, threads)
+        return vertices.reshape(points.shape[:-1]), distances.reshape(points.shape[:-1])
+
+    def interpolate(
+        self,
+        values: Any,
+        points: Any,
+        *,
+        interpolation: str = "linear",
+        outside: str = "nan",
+        threads: int = 1,
+    ) -> np.ndarray:
+        """Interpolate values that are given at the vertices.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (vertices, ...)
+            `extend_values` makes them of values at the inputs.
+        points : array_like of float, shape (..., dim)
+        interpolation : {'linear', 'sibson', 'laplace'}
+            Linear in each simplex, or by natural neighbours.
+        outside : {'nan', 'nearest'}
+            What points outside the hull get: NaN, or the values of the nearest vertex.
+        threads : int
+            0 for all cores.
+
+        Returns
+        -------
+        ndarray of float64 or complex128
+            The shape of points without the last axis, then that of values without the first.
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> linear = m.points @ [2, 3]
+        >>> np.allclose(m.interpolate(linear, [[0.25, 0.5]], interpolation="sibson"), 2)
+        True
+        """
+        points = query_points(points, self.dim)
+        columns = value_columns(values, len(self.kinds), "vertex")
+        rows = points.reshape(-1, self.dim)
+        found = self._core.interpolate(columns, rows, interpolation, outside, threads)
+        return shaped_values(found, values, points.shape[:-1])
+
+
+def _reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:
+    """A function of a `Progress`: the caller's, or one that moves the caller's bar."""
+    if progress is None or callable(progress):
+        return progress
+    if not all(hasattr(progress, name) for name in ("update", "n", "total")):
+        kind = type(progress).__name__
+        raise TypeError(f"progress is of type {kind}; it must be a function or a bar as tqdm's")
+    if progress.total is None:
+        progress.total = 1
+
+    def move(report: Progress) -> None:
+        if report.fraction >= 0:
+            progress.update(report.fraction * progress.total - progress.n)
+
+    return move

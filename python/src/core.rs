@@ -1,0 +1,159 @@
+//! A mesh with its arrays.
+
+use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
+use crate::errors::{detached, exception, invalid, raised};
+use crate::options::options;
+use crate::progress::Reporter;
+use netmesh::io::Format;
+use netmesh::mesh::{MAX_DIM, MIN_DIM};
+use netmesh::query::Index;
+use netmesh::{ErrorKind, Mesh, Triangulation};
+use numpy::ndarray::ArrayView;
+use numpy::prelude::*;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+
+/// The result of a run. Nothing changes it.
+#[pyclass(frozen, module = "netmesh._netmesh")]
+pub struct Core {
+    pub mesh: Mesh,
+    /// Made at the first query.
+    pub index: Mutex<Option<Arc<Index>>>,
+}
+
+impl Core {
+    pub fn triangulation(&self) -> &Triangulation {
+        self.mesh.triangulation().expect("a run made it")
+    }
+}
+
+#[pymethods]
+impl Core {
+    /// Points are copied before other threads may change them.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        points: PyReadonlyArray2<'_, f64>,
+        progress: Option<Py<PyAny>>,
+        given: &Bound<'_, PyDict>,
+    ) -> PyResult<Self> {
+        let options = options(given)?;
+        let (n, dim) = points.as_array().dim();
+        if !(MIN_DIM..=MAX_DIM).contains(&dim) {
+            let message = format!(
+                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to {MAX_DIM}"
+            );
+            return Err(raised(py, ErrorKind::Dimension, message));
+        }
+        let Some((coordinates, stride)) = strided(&points) else {
+            return Err(invalid(py, "points must stand one after the other in memory".into()));
+        };
+        let mesh = Mesh::new(dim, n, coordinates, stride);
+        let mut mesh = mesh.map_err(|error| exception(py, &error))?;
+        let mut reporter = Reporter::new(progress);
+        let done =
+            detached(py, || mesh.run(&options, Some(&mut |progress| reporter.report(progress))));
+        match reporter.exception {
+            Some(exception) => Err(exception),
+            None => done.map(|()| Self { mesh, index: Mutex::new(None) }),
+        }
+    }
+
+    #[getter]
+    fn points<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray2<f64>> {
+        let mesh = this.get().triangulation();
+        // SAFETY: nothing changes a mesh.
+        unsafe { shared(this.as_any(), &rows(&mesh.points, mesh.dim)) }
+    }
+
+    #[getter]
+    fn simplices<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let mesh = this.get().triangulation();
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), &mesh.simplices, mesh.dim + 1, mesh.vertex_count()) }
+    }
+
+    #[getter]
+    fn neighbors<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let mesh = this.get().triangulation();
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), &mesh.neighbors, mesh.dim + 1, mesh.simplex_count()) }
+    }
+
+    #[getter]
+    fn kinds<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray1<u8>> {
+        let kinds = &this.get().triangulation().kinds;
+        // SAFETY: the enum is represented by a u8.
+        let kinds: &[u8] =
+            unsafe { std::slice::from_raw_parts(kinds.as_ptr().cast(), kinds.len()) };
+        // SAFETY: as above.
+        unsafe { shared(this.as_any(), &ArrayView::from(kinds)) }
+    }
+
+    #[getter]
+    fn vertex_domains<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let mesh = this.get().triangulation();
+        // SAFETY: as above.
+        unsafe { shared_ids_1(this.as_any(), &mesh.vertex_domains, mesh.domains.len()) }
+    }
+
+    #[getter]
+    fn precision_limited<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray1<bool>> {
+        let limited = &*this.get().triangulation().precision_limited;
+        // SAFETY: as above.
+        unsafe { shared(this.as_any(), &ArrayView::from(limited)) }
+    }
+
+    #[getter]
+    fn input_vertices<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let inputs = this.get().mesh.inputs();
+        // SAFETY: as above.
+        unsafe { shared_ids_1(this.as_any(), inputs.vertices(), inputs.count()) }
+    }
+
+    /// Centres, parents (-1 for none) and radii.
+    #[getter]
+    fn domains(&self) -> (Vec<u32>, Vec<i64>, Vec<f64>) {
+        let domains = || self.triangulation().domains.iter();
+        let parent = |parent| if parent == netmesh::NONE { -1 } else { i64::from(parent) };
+        (
+            domains().map(|domain| domain.center).collect(),
+            domains().map(|domain| parent(domain.parent)).collect(),
+            domains().map(|domain| domain.radius).collect(),
+        )
+    }
+
+    /// The points that were given, duplicates included.
+    fn input_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let inputs = self.mesh.inputs();
+        let array = crate::arrays::empty(py, (inputs.count(), inputs.dim()))?;
+        let mut out = array.readwrite();
+        let out = out.as_slice_mut()?;
+        for (i, out) in out.chunks_exact_mut(inputs.dim()).enumerate() {
+            out.copy_from_slice(inputs.point(i));
+        }
+        Ok(array)
+    }
+
+    fn export(&self, py: Python<'_>, path: PathBuf, format: &Bound<'_, PyAny>) -> PyResult<()> {
+        let formats = [
+            ("auto", Format::Auto),
+            ("vtu", Format::Vtu),
+            ("tetgen_node", Format::TetgenNode),
+            ("gmsh", Format::Gmsh),
+            ("medit", Format::Medit),
+            ("off", Format::Off),
+            ("ply", Format::Ply),
+            ("xyz", Format::Xyz),
+            ("csv", Format::Csv),
+            ("npy", Format::Npy),
+            ("voronoi_json", Format::VoronoiJson),
+            ("domains_json", Format::DomainsJson),
+        ];
+        let format = crate::options::choice("format", format, &formats)?;
+        detached(py, || netmesh::io::write_file(&self.mesh, &path, format))
+    }
+}

@@ -1,0 +1,21 @@
+//! The extension module `netmesh._netmesh`: meshes and their arrays, without the names and the
+//! defaults that Python's users see, which are in the package beside it.
+
+mod arrays;
+mod core;
+mod errors;
+mod options;
+mod progress;
+mod queries;
+
+#[pyo3::pymodule]
+mod _netmesh {
+    #[pymodule_export]
+    use crate::core::Core;
+    #[pymodule_export]
+    use crate::progress::Progress;
+
+    /// The version of the library.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,239 @@
+//! Questions to a mesh: measures, the certificate, locations, nearest vertices, values.
+
+use crate::arrays::{empty, unsigned};
+use crate::core::Core;
+use crate::errors::{detached, invalid};
+use crate::options::{choice, whole};
+use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values};
+use netmesh::{ErrorKind, Result, Stats, Triangulation, quality, validate};
+use numpy::prelude::*;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::{Arc, PoisonError};
+
+/// Points between two looks for signals.
+const PORTION: usize = 1 << 18;
+
+impl Core {
+    /// Called while Python's lock is let go.
+    fn index(&self) -> Result<Arc<Index>> {
+        let mut made = self.index.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(index) = &*made {
+            return Ok(Arc::clone(index));
+        }
+        let index = Arc::new(Index::new(self.triangulation())?);
+        *made = Some(Arc::clone(&index));
+        Ok(index)
+    }
+
+    fn count(&self, points: &PyReadonlyArray2<'_, f64>) -> PyResult<usize> {
+        let (count, dim) = points.as_array().dim();
+        if dim != self.triangulation().dim {
+            let message = format!(
+                "points has shape ({count}, {dim}); the mesh has dim = {}",
+                self.triangulation().dim
+            );
+            return Err(invalid(points.py(), message));
+        }
+        Ok(count)
+    }
+
+    /// Calls `ask` for portions of `count` points; a signal stops it.
+    fn in_portions(
+        &self,
+        py: Python<'_>,
+        count: usize,
+        mut ask: impl FnMut(&Triangulation, &Index, std::ops::Range<usize>) -> Result<()> + Send,
+    ) -> PyResult<()> {
+        let index = detached(py, || self.index())?;
+        for start in (0..count).step_by(PORTION) {
+            let range = start..count.min(start + PORTION);
+            detached(py, || match ask(self.triangulation(), &index, range) {
+                // So that the message counts from the first point.
+                Err(error) if error.kind() == ErrorKind::NonFinite && start > 0 => {
+                    ask(self.triangulation(), &index, 0..count)
+                }
+                done => done,
+            })?;
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+}
+
+#[pymethods]
+impl Core {
+    /// The simplex of each point, -1 outside.
+    fn locate<'py>(
+        &self,
+        py: Python<'py>,
+        points: PyReadonlyArray2<'py, f64>,
+        threads: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let threads = whole("threads", threads, u32::MAX)?;
+        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
+        let found = empty(py, [count])?;
+        let mut room = found.readwrite();
+        let (points, out) = (points.as_slice()?, unsigned(room.as_slice_mut()?));
+        self.in_portions(py, count, |mesh, index, range| {
+            let points = &points[range.start * dim..range.end * dim];
+            index.locate(mesh, points, threads, &mut out[range])
+        })?;
+        Ok(found)
+    }
+
+    /// The nearest vertex of each point, and its distance.
+    fn nearest<'py>(
+        &self,
+        py: Python<'py>,
+        points: PyReadonlyArray2<'py, f64>,
+        among: &Bound<'py, PyAny>,
+        threads: &Bound<'py, PyAny>,
+    ) -> PyResult<Nearest<'py>> {
+        let names = [("vertices", Among::Vertices), ("inputs", Among::Inputs)];
+        let among = choice("among", among, &names)?;
+        let threads = whole("threads", threads, u32::MAX)?;
+        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
+        let (vertices, distances) = (empty(py, [count])?, empty(py, [count])?);
+        let (mut room, mut distance_room) = (vertices.readwrite(), distances.readwrite());
+        let (ids, lengths) = (unsigned(room.as_slice_mut()?), distance_room.as_slice_mut()?);
+        let points = points.as_slice()?;
+        self.in_portions(py, count, |mesh, index, range| {
+            let points = &points[range.start * dim..range.end * dim];
+            let (ids, lengths) = (&mut ids[range.clone()], &mut lengths[range]);
+            index.nearest(mesh, among, points, threads, ids, lengths)
+        })?;
+        Ok((vertices, distances))
+    }
+
+    /// The values (`points x components`) of a function given at the vertices.
+    fn interpolate<'py>(
+        &self,
+        py: Python<'py>,
+        values: PyReadonlyArray2<'py, f64>,
+        points: PyReadonlyArray2<'py, f64>,
+        interpolation: &Bound<'py, PyAny>,
+        outside: &Bound<'py, PyAny>,
+        threads: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let method = Method {
+            interpolation: choice(
+                "interpolation",
+                interpolation,
+                &[
+                    ("linear", Interpolation::Linear),
+                    ("sibson", Interpolation::Sibson),
+                    ("laplace", Interpolation::Laplace),
+                ],
+            )?,
+            outside: choice(
+                "outside",
+                outside,
+                &[("nan", Outside::Nan), ("nearest", Outside::Nearest)],
+            )?,
+        };
+        let threads = whole("threads", threads, u32::MAX)?;
+        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
+        let components = values.as_array().dim().1;
+        let found = empty(py, (count, components))?;
+        let mut room = found.readwrite();
+        let (points, out) = (points.as_slice()?, room.as_slice_mut()?);
+        let values = Values { components, values: values.as_slice()? };
+        self.in_portions(py, count, |mesh, index, range| {
+            let points = &points[range.start * dim..range.end * dim];
+            let out = &mut out[range.start * components..range.end * components];
+            index.interpolate(mesh, method, values, points, threads, out)
+        })?;
+        Ok(found)
+    }
+
+    /// Bytes that the index takes, which is made if there is none yet.
+    fn index_bytes(&self, py: Python<'_>) -> PyResult<usize> {
+        detached(py, || Ok(self.index()?.bytes()))
+    }
+
+    /// Level, violations, checked, and of the first violation: its number, simplex, vertex,
+    /// domain and message.
+    fn validate(&self, py: Python<'_>, level: u32) -> PyResult<Report> {
+        let mesh = self.triangulation();
+        let report = detached(py, || validate::validate(self.mesh.inputs(), mesh, level))?;
+        let id = |id| (id != netmesh::NONE).then_some(id);
+        let first = report.first.map(|first| {
+            let ids = (id(first.simplex), id(first.vertex), id(first.domain));
+            (first.kind as u32, format!("{:?}", first.kind), ids, first.message.into_owned())
+        });
+        Ok((report.level, report.violations, report.checked, first))
+    }
+
+    /// The figures of the quality by name.
+    fn quality<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let quality::Quality {
+            max_degree,
+            worst_aspect,
+            worst_aspect_anywhere,
+            mean_aspect,
+            worst_cage_aspect,
+            worst_radius_edge,
+            min_angle_degrees,
+            precision_limited,
+        } = detached(py, || quality::measure(self.triangulation()))?;
+        let figures = PyDict::new(py);
+        figures.set_item("max_degree", max_degree)?;
+        figures.set_item("worst_aspect", worst_aspect)?;
+        figures.set_item("worst_aspect_anywhere", worst_aspect_anywhere)?;
+        figures.set_item("mean_aspect", mean_aspect)?;
+        figures.set_item("worst_cage_aspect", worst_cage_aspect)?;
+        figures.set_item("worst_radius_edge", worst_radius_edge)?;
+        figures.set_item("min_angle_degrees", min_angle_degrees)?;
+        figures.set_item("precision_limited", precision_limited)?;
+        Ok(figures)
+    }
+
+    /// What the run did, by name.
+    fn stats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let figures = PyDict::new(py);
+        macro_rules! set {
+            ($($name:ident),* $(,)?) => {{
+                let Stats { $($name),* } = self.triangulation().stats.clone();
+                $(figures.set_item(stringify!($name), $name)?;)*
+            }};
+        }
+        set!(
+            rounds,
+            touches,
+            max_touches,
+            input_vertices,
+            steiner_vertices,
+            cage_vertices,
+            cages_created,
+            cages_grown,
+            cages_released,
+            exact_fallbacks,
+            precision_limited,
+            seconds,
+            passes,
+            worst_halving,
+            cage_points,
+            far_corners,
+            off_centers,
+            yields,
+            closing_points,
+            ply_probes,
+            max_ply,
+            mean_ply,
+            max_ball_intersections,
+            mean_ball_intersections,
+            feature_size_constant,
+            insertion_constant_input,
+            insertion_constant_corner,
+            insertion_constant_cage,
+            simplices_created,
+        );
+        Ok(figures)
+    }
+}
+
+type Nearest<'py> = (Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<f64>>);
+type Ids = (Option<u32>, Option<u32>, Option<u32>);
+type Report = (u32, u64, u64, Option<(u32, String, Ids, String)>);

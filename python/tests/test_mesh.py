@@ -1,0 +1,271 @@
+"""Meshes: arrays, options, errors."""
+
+import copy
+import gc
+import pickle
+import re
+import weakref
+
+import netmesh
+import numpy as np
+import pytest
+
+
+def test_the_arrays_fit_together(random):
+    points = random.random((300, 3))
+    m = netmesh.mesh(points)
+    vertices, simplices = len(m.points), len(m.simplices)
+    assert (m.dim, m.points.shape, m.points.dtype) == (3, (vertices, 3), np.float64)
+    assert (m.simplices.shape, m.simplices.dtype) == ((simplices, 4), np.int32)
+    assert (m.neighbors.shape, m.neighbors.dtype) == ((simplices, 4), np.int32)
+    assert (m.kinds.shape, m.kinds.dtype) == ((vertices,), np.uint8)
+    assert m.precision_limited.dtype == bool and m.precision_limited.shape == (vertices,)
+    assert (m.points[:300] == points).all() and (m.input_vertices == np.arange(300)).all()
+    assert set(m.kinds[:300]) == {netmesh.VertexKind.INPUT}
+    assert set(m.kinds[300:]) == {netmesh.VertexKind.STEINER, netmesh.VertexKind.CAGE}
+    assert m.simplices.min() == 0 and m.simplices.max() == vertices - 1
+    edges = m.points[m.simplices[:, 1:]] - m.points[m.simplices[:, :1]]
+    assert (np.linalg.det(edges) > 0).all()
+    for s, row in enumerate(m.neighbors[:100]):
+        for opposite, n in zip(m.simplices[s], row):
+            if n != -1:
+                assert s in m.neighbors[n]
+                assert set(m.simplices[s]) - {opposite} <= set(m.simplices[n])
+    root = m.domains[0]
+    assert root["parent"] == -1 and root["radius"] > 0.5
+    assert m.vertex_domains.max() < len(m.domains) and m.vertex_domains.min() == 0
+
+
+def test_arrays_are_the_librarys_and_stay_as_they_are(random):
+    m = netmesh.mesh(random.random((50, 2)))
+    arrays = [m.points, m.simplices, m.neighbors, m.kinds, m.precision_limited, m.input_vertices]
+    addresses = [array.ctypes.data for array in arrays]
+    assert addresses[0] == m.points.ctypes.data and addresses[1] == m.simplices.ctypes.data
+    for array in arrays:
+        assert not array.flags.writeable and not array.flags.owndata
+        with pytest.raises(ValueError):
+            array.flags.writeable = True
+    values = [array.copy() for array in arrays]
+    gone = weakref.ref(m)
+    del m
+    gc.collect()
+    assert gone() is None
+    filler = [netmesh.mesh(random.random((50, 2))) for _ in range(20)]
+    assert all((array == value).all() for array, value in zip(arrays, values))
+    assert [array.ctypes.data for array in arrays] == addresses and filler
+
+
+@pytest.mark.parametrize("dim", range(2, 9))
+def test_every_dimension(dim, random):
+    m = netmesh.mesh(random.random((dim + 3, dim)), algorithm="delaunay")
+    assert m.dim == dim and m.validate() == (3, 0, m.validate().checked, None)
+
+
+def layouts(points):
+    n, dim = points.shape
+    wide = np.full((n, dim + 3), np.nan)
+    wide[:, :dim] = points
+    sparse = np.full((2 * n, 2 * dim), np.nan)
+    sparse[::2, ::2] = points
+    unaligned = np.zeros(n, np.dtype([("pad", "u1"), ("x", "f8", (dim,))]))
+    unaligned["x"] = points
+    return {
+        "columns first": np.asfortranarray(points),
+        "first columns of more": wide[:, :dim],
+        "backwards": points[::-1].copy()[::-1],
+        "every other": sparse[::2, ::2],
+        "not aligned": unaligned["x"],
+        "swapped bytes": points.astype(">f8"),
+        "lists": points.tolist(),
+        "objects": points.astype(object),
+        "rows twice": np.repeat(points, 2, axis=0)[::2],
+    }
+
+
+def test_every_layout_of_the_points_makes_the_same_mesh(random):
+    points = random.random((60, 3))
+    expected = netmesh.mesh(points)
+    for name, array in layouts(points).items():
+        m = netmesh.mesh(array)
+        assert (m.points == expected.points).all(), name
+        assert (m.simplices == expected.simplices).all(), name
+    narrow = netmesh.mesh(points.astype(np.float32))
+    assert (narrow.points[:60] == points.astype(np.float32)).all()
+    whole = netmesh.mesh(np.arange(20, dtype=np.int16).reshape(10, 2) ** 2 % 31)
+    assert whole.points[3].tolist() == [5, 18]
+    one = np.broadcast_to([1.0, 2.0], (5, 2))
+    with pytest.raises(netmesh.DegenerateInputError, match="5 points, 1 of them distinct"):
+        netmesh.mesh(one)
+
+
+def test_the_points_are_copied(random):
+    points = random.random((30, 2))
+    m = netmesh.mesh(points)
+    before = m.points.copy()
+    points[:] = 7
+    assert (m.points == before).all()
+
+
+def test_equal_points_share_a_vertex():
+    m = netmesh.mesh([[0, 0], [1, 0], [0.0, -0.0], [0, 1], [1, 0]], algorithm="delaunay")
+    assert m.input_vertices.tolist() == [0, 1, 0, 2, 1] and len(m.points) == 3
+
+
+OPTIONS = {
+    "output": ("well_spaced", "'hierarchical' or 'well_spaced'"),
+    "algorithm": ("svr", "'netmesh' or 'svr' or 'delaunay'"),
+    "ordering": ("deterministic_net", "'sampled_net' or 'deterministic_net'"),
+    "criterion": ("radius_edge", "'voronoi_aspect' or 'radius_edge'"),
+    "quality_bound": (2.5, "[2.2, 100]"),
+    "epsilon": (0.3, "[0.05, 0.6]"),
+    "delta": (0.4, "[0.1, 1]"),
+    "gamma": (0.25, "[0.01, 0.25]"),
+    "yield_radius": (0.3, "[0.05, 1]"),
+    "encroachment": (2.0, "[1, 4]"),
+    "cage_scale": (0.5, "[0.3, 0.9]"),
+    "root_scale": (4.0, "[2, 16]"),
+    "seed": (5, None),
+    "max_vertices": (100000, None),
+    "threads": (2, None),
+    "instruments": (True, None),
+}
+
+
+def clusters():
+    """Points for which every option makes a difference."""
+    random = np.random.default_rng(0)
+    return (random.random((100, 1, 2)) + 0.01 * random.random((1, 5, 2))).reshape(-1, 2)
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_options_reach_the_library(name):
+    points = clusters()
+    value, range_ = OPTIONS[name]
+    default, other = netmesh.mesh(points), netmesh.mesh(points, **{name: value})
+    differs = default.points.shape != other.points.shape or (default.points != other.points).any()
+    if name == "instruments":
+        assert (default.stats.max_ply, other.stats.max_ply > 0) == (0, True)
+    # A mesh depends neither on threads nor on room that it does not need.
+    assert differs == (name not in ("threads", "max_vertices", "instruments"))
+    assert other.options[name] == value
+    if range_:
+        wrong = "Hierarchical" if isinstance(value, str) else 1000.0
+        with pytest.raises(netmesh.InvalidArgumentError, match=f"^{name} is .*{re.escape(range_)}"):
+            netmesh.mesh(points, **{name: wrong})
+
+
+def test_numbers_of_options():
+    points = [[0, 0], [1, 0], [0, 1]]
+    for name in ("seed", "threads", "max_vertices"):
+        for number in (-1, 2**64):
+            with pytest.raises(ValueError, match=f"^{name} is {number}; it must be 0 to"):
+                netmesh.mesh(points, **{name: number})
+        with pytest.raises(TypeError, match=f"^{name} is of type .*a whole number"):
+            netmesh.mesh(points, **{name: 1.5})
+    with pytest.raises(ValueError, match="^epsilon is NaN"):
+        netmesh.mesh(points, epsilon=np.nan)
+    with pytest.raises(TypeError, match="^epsilon is of type .*a number"):
+        netmesh.mesh(points, epsilon="half")
+    with pytest.raises(TypeError, match="epsilom"):
+        netmesh.mesh(points, epsilom=0.5)
+    netmesh.mesh(points, seed=np.uint64(2**64 - 1), epsilon=np.float32(0.5), threads=np.int8(2))
+
+
+def test_bad_points():
+    for points, error, text in [
+        ([[0, 0], [1, np.nan]], netmesh.NonFiniteError, r"points\[1\] has a non-finite coordinate 1"),
+        ([[0, 0], [np.inf, 1]], netmesh.NonFiniteError, r"points\[1\] .* 0: inf"),
+        ([0, 1, 2], netmesh.InvalidArgumentError, r"points has shape \(3,\)"),
+        (np.zeros((2, 2, 2)), netmesh.InvalidArgumentError, r"points has shape \(2, 2, 2\)"),
+        ([[0], [1]], netmesh.DimensionError, r"points has shape \(2, 1\)"),
+        (np.eye(9), netmesh.DimensionError, r"points has shape \(9, 9\)"),
+        (np.zeros((0, 3)), netmesh.DegenerateInputError, "0 points"),
+        (np.zeros((3, 0)), netmesh.DimensionError, r"\(3, 0\)"),
+        ([[0, 0]], netmesh.DegenerateInputError, "1 points"),
+        ([[0, 1j], [1, 0]], netmesh.InvalidArgumentError, "points is an array of complex128"),
+        ([["a", "b"]], netmesh.InvalidArgumentError, "points is an array of"),
+        ([[0, 0], [1]], ValueError, "homogeneous"),
+    ]:
+        with pytest.raises(error, match=text) as raised:
+            netmesh.mesh(points)
+        assert isinstance(raised.value, ValueError)
+
+
+def test_errors_are_what_python_calls_them_too():
+    for error, base in [
+        (netmesh.InvalidArgumentError, ValueError),
+        (netmesh.FileError, OSError),
+        (netmesh.OutOfMemoryError, MemoryError),
+        (netmesh.LimitError, RuntimeError),
+        (netmesh.StateError, RuntimeError),
+    ]:
+        assert issubclass(error, base) and issubclass(error, netmesh.Error)
+    points = np.random.default_rng(0).random((100, 2))
+    with pytest.raises(netmesh.LimitError, match="max_vertices"):
+        netmesh.mesh(points, max_vertices=100)
+    line = np.outer(np.arange(5), [1.0, 1.0])
+    with pytest.raises(netmesh.DegenerateInputError, match="affine rank 1"):
+        netmesh.mesh(line, algorithm="delaunay")
+    with pytest.raises(netmesh.InvalidArgumentError, match="^level is 4"):
+        netmesh.mesh(line).validate(4)
+    with pytest.raises(TypeError, match="netmesh.mesh"):
+        netmesh.Mesh()
+
+
+def test_nobody_else_need_wait(random):
+    """Other threads of Python go on while a mesh is made."""
+    import threading
+
+    points = random.random((40000, 3))
+    counts = []
+
+    def count():
+        n = 0
+        while worker.is_alive():
+            n += 1
+        counts.append(n)
+
+    worker = threading.Thread(target=netmesh.mesh, args=(points,))
+    worker.start()
+    counter = threading.Thread(target=count)
+    counter.start()
+    counter.join()
+    worker.join()
+    assert counts[0] > 1000
+
+
+def test_copies_and_pickles_are_the_same_mesh():
+    points = clusters()
+    m = netmesh.mesh(np.concatenate([points, points[:3]]), seed=3, quality_bound=2.5)
+    assert copy.copy(m) is m and copy.deepcopy(m) is m
+    other = pickle.loads(pickle.dumps(m))
+    for name in ("points", "simplices", "neighbors", "domains", "input_vertices"):
+        assert (getattr(m, name) == getattr(other, name)).all()
+    assert other.options == m.options
+
+
+def test_results_are_tuples_with_names(random):
+    m = netmesh.mesh(random.random((200, 2)))
+    stats, quality = m.stats, m.quality()
+    assert stats.input_vertices == 200 and stats.rounds > 2 and stats.seconds > 0
+    assert stats.input_vertices + stats.steiner_vertices + stats.cage_vertices == len(m.points)
+    assert 1 < quality.mean_aspect < quality.worst_aspect <= quality.worst_aspect_anywhere <= 3
+    assert quality._asdict()["precision_limited"] == 0
+    report = m.validate()
+    assert (report.level, report.violations, report.first) == (3, 0, None) and report.checked > 1000
+    assert m.validate(1).level == 1
+
+
+def test_export(tmp_path, random):
+    m = netmesh.mesh(random.random((40, 2)))
+    m.export(tmp_path / "mesh.npy")
+    assert (np.load(tmp_path / "mesh.npy") == m.points).all()
+    m.export(str(tmp_path / "mesh.any"), format="tetgen_node")
+    assert (tmp_path / "mesh.any").read_text().startswith(str(len(m.points)))
+    with pytest.raises(netmesh.InvalidArgumentError, match="extension"):
+        m.export(tmp_path / "mesh.any")
+    with pytest.raises(netmesh.InvalidArgumentError, match="^format is 'vtk'; it must be 'auto' or"):
+        m.export(tmp_path / "mesh.vtu", format="vtk")
+    with pytest.raises(OSError, match="No such file"):
+        m.export(tmp_path / "nowhere" / "mesh.vtu")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mesh.any", "mesh.any.ele", "mesh.npy"]

@@ -5,8 +5,7 @@
 //! branches in the sense of [`Array::push_if`](crate::memory::Array::push_if).
 
 use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
-use super::{Complex, Facet, INFINITE, VertexSet, position};
-use crate::mesh::NONE;
+use super::{Complex, Facet, SimplexId, VertexId, VertexSet, position};
 
 /// Vertices of a boundary, the infinite one counted, whose edges have a place in the table.
 const NUMBERS: usize = 64;
@@ -29,11 +28,11 @@ impl<const D: usize> Complex<D> {
     /// simplex on `boundary[i]`.
     pub fn retriangulate(
         &mut self,
-        vertex: u32,
-        cavity: &[u32],
+        vertex: VertexId,
+        cavity: &[SimplexId],
         boundary: &[Facet],
         around: &VertexSet,
-        created: &mut Vec<u32>,
+        created: &mut Vec<SimplexId>,
     ) {
         created.clear();
         for facet in boundary {
@@ -45,7 +44,7 @@ impl<const D: usize> Complex<D> {
             4..=MAX_TABLE_DIM => self.link_by_table(boundary, created),
             _ => self.link_by_pivots(boundary, created),
         }
-        self.incident[vertex as usize] = created[0];
+        self.incident[vertex] = created[0];
         for &simplex in cavity {
             self.release(simplex);
         }
@@ -53,13 +52,13 @@ impl<const D: usize> Complex<D> {
 
     /// The simplex of `vertex` over `facet`, linked to the simplex beyond.
     #[inline(always)]
-    fn cone(&mut self, vertex: u32, facet: &Facet) -> u32 {
+    fn cone(&mut self, vertex: VertexId, facet: &Facet) -> SimplexId {
         let simplex = self.allocate();
-        let (from, index) = (facet.simplex as usize * Self::RECORD, facet.index as usize);
-        self.records.copy_within(from..from + Self::VERTICES, simplex as usize * Self::RECORD);
+        let (from, index) = (facet.simplex.index() * Self::RECORD, facet.index as usize);
+        self.records.copy_within(from..from + Self::VERTICES, simplex.index() * Self::RECORD);
         let (vertices, others) = self.record_mut(simplex).split_at_mut(Self::VERTICES);
         let (neighbors, mark) = others.split_at_mut(Self::VERTICES);
-        (vertices[index], neighbors[index], mark[0]) = (vertex, facet.beyond, 0);
+        (vertices[index], neighbors[index], mark[0]) = (vertex.number(), facet.beyond.number(), 0);
         self.neighbors_mut(facet.beyond)[facet.mirror as usize] = simplex;
         simplex
     }
@@ -67,25 +66,18 @@ impl<const D: usize> Complex<D> {
     /// Links the cones in the plane, which go round the cavity: each is followed by the one that
     /// starts where its edge ends.
     #[inline(always)]
-    fn link_round(&mut self, boundary: &[Facet], created: &[u32]) {
-        let vertex_at = |complex: &Self, at: usize, index: usize| {
-            complex.records[created[at] as usize * Self::RECORD + index]
-        };
-        let mut at_infinity = 0;
+    fn link_round(&mut self, boundary: &[Facet], created: &[SimplexId]) {
+        // Until the second loop is done with a vertex, it has the number of its edge instead of a
+        // simplex.
+        let mut at_infinity = SimplexId::NONE;
         for (at, facet) in boundary.iter().enumerate() {
             let [start, _] = SIDES[facet.index as usize];
-            match vertex_at(self, at, start) {
-                INFINITE => at_infinity = at as u32,
-                vertex => self.incident[vertex as usize] = at as u32,
-            }
+            *self.incident_or(&mut at_infinity, created[at], start) = SimplexId::new(at);
         }
         for (at, facet) in boundary.iter().enumerate() {
             let [start, end] = SIDES[facet.index as usize];
-            let following = match vertex_at(self, at, end) {
-                INFINITE => &mut at_infinity,
-                vertex => &mut self.incident[vertex as usize],
-            };
-            let next = *following as usize;
+            let following = self.incident_or(&mut at_infinity, created[at], end);
+            let next = following.index();
             *following = created[at.max(next)];
             let [_, next_end] = SIDES[boundary[next].index as usize];
             self.neighbors_mut(created[at])[start] = created[next];
@@ -93,20 +85,41 @@ impl<const D: usize> Complex<D> {
         }
     }
 
+    /// The simplex that is incident to the vertex number `index` of `simplex`; `at_infinity` for the
+    /// infinite vertex.
+    #[inline(always)]
+    fn incident_or<'a>(
+        &'a mut self,
+        at_infinity: &'a mut SimplexId,
+        simplex: SimplexId,
+        index: usize,
+    ) -> &'a mut SimplexId {
+        let vertex = self.records[simplex.index() * Self::RECORD + index];
+        let vertex = VertexId::from_number(vertex);
+        if vertex == VertexId::INFINITE { at_infinity } else { &mut self.incident[vertex] }
+    }
+
     /// Links the cones in space, if the vertices round the cavity are few enough.
     #[inline(always)]
-    fn link_by_edges(&mut self, boundary: &[Facet], around: &VertexSet, created: &[u32]) -> bool {
+    fn link_by_edges(
+        &mut self,
+        boundary: &[Facet],
+        around: &VertexSet,
+        created: &[SimplexId],
+    ) -> bool {
         if around.ids.len() >= NUMBERS {
             return false;
         }
         let Self { edges, records, incident, .. } = self;
-        let edges: &mut [u32; EDGES] = (&mut edges[..]).try_into().expect("there is room for all");
-        let mut last = [NONE; NUMBERS];
+        let edges: &mut [SimplexId; EDGES] = (&mut edges[..]).try_into().expect("it is reserved");
+        let mut last = [SimplexId::NONE; NUMBERS];
         for (facet, &simplex) in boundary.iter().zip(created) {
             let (vertices, neighbors) =
-                records[simplex as usize * Self::RECORD..][..8].split_at_mut(4);
+                records[simplex.index() * Self::RECORD..][..8].split_at_mut(4);
             let [i, j, k] = TRIANGLES[facet.index as usize].map(|index| index % 4);
-            let number = |index: usize| around.number(vertices[index]) as usize % NUMBERS;
+            let number = |index: usize| {
+                around.number(VertexId::from_number(vertices[index])) as usize % NUMBERS
+            };
             let (a, b, c) = (number(i), number(j), number(k));
             edges[NUMBERS * a + b] = simplex;
             edges[NUMBERS * b + c] = simplex;
@@ -118,32 +131,32 @@ impl<const D: usize> Complex<D> {
             (last[a], last[b], last[c]) = (simplex, simplex, simplex);
         }
         for (facet, &simplex) in boundary.iter().zip(created) {
-            let neighbors = &mut records[simplex as usize * Self::RECORD..][4..8];
+            let neighbors = &mut records[simplex.index() * Self::RECORD..][4..8];
             for index in TRIANGLES[facet.index as usize] {
                 let neighbor = &mut neighbors[index % 4];
-                *neighbor = edges[*neighbor as usize % EDGES];
+                *neighbor = edges[*neighbor as usize % EDGES].number();
             }
         }
         for (&vertex, &simplex) in around.ids.iter().zip(&last[1..]) {
-            incident[vertex as usize] = simplex;
+            incident[vertex] = simplex;
         }
         true
     }
 
     /// Every vertex of the cones is incident to the last one that has it.
-    fn touch_vertices(&mut self, created: &[u32]) {
+    fn touch_vertices(&mut self, created: &[SimplexId]) {
         for &simplex in created {
-            let at = simplex as usize * Self::RECORD;
-            for &vertex in &self.records[at..][..Self::VERTICES] {
-                if vertex != INFINITE {
-                    self.incident[vertex as usize] = simplex;
+            let record = &self.records[simplex.index() * Self::RECORD..];
+            for &vertex in VertexId::from_numbers(&record[..Self::VERTICES]) {
+                if vertex != VertexId::INFINITE {
+                    self.incident[vertex] = simplex;
                 }
             }
         }
     }
 
     /// Links the cones by a table of the ridges.
-    fn link_by_table(&mut self, boundary: &[Facet], created: &[u32]) {
+    fn link_by_table(&mut self, boundary: &[Facet], created: &[SimplexId]) {
         self.ridges.begin::<D>(boundary.len());
         for (facet, &simplex) in boundary.iter().zip(created) {
             for (ridge, index) in ridges_of::<D>(self.vertices(simplex), facet.index as usize) {
@@ -157,10 +170,10 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Links the cones by pivoting round the ridges through the cavity.
-    fn link_by_pivots(&mut self, boundary: &[Facet], created: &[u32]) {
+    fn link_by_pivots(&mut self, boundary: &[Facet], created: &[SimplexId]) {
         for (facet, &simplex) in boundary.iter().zip(created) {
             let neighbors = self.neighbors_mut(simplex);
-            neighbors.fill(NONE);
+            neighbors.fill(SimplexId::NONE);
             neighbors[facet.index as usize] = facet.beyond;
             // The facet's own simplex, though dead, points to its cone: that is how a pivot finds
             // it.
@@ -168,7 +181,7 @@ impl<const D: usize> Complex<D> {
         }
         for (facet, &simplex) in boundary.iter().zip(created) {
             for ridge in (0..Self::VERTICES).filter(|&ridge| ridge != facet.index as usize) {
-                if self.neighbors(simplex)[ridge] == NONE {
+                if !self.neighbors(simplex)[ridge].is_valid() {
                     let (neighbor, index) = self.pivot(facet, ridge);
                     self.neighbors_mut(simplex)[ridge] = neighbor;
                     self.neighbors_mut(neighbor)[index] = simplex;
@@ -181,7 +194,7 @@ impl<const D: usize> Complex<D> {
     /// Turns round the ridge of `facet` without vertex `leave` until the cavity ends; returns the
     /// cone there and the number of its vertex that is not on the ridge.
     #[inline]
-    fn pivot(&self, facet: &Facet, leave: usize) -> (u32, usize) {
+    fn pivot(&self, facet: &Facet, leave: usize) -> (SimplexId, usize) {
         let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);
         loop {
             let next = self.neighbors(current)[leave];

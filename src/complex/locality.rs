@@ -1,22 +1,21 @@
 //! An order of locality: simplices that are near each other in the complex come near each other.
 
-use super::Complex;
+use super::{Complex, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
-use crate::mesh::NONE;
 
 /// All live simplices, each with the vertex that it is near.
 pub(crate) struct Anchored {
     /// The simplices, by anchor.
-    pub order: Array<u32>,
+    pub order: Array<SimplexId>,
     /// Anchor -> where its simplices begin in `order`; and their end.
     starts: Array<u32>,
 }
 
 impl Anchored {
     /// The simplices of `anchor`.
-    pub fn of(&self, anchor: u32) -> &[u32] {
-        let at = anchor as usize;
+    pub fn of(&self, anchor: VertexId) -> &[SimplexId] {
+        let at = anchor.index();
         &self.order[self.starts[at] as usize..self.starts[at + 1] as usize]
     }
 }
@@ -34,11 +33,11 @@ impl<const D: usize> Complex<D> {
         // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
         let mut owners = Array::with_room(self.simplex_bound())?;
         let mut reached = Array::with_room(self.simplex_count())?;
-        for simplex in 0..self.simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.simplex_bound()) {
             tick()?;
-            let least = self.vertices(simplex).iter().copied().min().unwrap_or(NONE);
-            let is_reached = (least as usize) < anchors && self.is_live(simplex);
-            owners.try_push(if is_reached { least } else { NONE })?;
+            let least = self.vertices(simplex).iter().copied().min().unwrap_or(VertexId::NONE);
+            let is_reached = least.index() < anchors && self.is_live(simplex);
+            owners.try_push(if is_reached { least } else { VertexId::NONE })?;
             if is_reached {
                 reached.try_push(simplex)?;
             }
@@ -49,8 +48,8 @@ impl<const D: usize> Complex<D> {
             let simplex = reached[next];
             next += 1;
             for &neighbor in self.neighbors(simplex) {
-                if owners[neighbor as usize] == NONE {
-                    owners[neighbor as usize] = owners[simplex as usize];
+                if !owners[neighbor].is_valid() {
+                    owners[neighbor] = owners[simplex];
                     reached.try_push(neighbor)?;
                 }
             }
@@ -61,15 +60,15 @@ impl<const D: usize> Complex<D> {
         let mut order = Array::with_room(reached.len())?;
         for &simplex in &reached {
             tick()?;
-            order.try_push(NONE)?;
-            starts[owners[simplex as usize] as usize + 2] += 1;
+            order.try_push(SimplexId::NONE)?;
+            starts[owners[simplex].index() + 2] += 1;
         }
         for at in 1..starts.len() {
             starts[at] += starts[at - 1];
         }
         for &simplex in &reached {
             tick()?;
-            let at = &mut starts[owners[simplex as usize] as usize + 1];
+            let at = &mut starts[owners[simplex].index() + 1];
             order[*at as usize] = simplex;
             *at += 1;
         }

@@ -1,12 +1,14 @@
 //! The combinatorial complex: a triangulated sphere, that is a ball whose hull facets are joined to
 //! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
 //!
-//! A simplex is a record of `u32` ids: its vertices, the neighbours opposite them and its mark,
-//! which a search wants one after the other and finds in a cache line or two. Dead ones wait in a
+//! A simplex is a record of numbers of 32 bits: the ids of its vertices, those of the neighbours
+//! opposite them and its mark, which a search wants one after the other and finds in a cache line or
+//! two. Dead ones wait in a
 //! LIFO list. All simplices are oriented alike: replacing a vertex of one by a point on the same
 //! side keeps the orientation, so a cavity is retriangulated without one orientation test.
 
 mod cone;
+mod ids;
 mod locality;
 mod partition;
 mod records;
@@ -14,24 +16,21 @@ mod ridges;
 mod star;
 mod vertices;
 
-use crate::memory::{AllocError, AllocResult, Array, TryGrow, make_room};
-use crate::mesh::NONE;
+use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, make_room};
 use cone::EDGES;
+pub(crate) use ids::{SimplexId, Vertex, VertexId};
 pub(crate) use locality::Anchored;
-pub(crate) use partition::{GlobalToLocal, LocalToGlobal};
+pub(crate) use partition::{GlobalToLocal, LocalToGlobal, PartitionIds};
 pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
-pub(crate) use vertices::VertexSet;
-
-/// The vertex that closes the hull. A simplex that has it stands for the half-space beyond a facet.
-pub(crate) const INFINITE: u32 = NONE;
+pub(crate) use vertices::{IdSet, VertexSet};
 
 /// The facet of `simplex` opposite its vertex number `index`, and the simplex beyond it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Facet {
-    pub simplex: u32,
+    pub simplex: SimplexId,
     pub index: u32,
-    pub beyond: u32,
+    pub beyond: SimplexId,
     /// Where `beyond` has `simplex` among its neighbours.
     pub mirror: u32,
 }
@@ -39,14 +38,14 @@ pub(crate) struct Facet {
 pub(crate) struct Complex<const D: usize> {
     records: Array<u32>,
     /// Dead simplices, reused last in first out.
-    free: Vec<u32>,
-    /// One simplex at each vertex, [`NONE`] for a vertex that is not in the complex.
-    incident: Array<u32>,
+    free: Vec<SimplexId>,
+    /// One simplex at each vertex, none for a vertex that is not in the complex.
+    incident: Array<SimplexId>,
     epoch: u32,
     /// The directed edges round a cavity in space, see `cone`.
-    edges: Vec<u32>,
+    edges: Vec<SimplexId>,
     ridges: Ridges,
-    /// Simplices that ids can name: one fewer than 2^32, since [`NONE`] names none.
+    /// Simplices that ids can name: one fewer than 2^32, since one id names none.
     id_limit: usize,
 }
 
@@ -61,15 +60,15 @@ impl<const D: usize> Complex<D> {
         Ok(Self {
             records: Array::new(),
             free: Vec::new(),
-            incident: Array::filled(vertices, NONE)?,
+            incident: Array::filled(vertices, SimplexId::NONE)?,
             epoch: 0,
             edges: Vec::new(),
             ridges: Ridges::default(),
-            id_limit: NONE as usize,
+            id_limit: SimplexId::NONE.index(),
         })
     }
 
-    /// Forgets all vertices and simplices, but keeps their room.
+    /// Forgets all vertices and simplices, but keeps their memory.
     pub fn clear(&mut self) {
         self.records.clear();
         self.free.clear();
@@ -87,41 +86,41 @@ impl<const D: usize> Complex<D> {
     }
 
     #[inline]
-    pub fn vertices(&self, simplex: u32) -> &[u32] {
+    pub fn vertices(&self, simplex: SimplexId) -> &[VertexId] {
         self.records().vertices(simplex)
     }
 
     #[inline]
-    pub fn neighbors(&self, simplex: u32) -> &[u32] {
+    pub fn neighbors(&self, simplex: SimplexId) -> &[SimplexId] {
         self.records().neighbors(simplex)
     }
 
-    pub fn is_live(&self, simplex: u32) -> bool {
-        self.neighbors(simplex)[0] != NONE
+    pub fn is_live(&self, simplex: SimplexId) -> bool {
+        self.neighbors(simplex)[0].is_valid()
     }
 
-    pub fn is_infinite(&self, simplex: u32) -> bool {
-        self.vertices(simplex).contains(&INFINITE)
+    pub fn is_infinite(&self, simplex: SimplexId) -> bool {
+        self.vertices(simplex).contains(&VertexId::INFINITE)
     }
 
-    /// A simplex at `vertex`, [`NONE`] if the vertex is not in the complex.
+    /// A simplex at `vertex`, none if the vertex is not in the complex.
     #[inline]
-    pub fn incident(&self, vertex: u32) -> u32 {
-        self.incident[vertex as usize]
+    pub fn incident(&self, vertex: VertexId) -> SimplexId {
+        self.incident[vertex]
     }
 
-    pub fn contains_vertex(&self, vertex: u32) -> bool {
-        self.incident(vertex) != NONE
+    pub fn contains_vertex(&self, vertex: VertexId) -> bool {
+        self.incident(vertex).is_valid()
     }
 
-    /// Makes room for a new vertex id.
-    pub fn add_vertex(&mut self) -> AllocResult<u32> {
-        self.incident.try_push(NONE)?;
-        Ok(self.incident.len() as u32 - 1)
+    /// Gives out a new vertex id.
+    pub fn add_vertex(&mut self) -> AllocResult<VertexId> {
+        self.incident.try_push(SimplexId::NONE)?;
+        Ok(VertexId::new(self.incident.len() - 1))
     }
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
-    pub fn begin(&mut self, first: &[u32]) -> AllocResult<()> {
+    pub fn begin(&mut self, first: &[VertexId]) -> AllocResult<()> {
         assert!(self.records.is_empty() && first.len() == Self::VERTICES);
         self.reserve(D + 2, 0)?;
         let finite = self.allocate();
@@ -130,13 +129,13 @@ impl<const D: usize> Complex<D> {
             let infinite = self.allocate();
             let vertices = self.vertices_mut(infinite);
             vertices.copy_from_slice(first);
-            vertices[opposite] = INFINITE;
+            vertices[opposite] = VertexId::INFINITE;
             // Seen from beyond the facet the vertices turn the other way.
             vertices.swap((opposite + 1) % Self::VERTICES, (opposite + 2) % Self::VERTICES);
         }
         self.link_all();
         for &vertex in first {
-            self.incident[vertex as usize] = finite;
+            self.incident[vertex] = finite;
         }
         Ok(())
     }
@@ -150,7 +149,7 @@ impl<const D: usize> Complex<D> {
         }
         match D {
             2 => {}
-            3 => self.edges.cover(EDGES, 0)?,
+            3 => self.edges.cover(EDGES, SimplexId::NONE)?,
             4..=MAX_TABLE_DIM => self.ridges.reserve::<D>(created)?,
             _ => {}
         }
@@ -173,11 +172,12 @@ impl<const D: usize> Complex<D> {
     /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex
     /// each.
     fn link_all(&mut self) {
-        let count = self.simplex_bound() as u32;
-        for simplex in 0..count {
+        let all = SimplexId::below(self.simplex_bound());
+        for simplex in all.clone() {
             for index in 0..Self::VERTICES {
                 let missing = self.vertices(simplex)[index];
-                let neighbor = (0..count)
+                let neighbor = all
+                    .clone()
                     .find(|&other| other != simplex && !self.vertices(other).contains(&missing));
                 self.neighbors_mut(simplex)[index] = neighbor.expect("two simplices share a facet");
             }
@@ -185,8 +185,7 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Starts a search: afterwards no simplex is marked. The two marks are independent. Returns
-    /// what
-    /// [`Self::has_marks_of`] knows the search by.
+    /// what [`Self::has_marks_of`] knows the search by.
     pub fn begin_marks(&mut self) -> u32 {
         if self.epoch >= u32::MAX - 2 {
             self.records.chunks_exact_mut(Self::RECORD).for_each(|record| record[Self::MARK] = 0);
@@ -197,13 +196,13 @@ impl<const D: usize> Complex<D> {
     }
 
     #[inline]
-    fn mark(&self, simplex: u32) -> u32 {
-        self.records[simplex as usize * Self::RECORD + Self::MARK]
+    fn mark(&self, simplex: SimplexId) -> u32 {
+        self.records[simplex.index() * Self::RECORD + Self::MARK]
     }
 
     #[inline]
-    fn mark_mut(&mut self, simplex: u32) -> &mut u32 {
-        &mut self.records[simplex as usize * Self::RECORD + Self::MARK]
+    fn mark_mut(&mut self, simplex: SimplexId) -> &mut u32 {
+        &mut self.records[simplex.index() * Self::RECORD + Self::MARK]
     }
 
     /// Whether no other search began since the one that got this number.
@@ -213,64 +212,66 @@ impl<const D: usize> Complex<D> {
     }
 
     #[inline]
-    pub fn mark_inside(&mut self, simplex: u32) {
+    pub fn mark_inside(&mut self, simplex: SimplexId) {
         *self.mark_mut(simplex) = self.epoch;
     }
 
     #[inline]
-    pub fn is_inside(&self, simplex: u32) -> bool {
+    pub fn is_inside(&self, simplex: SimplexId) -> bool {
         self.mark(simplex) == self.epoch
     }
 
     #[inline]
-    pub fn is_marked(&self, simplex: u32) -> bool {
+    pub fn is_marked(&self, simplex: SimplexId) -> bool {
         self.mark(simplex) >= self.epoch
     }
 
     /// Marks `simplex` as inside, or else as outside.
     #[inline]
-    pub fn mark_either(&mut self, simplex: u32, is_inside: bool) {
+    pub fn mark_either(&mut self, simplex: SimplexId, is_inside: bool) {
         *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);
     }
 
     /// A record that the caller fills in; one that no simplex had is all zeros.
     #[inline(always)]
-    fn allocate(&mut self) -> u32 {
+    fn allocate(&mut self) -> SimplexId {
         if let Some(simplex) = self.free.pop() {
             return simplex;
         }
-        let simplex = self.simplex_bound() as u32;
+        let simplex = SimplexId::new(self.simplex_bound());
         self.records.resize_within(self.records.len() + Self::RECORD, 0);
         simplex
     }
 
-    fn record_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.records[simplex as usize * Self::RECORD..][..Self::RECORD]
+    fn record_mut(&mut self, simplex: SimplexId) -> &mut [u32] {
+        &mut self.records[simplex.index() * Self::RECORD..][..Self::RECORD]
     }
 
-    fn release(&mut self, simplex: u32) {
-        self.neighbors_mut(simplex)[0] = NONE;
+    fn release(&mut self, simplex: SimplexId) {
+        self.neighbors_mut(simplex)[0] = SimplexId::NONE;
         self.free.push(simplex);
     }
 
-    fn vertices_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.records[simplex as usize * Self::RECORD..][..Self::VERTICES]
+    fn vertices_mut(&mut self, simplex: SimplexId) -> &mut [VertexId] {
+        let record = &mut self.records[simplex.index() * Self::RECORD..];
+        VertexId::from_numbers_mut(&mut record[..Self::VERTICES])
     }
 
     #[inline]
-    fn neighbors_mut(&mut self, simplex: u32) -> &mut [u32] {
-        &mut self.records[simplex as usize * Self::RECORD..][Self::VERTICES..Self::MARK]
+    fn neighbors_mut(&mut self, simplex: SimplexId) -> &mut [SimplexId] {
+        let record = &mut self.records[simplex.index() * Self::RECORD..];
+        SimplexId::from_numbers_mut(&mut record[Self::VERTICES..Self::MARK])
     }
 }
 
 /// Where `id` stands last in `ids`, 0 if nowhere. Without a branch, as `Array::push_if`.
 #[inline(always)]
-fn index_of(ids: &[u32], id: u32) -> usize {
+fn index_of<Of>(ids: &[Id<Of>], id: Id<Of>) -> usize {
     ids.iter().enumerate().fold(0, |found, (at, &other)| if other == id { at } else { found })
 }
 
 /// Where `id` stands in `ids`; the caller knows that it does.
 #[inline]
-pub(crate) fn position(ids: &[u32], id: u32) -> usize {
+pub(crate) fn position<Of>(ids: &[Id<Of>], id: Id<Of>) -> usize {
     ids.iter().position(|&other| other == id).expect("adjacent simplices name each other")
 }

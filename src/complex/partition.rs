@@ -1,94 +1,103 @@
 //! A partition of a complex is a complex of its own, which is changed apart from the rest and then
 //! joins it again.
 
-use super::{Complex, INFINITE};
+use super::{Complex, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected};
-use crate::mesh::NONE;
 
 /// The global ids of the simplices and vertices of a partition, by their local ids.
 #[derive(Default)]
 pub(crate) struct LocalToGlobal {
-    pub simplices: Array<u32>,
-    pub vertices: Array<u32>,
+    pub simplices: Array<SimplexId>,
+    pub vertices: Array<VertexId>,
 }
 
 /// The local ids in the partition that is being cut out, by global ids: simplex or vertex of the
-/// global mesh -> its id in the partition, [`NONE`] if it is not there. One serves for all
+/// global mesh -> its id in the partition, none if it is not there. One serves for all
 /// partitions, one after the other.
 pub(crate) struct GlobalToLocal {
-    pub simplices: Array<u32>,
-    pub vertices: Array<u32>,
+    pub simplices: Array<SimplexId>,
+    pub vertices: Array<VertexId>,
+}
+
+/// The ids of the partition that is being cut out, both ways.
+pub(crate) struct PartitionIds<'a> {
+    pub local_to_global: LocalToGlobal,
+    pub global_to_local: &'a mut GlobalToLocal,
 }
 
 impl GlobalToLocal {
     pub fn new(simplices: usize, vertices: usize) -> Result<Self> {
         Ok(Self {
-            simplices: Array::filled(simplices, NONE)?,
-            vertices: Array::filled(vertices, NONE)?,
+            simplices: Array::filled(simplices, SimplexId::NONE)?,
+            vertices: Array::filled(vertices, VertexId::NONE)?,
         })
     }
 
     /// Numbers the simplices of a partition in their order, and the vertices that it has so far.
-    pub fn give(&mut self, local_to_global: &LocalToGlobal) {
-        for (own, &simplex) in local_to_global.simplices.iter().enumerate() {
-            self.simplices[simplex as usize] = own as u32;
+    pub fn number(&mut self, local_to_global: LocalToGlobal) -> PartitionIds<'_> {
+        for (local, &simplex) in local_to_global.simplices.iter().enumerate() {
+            self.simplices[simplex] = SimplexId::new(local);
         }
-        for (own, &vertex) in local_to_global.vertices.iter().enumerate() {
-            self.vertices[vertex as usize] = own as u32;
+        for (local, &vertex) in local_to_global.vertices.iter().enumerate() {
+            self.vertices[vertex] = VertexId::new(local);
         }
+        PartitionIds { local_to_global, global_to_local: self }
     }
+}
 
-    /// Forgets the numbers of a partition.
-    pub fn take(&mut self, local_to_global: &LocalToGlobal) {
-        local_to_global
-            .simplices
-            .iter()
-            .for_each(|&simplex| self.simplices[simplex as usize] = NONE);
-        local_to_global.vertices.iter().for_each(|&vertex| self.vertices[vertex as usize] = NONE);
+impl PartitionIds<'_> {
+    /// Forgets the local ids, so that those of the next partition can be noted.
+    pub fn forget_local(self) -> LocalToGlobal {
+        for &simplex in &self.local_to_global.simplices {
+            self.global_to_local.simplices[simplex] = SimplexId::NONE;
+        }
+        for &vertex in &self.local_to_global.vertices {
+            self.global_to_local.vertices[vertex] = VertexId::NONE;
+        }
+        self.local_to_global
     }
 }
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices of `local_to_global` as a complex of their own. `ids` has their numbers;
-    /// vertices are added to both. Where the global mesh continues beyond a facet, the simplex is
-    /// its own neighbour, so that no search leaves the partition. `tick` is called for every
-    /// simplex.
+    /// The live simplices of `ids` as a complex of their own, whose other vertices are added to
+    /// `ids`. Where the global mesh continues beyond a facet, the simplex is its own neighbour, so
+    /// that no search leaves the partition. `tick` is called for every simplex.
     pub fn partition(
         &self,
-        local_to_global: &mut LocalToGlobal,
-        ids: &mut GlobalToLocal,
+        ids: &mut PartitionIds<'_>,
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
+        let PartitionIds { local_to_global, global_to_local } = ids;
         let mut partition = Self::new(local_to_global.vertices.len())?;
         partition.records.make_room(local_to_global.simplices.len() * Self::RECORD)?;
-        for (own, &simplex) in local_to_global.simplices.iter().enumerate() {
+        for (local, &simplex) in local_to_global.simplices.iter().enumerate() {
             tick()?;
+            let local = SimplexId::new(local);
             for &vertex in self.vertices(simplex) {
-                if vertex == INFINITE {
-                    partition.records.try_push(INFINITE)?;
+                if vertex == VertexId::INFINITE {
+                    partition.records.try_push(vertex.number())?;
                     continue;
                 }
-                let id = &mut ids.vertices[vertex as usize];
-                if *id == NONE {
+                let id = &mut global_to_local.vertices[vertex];
+                if !id.is_valid() {
                     *id = partition.add_vertex()?;
                     local_to_global.vertices.try_push(vertex)?;
                 }
-                partition.incident[*id as usize] = own as u32;
-                partition.records.try_push(*id)?;
+                partition.incident[*id] = local;
+                partition.records.try_push(id.number())?;
             }
             for &neighbor in self.neighbors(simplex) {
-                partition.records.try_push(match ids.simplices[neighbor as usize] {
-                    NONE => own as u32,
-                    id => id,
-                })?;
+                let id = global_to_local.simplices[neighbor];
+                let id = if id.is_valid() { id } else { local };
+                partition.records.try_push(id.number())?;
             }
             partition.records.try_push(0)?;
         }
         Ok(partition)
     }
 
-    /// The number of simplices that the spare memory has room for.
+    /// The number of simplices that fit in the spare memory.
     pub fn spare_simplices(&self) -> usize {
         self.records.spare() / Self::RECORD
     }
@@ -106,7 +115,7 @@ impl<const D: usize> Complex<D> {
     }
 
     /// See [`Records::is_interface`](super::Records::is_interface).
-    pub fn is_interface(&self, simplex: u32, index: usize) -> bool {
+    pub fn is_interface(&self, simplex: SimplexId, index: usize) -> bool {
         self.records().is_interface(simplex, index)
     }
 
@@ -120,30 +129,32 @@ impl<const D: usize> Complex<D> {
         local_to_global: &mut LocalToGlobal,
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<()> {
-        let base = self.simplex_bound() as u32;
+        let base = self.simplex_bound();
         let count = partition.simplex_bound();
-        if count > self.id_limit.saturating_sub(base as usize) {
+        if count > self.id_limit.saturating_sub(base) {
             return Err(AllocError::Ids.into());
         }
+        let moved = |simplex: SimplexId| SimplexId::new(base + simplex.index());
         self.records.absorb(partition.records)?;
         for &simplex in &partition.free {
-            self.free.try_push(base + simplex)?;
+            self.free.try_push(moved(simplex))?;
         }
         local_to_global.simplices = Array::with_room(count)?;
-        for name in base..base + count as u32 {
+        for simplex in SimplexId::range(base..base + count) {
             tick()?;
-            local_to_global.simplices.try_push(name)?;
-            *self.mark_mut(name) = 0;
-            if !self.is_live(name) {
+            local_to_global.simplices.try_push(simplex)?;
+            *self.mark_mut(simplex) = 0;
+            if !self.is_live(simplex) {
                 continue;
             }
             for index in 0..Self::VERTICES {
-                self.neighbors_mut(name)[index] += base;
-                let vertex = &mut self.vertices_mut(name)[index];
-                if *vertex != INFINITE {
-                    *vertex = local_to_global.vertices[*vertex as usize];
+                let neighbor = &mut self.neighbors_mut(simplex)[index];
+                *neighbor = moved(*neighbor);
+                let vertex = &mut self.vertices_mut(simplex)[index];
+                if *vertex != VertexId::INFINITE {
+                    *vertex = local_to_global.vertices[*vertex];
                     let vertex = *vertex;
-                    self.incident[vertex as usize] = name;
+                    self.incident[vertex] = simplex;
                 }
             }
         }
@@ -155,23 +166,23 @@ impl<const D: usize> Complex<D> {
     /// cut from.
     pub fn replace_joined(
         &mut self,
-        moved: &[u32],
+        moved: &[SimplexId],
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<()> {
-        for (simplex, &name) in moved.iter().enumerate() {
+        for (simplex, &new) in SimplexId::below(moved.len()).zip(moved) {
             tick()?;
             for index in 0..Self::VERTICES {
-                if name != NONE && self.is_live(name) && self.is_interface(name, index) {
-                    let neighbor = self.neighbors(simplex as u32)[index];
-                    self.neighbors_mut(name)[index] = moved[neighbor as usize];
+                if new.is_valid() && self.is_live(new) && self.is_interface(new, index) {
+                    let neighbor = self.neighbors(simplex)[index];
+                    self.neighbors_mut(new)[index] = moved[neighbor];
                 }
             }
         }
-        for (simplex, &name) in moved.iter().enumerate() {
+        for (simplex, &new) in SimplexId::below(moved.len()).zip(moved) {
             tick()?;
-            if name != NONE {
-                self.neighbors_mut(simplex as u32)[0] = NONE;
-                self.free.try_push(simplex as u32)?;
+            if new.is_valid() {
+                self.neighbors_mut(simplex)[0] = SimplexId::NONE;
+                self.free.try_push(simplex)?;
             }
         }
         Ok(())

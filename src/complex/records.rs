@@ -1,6 +1,6 @@
 //! The records of all simplices in one array, as searches read them.
 
-use super::{Complex, index_of};
+use super::{Complex, SimplexId, VertexId, index_of};
 use crate::memory::prefetch_at;
 
 /// The vertices and neighbours of all simplices.
@@ -22,31 +22,36 @@ pub(crate) struct Sighting {
 
 impl<'a, const D: usize> Records<'a, D> {
     #[inline]
-    pub fn vertices(self, simplex: u32) -> &'a [u32] {
-        &self.record(simplex)[..Complex::<D>::VERTICES]
+    pub fn vertices(self, simplex: SimplexId) -> &'a [VertexId] {
+        VertexId::from_numbers(&self.record(simplex)[..Complex::<D>::VERTICES])
     }
 
     #[inline]
-    pub fn neighbors(self, simplex: u32) -> &'a [u32] {
-        &self.record(simplex)[Complex::<D>::VERTICES..Complex::<D>::MARK]
+    pub fn neighbors(self, simplex: SimplexId) -> &'a [SimplexId] {
+        neighbors_in::<D>(self.record(simplex))
     }
 
     /// Begins to load the record of `simplex`.
     #[inline(always)]
-    pub fn prefetch(self, simplex: u32) {
-        prefetch_at(self.0, simplex as usize * Complex::<D>::RECORD, Complex::<D>::RECORD);
+    pub fn prefetch(self, simplex: SimplexId) {
+        prefetch_at(self.0, simplex.index() * Complex::<D>::RECORD, Complex::<D>::RECORD);
     }
 
     /// Whether the facet of `simplex` opposite its vertex number `index` is a cut facet of a
     /// partition.
-    pub fn is_interface(self, simplex: u32, index: usize) -> bool {
+    pub fn is_interface(self, simplex: SimplexId, index: usize) -> bool {
         self.neighbors(simplex)[index] == simplex
     }
 
     #[inline]
-    fn record(self, simplex: u32) -> &'a [u32] {
-        &self.0[simplex as usize * Complex::<D>::RECORD..][..Complex::<D>::RECORD]
+    fn record(self, simplex: SimplexId) -> &'a [u32] {
+        &self.0[simplex.index() * Complex::<D>::RECORD..][..Complex::<D>::RECORD]
     }
+}
+
+#[inline(always)]
+fn neighbors_in<const D: usize>(record: &[u32]) -> &[SimplexId] {
+    SimplexId::from_numbers(&record[Complex::<D>::VERTICES..Complex::<D>::MARK])
 }
 
 impl<const D: usize> Marking<'_, D> {
@@ -62,10 +67,10 @@ impl<const D: usize> Marking<'_, D> {
 
     /// Comes to `simplex` from its neighbour `before`.
     #[inline(always)]
-    pub fn see(&self, simplex: u32, before: u32) -> Sighting {
+    pub fn see(&self, simplex: SimplexId, before: SimplexId) -> Sighting {
         let record = self.records().record(simplex);
-        let neighbors = &record[Complex::<D>::VERTICES..Complex::<D>::MARK];
-        Sighting { mirror: index_of(neighbors, before) as u32, mark: record[Complex::<D>::MARK] }
+        let mirror = index_of(neighbors_in::<D>(record), before) as u32;
+        Sighting { mirror, mark: record[Complex::<D>::MARK] }
     }
 
     /// Whether the simplex was marked before.
@@ -82,8 +87,8 @@ impl<const D: usize> Marking<'_, D> {
 
     /// Marks `simplex` as inside, or else as outside.
     #[inline(always)]
-    pub fn mark(&mut self, simplex: u32, is_inside: bool) {
-        self.records[simplex as usize * Complex::<D>::RECORD + Complex::<D>::MARK] =
+    pub fn mark(&mut self, simplex: SimplexId, is_inside: bool) {
+        self.records[simplex.index() * Complex::<D>::RECORD + Complex::<D>::MARK] =
             self.epoch + u32::from(!is_inside);
     }
 }

@@ -2,6 +2,7 @@
 //! cavity, each of which comes up twice. Pivoting round a ridge through the cavity does without a
 //! table, but how many steps that takes no processor can foresee.
 
+use super::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
 
 /// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
@@ -10,7 +11,7 @@ pub(super) const MAX_TABLE_DIM: usize = 5;
 /// Where a ridge was met: the simplex, and its vertex that is neither on the ridge nor the apex.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
-    pub simplex: u32,
+    pub simplex: SimplexId,
     pub index: u32,
 }
 
@@ -23,7 +24,8 @@ struct Slot {
 }
 
 impl Slot {
-    const FREE: Self = Self { ridge: 0, side: Side { simplex: 0, index: 0 }, cone: 0 };
+    const FREE: Self =
+        Self { ridge: 0, side: Side { simplex: SimplexId::NONE, index: 0 }, cone: 0 };
 }
 
 #[derive(Clone, Debug, Default)]
@@ -36,7 +38,7 @@ pub(super) struct Ridges {
 }
 
 impl Ridges {
-    /// Makes room for the ridges between `facets` of dimension D - 1: D/2 of each.
+    /// Reserves memory for the ridges between `facets` of dimension D - 1: D/2 of each.
     pub fn reserve<const D: usize>(&mut self, facets: usize) -> AllocResult<()> {
         self.slots.cover(slots(D, facets), Slot::FREE)
     }
@@ -85,10 +87,10 @@ fn hash(ridge: u128) -> u64 {
 /// The ridges of the facet opposite the vertex `apex` of a simplex, each with the number of the
 /// facet's vertex that it lacks. The order of the facet's vertices does not matter.
 #[inline]
-pub(super) fn ridges_of<const D: usize>(vertices: &[u32], apex: usize) -> [(u128, u32); D] {
+pub(super) fn ridges_of<const D: usize>(vertices: &[VertexId], apex: usize) -> [(u128, u32); D] {
     let mut facet: [u64; D] = std::array::from_fn(|i| {
         let index = if i == apex { D } else { i };
-        u64::from(vertices[index]) << 32 | index as u64
+        u64::from(vertices[index].number()) << 32 | index as u64
     });
     for i in 0..D {
         for j in i + 1..D {
@@ -109,25 +111,25 @@ mod tests {
     /// The cone of a vertex over the surface of a simplex, its vertices in orders that differ: each
     /// ridge is met by two of the cone's simplices, and named alike by both.
     fn ridges_come_in_pairs<const D: usize>() {
-        let apex = 1000;
-        let surface: Vec<u32> = (0..=D as u32).map(|i| (7 * i + 3) % 11).collect();
+        let apex = VertexId::new(1000);
+        let surface: Vec<VertexId> = (0..=D).map(|i| VertexId::new((7 * i + 3) % 11)).collect();
         let mut table = Ridges::default();
         table.reserve::<D>(D + 1).unwrap();
         for _ in 0..2 {
             table.begin::<D>(D + 1);
             let mut pairs = 0;
             for lacking in 0..=D {
-                let mut vertices: Vec<u32> =
+                let mut vertices: Vec<VertexId> =
                     (0..=D).map(|i| if i == lacking { apex } else { surface[i] }).collect();
                 vertices.rotate_left(lacking * 3 % (D + 1));
                 vertices.swap(0, lacking);
                 let at = vertices.iter().position(|&vertex| vertex == apex).unwrap();
                 for (ridge, index) in ridges_of::<D>(&vertices, at) {
-                    let side = Side { simplex: lacking as u32, index };
+                    let side = Side { simplex: SimplexId::new(lacking), index };
                     let Some(other) = table.pair(ridge, side) else { continue };
                     pairs += 1;
                     // Each side lacks the vertex that the other simplex has not.
-                    assert_eq!(vertices[index as usize], surface[other.simplex as usize]);
+                    assert_eq!(vertices[index as usize], surface[other.simplex]);
                     assert!(other.simplex < side.simplex);
                 }
             }
@@ -151,12 +153,14 @@ mod tests {
         table.begin::<2>(64);
         table.shift = 63;
         for round in 0..2 {
-            for simplex in 0..60 {
-                let known = table.pair(u128::from(simplex) << 32 | 5, Side { simplex, index: 1 });
+            for simplex in SimplexId::below(60) {
+                let ridge = u128::from(simplex.number()) << 32 | 5;
+                let known = table.pair(ridge, Side { simplex, index: 1 });
                 assert_eq!(known.map(|side| side.simplex), (round == 1).then_some(simplex));
             }
         }
     }
+
     /// What earlier cones left is free, also when their numbers start again.
     #[test]
     fn every_cone_begins_with_an_empty_table() {
@@ -166,7 +170,7 @@ mod tests {
             table.cone = cone;
             table.begin::<3>(4);
             for ridge in 0..6 {
-                assert!(table.pair(ridge, Side { simplex: 1, index: 0 }).is_none());
+                assert!(table.pair(ridge, Side { simplex: SimplexId::new(1), index: 0 }).is_none());
             }
         }
     }

@@ -1,12 +1,12 @@
 //! The star of a vertex.
 
-use super::{Complex, index_of};
+use super::{Complex, SimplexId, VertexId, index_of};
 use crate::memory::{AllocResult, Array, TryGrow};
 
 impl<const D: usize> Complex<D> {
     /// Collects the live simplices at `vertex` into `star` (cleared first), infinite ones included.
     /// Uses the marks.
-    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> AllocResult<()> {
+    pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
         star.clear();
         self.begin_marks();
         let first = self.incident(vertex);

@@ -3,13 +3,13 @@
 
 use super::Delaunay;
 use super::conflict::Conflicts;
-use crate::complex::{Facet, Marking, VertexSet};
+use crate::complex::{Facet, Marking, SimplexId, VertexSet};
 use crate::memory::{AllocResult, Array, TryGrow};
 
 /// The simplices whose D-balls hold a point: what the point's insertion destroys.
 #[derive(Default)]
 pub(crate) struct Cavity {
-    pub simplices: Vec<u32>,
+    pub simplices: Vec<SimplexId>,
     /// The facets round the cavity, grouped by `simplices`.
     pub boundary: Array<Facet>,
     /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
@@ -26,7 +26,7 @@ pub(crate) struct Cavity {
 /// A simplex in conflict, and the number of its facet where the search came in.
 #[derive(Clone, Copy)]
 struct Found {
-    simplex: u32,
+    simplex: SimplexId,
     entry: u32,
 }
 
@@ -39,9 +39,9 @@ impl Cavity {
         self.queue.clear();
     }
 
-    /// Goes on with `simplex`, whose facets there is room for then.
+    /// Goes on with `simplex`, whose facets fit in the reserve then.
     #[inline(always)]
-    fn begin_simplex<const D: usize>(&mut self, simplex: u32) -> AllocResult<()> {
+    fn begin_simplex<const D: usize>(&mut self, simplex: SimplexId) -> AllocResult<()> {
         self.queue.make_room(D + 1)?;
         self.boundary.make_room(D + 1)?;
         self.starts.try_push(self.boundary.len() as u32)?;
@@ -53,7 +53,7 @@ impl<const D: usize> Delaunay<D> {
     /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
     pub fn find_cavity(
         &mut self,
-        start: u32,
+        start: SimplexId,
         q: &[f64; D],
         cavity: &mut Cavity,
     ) -> AllocResult<()> {
@@ -84,7 +84,8 @@ impl<const D: usize> Delaunay<D> {
             cavity.begin_simplex::<D>(simplex)?;
             cavity.vertices.insert_finite(search.marking.records().vertices(simplex)[entry])?;
             let neighbors = search.marking.records().neighbors(simplex);
-            let others: [u32; D] = std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
+            let others: [SimplexId; D] =
+                std::array::from_fn(|i| neighbors[i + usize::from(i >= entry)]);
             // Two by name: the compiler does not unroll a loop as long as that.
             let mut cross = |i: usize| {
                 search.cross(simplex, i + usize::from(i >= entry), others[i], cavity);
@@ -108,7 +109,7 @@ impl<const D: usize> Search<'_, D> {
     /// Crosses the facet with number `index` of the cavity's `simplex`, to `beyond`. What was seen
     /// before is tested once more: that is faster than to go another way for it.
     #[inline(always)]
-    fn cross(&mut self, simplex: u32, index: usize, beyond: u32, cavity: &mut Cavity) {
+    fn cross(&mut self, simplex: SimplexId, index: usize, beyond: SimplexId, cavity: &mut Cavity) {
         let seen = self.marking.see(beyond, simplex);
         let is_new = !self.marking.is_marked(&seen);
         let side = self.conflicts.side(beyond, self.q);
@@ -121,14 +122,14 @@ impl<const D: usize> Search<'_, D> {
         cavity.boundary.push_if(!is_inside, facet);
     }
 
-    fn test_with_care(&self, simplex: u32) -> bool {
+    fn test_with_care(&self, simplex: SimplexId) -> bool {
         self.conflicts.test_with_care(self.marking.records(), simplex, self.q)
     }
 
     /// Begins to load what a search that has come to `simplex` will look at next. In the plane a
     /// search is over before that helps.
     #[inline(always)]
-    fn prefetch_neighbors(&self, simplex: u32) {
+    fn prefetch_neighbors(&self, simplex: SimplexId) {
         if D > 2 {
             for &neighbor in self.marking.records().neighbors(simplex) {
                 self.marking.records().prefetch(neighbor);

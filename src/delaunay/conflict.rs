@@ -1,7 +1,7 @@
 //! Conflicts: whether a point is in a D-ball.
 
 use super::MAX_SIMPLEX_VERTICES;
-use crate::complex::{INFINITE, Records, position};
+use crate::complex::{Records, SimplexId, VertexId, position};
 use crate::memory::prefetch_at;
 use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -18,14 +18,14 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly
     /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
     #[inline(always)]
-    pub fn test(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+    pub fn test(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> bool {
         self.side(simplex, q).unwrap_or_else(|| self.test_with_care(records, simplex, q))
     }
 
     /// As [`Self::test`] if the D-ball as it is kept can tell.
     #[inline(always)]
-    pub fn side(&self, simplex: u32, q: &[f64; D]) -> Option<bool> {
-        let ball = &self.balls[simplex as usize];
+    pub fn side(&self, simplex: SimplexId, q: &[f64; D]) -> Option<bool> {
+        let ball = &self.balls[simplex];
         // An infinite simplex has no ball, and that none an anchor.
         ball.side(self.points.get(ball.anchor as usize)?, q)
     }
@@ -33,9 +33,14 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     /// As [`Self::test`] where [`Self::side`] cannot tell.
     #[cold]
     #[inline(never)]
-    pub fn test_with_care(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+    pub fn test_with_care(
+        &self,
+        records: Records<'_, D>,
+        simplex: SimplexId,
+        q: &[f64; D],
+    ) -> bool {
         let vertices = records.vertices(simplex);
-        match vertices.contains(&INFINITE) {
+        match vertices.contains(&VertexId::INFINITE) {
             true => self.beyond_hull(records, simplex, q),
             false => {
                 self.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
@@ -46,9 +51,9 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     }
 
     /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
-    fn beyond_hull(&self, records: Records<'_, D>, simplex: u32, q: &[f64; D]) -> bool {
+    fn beyond_hull(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> bool {
         let vertices = records.vertices(simplex);
-        let infinite = position(vertices, INFINITE);
+        let infinite = position(vertices, VertexId::INFINITE);
         let mut points = self.vertex_points(vertices);
         points[infinite] = q;
         match orientation(&points[..=D]) {
@@ -62,11 +67,11 @@ impl<'a, const D: usize> Conflicts<'a, D> {
     }
 
     /// The points of finite vertices.
-    pub fn vertex_points(&self, vertices: &[u32]) -> [&'a [f64; D]; MAX_SIMPLEX_VERTICES] {
+    pub fn vertex_points(&self, vertices: &[VertexId]) -> [&'a [f64; D]; MAX_SIMPLEX_VERTICES] {
         let mut of_vertices = [&self.points[0]; MAX_SIMPLEX_VERTICES];
         for (point, &vertex) in of_vertices.iter_mut().zip(vertices) {
-            if vertex != INFINITE {
-                *point = &self.points[vertex as usize];
+            if vertex != VertexId::INFINITE {
+                *point = &self.points[vertex];
             }
         }
         of_vertices
@@ -74,7 +79,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
 
     /// Begins to load the D-ball of `simplex`.
     #[inline(always)]
-    pub fn prefetch(&self, simplex: u32) {
-        prefetch_at(self.balls, simplex as usize, 1);
+    pub fn prefetch(&self, simplex: SimplexId) {
+        prefetch_at(self.balls, simplex.index(), 1);
     }
 }

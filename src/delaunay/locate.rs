@@ -2,7 +2,7 @@
 //! from a simplex nearby. Never used from far away.
 
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
-use crate::complex::INFINITE;
+use crate::complex::{SimplexId, VertexId};
 use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
@@ -10,12 +10,17 @@ impl<const D: usize> Delaunay<D> {
     /// vertex already, or not in the partition of a complex that this is. A visibility walk in a
     /// Delaunay triangulation cannot cycle except among cospherical simplices; a counted bound and
     /// a scan of all simplices cover those.
-    pub fn locate(&self, start: u32, q: &[f64; D]) -> Option<u32> {
+    pub fn locate(&self, start: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
         self.locate_and_count(start, q, &mut 0)
     }
 
     /// As [`Self::locate`]; adds the D-balls that `q` was tested against to `tests`.
-    pub fn locate_and_count(&self, start: u32, q: &[f64; D], tests: &mut u32) -> Option<u32> {
+    pub fn locate_and_count(
+        &self,
+        start: SimplexId,
+        q: &[f64; D],
+        tests: &mut u32,
+    ) -> Option<SimplexId> {
         let mut current = self.finite_near(start);
         for _ in 0..self.complex.simplex_count() {
             *tests += 1;
@@ -30,22 +35,22 @@ impl<const D: usize> Delaunay<D> {
                 None => break,
             }
         }
-        (0..self.complex.simplex_bound() as u32)
+        SimplexId::below(self.complex.simplex_bound())
             .filter(|&simplex| self.complex.is_live(simplex))
             .inspect(|_| *tests += 1)
             .find(|&simplex| self.in_conflict(simplex, q))
     }
 
     /// `start`, or the finite neighbour of an infinite one.
-    pub fn finite_near(&self, start: u32) -> u32 {
-        match self.complex.vertices(start).iter().position(|&v| v == INFINITE) {
+    pub fn finite_near(&self, start: SimplexId) -> SimplexId {
+        match self.complex.vertices(start).iter().position(|&v| v == VertexId::INFINITE) {
             Some(infinite) => self.complex.neighbors(start)[infinite],
             None => start,
         }
     }
 
     /// The neighbour across a facet that has `q` strictly on its other side.
-    fn step_towards(&self, simplex: u32, q: &[f64; D]) -> Option<u32> {
+    fn step_towards(&self, simplex: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
         let vertices = self.complex.vertices(simplex);
         let mut points: [&[f64; D]; MAX_SIMPLEX_VERTICES] = self.vertex_points(vertices);
         for index in 0..=D {

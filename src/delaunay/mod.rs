@@ -21,9 +21,8 @@ mod partition;
 #[cfg(test)]
 mod tests;
 
-use crate::complex::{Complex, INFINITE};
+use crate::complex::{Complex, SimplexId, VertexId};
 use crate::memory::{AllocResult, Array, TryGrow, make_room};
-use crate::mesh::NONE;
 use crate::numerics::{Circumball, Sign, norm, orientation};
 pub(crate) use cavity::Cavity;
 use conflict::Conflicts;
@@ -37,14 +36,14 @@ pub(crate) struct Delaunay<const D: usize> {
     /// All points that have an id, inserted or not.
     points: Array<[f64; D]>,
     /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
-    /// which is [`NONE`] for an infinite simplex: that has no D-ball.
+    /// which an infinite simplex has not: that has no D-ball.
     balls: Array<Circumball<D>>,
     exact_fallbacks: AtomicU64,
     simplices_created: u64,
 }
 
 impl<const D: usize> Delaunay<D> {
-    const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(NONE);
+    const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(VertexId::NONE.number());
 
     /// A complex without simplices over `points`, which get the ids 0, 1, ...
     pub fn new(points: Array<[f64; D]>) -> AllocResult<Self> {
@@ -57,7 +56,7 @@ impl<const D: usize> Delaunay<D> {
         })
     }
 
-    /// Forgets all points and simplices, but keeps their room.
+    /// Forgets all points and simplices, but keeps their memory.
     pub fn clear(&mut self) {
         self.complex.clear();
         self.points.clear();
@@ -69,8 +68,8 @@ impl<const D: usize> Delaunay<D> {
     }
 
     #[inline]
-    pub fn point(&self, vertex: u32) -> &[f64; D] {
-        &self.points[vertex as usize]
+    pub fn point(&self, vertex: VertexId) -> &[f64; D] {
+        &self.points[vertex]
     }
 
     /// Number of points with an id, inserted or not.
@@ -95,19 +94,19 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Gives `point` an id; it is not inserted yet.
-    pub fn add_point(&mut self, point: [f64; D]) -> AllocResult<u32> {
+    pub fn add_point(&mut self, point: [f64; D]) -> AllocResult<VertexId> {
         self.points.try_push(point)?;
         self.complex.add_vertex()
     }
 
     /// See [`Complex::star`].
-    pub fn star(&mut self, vertex: u32, star: &mut Array<u32>) -> AllocResult<()> {
+    pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
         self.complex.star(vertex, star)
     }
 
     /// Starts the complex with D + 1 affinely independent points.
-    pub fn begin(&mut self, first: &[u32]) -> AllocResult<()> {
-        let mut ordered = [0; MAX_SIMPLEX_VERTICES];
+    pub fn begin(&mut self, first: &[VertexId]) -> AllocResult<()> {
+        let mut ordered = [VertexId::NONE; MAX_SIMPLEX_VERTICES];
         let ordered = &mut ordered[..=D];
         ordered.copy_from_slice(first);
         let sign = orientation(&self.vertex_points(ordered)[..=D]);
@@ -118,7 +117,7 @@ impl<const D: usize> Delaunay<D> {
         self.complex.begin(ordered)?;
         self.simplices_created += self.complex.simplex_count() as u64;
         self.cover_balls()?;
-        for simplex in 0..self.complex.simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.complex.simplex_bound()) {
             self.compute_ball(simplex);
         }
         Ok(())
@@ -126,26 +125,26 @@ impl<const D: usize> Delaunay<D> {
 
     /// The D-ball of a live finite simplex.
     #[inline]
-    pub fn ball(&self, simplex: u32) -> Option<&Circumball<D>> {
-        let ball = &self.balls[simplex as usize];
-        (ball.anchor != NONE).then_some(ball)
+    pub fn ball(&self, simplex: SimplexId) -> Option<&Circumball<D>> {
+        let ball = &self.balls[simplex];
+        anchor(ball).map(|_| ball)
     }
 
     #[inline]
-    fn ball_and_anchor(&self, simplex: u32) -> Option<(&Circumball<D>, &[f64; D])> {
-        let ball = &self.balls[simplex as usize];
-        (ball.anchor != NONE).then(|| (ball, self.point(ball.anchor)))
+    fn ball_and_anchor(&self, simplex: SimplexId) -> Option<(&Circumball<D>, &[f64; D])> {
+        let ball = &self.balls[simplex];
+        anchor(ball).map(|anchor| (ball, self.point(anchor)))
     }
 
     /// The corner of the Voronoi diagram dual to `simplex`, rounded; not finite if out of range.
-    pub fn corner(&self, simplex: u32) -> Option<[f64; D]> {
+    pub fn corner(&self, simplex: SimplexId) -> Option<[f64; D]> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
         Some(ball.center_point(anchor))
     }
 
     /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of
     /// range.
-    pub fn corner_distance(&self, simplex: u32, x: &[f64; D]) -> Option<f64> {
+    pub fn corner_distance(&self, simplex: SimplexId, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
         let unit = ball.unit();
         let offset: [f64; D] =
@@ -155,7 +154,7 @@ impl<const D: usize> Delaunay<D> {
 
     /// See [`Conflicts::test`].
     #[inline(always)]
-    pub fn in_conflict(&self, simplex: u32, q: &[f64; D]) -> bool {
+    pub fn in_conflict(&self, simplex: SimplexId, q: &[f64; D]) -> bool {
         self.conflicts().test(self.complex.records(), simplex, q)
     }
 
@@ -168,7 +167,7 @@ impl<const D: usize> Delaunay<D> {
     /// About the power of `q` to the D-ball of `simplex`, the lower the further inside; infinite or
     /// NaN for an infinite simplex and out of range.
     #[inline]
-    pub fn power(&self, simplex: u32, q: &[f64; D]) -> f64 {
+    pub fn power(&self, simplex: SimplexId, q: &[f64; D]) -> f64 {
         match self.ball_and_anchor(simplex) {
             Some((ball, anchor)) => ball.power(anchor, q),
             None => f64::INFINITY,
@@ -179,9 +178,9 @@ impl<const D: usize> Delaunay<D> {
     /// on `cavity.boundary[i]`. O(cavity). The complex is useless after an error.
     pub fn insert(
         &mut self,
-        vertex: u32,
+        vertex: VertexId,
         cavity: &Cavity,
-        created: &mut Vec<u32>,
+        created: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
@@ -213,32 +212,32 @@ impl<const D: usize> Delaunay<D> {
     }
 
     #[inline(always)]
-    fn compute_balls(&mut self, [first, second]: [u32; 2]) {
+    fn compute_balls(&mut self, [first, second]: [SimplexId; 2]) {
         let (a, b) = (self.complex.vertices(first), self.complex.vertices(second));
         let is_finite =
-            |vertices: &[u32]| vertices.iter().all(|&v| (v as usize) < self.points.len());
-        let anchors = [a[0], b[0]];
+            |vertices: &[VertexId]| vertices.iter().all(|&v| v.index() < self.points.len());
+        let anchors = [a[0].number(), b[0].number()];
         let pair = match is_finite(a) && is_finite(b) {
             true => Circumball::ordinary_pair(|i| self.point(a[i]), |i| self.point(b[i])),
             false => None,
         };
         match pair {
             Some(balls) => {
-                self.balls[first as usize] = balls[0].anchored(anchors[0]);
-                self.balls[second as usize] = balls[1].anchored(anchors[1]);
+                self.balls[first] = balls[0].anchored(anchors[0]);
+                self.balls[second] = balls[1].anchored(anchors[1]);
             }
             None => [first, second].into_iter().for_each(|simplex| self.compute_ball(simplex)),
         }
     }
 
     #[inline(never)]
-    fn compute_ball(&mut self, simplex: u32) {
+    fn compute_ball(&mut self, simplex: SimplexId) {
         let vertices = self.complex.vertices(simplex);
-        self.balls[simplex as usize] = match vertices.contains(&INFINITE) {
+        self.balls[simplex] = match vertices.contains(&VertexId::INFINITE) {
             true => Self::NO_BALL,
             false => {
                 let ball = Circumball::of(|i| self.point(vertices[i]));
-                ball.anchored(vertices[ball.anchor as usize])
+                ball.anchored(vertices[ball.anchor as usize].number())
             }
         };
     }
@@ -248,7 +247,14 @@ impl<const D: usize> Delaunay<D> {
         self.balls = Array::new();
     }
 
-    fn vertex_points(&self, vertices: &[u32]) -> [&[f64; D]; MAX_SIMPLEX_VERTICES] {
+    fn vertex_points(&self, vertices: &[VertexId]) -> [&[f64; D]; MAX_SIMPLEX_VERTICES] {
         self.conflicts().vertex_points(vertices)
     }
+}
+
+/// The vertex that `ball` is relative to; an infinite simplex has none.
+#[inline(always)]
+fn anchor<const D: usize>(ball: &Circumball<D>) -> Option<VertexId> {
+    let anchor = VertexId::from_number(ball.anchor);
+    anchor.is_valid().then_some(anchor)
 }

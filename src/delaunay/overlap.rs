@@ -5,6 +5,7 @@
 //! passed through.
 
 use super::Delaunay;
+use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, Array, TryGrow};
 use crate::numerics::{Circumball, norm};
 
@@ -14,9 +15,9 @@ impl<const D: usize> Delaunay<D> {
     /// visited; `found` is a buffer.
     pub fn count_meeting(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         most: usize,
-        found: &mut Array<u32>,
+        found: &mut Array<SimplexId>,
     ) -> AllocResult<u64> {
         found.clear();
         self.complex.begin_marks();
@@ -48,10 +49,10 @@ impl<const D: usize> Delaunay<D> {
     /// is not where they are more than `most`. Distances are rounded.
     pub fn meeting_ball(
         &mut self,
-        center: u32,
+        center: VertexId,
         radius: f64,
         most: usize,
-        found: &mut Vec<u32>,
+        found: &mut Vec<SimplexId>,
     ) -> AllocResult<bool> {
         let x = *self.point(center);
         found.clear();
@@ -87,7 +88,7 @@ impl<const D: usize> Delaunay<D> {
 
     /// Whether the D-balls of two finite simplices meet. The centres are compared unrounded: those
     /// of a tiny cluster are told apart too.
-    fn balls_meet(&self, a: u32, b: u32) -> bool {
+    fn balls_meet(&self, a: SimplexId, b: SimplexId) -> bool {
         let (Some((a, from)), Some((b, to))) = (self.ball_and_anchor(a), self.ball_and_anchor(b))
         else {
             return false;

@@ -2,11 +2,10 @@
 //! simplices at its interface as they are. Those are then Delaunay on both sides, and so is every
 //! facet when all partitions have joined. A complex that is Delaunay at every facet is Delaunay.
 
-use super::Delaunay;
-use crate::complex::{GlobalToLocal, LocalToGlobal};
+use super::{Delaunay, anchor};
+use crate::complex::{LocalToGlobal, PartitionIds, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
-use crate::mesh::NONE;
 use crate::numerics::Circumball;
 
 /// Memory that the simplices of a partition grow in.
@@ -19,11 +18,11 @@ impl<const D: usize> Delaunay<D> {
     /// See [`crate::complex::Complex::partition`].
     pub fn partition(
         &self,
-        local_to_global: &mut LocalToGlobal,
-        ids: &mut GlobalToLocal,
+        ids: &mut PartitionIds<'_>,
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
-        let complex = self.complex.partition(local_to_global, ids, &mut tick)?;
+        let complex = self.complex.partition(ids, &mut tick)?;
+        let PartitionIds { local_to_global, global_to_local } = ids;
         let mut points = Array::with_room(local_to_global.vertices.len())?;
         for &vertex in &local_to_global.vertices {
             tick()?;
@@ -32,12 +31,12 @@ impl<const D: usize> Delaunay<D> {
         let mut balls = Array::with_room(local_to_global.simplices.len())?;
         for &simplex in &local_to_global.simplices {
             tick()?;
-            balls.try_push(renamed(&self.balls[simplex as usize], &ids.vertices))?;
+            balls.try_push(renamed(&self.balls[simplex], &global_to_local.vertices))?;
         }
         Ok(Self { complex, points, balls, exact_fallbacks: 0.into(), simplices_created: 0 })
     }
 
-    /// The number of simplices that the spare memory has room for.
+    /// The number of simplices that fit in the spare memory.
     pub fn spare_simplices(&self) -> usize {
         self.balls.spare().min(self.complex.spare_simplices())
     }
@@ -60,24 +59,24 @@ impl<const D: usize> Delaunay<D> {
     /// Vertex of a partition -> whether the global mesh has simplices at it that the partition has
     /// not. Then it is on a cut facet.
     pub fn interface_vertices(&self) -> Result<Vec<bool>> {
-        let mut is_at_rim = filled(self.points.len(), false)?;
-        for simplex in 0..self.complex.simplex_bound() as u32 {
+        let mut is_at_interface = filled(self.points.len(), false)?;
+        for simplex in SimplexId::below(self.complex.simplex_bound()) {
             for interface in (0..=D).filter(|&index| self.complex.is_interface(simplex, index)) {
                 for (index, &vertex) in self.complex.vertices(simplex).iter().enumerate() {
-                    if index != interface && vertex != NONE {
-                        is_at_rim[vertex as usize] = true;
+                    if index != interface && vertex != VertexId::INFINITE {
+                        is_at_interface[vertex] = true;
                     }
                 }
             }
         }
-        Ok(is_at_rim)
+        Ok(is_at_interface)
     }
 
     /// Adds the new points of `partition`, and gives them global ids.
     fn add_points(&mut self, partition: &Self, local_to_global: &mut LocalToGlobal) -> Result<()> {
         for point in &partition.points[local_to_global.vertices.len()..] {
-            let name = self.add_point(*point)?;
-            local_to_global.vertices.try_push(name)?;
+            let vertex = self.add_point(*point)?;
+            local_to_global.vertices.try_push(vertex)?;
         }
         Ok(())
     }
@@ -95,10 +94,10 @@ impl<const D: usize> Delaunay<D> {
         self.simplices_created += partition.simplices_created;
         self.complex.join(partition.complex, local_to_global, &mut tick)?;
         self.balls.absorb(partition.balls)?;
-        for at in base..self.balls.len() {
+        for simplex in SimplexId::range(base..self.balls.len()) {
             tick()?;
-            if self.complex.is_live(at as u32) {
-                self.balls[at] = renamed(&self.balls[at], &local_to_global.vertices);
+            if self.complex.is_live(simplex) {
+                self.balls[simplex] = renamed(&self.balls[simplex], &local_to_global.vertices);
             }
         }
         Ok(())
@@ -107,17 +106,17 @@ impl<const D: usize> Delaunay<D> {
     /// See [`crate::complex::Complex::replace_joined`].
     pub fn replace_joined(
         &mut self,
-        moved: &[u32],
+        moved: &[SimplexId],
         tick: impl FnMut() -> Result<()>,
     ) -> Result<()> {
         self.complex.replace_joined(moved, tick)
     }
 }
 
-/// `ball` with the global or local id of its anchor.
-fn renamed<const D: usize>(ball: &Circumball<D>, local_to_global: &[u32]) -> Circumball<D> {
-    match ball.anchor {
-        NONE => *ball,
-        anchor => ball.anchored(local_to_global[anchor as usize]),
+/// `ball` with the id that its anchor has elsewhere, given those of all vertices.
+fn renamed<const D: usize>(ball: &Circumball<D>, ids: &[VertexId]) -> Circumball<D> {
+    match anchor(ball) {
+        Some(anchor) => ball.anchored(ids[anchor].number()),
+        None => *ball,
     }
 }

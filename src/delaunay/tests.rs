@@ -2,7 +2,7 @@
 //! (exact signs), adjacency is closed, and every distinct point is a vertex.
 
 use super::{Cavity, Delaunay};
-use crate::complex::INFINITE;
+use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocError, Array};
 use crate::numerics::testing::Random;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
@@ -16,17 +16,17 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
         return None;
     }
     let mut delaunay = Delaunay::new(Array::copied(points).unwrap()).unwrap();
-    let vertices: Vec<u32> = basis.iter().map(|&i| i as u32).collect();
+    let vertices: Vec<_> = basis.iter().copied().map(VertexId::new).collect();
     delaunay.begin(&vertices).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     let mut near = delaunay.complex().incident(vertices[0]);
     let mut destroyed = 0;
-    for vertex in 0..points.len() as u32 {
+    for vertex in VertexId::below(points.len()) {
         if delaunay.complex().contains_vertex(vertex) {
             continue;
         }
-        if let Some(start) = delaunay.locate(near, &points[vertex as usize]) {
-            delaunay.find_cavity(start, &points[vertex as usize], &mut cavity).unwrap();
+        if let Some(start) = delaunay.locate(near, &points[vertex]) {
+            delaunay.find_cavity(start, &points[vertex], &mut cavity).unwrap();
             assert_corners(&delaunay, &cavity);
             delaunay.insert(vertex, &cavity, &mut created).unwrap();
             destroyed += cavity.simplices.len();
@@ -40,36 +40,36 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
 
 /// The finite vertices of the cavity's simplices, one of each.
 fn assert_corners<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
-    let vertices = |simplex: &u32| delaunay.complex().vertices(*simplex).iter().copied();
+    let vertices = |simplex: &SimplexId| delaunay.complex().vertices(*simplex).iter().copied();
     let found_vertices =
-        cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != INFINITE);
+        cavity.simplices.iter().flat_map(vertices).filter(|&vertex| vertex != VertexId::INFINITE);
     let found = BTreeSet::from_iter(cavity.vertices.ids.iter().copied());
     assert_eq!(found, found_vertices.collect());
     assert_eq!(found.len(), cavity.vertices.ids.len());
 }
 
-fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<u32> {
+fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<SimplexId> {
     let complex = delaunay.complex();
-    (0..complex.simplex_bound() as u32).filter(|&s| complex.is_live(s)).collect()
+    SimplexId::below(complex.simplex_bound()).filter(|&s| complex.is_live(s)).collect()
 }
 
 fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
     for simplex in live_simplices(delaunay) {
         let vertices = delaunay.complex().vertices(simplex);
-        if !vertices.contains(&INFINITE) {
+        if !vertices.contains(&VertexId::INFINITE) {
             let points = delaunay.vertex_points(vertices);
             assert_eq!(orientation(&points[..=D]), Sign::Positive, "{vertices:?}");
         }
-        let inserted = |v: &u32| delaunay.complex().contains_vertex(*v);
-        for other in (0..delaunay.point_count() as u32).filter(inserted) {
+        let inserted = |v: &VertexId| delaunay.complex().contains_vertex(*v);
+        for other in VertexId::below(delaunay.point_count()).filter(inserted) {
             if vertices.contains(&other) {
                 continue;
             }
             let q = delaunay.point(other);
-            assert!(!delaunay.in_conflict(simplex, q), "{vertices:?} conflicts with {other}");
-            if !vertices.contains(&INFINITE) {
+            assert!(!delaunay.in_conflict(simplex, q), "{vertices:?} conflicts with {other:?}");
+            if !vertices.contains(&VertexId::INFINITE) {
                 let points = delaunay.vertex_points(vertices);
-                assert_ne!(in_ball(&points[..=D], q), Sign::Positive, "{vertices:?} {other}");
+                assert_ne!(in_ball(&points[..=D], q), Sign::Positive, "{vertices:?} {other:?}");
             }
         }
     }
@@ -89,7 +89,7 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
             assert_eq!(missing.map(|(i, _)| i).collect::<Vec<_>>(), [index]);
         }
     }
-    for vertex in (0..delaunay.point_count() as u32).filter(|&v| complex.contains_vertex(v)) {
+    for vertex in VertexId::below(delaunay.point_count()).filter(|&v| complex.contains_vertex(v)) {
         let incident = complex.incident(vertex);
         assert!(complex.is_live(incident) && complex.vertices(incident).contains(&vertex));
     }
@@ -99,11 +99,12 @@ fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
 fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     let live = live_simplices(delaunay);
     let mut star = Array::new();
-    for vertex in 0..delaunay.point_count() as u32 {
+    for vertex in VertexId::below(delaunay.point_count()) {
         if delaunay.complex().contains_vertex(vertex) {
             delaunay.star(vertex, &mut star).unwrap();
             star.sort_unstable();
-            let has = |&&simplex: &&u32| delaunay.complex().vertices(simplex).contains(&vertex);
+            let has =
+                |&&simplex: &&SimplexId| delaunay.complex().vertices(simplex).contains(&vertex);
             assert!(live.iter().filter(has).eq(&star));
         }
     }
@@ -120,12 +121,12 @@ fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
     let mut steps = vec![usize::MAX; complex.simplex_bound()];
     for &simplex in &by_steps {
         let neighbors = complex.neighbors(simplex).iter();
-        let least = neighbors.map(|&neighbor| steps[neighbor as usize]).min().unwrap();
-        let is_at_anchor = complex.vertices(simplex).contains(&0);
-        steps[simplex as usize] = if is_at_anchor { 0 } else { least.saturating_add(1) };
+        let least = neighbors.map(|&neighbor| steps[neighbor]).min().unwrap();
+        let is_at_anchor = complex.vertices(simplex).contains(&VertexId::new(0));
+        steps[simplex] = if is_at_anchor { 0 } else { least.saturating_add(1) };
     }
-    assert!(by_steps.is_sorted_by_key(|&simplex| steps[simplex as usize]));
-    assert!(by_steps.iter().all(|&simplex| steps[simplex as usize] < usize::MAX));
+    assert!(by_steps.is_sorted_by_key(|&simplex| steps[simplex]));
+    assert!(by_steps.iter().all(|&simplex| steps[simplex] < usize::MAX));
     for mut order in [all, by_steps] {
         order.sort_unstable();
         assert_eq!(*order, live[..]);
@@ -141,8 +142,8 @@ fn check<const D: usize>(points: &[[f64; D]]) -> Option<usize> {
     let mut distinct: Vec<_> = points.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
     distinct.sort();
     distinct.dedup();
-    let inserted = |v: &u32| delaunay.complex().contains_vertex(*v);
-    assert_eq!((0..points.len() as u32).filter(inserted).count(), distinct.len());
+    let inserted = |v: &VertexId| delaunay.complex().contains_vertex(*v);
+    assert_eq!(VertexId::below(points.len()).filter(inserted).count(), distinct.len());
     Some(delaunay.complex().simplex_count())
 }
 
@@ -274,11 +275,12 @@ fn too_many_simplices_are_refused() {
     let vertices = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];
     let mut delaunay = Delaunay::new(Array::copied(&vertices).unwrap()).unwrap();
     delaunay.complex.limit_ids(8);
-    delaunay.begin(&[0, 1, 2]).unwrap();
+    delaunay.begin(&[0, 1, 2].map(VertexId::new)).unwrap();
     let (mut cavity, mut created) = (Cavity::default(), Vec::new());
     for (vertex, expected) in [(3, Ok(())), (4, Err(AllocError::Ids))] {
-        let q = vertices[vertex as usize];
-        let start = delaunay.locate(delaunay.complex().incident(0), &q).unwrap();
+        let vertex = VertexId::new(vertex);
+        let q = vertices[vertex];
+        let start = delaunay.locate(delaunay.complex().incident(VertexId::new(0)), &q).unwrap();
         delaunay.find_cavity(start, &q, &mut cavity).unwrap();
         assert_eq!(delaunay.insert(vertex, &cavity, &mut created), expected);
     }
@@ -290,12 +292,12 @@ fn location_counts_the_balls_it_tests() {
     let delaunay = triangulate(&points).unwrap();
     let q = [-3.0, -3.0];
     let mut tests = 0;
-    let found = delaunay.locate_and_count(delaunay.complex().incident(3), &q, &mut tests).unwrap();
+    let [near, far] = [3, 5].map(|vertex| delaunay.complex().incident(VertexId::new(vertex)));
+    let found = delaunay.locate_and_count(near, &q, &mut tests).unwrap();
     assert!(tests >= 1);
     let mut again = 10;
     assert_eq!(delaunay.locate_and_count(found, &q, &mut again), Some(found));
     assert_eq!(again, 11);
-    let far = delaunay.complex().incident(5);
     let mut walked = 0;
     delaunay.locate_and_count(far, &q, &mut walked).unwrap();
     assert!(walked > 1, "{walked}");

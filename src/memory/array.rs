@@ -4,8 +4,9 @@
 use super::pages::{give_back, prefer_large_pages};
 use super::{AllocResult, TryGrow, copied, with_room};
 use std::mem::{ManuallyDrop, MaybeUninit};
-use std::ops::{Deref, DerefMut};
+use std::ops::{Deref, DerefMut, Index, IndexMut};
 use std::ptr::NonNull;
+use std::slice::SliceIndex;
 use std::sync::atomic::{AtomicUsize, Ordering, fence};
 
 /// Rooms from this size on are the system's to move, by mapping it elsewhere.
@@ -336,6 +337,22 @@ impl<T> Deref for Array<T> {
     fn deref(&self) -> &[T] {
         // SAFETY: so many values are initialised from there on, and only this array has them.
         unsafe { std::slice::from_raw_parts(self.start.as_ptr(), self.length) }
+    }
+}
+
+impl<T, I: SliceIndex<[T]>> Index<I> for Array<T> {
+    type Output = I::Output;
+
+    #[inline(always)]
+    fn index(&self, index: I) -> &I::Output {
+        &(**self)[index]
+    }
+}
+
+impl<T, I: SliceIndex<[T]>> IndexMut<I> for Array<T> {
+    #[inline(always)]
+    fn index_mut(&mut self, index: I) -> &mut I::Output {
+        &mut (**self)[index]
     }
 }
 

@@ -2,12 +2,14 @@
 //! grows with the input grows through this module instead, which answers a [`AllocError`].
 
 mod array;
+mod id;
 mod incidence;
 mod pages;
 mod prefetch;
 
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
+pub use id::Id;
 pub use incidence::Incidence;
 use pages::prefer_large_pages;
 pub use prefetch::prefetch_at;

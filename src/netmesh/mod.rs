@@ -25,7 +25,7 @@ mod watch;
 
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::mesh::{Inputs, NONE, Triangulation};
+use crate::mesh::{Inputs, Triangulation};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
 use crate::parameters::Parameters;
 use state::{Cell, Mesher, Scratch, Stage, State};
@@ -91,9 +91,4 @@ fn limit(max_vertices: u64, needed: usize) -> Error {
     let message =
         message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
-}
-
-/// Whether an id names something.
-fn is_valid(id: u32) -> bool {
-    id != NONE
 }

@@ -1,13 +1,14 @@
 //! From the state of a run to plain data: finite simplices and living domains, renumbered.
 
 use super::{Mesher, Scratch};
-use crate::complex::INFINITE;
+use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_room};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
+use crate::netmesh::rounds::order::InputId;
 use crate::options::{Algorithm, Phase};
 use std::time::Instant;
 
@@ -32,9 +33,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut vertex_domains = with_room(vertices)?;
         let mut kinds = with_room(vertices)?;
         let mut limited = with_room(vertices)?;
-        for vertex in places.into_iter().chain(self.state.inputs as u32..vertices as u32) {
+        for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..vertices)) {
             self.watch.poll_after(1)?;
-            limited.push(precision_limited[vertex as usize]);
+            limited.push(precision_limited[vertex]);
             points.extend_from_slice(self.state.delaunay.point(vertex));
             let cage = renumbered(self.state.hierarchy.cage_of(vertex));
             cage_of.push(cage);
@@ -73,11 +74,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Distinct input -> vertex.
-    fn places(&mut self) -> Result<Vec<u32>> {
-        let mut places = filled(self.state.inputs, NONE)?;
+    fn places(&mut self) -> Result<Vec<VertexId>> {
+        let mut places = filled(self.state.inputs, VertexId::NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
             self.watch.poll_after(1)?;
-            places[input as usize] = vertex as u32;
+            places[input] = VertexId::new(vertex);
         }
         Ok(places)
     }
@@ -89,7 +90,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Self { state, watch, .. } = self;
         let complex = state.delaunay.complex();
         let bound = complex.simplex_bound();
-        let is_finite = |&s: &u32| complex.is_live(s) && !complex.is_infinite(s);
+        let is_finite = |&s: &SimplexId| complex.is_live(s) && !complex.is_infinite(s);
         let counts =
             on_threads(threads, watch, pieces(bound), |piece| Ok(piece.filter(is_finite).count()))?;
         let mut numbers = filled(bound, NONE)?;
@@ -122,12 +123,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
             on_threads(threads, watch, work, |(piece, (mut simplices, mut neighbors))| {
                 let mut row = [NONE; MAX_DIM + 1];
                 let row = &mut row[..=D];
-                for simplex in piece.filter(|&simplex| numbers[simplex as usize] != NONE) {
-                    row.copy_from_slice(complex.vertices(simplex));
-                    row.iter_mut().for_each(|vertex| *vertex = output_id(order, *vertex));
+                for simplex in piece.filter(|&simplex| numbers[simplex] != NONE) {
+                    for (number, &vertex) in row.iter_mut().zip(complex.vertices(simplex)) {
+                        *number = output_id(order, vertex);
+                    }
                     simplices.try_extend(row)?;
-                    row.copy_from_slice(complex.neighbors(simplex));
-                    row.iter_mut().for_each(|neighbor| *neighbor = numbers[*neighbor as usize]);
+                    for (number, &neighbor) in row.iter_mut().zip(complex.neighbors(simplex)) {
+                        *number = numbers[neighbor];
+                    }
                     neighbors.try_extend(row)?;
                 }
                 Ok((simplices, neighbors))
@@ -136,7 +139,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             simplices.absorb(own_simplices)?;
             neighbors.absorb(own_neighbors)?;
         }
-        debug_assert!(!simplices.contains(&INFINITE));
+        debug_assert!(!simplices.contains(&NONE));
         Ok((simplices.into_vec()?, neighbors.into_vec()?))
     }
 
@@ -167,7 +170,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((domains, ids))
     }
 
-    fn kind(&self, vertex: u32, cage: u32) -> VertexKind {
+    fn kind(&self, vertex: VertexId, cage: u32) -> VertexKind {
         if self.is_input(vertex) {
             VertexKind::Input
         } else if cage != NONE {
@@ -185,13 +188,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for (limited, cell) in limited.iter_mut().zip(&self.state.cells) {
             *limited |= cell.nearest < SUBNORMAL;
         }
-        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
             self.watch.poll_after(1)?;
             if self.state.refine_list.is_limited(simplex)
                 && self.state.delaunay.complex().is_live(simplex)
             {
                 for &vertex in self.state.delaunay.complex().vertices(simplex) {
-                    limited[vertex as usize] = true;
+                    limited[vertex] = true;
                 }
             }
         }
@@ -212,8 +215,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 /// The vertex of the result that `vertex` is.
-fn output_id(order: &[u32], vertex: u32) -> u32 {
-    order.get(vertex as usize).copied().unwrap_or(vertex)
+fn output_id(order: &[InputId], vertex: VertexId) -> u32 {
+    order.get(vertex.index()).map_or(vertex.number(), |input| input.number())
 }
 
 /// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.

@@ -1,12 +1,13 @@
 //! What the algorithm derives from its parameters (§4, end).
 
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::options::Criterion;
 use crate::parameters::Parameters;
 
 /// Largest value of [`Parameters::corner_restriction`].
 const CORNER_RESTRICTION: f64 = 0.85;
 
-/// A cage closes if its domain's inputs are within this fraction of its sphere's radius.
+/// A cage surrounds its domain's inputs if they are within this fraction of its sphere's radius.
 const SURROUNDED: f64 = 0.8;
 
 /// How much larger than the bound the quality of the mesh may be while inputs go in; and where the
@@ -17,7 +18,7 @@ const LOOSE_EDGES: f64 = 4.5;
 impl Parameters {
     /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of
     /// the domain's cage sphere; corners beyond the hull of the cage are the cage's business.
-    pub fn corner_restriction(&self) -> f64 {
+    pub(super) fn corner_restriction(&self) -> f64 {
         CORNER_RESTRICTION.min(self.hull_radius())
     }
 
@@ -27,8 +28,7 @@ impl Parameters {
     }
 
     /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at
-    /// the end: with all inputs in their places it needs fewer points, and moves no input to a new
-    /// home.
+    /// the end: with all inputs in their places it needs fewer points, and redistributes no input.
     pub(super) fn loose_bound(&self) -> f64 {
         let factor = match self.criterion {
             Criterion::VoronoiAspect => LOOSE,
@@ -37,14 +37,15 @@ impl Parameters {
         factor * self.quality_bound
     }
 
-    /// Whether the cells of a domain (index 0: the root) get their quality over all corners at the
-    /// end, not only over those within the corner restriction: its cage must surround its inputs.
-    /// The root's always does.
-    pub fn closes(&self, domain: u32) -> bool {
-        domain == 0 || self.closes_all()
+    /// Whether the final refinement bounds the cells of `domain` over all their corners, not only
+    /// over those within the corner restriction: the cage must surround the domain's inputs. The
+    /// root's always does.
+    pub(super) fn counts_all_corners_in(&self, domain: DomainId) -> bool {
+        domain == ROOT || self.counts_all_corners()
     }
 
-    pub(super) fn closes_all(&self) -> bool {
+    /// Whether it does so in every domain.
+    pub(super) fn counts_all_corners(&self) -> bool {
         self.epsilon <= SURROUNDED * self.cage_scale
     }
 }

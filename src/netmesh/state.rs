@@ -7,10 +7,10 @@ use super::limit;
 use super::partitions::interface::Interface;
 use super::refinement::refine_list::RefineList;
 use super::rounds::conflict_lists::ConflictLists;
-use super::rounds::order::by_locality;
+use super::rounds::order::{InputId, by_locality};
 use super::rounds::svr::Crowded;
 use super::watch::Watch;
-use crate::complex::VertexSet;
+use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::delaunay::Delaunay;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow, expect, filled};
@@ -78,7 +78,7 @@ pub(super) struct Mesher<'a, 'b, const D: usize> {
     pub state: State<D>,
     pub watch: Watch<'a, 'b>,
     /// Vertex -> distinct input. Empty in a partition.
-    pub order: Vec<u32>,
+    pub order: Vec<InputId>,
     /// Used by Sparse Voronoi Refinement only.
     pub crowded: Crowded,
     /// What a partition reported last.
@@ -103,16 +103,16 @@ impl Cell {
 /// Buffers that every insertion uses again.
 #[derive(Default)]
 pub(super) struct Scratch {
-    pub created: Vec<u32>,
-    pub star: Array<u32>,
+    pub created: Vec<SimplexId>,
+    pub star: Array<SimplexId>,
     /// Vertices whose nearest distance fell.
-    pub nearer: Array<u32>,
+    pub nearer: Array<VertexId>,
     /// New simplices that may be bad.
-    pub suspects: Array<u32>,
+    pub suspects: Array<SimplexId>,
     /// The vertices next to a cage that is released.
     pub affected: VertexSet,
     /// Simplices, and their inputs' distances, near a cage that is wanted.
-    pub near: Vec<u32>,
+    pub near: Vec<SimplexId>,
     pub distances: Vec<Reverse<u64>>,
 }
 
@@ -130,7 +130,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         let mut points = Array::with_room(count)?;
         for &input in &order {
             watch.poll_after(1)?;
-            points.try_push(inputs.distinct_point(input as usize).try_into().expect("dim is D"))?;
+            points.try_push(inputs.distinct_point(input.index()).try_into().expect("dim is D"))?;
         }
         let delaunay = Delaunay::new(points)?;
         watch.poll()?;
@@ -175,14 +175,14 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
     }
 
-    /// Makes room for the mesh of uniform inputs, so that the arrays of a large run do not move.
+    /// Reserves memory for the mesh of uniform inputs, so that the arrays of a large run do not move.
     pub(super) fn expect_usual_size(&mut self) {
         let (vertices, simplices) = match (self.state.parameters.algorithm, D) {
             (Algorithm::Delaunay, 2) => (self.state.inputs, 2),
             (Algorithm::Delaunay, 3) => (self.state.inputs, 7),
             (_, 2) => (3 * self.state.inputs, 2),
             (_, 3) => (3 * self.state.inputs, 7),
-            // From 4D on sizes vary more than room is worth.
+            // From 4D on sizes vary more than a reserve is worth.
             _ => return,
         };
         let simplices = simplices * vertices;
@@ -194,11 +194,11 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         expect(&mut self.state.precision_limited, vertices);
     }
 
-    pub(super) fn is_input(&self, vertex: u32) -> bool {
-        (vertex as usize) < self.state.inputs
+    pub(super) fn is_input(&self, vertex: VertexId) -> bool {
+        vertex.index() < self.state.inputs
     }
 
-    pub(super) fn is_inserted(&self, vertex: u32) -> bool {
+    pub(super) fn is_inserted(&self, vertex: VertexId) -> bool {
         self.state.delaunay.complex().contains_vertex(vertex)
     }
 
@@ -206,7 +206,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     ///
     /// # Errors
     /// `Limit` if the mesh may not grow.
-    pub(super) fn add_vertex(&mut self, x: [f64; D]) -> Result<u32> {
+    pub(super) fn add_vertex(&mut self, x: [f64; D]) -> Result<VertexId> {
         let count = self.state.delaunay.point_count();
         if count as u64 >= self.state.parameters.max_vertices {
             return Err(limit(self.state.parameters.max_vertices, count + 1));

@@ -1,12 +1,13 @@
 //! The three cage operations (§6.3): NEWCAGE, GROWCAGE, RELEASECAGE.
 
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::cages::site::CageSite;
 use crate::netmesh::cages::template::{cage_points, turned};
-use crate::netmesh::{Mesher, is_valid};
 use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
@@ -27,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn new_cage(
         &mut self,
         site: CageSite,
-        start: u32,
+        start: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<()> {
         let point = *self.state.delaunay.point(site.center);
@@ -81,9 +82,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         cage: DomainId,
         x: [f64; D],
-        start: u32,
+        start: SimplexId,
         cavity: &mut Cavity,
-    ) -> Result<Option<u32>> {
+    ) -> Result<Option<VertexId>> {
         let start = if self.state.delaunay.complex().is_live(start) {
             start
         } else {
@@ -118,7 +119,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn insert_into_cage(
         &mut self,
         domain: DomainId,
-        vertex: u32,
+        vertex: VertexId,
         cavity: &Cavity,
     ) -> Result<()> {
         let x = *self.state.delaunay.point(vertex);
@@ -135,7 +136,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     fn limit_cage(&mut self, cage: DomainId) {
         let center = self.state.hierarchy.node(cage).center;
-        self.state.precision_limited[center as usize] = true;
+        self.state.precision_limited[center] = true;
     }
 
     pub(in crate::netmesh) fn nearest_vertex_distance(&self, x: &[f64; D], cavity: &Cavity) -> f64 {
@@ -148,7 +149,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn make_room_outside(
         &mut self,
         cage: DomainId,
-        yielded: &[u32],
+        yielded: &[VertexId],
         cavity: &mut Cavity,
     ) -> Result<()> {
         for &input in yielded {
@@ -176,7 +177,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         cage: DomainId,
         least: f64,
-        start: u32,
+        start: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<bool> {
         if self.state.interface.is_non_owned(cage) {
@@ -200,7 +201,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         cage: DomainId,
         x: &[f64; D],
-        start: u32,
+        start: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<bool> {
         let needed = self.radius_for(self.state.hierarchy.distance_to_center(cage, x));
@@ -218,7 +219,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 for index in 0..=D {
                     let other =
                         self.state.delaunay.complex().vertices(self.scratch.star[at])[index];
-                    if is_valid(other) {
+                    if other.is_valid() {
                         self.separate(cage, other);
                     }
                 }
@@ -228,7 +229,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Lowers the clearance of `cage` to `vertex` if that is outside.
-    pub(in crate::netmesh) fn separate(&mut self, cage: DomainId, vertex: u32) {
+    pub(in crate::netmesh) fn separate(&mut self, cage: DomainId, vertex: VertexId) {
         debug_assert!(!self.state.interface.is_non_owned(cage));
         let distance =
             self.state.hierarchy.distance_to_center(cage, self.state.delaunay.point(vertex));

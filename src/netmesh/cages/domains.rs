@@ -6,39 +6,23 @@ mod partition;
 
 pub(in crate::netmesh) use partition::DomainsToGlobal;
 
-use crate::memory::{AllocError, AllocResult, Array, TryGrow, with_room};
-use crate::mesh::NONE;
+use crate::complex::VertexId;
+use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, with_room};
 use crate::numerics::distance;
 
-/// A domain, by the order in which domains are created.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::netmesh) struct DomainId(u32);
+/// A domain, by the order in which domains are created. None: the parent of the root, the domain of
+/// a vertex that is not inserted.
+pub(in crate::netmesh) type DomainId = Id<OfDomain>;
 
-impl DomainId {
-    /// No domain: the parent of the root, the domain of a vertex that is not inserted.
-    pub const NONE: Self = Self(NONE);
-
-    pub fn new(index: usize) -> Self {
-        Self(index as u32)
-    }
-
-    #[inline]
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
-
-    #[inline]
-    pub fn is_valid(self) -> bool {
-        self != Self::NONE
-    }
-}
+/// What a [`DomainId`] is the id of.
+pub(in crate::netmesh) enum OfDomain {}
 
 /// The root domain.
-pub(in crate::netmesh) const ROOT: DomainId = DomainId(0);
+pub(in crate::netmesh) const ROOT: DomainId = DomainId::new(0);
 
 pub(in crate::netmesh) struct Node<const D: usize> {
     /// The vertex at the centre, and its coordinates.
-    pub center: u32,
+    pub center: VertexId,
     pub point: [f64; D],
     pub radius: f64,
     /// The enclosing domain when this one lives, the one that took its vertices otherwise.
@@ -47,12 +31,12 @@ pub(in crate::netmesh) struct Node<const D: usize> {
     /// Distance from the centre to the nearest vertex outside the ball.
     pub outside: f64,
     /// The cage C_Omega: the vertices near the cage sphere.
-    pub cage: Vec<u32>,
+    pub cage: Vec<VertexId>,
 }
 
 #[derive(Clone, Copy)]
 struct Place {
-    /// A domain that [`Hierarchy::find`] resolves to the innermost one; [`NONE`] if not inserted.
+    /// A domain that [`Hierarchy::find`] resolves to the innermost one; none if not inserted.
     label: DomainId,
     /// The domain whose cage the vertex was made for.
     cage: DomainId,
@@ -95,24 +79,24 @@ impl<const D: usize> Hierarchy<D> {
 
     #[inline]
     pub fn node(&self, domain: DomainId) -> &Node<D> {
-        &self.nodes[domain.index()]
+        &self.nodes[domain]
     }
 
     pub fn node_mut(&mut self, domain: DomainId) -> &mut Node<D> {
-        &mut self.nodes[domain.index()]
+        &mut self.nodes[domain]
     }
 
-    /// Adds a domain in `parent` ([`NONE`] for the root), with room for the vertices of its cage.
+    /// Adds a domain in `parent` (none for the root), with memory for the vertices of its cage.
     pub fn create(
         &mut self,
-        center: u32,
+        center: VertexId,
         point: [f64; D],
         radius: f64,
         parent: DomainId,
         cage_size: usize,
     ) -> AllocResult<DomainId> {
         let cage = with_room(cage_size)?;
-        if self.nodes.len() >= NONE as usize {
+        if self.nodes.len() >= DomainId::NONE.index() {
             return Err(AllocError::Ids);
         }
         self.nodes.try_push(Node {
@@ -139,18 +123,18 @@ impl<const D: usize> Hierarchy<D> {
     #[inline]
     pub fn find(&mut self, domain: DomainId) -> DomainId {
         let mut current = domain;
-        while !self.nodes[current.index()].alive {
-            let parent = self.nodes[current.index()].parent;
-            let next = &self.nodes[parent.index()];
+        while !self.nodes[current].alive {
+            let parent = self.nodes[current].parent;
+            let next = &self.nodes[parent];
             if !next.alive {
-                self.nodes[current.index()].parent = next.parent;
+                self.nodes[current].parent = next.parent;
             }
             current = parent;
         }
         current
     }
 
-    /// The living parent of a living domain; [`NONE`] for the root.
+    /// The living parent of a living domain; none for the root.
     pub fn parent(&mut self, domain: DomainId) -> DomainId {
         let parent = self.node(domain).parent;
         if !parent.is_valid() {
@@ -167,37 +151,37 @@ impl<const D: usize> Hierarchy<D> {
 
     /// The innermost domain of an inserted vertex.
     #[inline]
-    pub fn domain_of(&mut self, vertex: u32) -> DomainId {
-        let domain = self.find(self.places[vertex as usize].label);
-        self.places[vertex as usize].label = domain;
+    pub fn domain_of(&mut self, vertex: VertexId) -> DomainId {
+        let domain = self.find(self.places[vertex].label);
+        self.places[vertex].label = domain;
         domain
     }
 
     /// Whether inserted vertices are known to be of one domain, without a climb: all have the same
     /// label, or there is only one domain.
     #[inline]
-    pub fn same_domain(&self, vertices: &[u32]) -> bool {
+    pub fn same_domain(&self, vertices: &[VertexId]) -> bool {
         self.is_single() || {
-            let label = |vertex: u32| self.places[vertex as usize].label;
+            let label = |vertex: VertexId| self.places[vertex].label;
             let first = label(vertices[0]);
             vertices[1..].iter().all(|&vertex| label(vertex) == first)
         }
     }
 
-    pub fn set_domain(&mut self, vertex: u32, domain: DomainId) {
-        self.places[vertex as usize].label = domain;
+    pub fn set_domain(&mut self, vertex: VertexId, domain: DomainId) {
+        self.places[vertex].label = domain;
     }
 
     /// Makes `vertex` part of the cage of `domain`.
-    pub fn join_cage(&mut self, vertex: u32, domain: DomainId) -> AllocResult<()> {
-        self.places[vertex as usize].cage = domain;
+    pub fn join_cage(&mut self, vertex: VertexId, domain: DomainId) -> AllocResult<()> {
+        self.places[vertex].cage = domain;
         self.node_mut(domain).cage.try_push(vertex)
     }
 
-    /// The living domain whose cage `vertex` is part of, [`NONE`] if there is none.
+    /// The living domain whose cage `vertex` is part of, if there is one.
     #[inline]
-    pub fn cage_of(&self, vertex: u32) -> DomainId {
-        match self.places[vertex as usize].cage {
+    pub fn cage_of(&self, vertex: VertexId) -> DomainId {
+        match self.places[vertex].cage {
             cage if cage.is_valid() && self.node(cage).alive => cage,
             _ => DomainId::NONE,
         }
@@ -221,7 +205,7 @@ impl<const D: usize> Hierarchy<D> {
 
     /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
     /// in Omega, or the centre of the child of Omega that holds it, or nothing.
-    pub fn representative(&mut self, vertex: u32, omega: DomainId) -> Option<u32> {
+    pub fn representative(&mut self, vertex: VertexId, omega: DomainId) -> Option<VertexId> {
         if self.domain_of(vertex) == omega {
             return Some(vertex);
         }
@@ -230,7 +214,7 @@ impl<const D: usize> Hierarchy<D> {
 
     /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
     /// outside is recognised without a climb to the root.
-    pub fn child_towards(&mut self, omega: DomainId, vertex: u32) -> Option<DomainId> {
+    pub fn child_towards(&mut self, omega: DomainId, vertex: VertexId) -> Option<DomainId> {
         let mut domain = self.domain_of(vertex);
         while self.node(domain).radius < self.node(omega).radius {
             let parent = self.parent(domain);

@@ -1,6 +1,7 @@
 //! Encroachment (Definition 2), read off the vertices U(x) of the D-balls that hold x, which are
 //! the vertices of `cavity`.
 
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::memory::AllocResult;
 use crate::netmesh::Mesher;
@@ -51,7 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// INENCROACH: the innermost domain that `input` encroaches from inside.
     pub(in crate::netmesh) fn inner_encroached(
         &mut self,
-        input: u32,
+        input: VertexId,
         cavity: &Cavity,
     ) -> Option<DomainId> {
         if self.state.hierarchy.is_single() {

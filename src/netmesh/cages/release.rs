@@ -1,8 +1,8 @@
 //! RELEASECAGE (§6.3).
 
 use crate::memory::AllocResult;
+use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::DomainId;
-use crate::netmesh::{Mesher, is_valid};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
@@ -18,7 +18,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.state.delaunay.star(vertex, &mut self.scratch.star)?;
             for &simplex in &self.scratch.star {
                 for &other in self.state.delaunay.complex().vertices(simplex) {
-                    if is_valid(other) {
+                    if other.is_valid() {
                         affected.insert(other)?;
                     }
                 }

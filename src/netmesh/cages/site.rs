@@ -1,6 +1,7 @@
 //! Where a cage goes and how large it is: MEDIALITY (§6.2) as INSERTINPUT needs it, and the radii
 //! that NEWCAGE and GROWCAGE take.
 
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
@@ -16,7 +17,7 @@ use std::ops::Range;
 /// Where a cage is wanted.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::netmesh) struct CageSite {
-    pub center: u32,
+    pub center: VertexId,
     pub radius: f64,
     pub parent: DomainId,
 }
@@ -40,7 +41,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// ask for what the cage needs: no vertex within encroachment r / epsilon of u.
     pub(in crate::netmesh) fn wanted_cage(
         &mut self,
-        input: u32,
+        input: VertexId,
         cavity: &Cavity,
     ) -> Result<Option<CageSite>> {
         let x = *self.state.delaunay.point(input);
@@ -51,7 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let child = self.state.hierarchy.child_towards(parent, center);
         let clearance = match child {
             Some(child) => self.state.hierarchy.node(child).outside,
-            None => self.state.cells[center as usize].nearest,
+            None => self.state.cells[center].nearest,
         };
         let most = self.radius_within(clearance) / self.spare_room();
         let most = most.min(self.room_inside(parent, center));
@@ -96,7 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With
     /// epsilon at most 0.5 the clearance asks for less.
-    fn room_inside(&self, parent: DomainId, center: u32) -> f64 {
+    fn room_inside(&self, parent: DomainId, center: VertexId) -> f64 {
         let radius = self.state.hierarchy.node(parent).radius;
         let distance =
             self.state.hierarchy.distance_to_center(parent, self.state.delaunay.point(center));
@@ -105,7 +106,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a
     /// few units of roundoff apart is as large as that takes.
-    fn smallest_radius(&self, center: u32) -> f64 {
+    fn smallest_radius(&self, center: VertexId) -> f64 {
         let spacing = spacing_near(self.state.delaunay.point(center));
         REPRESENTABLE * spacing / (self.state.parameters.delta * self.state.parameters.cage_scale)
     }
@@ -121,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x: &[f64; D],
         omega: DomainId,
         cavity: &Cavity,
-    ) -> Option<(u32, f64)> {
+    ) -> Option<(VertexId, f64)> {
         let mut nearest = None;
         let mut least = f64::INFINITY;
         for at in 0..cavity.vertices.ids.len() {
@@ -141,7 +142,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// soon be released and leave their vertices behind.
     fn lasting_radius(
         &mut self,
-        center: u32,
+        center: VertexId,
         child: Option<DomainId>,
         least: f64,
         most: f64,
@@ -174,7 +175,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// bits, which are ordered as distances are.
     fn distances_nearby(
         &mut self,
-        center: u32,
+        center: VertexId,
         child: Option<DomainId>,
         range: Range<f64>,
         cavity: &Cavity,
@@ -187,7 +188,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let near = &mut self.scratch.near;
         near.clear();
         near.try_extend(&cavity.simplices)?;
-        let around: &[u32] = match child {
+        let around: &[VertexId] = match child {
             Some(child) => &self.state.hierarchy.node(child).cage,
             None => &[center],
         };

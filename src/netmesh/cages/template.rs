@@ -1,6 +1,7 @@
 //! The cage template T (§4): points on the unit sphere, no point of the sphere farther than delta
 //! from them, made by greedy farthest-point insertion [Gon85].
 
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, collected, copied, with_room};
@@ -70,28 +71,31 @@ fn greedy_net<const D: usize>(
     most: u64,
     watch: &mut Watch<'_, '_>,
 ) -> Result<Vec<[f64; D]>> {
+    const ORIGIN: VertexId = VertexId::new(0);
     let mut points = with_room(D + 2)?;
     points.push([0.0; D]);
     points.extend(spanning_directions::<D>()?);
     let mut delaunay = Delaunay::new(Array::copied(&points)?)?;
-    let first = collected(0..=D as u32)?;
+    let first = collected(VertexId::below(D + 1))?;
     delaunay.begin(&first)?;
     let (mut cavity, mut created, mut star) = (Cavity::default(), Vec::new(), Array::new());
-    let mut insert = |delaunay: &mut Delaunay<D>, vertex: u32, near: u32| -> AllocResult<()> {
-        let x = *delaunay.point(vertex);
-        let start = delaunay.locate(near, &x).expect("the directions are distinct");
-        delaunay.find_cavity(start, &x, &mut cavity)?;
-        delaunay.insert(vertex, &cavity, &mut created)
-    };
-    let start = delaunay.complex().incident(0);
-    insert(&mut delaunay, D as u32 + 1, start)?;
+    let mut insert =
+        |delaunay: &mut Delaunay<D>, vertex: VertexId, near: SimplexId| -> AllocResult<()> {
+            let x = *delaunay.point(vertex);
+            let start = delaunay.locate(near, &x).expect("the directions are distinct");
+            delaunay.find_cavity(start, &x, &mut cavity)?;
+            delaunay.insert(vertex, &cavity, &mut created)
+        };
+    let start = delaunay.complex().incident(ORIGIN);
+    insert(&mut delaunay, VertexId::new(D + 1), start)?;
     let widest = 0.5 / (1.0 - 0.5 * delta * delta);
     loop {
-        delaunay.star(0, &mut star)?;
+        delaunay.star(ORIGIN, &mut star)?;
         watch.poll_after(star.len() as u32)?;
         let (facet, radius) = widest_facet(&delaunay, &star)?;
         if radius <= widest || delaunay.point_count() as u64 > most.saturating_add(1) {
-            return Ok(collected((1..delaunay.point_count() as u32).map(|v| *delaunay.point(v)))?);
+            let net = VertexId::range(1..delaunay.point_count());
+            return Ok(collected(net.map(|vertex| *delaunay.point(vertex)))?);
         }
         let corner = delaunay.corner(facet).expect("the simplices round the origin are finite");
         let vertex = delaunay.add_point(corner.map(|x| x / radius))?;
@@ -100,11 +104,14 @@ fn greedy_net<const D: usize>(
 }
 
 /// The simplex with the largest D-ball; among equals within rounding the first.
-fn widest_facet<const D: usize>(delaunay: &Delaunay<D>, star: &[u32]) -> AllocResult<(u32, f64)> {
-    let radius = |simplex: u32| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+fn widest_facet<const D: usize>(
+    delaunay: &Delaunay<D>,
+    star: &[SimplexId],
+) -> AllocResult<(SimplexId, f64)> {
+    let radius = |simplex: SimplexId| delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
     let mut sorted = copied(star)?;
     sorted.sort_unstable();
-    Ok(sorted.iter().fold((0, 0.0), |best, &simplex| match radius(simplex) {
+    Ok(sorted.iter().fold((SimplexId::NONE, 0.0), |best, &simplex| match radius(simplex) {
         wider if wider > best.1 * (1.0 + 1e-9) => (simplex, wider),
         _ => best,
     }))

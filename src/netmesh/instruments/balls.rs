@@ -1,6 +1,7 @@
 //! Ply (Definition 1) at Voronoi corners, and how many D-balls meet one D-ball (Theorem 4).
 
 use super::stride;
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
@@ -88,18 +89,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Live finite simplices at a regular stride, at most `most`.
-    fn probes(&mut self, most: usize) -> Result<Vec<u32>> {
+    fn probes(&mut self, most: usize) -> Result<Vec<SimplexId>> {
         let complex = self.state.delaunay.complex();
-        let bound = complex.simplex_bound() as u32;
-        let is_finite = |s: u32| complex.is_live(s) && !complex.is_infinite(s);
+        let all = SimplexId::below(complex.simplex_bound());
+        let is_finite = |s: SimplexId| complex.is_live(s) && !complex.is_infinite(s);
         let mut count = 0;
-        for simplex in 0..bound {
+        for simplex in all.clone() {
             self.watch.poll_after(1)?;
             count += usize::from(is_finite(simplex));
         }
         let step = stride(count, most);
         let mut probes = Vec::new();
-        for (at, simplex) in (0..bound).filter(|&s| is_finite(s)).enumerate() {
+        for (at, simplex) in all.filter(|&s| is_finite(s)).enumerate() {
             self.watch.poll_after(1)?;
             if at % step == 0 {
                 probes.try_push(simplex)?;

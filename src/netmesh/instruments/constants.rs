@@ -2,6 +2,7 @@
 //! 8): the largest ratios that were observed.
 
 use super::stride;
+use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::Mesher;
@@ -24,7 +25,7 @@ const SWEEPS: usize = 16;
 
 /// A vertex of a cage whose domain has one input yet, its centre.
 pub(super) struct Pending {
-    vertex: u32,
+    vertex: VertexId,
     insertion_radius: f64,
 }
 
@@ -39,13 +40,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if self.instruments.search.work > WORK {
                 break;
             }
-            self.compare_feature_sizes_at(vertex as u32)?;
+            self.compare_feature_sizes_at(VertexId::new(vertex))?;
         }
         Ok(())
     }
 
     /// In all domains that have `vertex`.
-    fn compare_feature_sizes_at(&mut self, vertex: u32) -> Result<()> {
+    fn compare_feature_sizes_at(&mut self, vertex: VertexId) -> Result<()> {
         let mut omega = self.state.hierarchy.domain_of(vertex);
         loop {
             self.compare_feature_sizes(vertex, omega)?;
@@ -60,7 +61,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    fn compare_feature_sizes(&mut self, vertex: u32, omega: DomainId) -> Result<()> {
+    fn compare_feature_sizes(&mut self, vertex: VertexId, omega: DomainId) -> Result<()> {
         let Some(sizes) = self.feature_sizes(vertex, omega)? else { return Ok(()) };
         if let (Some(mesh), Some(inputs)) = (sizes.mesh, sizes.inputs) {
             let constant = &mut self.state.stats.feature_size_constant;
@@ -70,8 +71,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// After `vertex` went in: f_P^Omega(v) / lambda_v, if it is one of those to be observed.
-    pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: u32) -> Result<()> {
-        let is_cage_vertex = self.state.hierarchy.cage_of(vertex) != DomainId::NONE;
+    pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: VertexId) -> Result<()> {
+        let is_cage_vertex = self.state.hierarchy.cage_of(vertex).is_valid();
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();
         let inserted = self.state.delaunay.point_count() - self.state.conflict_lists.remaining();
         let rarity = (inserted / INSERTION_PROBES + 1).next_power_of_two();
@@ -90,7 +91,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn compare_insertion_radius(&mut self, vertex: u32, is_cage_vertex: bool) -> Result<()> {
+    fn compare_insertion_radius(&mut self, vertex: VertexId, is_cage_vertex: bool) -> Result<()> {
         let omega = self.state.hierarchy.domain_of(vertex);
         let sizes = self.feature_sizes(vertex, omega)?.unwrap_or_default();
         let Some(insertion_radius) = sizes.mesh else { return Ok(()) };

@@ -9,11 +9,11 @@
 //! neighbour outside is followed only when the search comes to it from there.) Vertices outside
 //! Omega are followed, and do not count; none is wanted beyond the diameter of Omega's ball.
 
-use crate::complex::VertexSet;
+use crate::complex::{IdSet, SimplexId, VertexId, VertexSet};
 use crate::error::Result;
-use crate::memory::{AllocResult, Array};
-use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::{Mesher, is_valid};
+use crate::memory::{AllocResult, Array, Id};
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::{DomainId, OfDomain, ROOT};
 use crate::numerics::distance;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -32,10 +32,10 @@ pub(super) struct FeatureSizes {
 #[derive(Default)]
 pub(super) struct Search {
     /// Distances, as bits, of vertices to go on from, and of children's centres (`true`).
-    queue: BinaryHeap<Reverse<(u64, u32, bool)>>,
+    queue: BinaryHeap<Reverse<(u64, VertexId, bool)>>,
     seen: VertexSet,
-    children: VertexSet,
-    star: Array<u32>,
+    children: IdSet<OfDomain>,
+    star: Array<SimplexId>,
     /// Simplices visited in all searches.
     pub work: u64,
 }
@@ -47,7 +47,7 @@ impl Search {
         self.children.restart(domains)
     }
 
-    fn push(&mut self, distance: f64, vertex: u32, is_center: bool) -> AllocResult<()> {
+    fn push(&mut self, distance: f64, vertex: VertexId, is_center: bool) -> AllocResult<()> {
         if self.queue.len() == self.queue.capacity() {
             self.queue.try_reserve(1)?;
         }
@@ -55,14 +55,14 @@ impl Search {
         Ok(())
     }
 
-    fn pop(&mut self) -> Option<(f64, u32, bool)> {
+    fn pop(&mut self) -> Option<(f64, VertexId, bool)> {
         let Reverse((bits, vertex, is_center)) = self.queue.pop()?;
         Some((f64::from_bits(bits), vertex, is_center))
     }
 }
 
 /// Whether `id` was not in `set`, where it is now.
-fn is_new(set: &mut VertexSet, id: u32) -> AllocResult<bool> {
+fn is_new<Of>(set: &mut IdSet<Of>, id: Id<Of>) -> AllocResult<bool> {
     let before = set.ids.len();
     set.insert(id)?;
     Ok(set.ids.len() > before)
@@ -96,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// far. `None` if the search became too long.
     pub(super) fn feature_sizes(
         &mut self,
-        vertex: u32,
+        vertex: VertexId,
         omega: DomainId,
     ) -> Result<Option<FeatureSizes>> {
         let mut search = std::mem::take(&mut self.instruments.search);
@@ -108,13 +108,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn search_features(
         &mut self,
         search: &mut Search,
-        vertex: u32,
+        vertex: VertexId,
         omega: DomainId,
     ) -> Result<Option<FeatureSizes>> {
         let x = *self.state.delaunay.point(vertex);
-        let diameter = match omega {
-            ROOT => f64::INFINITY,
-            _ => 2.0 * self.state.hierarchy.node(omega).radius,
+        let diameter = match omega == ROOT {
+            true => f64::INFINITY,
+            false => 2.0 * self.state.hierarchy.node(omega).radius,
         };
         search.restart(self.state.delaunay.point_count(), self.state.hierarchy.len())?;
         search.seen.insert(vertex)?;
@@ -142,13 +142,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn go_on_from(
         &mut self,
         search: &mut Search,
-        vertex: u32,
+        vertex: VertexId,
         x: &[f64; D],
         omega: DomainId,
     ) -> AllocResult<()> {
         let child = self.state.hierarchy.child_towards(omega, vertex);
         if let Some(child) = child {
-            if is_new(&mut search.children, child.index() as u32)? {
+            if is_new(&mut search.children, child)? {
                 let node = self.state.hierarchy.node(child);
                 search.push(distance(x, &node.point), node.center, true)?;
                 for at in 0..self.state.hierarchy.node(child).cage.len() {
@@ -165,7 +165,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn push_neighbors(
         &mut self,
         search: &mut Search,
-        vertex: u32,
+        vertex: VertexId,
         x: &[f64; D],
         omega: DomainId,
         child: Option<DomainId>,
@@ -175,7 +175,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for at in 0..search.star.len() {
             for index in 0..=D {
                 let neighbor = self.state.delaunay.complex().vertices(search.star[at])[index];
-                let skipped = !is_valid(neighbor)
+                let skipped = !neighbor.is_valid()
                     || child.is_some()
                         && self.state.hierarchy.child_towards(omega, neighbor) == child;
                 if !skipped && is_new(&mut search.seen, neighbor)? {

@@ -1,6 +1,7 @@
 //! The constants of Definition 8, and which kind a Steiner point has, at every single insertion.
 
 use super::features::FeatureSizes;
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::mesh::Inputs;
 use crate::netmesh::Mesher;
@@ -30,9 +31,9 @@ fn points(dim: usize, n: usize) -> Vec<f64> {
 }
 
 /// M_Omega and P_Omega, from the labels of all vertices.
-fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> Vec<u32> {
-    let vertices = 0..mesher.state.delaunay.point_count() as u32;
-    let inserted: Vec<u32> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
+fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> Vec<VertexId> {
+    let vertices = VertexId::below(mesher.state.delaunay.point_count());
+    let inserted: Vec<_> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
     let mut members = inserted;
     members.retain(|&v| mesher.state.hierarchy.domain_of(v) == omega);
     for domain in (1..mesher.state.hierarchy.len()).map(DomainId::new) {
@@ -48,12 +49,12 @@ fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> V
 /// Definition 5 by its words.
 fn feature_sizes<const D: usize>(
     mesher: &mut Mesher<'_, '_, D>,
-    vertex: u32,
+    vertex: VertexId,
     omega: DomainId,
 ) -> FeatureSizes {
     let members = members(mesher, omega);
     let x = *mesher.state.delaunay.point(vertex);
-    let second = |of: &dyn Fn(u32) -> bool| {
+    let second = |of: &dyn Fn(VertexId) -> bool| {
         let set = members.iter().copied().filter(|&v| of(v));
         let mut distances: Vec<f64> =
             set.map(|v| distance(&x, mesher.state.delaunay.point(v))).collect();
@@ -64,7 +65,7 @@ fn feature_sizes<const D: usize>(
 }
 
 /// f_P / f_M at the vertex that has just gone in; 0 if there are too few inputs.
-fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: u32) -> f64 {
+fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: VertexId) -> f64 {
     let omega = mesher.state.hierarchy.domain_of(vertex);
     let sizes = feature_sizes(mesher, vertex, omega);
     assert_eq!(mesher.feature_sizes(vertex, omega).unwrap(), Some(sizes));
@@ -81,7 +82,7 @@ struct Seen {
 }
 
 /// INSERTINPUT, and the constants that it left behind.
-fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: u32, seen: &mut Seen) {
+fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: VertexId, seen: &mut Seen) {
     let domains = mesher.state.hierarchy.len();
     mesher.state.stats.insertion_constant_input = 0.0;
     mesher.state.stats.insertion_constant_cage = 0.0;
@@ -128,7 +129,7 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
             mesher.state.stats.off_centers,
             mesher.state.stats.yields,
         );
-        let vertex = mesher.state.delaunay.point_count() as u32;
+        let vertex = VertexId::new(mesher.state.delaunay.point_count());
         mesher.state.stats.insertion_constant_corner = 0.0;
         mesher.refine_corner(simplex, &mut Cavity::default()).unwrap();
         let after = (
@@ -136,7 +137,7 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
             mesher.state.stats.off_centers,
             mesher.state.stats.yields,
         );
-        if after.2 > before.2 || vertex == mesher.state.delaunay.point_count() as u32 {
+        if after.2 > before.2 || vertex.index() == mesher.state.delaunay.point_count() {
             continue;
         }
         let is_corner = *mesher.state.delaunay.point(vertex) == corner;
@@ -158,7 +159,7 @@ fn check_feature_sizes<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
         for vertex in members(mesher, omega) {
             let expected = feature_sizes(mesher, vertex, omega);
             let found = mesher.feature_sizes(vertex, omega).unwrap();
-            assert_eq!(found, Some(expected), "{vertex} in {omega:?}");
+            assert_eq!(found, Some(expected), "{vertex:?} in {omega:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Partition;
 use super::interface::Interface;
-use crate::complex::{GlobalToLocal, LocalToGlobal};
+use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow, copied, with_room};
@@ -19,8 +19,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// afterwards.
     pub(super) fn cut(
         &mut self,
-        simplices: Array<u32>,
-        ids: &mut GlobalToLocal,
+        simplices: Array<SimplexId>,
+        global_to_local: &mut GlobalToLocal,
     ) -> Result<Partition<D>> {
         let mut vertices = Array::new();
         for &simplex in &simplices {
@@ -32,25 +32,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         // Local ids are in the same order of locality as global ones.
         vertices.sort_unstable();
         let inputs = vertices.len();
-        let mut local_to_global = LocalToGlobal { simplices, vertices };
-        ids.give(&local_to_global);
+        let mut ids = global_to_local.number(LocalToGlobal { simplices, vertices });
         let watch = &mut self.watch;
-        let delaunay =
-            self.state.delaunay.partition(&mut local_to_global, ids, || watch.poll_after(1))?;
+        let delaunay = self.state.delaunay.partition(&mut ids, || watch.poll_after(1))?;
         self.watch.poll()?;
-        let conflict_lists =
-            self.state.conflict_lists.partition(&local_to_global, &ids.simplices, inputs)?;
+        let conflict_lists = self.state.conflict_lists.partition(&ids, inputs)?;
         let shared = delaunay.interface_vertices()?;
         self.watch.poll()?;
-        let (hierarchy, domains) =
-            self.state.hierarchy.partition(&local_to_global.vertices, &shared, &ids.vertices)?;
-        ids.take(&local_to_global);
+        let (hierarchy, domains) = self.state.hierarchy.partition(&ids, &shared)?;
+        let local_to_global = ids.forget_local();
         self.watch.poll()?;
         let mut cells = Array::with_room(local_to_global.vertices.len())?;
         let mut precision_limited = with_room(local_to_global.vertices.len())?;
         for &vertex in &local_to_global.vertices {
-            cells.try_push(self.state.cells[vertex as usize])?;
-            precision_limited.push(self.state.precision_limited[vertex as usize]);
+            cells.try_push(self.state.cells[vertex])?;
+            precision_limited.push(self.state.precision_limited[vertex]);
         }
         // The vertices of other partitions count towards the limit as well. What they add is
         // counted when all have joined.
@@ -60,7 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             instruments: false,
             ..self.state.parameters.clone()
         };
-        let number = u64::from(local_to_global.simplices[0]) << 32
+        let number = u64::from(local_to_global.simplices[0].number()) << 32
             | self.state.delaunay.point_count() as u64;
         let seed = u128::from(parameters.seed) << 64 | u128::from(number);
         let state = State {

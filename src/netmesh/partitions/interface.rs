@@ -10,10 +10,10 @@
 //!    /____\/____\ . | . /____\/____\      a locked simplex (*) is deferred.
 //! ```
 
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::mesh::NONE;
 use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::site::CageSite;
@@ -37,7 +37,7 @@ pub(in crate::netmesh) struct Interface {
     skipped: Vec<bool>,
     /// Cages and inputs that went into them, where the input encroaches a non-owned domain around
     /// the cage.
-    pub deferred: Vec<(DomainId, u32)>,
+    pub deferred: Vec<(DomainId, VertexId)>,
 }
 
 impl Interface {
@@ -47,8 +47,8 @@ impl Interface {
 
     /// Whether the inputs of `simplex` may be tried.
     #[inline]
-    pub fn is_eligible(&self, simplex: u32) -> bool {
-        self.skipped.get(simplex as usize).is_none_or(|&is_skipped| !is_skipped)
+    pub fn is_eligible(&self, simplex: SimplexId) -> bool {
+        self.skipped.get(simplex.index()).is_none_or(|&is_skipped| !is_skipped)
     }
 
     /// Makes all inputs eligible.
@@ -57,19 +57,19 @@ impl Interface {
     }
 
     /// Makes the inputs of `simplex` not eligible until the simplex is replaced.
-    pub fn skip(&mut self, simplex: u32) -> AllocResult<()> {
-        self.skipped.cover(simplex as usize + 1, false)?;
-        self.skipped[simplex as usize] = true;
+    pub fn skip(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        self.skipped.cover(simplex.index() + 1, false)?;
+        self.skipped[simplex] = true;
         Ok(())
     }
 
     /// Forgets what was known of ids that new simplices have taken.
-    pub fn forget(&mut self, created: &[u32]) {
+    pub fn forget(&mut self, created: &[SimplexId]) {
         if self.skipped.is_empty() {
             return;
         }
         for &simplex in created {
-            if let Some(is_skipped) = self.skipped.get_mut(simplex as usize) {
+            if let Some(is_skipped) = self.skipped.get_mut(simplex.index()) {
                 *is_skipped = false;
             }
         }
@@ -81,8 +81,8 @@ impl Interface {
     }
 
     #[inline]
-    pub fn is_locked(&self, simplex: u32) -> bool {
-        self.locked.get(simplex as usize).is_some_and(|&is_locked| is_locked)
+    pub fn is_locked(&self, simplex: SimplexId) -> bool {
+        self.locked.get(simplex.index()).is_some_and(|&is_locked| is_locked)
     }
 
     #[inline]
@@ -97,7 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn lock(&mut self) -> Result<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         self.state.refine_list.forget(&[], bound)?;
-        for simplex in 0..bound as u32 {
+        for simplex in SimplexId::below(bound) {
             self.watch.poll_after(1)?;
             let is_locked = (0..=D)
                 .any(|index| self.state.delaunay.complex().is_interface(simplex, index))
@@ -112,7 +112,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Defers `input`, in a partition, and the others of its simplex.
-    pub(in crate::netmesh) fn defer(&mut self, input: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
         if self.state.interface.is_some() {
             self.state.interface.skip(self.state.conflict_lists.simplex_of(input))
         } else {
@@ -124,10 +124,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn lock_crowded(&mut self) -> Result<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         self.state.interface.locked.cover(bound, false)?;
-        for simplex in 0..bound as u32 {
+        for simplex in SimplexId::below(bound) {
             self.watch.poll_after(1)?;
             if self.state.conflict_lists.count(simplex) > 0 {
-                self.state.interface.locked[simplex as usize] = true;
+                self.state.interface.locked[simplex] = true;
                 self.state.refine_list.limit(simplex);
             }
         }
@@ -136,7 +136,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether `simplex` has vertices inside and outside of a non-owned domain. The clearance of
     /// that domain would change with them.
-    fn spans_non_owned_domain(&mut self, simplex: u32) -> bool {
+    fn spans_non_owned_domain(&mut self, simplex: SimplexId) -> bool {
         !self.state.delaunay.complex().is_infinite(simplex)
             && self
                 .spanned_domain(simplex, |mesher, domain, _| {
@@ -196,7 +196,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 !self.state.interface.is_locked(simplex)
                     && (0..=D).all(|index| {
                         let vertex = self.state.delaunay.complex().vertices(simplex)[index];
-                        vertex != NONE && self.is_own_below(site.parent, vertex)
+                        vertex.is_valid() && self.is_own_below(site.parent, vertex)
                     })
             });
         self.scratch.near = near;
@@ -205,7 +205,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether the partition owns all domains from that of `vertex` up to `parent`, or to one as
     /// large.
-    fn is_own_below(&mut self, parent: DomainId, vertex: u32) -> bool {
+    fn is_own_below(&mut self, parent: DomainId, vertex: VertexId) -> bool {
         let mut domain = self.state.hierarchy.domain_of(vertex);
         while domain != ROOT
             && domain != parent

@@ -3,7 +3,7 @@
 //! mesh is cut, until the simplices there are as small as they get.
 
 use super::FEW;
-use crate::complex::Anchored;
+use crate::complex::{Anchored, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, with_room};
@@ -12,25 +12,27 @@ use crate::netmesh::Mesher;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The inputs at which partitions begin, except the first one. Partitions have equal numbers of
     /// inputs. A simplex belongs to the partition of its anchor.
-    pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<u32>> {
-        collected((1..count).map(|partition| (partition * self.state.inputs / count) as u32))
+    pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<VertexId>> {
+        let first = |partition| VertexId::new(partition * self.state.inputs / count);
+        collected((1..count).map(first))
     }
 
     /// All simplices in an order of locality, a run for each partition.
-    pub(super) fn between(&mut self, interfaces: &[u32]) -> Result<Vec<Array<u32>>> {
+    pub(super) fn between(&mut self, interfaces: &[VertexId]) -> Result<Vec<Array<SimplexId>>> {
         let anchored = self.anchored()?;
         let mut runs = with_room(interfaces.len() + 1)?;
         let mut begin = 0;
-        for &interface in interfaces.iter().chain([&(self.state.inputs as u32)]) {
+        let ends = interfaces.iter().map(|interface| interface.index());
+        for end in ends.chain([self.state.inputs]) {
             let mut run = Array::new();
-            for anchor in begin..interface {
+            for anchor in VertexId::range(begin..end) {
                 self.watch.poll_after(1)?;
                 run.try_extend(anchored.of(anchor))?;
             }
             if !run.is_empty() {
                 runs.push(run);
             }
-            begin = interface;
+            begin = end;
         }
         Ok(runs)
     }
@@ -43,7 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts the inputs of simplices at interfaces, pass by pass.
     pub(super) fn insert_at_interfaces(
         &mut self,
-        interfaces: &[u32],
+        interfaces: &[VertexId],
         cavity: &mut Cavity,
     ) -> Result<()> {
         let begun = self.state.conflict_lists.remaining();
@@ -61,9 +63,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Makes only the inputs at interfaces eligible.
-    fn skip_all_but(&mut self, interfaces: &[u32]) -> Result<()> {
+    fn skip_all_but(&mut self, interfaces: &[VertexId]) -> Result<()> {
         self.state.interface.clear_skipped();
-        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
             self.watch.poll_after(1)?;
             if self.state.conflict_lists.count(simplex) > 0
                 && !self.is_at_interface(simplex, interfaces)
@@ -75,17 +77,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether `simplex` is at an interface, or next to one that is.
-    fn is_at_interface(&self, simplex: u32, interfaces: &[u32]) -> bool {
+    fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
         let neighbors =
-            |simplex: u32| self.state.delaunay.complex().neighbors(simplex).iter().copied();
+            |simplex: SimplexId| self.state.delaunay.complex().neighbors(simplex).iter().copied();
         let near = neighbors(simplex).flat_map(neighbors);
-        let mut partitions = near.filter_map(|other| self.part_of(other, interfaces));
+        let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
         let first = partitions.next();
         partitions.any(|partition| Some(partition) != first)
     }
 
     /// The number of the partition that a simplex is in, if it has an input.
-    fn part_of(&self, simplex: u32, interfaces: &[u32]) -> Option<usize> {
+    fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
         let vertices = self.state.delaunay.complex().vertices(simplex).iter().copied();
         let anchor = vertices.filter(|&vertex| self.is_input(vertex)).min()?;
         Some(interfaces.partition_point(|&interface| interface <= anchor))

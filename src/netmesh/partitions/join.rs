@@ -1,6 +1,7 @@
 //! A partition joins the global mesh in the place of what it was cut out of.
 
 use super::Partition;
+use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
@@ -8,7 +9,7 @@ use crate::netmesh::{Cell, Mesher, limit};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Joins `partition`. `moved`: simplex that became one of a partition -> its new id.
-    pub(super) fn join(&mut self, partition: Partition<D>, moved: &mut [u32]) -> Result<()> {
+    pub(super) fn join(&mut self, partition: Partition<D>, moved: &mut [SimplexId]) -> Result<()> {
         let Partition { mut local_to_global, mut domains, shared, state: own } = partition;
         let known = shared.len();
         let count = self.state.delaunay.point_count() + own.delaunay.point_count() - known;
@@ -18,8 +19,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let taken = std::mem::take(&mut local_to_global.simplices);
         let watch = &mut self.watch;
         self.state.delaunay.join(own.delaunay, &mut local_to_global, || watch.poll_after(1))?;
-        for (&simplex, &name) in taken.iter().zip(&local_to_global.simplices) {
-            moved[simplex as usize] = name;
+        for (&old, &new) in taken.iter().zip(&local_to_global.simplices) {
+            moved[old] = new;
         }
         self.watch.poll()?;
         self.state.hierarchy.join(
@@ -36,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.state.precision_limited.try_push(own.precision_limited[local])?;
                 continue;
             }
-            let global = &mut self.state.cells[vertex as usize];
+            let global = &mut self.state.cells[vertex];
             *global = match shared[local] {
                 true => Cell {
                     nearest: global.nearest.min(cell.nearest),
@@ -44,7 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 },
                 false => cell,
             };
-            self.state.precision_limited[vertex as usize] |= own.precision_limited[local];
+            self.state.precision_limited[vertex] |= own.precision_limited[local];
         }
         let bound = self.state.delaunay.complex().simplex_bound();
         self.watch.poll()?;
@@ -52,7 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.watch.poll()?;
         self.state.refine_list.join(own.refine_list, local_to_global.simplices.len(), bound)?;
         for &(cage, input) in &own.interface.deferred {
-            let input = local_to_global.vertices[input as usize];
+            let input = local_to_global.vertices[input];
             self.state.interface.deferred.try_push((domains.global(cage), input))?;
         }
         add(&mut self.state.stats, &own.stats);

@@ -26,11 +26,10 @@ mod schedule;
 mod tests;
 pub(super) mod workers;
 
-use crate::complex::{GlobalToLocal, LocalToGlobal};
+use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, with_room};
-use crate::mesh::NONE;
 use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
@@ -88,14 +87,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_at_interfaces(&interfaces, cavity)?;
         let runs = self.between(&interfaces)?;
         let complex = self.state.delaunay.complex();
-        let mut moved = Array::filled(complex.simplex_bound(), NONE)?;
-        let mut ids =
+        let mut moved = Array::filled(complex.simplex_bound(), SimplexId::NONE)?;
+        let mut global_to_local =
             GlobalToLocal::new(complex.simplex_bound(), self.state.delaunay.point_count())?;
         let mut partitions = with_room(runs.len())?;
         for run in runs {
-            partitions.push(self.cut(run, &mut ids)?);
+            partitions.push(self.cut(run, &mut global_to_local)?);
         }
-        drop(ids);
+        drop(global_to_local);
         self.watch.poll()?;
         self.refine_partitions(partitions, &mut moved)?;
         let watch = &mut self.watch;
@@ -133,7 +132,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Inserts the eligible inputs that are left, when rounds insert too few.
     fn insert_stragglers(&mut self, cavity: &mut Cavity) -> Result<()> {
-        for input in 0..self.state.inputs as u32 {
+        for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(1)?;
             if !self.is_inserted(input)
                 && self.state.interface.is_eligible(self.state.conflict_lists.simplex_of(input))

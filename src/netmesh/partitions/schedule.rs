@@ -2,6 +2,7 @@
 //! watches for the caller.
 
 use super::Partition;
+use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::with_room;
 use crate::netmesh::Mesher;
@@ -17,7 +18,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn refine_partitions(
         &mut self,
         partitions: Vec<Partition<D>>,
-        moved: &mut [u32],
+        moved: &mut [SimplexId],
     ) -> Result<()> {
         let tally = Tally::new(self.state.inputs, self.progress_counts());
         let threads = threads(self.state.parameters.threads).min(partitions.len());
@@ -38,7 +39,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         threads: usize,
         mut partitions: Vec<Partition<D>>,
         tally: &Tally,
-        moved: &mut [u32],
+        moved: &mut [SimplexId],
     ) -> Result<()> {
         self.split_reserves(&mut partitions)?;
         let count = partitions.len();
@@ -74,7 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         receiver: &Receiver<Done<D>>,
         count: usize,
         tally: &Tally,
-        moved: &mut [u32],
+        moved: &mut [SimplexId],
     ) -> Result<()> {
         let mut done: Vec<Option<Result<Partition<D>>>> = with_room(count)?;
         done.resize_with(count, || None);

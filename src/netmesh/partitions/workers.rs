@@ -2,12 +2,12 @@
 //! in any order, and their results come in the order of the pieces. So nothing depends on the
 //! threads.
 
+use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_room};
 use crate::netmesh::Mesher;
 use crate::netmesh::watch::Watch;
 use std::iter::Enumerate;
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -35,10 +35,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// All ids below `bound`, in pieces.
-pub(in crate::netmesh) fn pieces(bound: usize) -> impl Iterator<Item = Range<u32>> + Send {
-    let end = move |begin: usize| bound.min(begin + PIECE) as u32;
-    (0..bound).step_by(PIECE).map(move |begin| begin as u32..end(begin))
+/// The simplices below `bound`, in pieces.
+pub(in crate::netmesh) fn pieces(
+    bound: usize,
+) -> impl Iterator<Item = impl Iterator<Item = SimplexId> + Send> + Send {
+    let end = move |begin: usize| bound.min(begin + PIECE);
+    (0..bound).step_by(PIECE).map(move |begin| SimplexId::range(begin..end(begin)))
 }
 
 /// What `act` makes of each of the `pieces`, in their order. The calling thread is one of the
@@ -143,10 +145,10 @@ mod tests {
     fn pieces_are_done_once_and_come_in_their_order() {
         for threads in [1, 2, 5] {
             for bound in [0, 1, PIECE, PIECE + 1, 9 * PIECE + 7] {
-                let ids = |range: Range<u32>| Ok(range.collect::<Vec<u32>>());
-                let made = on_threads(threads, &mut Watch::new(None), pieces(bound), ids).unwrap();
+                let pieces = pieces(bound).map(Vec::from_iter);
+                let made = on_threads(threads, &mut Watch::new(None), pieces, Ok).unwrap();
                 assert_eq!(made.len(), bound.div_ceil(PIECE));
-                assert!(made.into_iter().flatten().eq(0..bound as u32));
+                assert!(made.into_iter().flatten().eq(SimplexId::below(bound)));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! A view of simplices that tells which ones may be bad. It changes nothing, so all threads may use
 //! it.
 
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::error::Result;
 use crate::memory::TryGrow;
@@ -35,18 +36,18 @@ impl<const D: usize> BadSimplexView<'_, D> {
     /// Whether a live simplex has what all bad ones have, and few others: vertices too near to
     /// others for the radius, or vertices of several domains.
     #[inline]
-    pub fn is_suspect(&self, simplex: u32) -> bool {
+    pub fn is_suspect(&self, simplex: SimplexId) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let allowed = self.measure.nearest_allowed(ball.radius());
         let vertices = self.delaunay.complex().vertices(simplex);
-        let is_near = |&&vertex: &&u32| self.cells[vertex as usize].nearest < allowed;
+        let is_near = |&&vertex: &&VertexId| self.cells[vertex].nearest < allowed;
         vertices.iter().filter(is_near).count() >= self.measure.near_of_bad()
             || !self.hierarchy.same_domain(vertices)
     }
 
     /// Whether a live simplex has vertices of several domains.
     #[inline]
-    fn spans_domains(&self, simplex: u32) -> bool {
+    fn spans_domains(&self, simplex: SimplexId) -> bool {
         let is_finite = self.delaunay.ball(simplex).is_some();
         is_finite && !self.hierarchy.same_domain(self.delaunay.complex().vertices(simplex))
     }
@@ -86,7 +87,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// All live simplices that a scan finds suspect, in rising order, in pieces.
-    pub(in crate::netmesh) fn suspects(&mut self, scan: Scan) -> Result<Vec<Vec<u32>>> {
+    pub(in crate::netmesh) fn suspects(&mut self, scan: Scan) -> Result<Vec<Vec<SimplexId>>> {
         if scan == Scan::SpanningDomains && self.state.hierarchy.is_single() {
             return Ok(Vec::new());
         }

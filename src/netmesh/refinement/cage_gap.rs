@@ -2,11 +2,12 @@
 //! narrows them: a corner near the cage sphere or beyond it goes in as a further cage vertex, at
 //! the nearest point of the sphere, and one well inside as a Steiner point.
 
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
+use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::DomainId;
-use crate::netmesh::{Mesher, is_valid};
 use crate::numerics::norm;
 
 /// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
@@ -20,7 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// the corner of `simplex`.
     pub(in crate::netmesh) fn narrow_cage_gap(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         domain: DomainId,
         cavity: &mut Cavity,
     ) -> Result<()> {
@@ -45,7 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// everything next to it is inside the domain.
     fn is_clear_of_cage(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         domain: DomainId,
         cavity: &mut Cavity,
     ) -> AllocResult<bool> {
@@ -68,15 +69,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull
     /// of the mesh.
-    fn is_inside(&self, simplex: u32, domain: DomainId) -> bool {
+    fn is_inside(&self, simplex: SimplexId, domain: DomainId) -> bool {
         self.state.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
-            is_valid(vertex)
+            vertex.is_valid()
                 && self.state.hierarchy.contains(domain, self.state.delaunay.point(vertex))
         })
     }
 
     /// The point of the cage sphere nearest to the corner of `simplex`.
-    fn projected_corner(&self, simplex: u32, domain: DomainId) -> Option<[f64; D]> {
+    fn projected_corner(&self, simplex: SimplexId, domain: DomainId) -> Option<[f64; D]> {
         let corner = self.state.delaunay.corner(simplex)?;
         let center = &self.state.hierarchy.node(domain).point;
         let offset: [f64; D] = std::array::from_fn(|axis| corner[axis] - center[axis]);
@@ -88,7 +89,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds the cavity of `x` and tells whether `x` is far enough from its vertices.
     fn finds_room(
         &mut self,
-        near: u32,
+        near: SimplexId,
         domain: DomainId,
         x: &[f64; D],
         cavity: &mut Cavity,

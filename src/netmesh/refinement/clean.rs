@@ -1,6 +1,7 @@
 //! CLEAN (§6.4) and YIELDINGINSERT (§6.3): the far corner of a bad cell goes in, or the input
 //! nearest to it in its D-ball instead.
 
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
@@ -40,7 +41,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// YIELDINGINSERT of the Steiner point for `simplex`.
     pub(in crate::netmesh) fn refine_corner(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<()> {
         let Some(SteinerPoint { point: x, radius, is_corner }) = self.steiner_point(simplex) else {

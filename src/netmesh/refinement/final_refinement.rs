@@ -13,6 +13,7 @@
 //! all vertices as the cap is high. That is as deep as the vertex inside lies. What this argument's
 //! constants do not cover, `SPACING` ends; no run with default options came to that.
 
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::Mesher;
@@ -78,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Mends the bad ones of some simplices, and all that becomes bad by it.
-    fn refine_simplices(&mut self, simplices: &[u32], cavity: &mut Cavity) -> Result<()> {
+    fn refine_simplices(&mut self, simplices: &[SimplexId], cavity: &mut Cavity) -> Result<()> {
         for &simplex in simplices {
             self.watch.poll_after(1)?;
             if self.state.delaunay.complex().is_live(simplex) {
@@ -100,8 +101,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn is_any_open(&mut self) -> bool {
-        let bound = self.state.delaunay.complex().simplex_bound() as u32;
-        (0..bound).any(|simplex| {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        SimplexId::below(bound).any(|simplex| {
             self.state.delaunay.complex().is_live(simplex) && self.open_domain(simplex).is_some()
         })
     }

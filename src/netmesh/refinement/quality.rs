@@ -7,8 +7,9 @@
 //! Without it CLEAN inserts points beside the cages and destroys them. `final_refinement` lifts it
 //! at the end.
 
+use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
-use crate::mesh::{MAX_DIM, NONE};
+use crate::mesh::MAX_DIM;
 use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::{Cell, Mesher, Scratch, State};
 use crate::numerics::shortest_distance;
@@ -33,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertices = delaunay.complex().vertices(simplex);
             let mut near = 0;
             for &vertex in vertices {
-                let cell = &mut cells[vertex as usize];
+                let cell = &mut cells[vertex];
                 // Written in any case, without a branch (`Array::push_if`).
                 cell.farthest = if radius > cell.farthest { radius } else { cell.farthest };
                 near += usize::from(cell.nearest < allowed);
@@ -49,7 +50,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Queues the bad ones among the simplices at `vertex`.
-    pub(in crate::netmesh) fn examine_star(&mut self, vertex: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn examine_star(&mut self, vertex: VertexId) -> AllocResult<()> {
         self.examine_corners(vertex, |mesher, simplex, _| mesher.examine(simplex))
     }
 
@@ -57,8 +58,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// radii.
     fn examine_corners(
         &mut self,
-        vertex: u32,
-        examine: impl Fn(&mut Self, u32, f64) -> AllocResult<()>,
+        vertex: VertexId,
+        examine: impl Fn(&mut Self, SimplexId, f64) -> AllocResult<()>,
     ) -> AllocResult<()> {
         self.state.delaunay.star(vertex, &mut self.scratch.star)?;
         let mut farthest = 0.0f64;
@@ -70,18 +71,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
             farthest = farthest.max(radius);
             examine(self, simplex, radius)?;
         }
-        self.state.cells[vertex as usize].farthest = farthest;
+        self.state.cells[vertex].farthest = farthest;
         Ok(())
     }
 
     /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
     /// edges there are what they were, and so is all that other cells depend on. The cell of a
     /// cage's vertex has no bound of its own.
-    pub(in crate::netmesh) fn examine_cell(&mut self, vertex: u32) -> AllocResult<()> {
-        let Cell { nearest, farthest } = self.state.cells[vertex as usize];
+    pub(in crate::netmesh) fn examine_cell(&mut self, vertex: VertexId) -> AllocResult<()> {
+        let Cell { nearest, farthest } = self.state.cells[vertex];
         if self.state.parameters.criterion == Criterion::RadiusEdge
             || nearest >= self.nearest_allowed(farthest)
-            || self.state.hierarchy.cage_of(vertex) != DomainId::NONE
+            || self.state.hierarchy.cage_of(vertex).is_valid()
         {
             return Ok(());
         }
@@ -106,7 +107,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let distance =
                 self.state.hierarchy.distance_to_center(cage, self.state.delaunay.point(vertex));
             let max_distance = farthest - distance;
-            if self.state.cells[vertex as usize].farthest > max_distance {
+            if self.state.cells[vertex].farthest > max_distance {
                 self.examine_corners(vertex, |mesher, simplex, radius| {
                     match radius > max_distance {
                         true => mesher.examine(simplex),
@@ -126,7 +127,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    pub(in crate::netmesh) fn examine(&mut self, simplex: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn examine(&mut self, simplex: SimplexId) -> AllocResult<()> {
         if self.bad_simplex_view().is_suspect(simplex) {
             self.examine_suspect(simplex)
         } else {
@@ -134,7 +135,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    pub(in crate::netmesh) fn examine_suspect(&mut self, simplex: u32) -> AllocResult<()> {
+    pub(in crate::netmesh) fn examine_suspect(&mut self, simplex: SimplexId) -> AllocResult<()> {
         if self.open_domain(simplex).is_some() || (!self.is_bad_open() && self.is_bad(simplex)) {
             self.queue(simplex)?;
         }
@@ -148,7 +149,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.
-    fn queue(&mut self, simplex: u32) -> AllocResult<()> {
+    fn queue(&mut self, simplex: SimplexId) -> AllocResult<()> {
         let length = match self.state.parameters.criterion {
             _ if !self.state.refine_list.is_sorted() => 0.0,
             Criterion::VoronoiAspect => self.nearest_of(simplex),
@@ -158,15 +159,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The nearest distance of a vertex of `simplex`: no edge is shorter.
-    fn nearest_of(&self, simplex: u32) -> f64 {
+    fn nearest_of(&self, simplex: SimplexId) -> f64 {
         let vertices = self.state.delaunay.complex().vertices(simplex).iter();
-        vertices
-            .map(|&vertex| self.state.cells[vertex as usize].nearest)
-            .fold(f64::INFINITY, f64::min)
+        vertices.map(|&vertex| self.state.cells[vertex].nearest).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.
-    pub(in crate::netmesh) fn is_bad(&mut self, simplex: u32) -> bool {
+    pub(in crate::netmesh) fn is_bad(&mut self, simplex: SimplexId) -> bool {
         let Some(ball) = self.state.delaunay.ball(simplex) else { return false };
         let radius = ball.radius();
         if self.state.refine_list.is_limited(simplex) {
@@ -187,9 +186,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The worst cell among those that the corner of `simplex` counts for.
     pub(in crate::netmesh) fn worst_inner_cell(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         radius: f64,
-    ) -> Option<u32> {
+    ) -> Option<VertexId> {
         self.worst_cell(simplex, radius, |mesher, vertex| mesher.counts_for(simplex, vertex))
     }
 
@@ -197,24 +196,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// among those that it `counts` for.
     pub(in crate::netmesh) fn worst_cell(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         radius: f64,
-        counts: impl Fn(&mut Self, u32) -> bool,
-    ) -> Option<u32> {
+        counts: impl Fn(&mut Self, VertexId) -> bool,
+    ) -> Option<VertexId> {
         let mut least = self.nearest_allowed(radius);
         // The worst of all, without a branch (`Array::push_if`): mostly it counts, or is not bad.
         let vertices = self.state.delaunay.complex().vertices(simplex);
-        let all = vertices.iter().fold((least, NONE), |(least, worst), &vertex| {
-            let nearest = self.state.cells[vertex as usize].nearest;
+        let all = vertices.iter().fold((least, VertexId::NONE), |(least, worst), &vertex| {
+            let nearest = self.state.cells[vertex].nearest;
             if nearest < least { (nearest, vertex) } else { (least, worst) }
         });
-        if all.1 == NONE || counts(self, all.1) {
-            return (all.1 != NONE).then_some(all.1);
+        if !all.1.is_valid() || counts(self, all.1) {
+            return all.1.is_valid().then_some(all.1);
         }
         let mut worst = None;
         for index in 0..=D {
             let vertex = self.state.delaunay.complex().vertices(simplex)[index];
-            let nearest = self.state.cells[vertex as usize].nearest;
+            let nearest = self.state.cells[vertex].nearest;
             if nearest < least && counts(self, vertex) {
                 least = nearest;
                 worst = Some(vertex);
@@ -226,9 +225,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// As [`Self::short_edge`], if the corner of `simplex` counts for all its vertices.
     pub(in crate::netmesh) fn inner_short_edge(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         radius: f64,
-    ) -> Option<(u32, u32, f64)> {
+    ) -> Option<(VertexId, VertexId, f64)> {
         let edge = self.short_edge(simplex, radius)?;
         let counts = (0..=D).all(|index| {
             let vertex = self.state.delaunay.complex().vertices(simplex)[index];
@@ -240,9 +239,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The shortest edge of `simplex`, if that is too short for its radius.
     pub(in crate::netmesh) fn short_edge(
         &self,
-        simplex: u32,
+        simplex: SimplexId,
         radius: f64,
-    ) -> Option<(u32, u32, f64)> {
+    ) -> Option<(VertexId, VertexId, f64)> {
         let allowed = self.nearest_allowed(radius);
         let edge = self.shortest_edge(simplex, allowed);
         (edge.2 < allowed).then_some(edge)
@@ -251,15 +250,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The ends and the length of the shortest edge of `simplex` between vertices nearer than
     /// `limit` to another one: that is the shortest of all, if there is one below `limit`.
     /// Infinitely long where there is none.
-    fn shortest_edge(&self, simplex: u32, limit: f64) -> (u32, u32, f64) {
-        let mut vertices = [NONE; MAX_DIM + 1];
+    fn shortest_edge(&self, simplex: SimplexId, limit: f64) -> (VertexId, VertexId, f64) {
+        let mut vertices = [VertexId::NONE; MAX_DIM + 1];
         let mut count = 0;
         for &vertex in self.state.delaunay.complex().vertices(simplex) {
             vertices[count] = vertex;
-            count += usize::from(self.state.cells[vertex as usize].nearest < limit);
+            count += usize::from(self.state.cells[vertex].nearest < limit);
         }
         if count < 2 {
-            return (NONE, NONE, f64::INFINITY);
+            return (VertexId::NONE, VertexId::NONE, f64::INFINITY);
         }
         let mut points = [self.state.delaunay.point(vertices[0]); MAX_DIM + 1];
         for (point, &vertex) in points.iter_mut().zip(&vertices[..count]) {
@@ -270,8 +269,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.
-    fn counts_for(&mut self, simplex: u32, vertex: u32) -> bool {
-        if self.state.hierarchy.cage_of(vertex) != DomainId::NONE {
+    fn counts_for(&mut self, simplex: SimplexId, vertex: VertexId) -> bool {
+        if self.state.hierarchy.cage_of(vertex).is_valid() {
             return false;
         }
         let domain = self.state.hierarchy.domain_of(vertex);
@@ -279,7 +278,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` is within the corner restriction of `domain`.
-    pub(in crate::netmesh) fn is_well_inside(&self, simplex: u32, domain: DomainId) -> bool {
+    pub(in crate::netmesh) fn is_well_inside(&self, simplex: SimplexId, domain: DomainId) -> bool {
         let max_distance = self.state.parameters.corner_restriction() * self.sphere_radius(domain);
         let distance =
             self.state.delaunay.corner_distance(simplex, &self.state.hierarchy.node(domain).point);
@@ -290,7 +289,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// of one whose union cell the corner makes bad, where it `counts` for the parent.
     pub(in crate::netmesh) fn parent_of_bad_cage(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         counts: impl Fn(&Self, DomainId) -> bool,
     ) -> Option<DomainId> {
         self.spanned_domain(simplex, |mesher, cage, parent| {
@@ -305,7 +304,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// outside and `is_wanted`, and its parent.
     pub(in crate::netmesh) fn spanned_domain(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         is_wanted: impl Fn(&Self, DomainId, DomainId) -> bool,
     ) -> Option<(DomainId, DomainId)> {
         if self.state.hierarchy.same_domain(self.state.delaunay.complex().vertices(simplex)) {
@@ -339,7 +338,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domains of the vertices of `simplex`, in their order.
-    pub(in crate::netmesh) fn domains_of(&mut self, simplex: u32) -> [DomainId; MAX_DIM + 1] {
+    pub(in crate::netmesh) fn domains_of(&mut self, simplex: SimplexId) -> [DomainId; MAX_DIM + 1] {
         let mut domains = [DomainId::NONE; MAX_DIM + 1];
         for (domain, &vertex) in
             domains.iter_mut().zip(self.state.delaunay.complex().vertices(simplex))
@@ -359,7 +358,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
-    fn is_beyond_cage_bound(&self, simplex: u32, cage: DomainId) -> bool {
+    fn is_beyond_cage_bound(&self, simplex: SimplexId, cage: DomainId) -> bool {
         let distance =
             self.state.delaunay.corner_distance(simplex, &self.state.hierarchy.node(cage).point);
         distance.is_some_and(|distance| distance > self.cage_bound(cage))
@@ -373,7 +372,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
-    pub(in crate::netmesh) fn open_domain(&mut self, simplex: u32) -> Option<DomainId> {
+    pub(in crate::netmesh) fn open_domain(&mut self, simplex: SimplexId) -> Option<DomainId> {
         let radius = self.state.delaunay.ball(simplex)?.radius();
         if !self.state.stage.is_final || self.state.refine_list.is_limited(simplex) {
             return None;
@@ -382,9 +381,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             Criterion::VoronoiAspect => self.domain_of_open_cell(simplex, radius),
             Criterion::RadiusEdge => self.domain_of_short_edge(simplex, radius),
         };
-        open.filter(|&domain| self.state.parameters.closes(domain.index() as u32)).or_else(|| {
+        open.filter(|&domain| self.state.parameters.counts_all_corners_in(domain)).or_else(|| {
             self.parent_of_bad_cage(simplex, |mesher, parent| {
-                mesher.state.parameters.closes(parent.index() as u32)
+                mesher.state.parameters.counts_all_corners_in(parent)
             })
         })
     }
@@ -394,21 +393,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn is_bad_open(&self) -> bool {
         let is_by_cells = self.state.parameters.criterion == Criterion::VoronoiAspect;
         self.state.stage.is_final
-            && self.state.parameters.closes_all()
+            && self.state.parameters.counts_all_corners()
             && (is_by_cells || self.state.hierarchy.is_single())
     }
 
     /// The domain of the vertex with the worst cell, if that is bad.
-    fn domain_of_open_cell(&mut self, simplex: u32, radius: f64) -> Option<DomainId> {
+    fn domain_of_open_cell(&mut self, simplex: SimplexId, radius: f64) -> Option<DomainId> {
         let is_cell =
-            |mesher: &mut Self, vertex| mesher.state.hierarchy.cage_of(vertex) == DomainId::NONE;
+            |mesher: &mut Self, vertex| !mesher.state.hierarchy.cage_of(vertex).is_valid();
         let worst = self.worst_cell(simplex, radius, is_cell);
         worst.map(|vertex| self.state.hierarchy.domain_of(vertex))
     }
 
     /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are
     /// of several domains, the corner is that of a cage's union cell.
-    fn domain_of_short_edge(&mut self, simplex: u32, radius: f64) -> Option<DomainId> {
+    fn domain_of_short_edge(&mut self, simplex: SimplexId, radius: f64) -> Option<DomainId> {
         self.short_edge(simplex, radius)?;
         let vertices = self.state.delaunay.complex().vertices(simplex);
         if self.state.hierarchy.same_domain(vertices) {

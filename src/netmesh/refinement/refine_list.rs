@@ -10,6 +10,7 @@
 //! Lengths are told apart in eight steps between powers of two, which is as good as sorting. The
 //! list then has the simplices of one tile at a time (`final_refinement`).
 
+use crate::complex::SimplexId;
 use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_room};
 use std::collections::VecDeque;
 
@@ -22,7 +23,7 @@ const GENERATION: u8 = 4;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::netmesh) struct Entry {
-    pub simplex: u32,
+    pub simplex: SimplexId,
     generation: u8,
 }
 
@@ -97,18 +98,18 @@ impl RefineList {
     }
 
     /// Forgets what was known of ids that new simplices have taken.
-    pub fn forget(&mut self, created: &[u32], bound: usize) -> AllocResult<()> {
+    pub fn forget(&mut self, created: &[SimplexId], bound: usize) -> AllocResult<()> {
         self.flags.cover(bound, 0)?;
         for &simplex in created {
-            let flags = &mut self.flags[simplex as usize];
+            let flags = &mut self.flags[simplex];
             *flags = generation(*flags).wrapping_add(GENERATION);
         }
         Ok(())
     }
 
     /// Queues `simplex`, which has the given `length`, unless it is queued.
-    pub fn push(&mut self, simplex: u32, length: f64) -> AllocResult<()> {
-        let flags = &mut self.flags[simplex as usize];
+    pub fn push(&mut self, simplex: SimplexId, length: f64) -> AllocResult<()> {
+        let flags = &mut self.flags[simplex];
         if *flags & QUEUED != 0 {
             return Ok(());
         }
@@ -138,7 +139,7 @@ impl RefineList {
                 Some(entry) => {
                     self.waiting -= 1;
                     if self.is_current(entry) {
-                        self.flags[entry.simplex as usize] &= !QUEUED;
+                        self.flags[entry.simplex] &= !QUEUED;
                         return Some(entry);
                     }
                 }
@@ -149,16 +150,16 @@ impl RefineList {
 
     /// Whether no new simplex has taken the id since `entry` was queued.
     pub fn is_current(&self, entry: Entry) -> bool {
-        generation(self.flags[entry.simplex as usize]) == entry.generation
+        generation(self.flags[entry.simplex]) == entry.generation
     }
 
     /// Whether the corner of `simplex` cannot be inserted for want of precision.
-    pub fn is_limited(&self, simplex: u32) -> bool {
-        self.flags.get(simplex as usize).is_some_and(|flags| flags & LIMITED != 0)
+    pub fn is_limited(&self, simplex: SimplexId) -> bool {
+        self.flags.get(simplex.index()).is_some_and(|flags| flags & LIMITED != 0)
     }
 
-    pub fn limit(&mut self, simplex: u32) {
-        self.flags[simplex as usize] |= LIMITED;
+    pub fn limit(&mut self, simplex: SimplexId) {
+        self.flags[simplex] |= LIMITED;
     }
 }
 
@@ -170,8 +171,8 @@ fn generation(flags: u8) -> u8 {
 mod tests {
     use super::*;
 
-    fn pop_all(list: &mut RefineList) -> Vec<u32> {
-        std::iter::from_fn(|| list.pop()).map(|entry| entry.simplex).collect()
+    fn pop_all(list: &mut RefineList) -> Vec<usize> {
+        std::iter::from_fn(|| list.pop()).map(|entry| entry.simplex.index()).collect()
     }
 
     #[test]
@@ -181,8 +182,8 @@ mod tests {
         let lengths = [4.0, 1e-300, 1e300, 0.5, 4.1, f64::from_bits(1)];
         let push_all = |list: &mut RefineList| {
             for (simplex, &length) in lengths.iter().enumerate() {
-                list.push(simplex as u32, length).unwrap();
-                list.push(simplex as u32, 1.0).unwrap();
+                list.push(SimplexId::new(simplex), length).unwrap();
+                list.push(SimplexId::new(simplex), 1.0).unwrap();
             }
         };
         push_all(&mut list);
@@ -192,10 +193,11 @@ mod tests {
         push_all(&mut list);
         assert!(!list.is_empty() && list.is_sorted());
         assert_eq!(pop_all(&mut list), [5, 1, 3, 0, 4, 2]);
-        list.push(7, 2.0).unwrap();
-        list.push(6, 1.0).unwrap();
-        assert_eq!(list.pop().unwrap().simplex, 6);
-        list.push(6, 1e-9).unwrap();
+        let [six, seven] = [6, 7].map(SimplexId::new);
+        list.push(seven, 2.0).unwrap();
+        list.push(six, 1.0).unwrap();
+        assert_eq!(list.pop().unwrap().simplex, six);
+        list.push(six, 1e-9).unwrap();
         assert_eq!(pop_all(&mut list), [6, 7]);
         assert!(list.is_empty());
     }
@@ -204,20 +206,21 @@ mod tests {
     fn an_entry_ends_with_its_simplex() {
         let mut list = RefineList::new().unwrap();
         list.forget(&[], 4).unwrap();
-        (0..4).for_each(|simplex| list.push(simplex, 1.0).unwrap());
+        let [zero, one, two, three] = [0, 1, 2, 3].map(SimplexId::new);
+        [zero, one, two, three].iter().for_each(|&simplex| list.push(simplex, 1.0).unwrap());
         let first = list.pop().unwrap();
-        assert!(first.simplex == 0 && list.is_current(first));
-        list.limit(2);
-        list.forget(&[0, 2, 3], 4).unwrap();
-        assert!(!list.is_current(first) && !list.is_limited(2));
+        assert!(first.simplex == zero && list.is_current(first));
+        list.limit(two);
+        list.forget(&[zero, two, three], 4).unwrap();
+        assert!(!list.is_current(first) && !list.is_limited(two));
         // The new 3 is queued on its own account, and once.
-        list.push(3, 1.0).unwrap();
-        list.push(3, 1.0).unwrap();
+        list.push(three, 1.0).unwrap();
+        list.push(three, 1.0).unwrap();
         assert_eq!(pop_all(&mut list), [1, 3]);
         assert!(list.is_empty());
-        (0..64).for_each(|_| list.forget(&[0], 4).unwrap());
-        assert!(!list.is_limited(0) && !list.is_limited(1));
-        list.push(0, 1.0).unwrap();
+        (0..64).for_each(|_| list.forget(&[zero], 4).unwrap());
+        assert!(!list.is_limited(zero) && !list.is_limited(one));
+        list.push(zero, 1.0).unwrap();
         assert_eq!(pop_all(&mut list), [0]);
     }
 }

@@ -4,6 +4,7 @@
 //! a new type of Steiner points for computing size-optimal quality-guaranteed Delaunay
 //! triangulations", 2004.
 
+use crate::complex::{SimplexId, VertexId};
 use crate::netmesh::Mesher;
 use crate::numerics::distance;
 use crate::options::Criterion;
@@ -38,7 +39,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The point to insert for `simplex`, which is bad or has inputs. `None` if rounding moved it
     /// out of the D-ball, or closer to a vertex than half the radius: then doubles are too coarse
     /// for a vertex there.
-    pub(in crate::netmesh) fn steiner_point(&mut self, simplex: u32) -> Option<SteinerPoint<D>> {
+    pub(in crate::netmesh) fn steiner_point(
+        &mut self,
+        simplex: SimplexId,
+    ) -> Option<SteinerPoint<D>> {
         let corner = self.sound_corner(simplex)?;
         let off_center = match self.state.parameters.criterion {
             Criterion::VoronoiAspect => self.off_center_of_cell(simplex, &corner),
@@ -47,7 +51,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Some(off_center.unwrap_or(corner))
     }
 
-    fn sound_corner(&self, simplex: u32) -> Option<SteinerPoint<D>> {
+    fn sound_corner(&self, simplex: SimplexId) -> Option<SteinerPoint<D>> {
         let radius = self.state.delaunay.ball(simplex)?.radius();
         let point = self.state.delaunay.corner(simplex)?;
         let corner = SteinerPoint { point, radius, is_corner: true };
@@ -57,12 +61,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         .then_some(corner)
     }
 
-    fn is_sound(&self, simplex: u32, steiner: &SteinerPoint<D>) -> bool {
+    fn is_sound(&self, simplex: SimplexId, steiner: &SteinerPoint<D>) -> bool {
         steiner.point.iter().all(|x| x.is_finite())
             && self.state.delaunay.in_conflict(simplex, &steiner.point)
     }
 
-    fn is_at_its_radius(&self, steiner: &SteinerPoint<D>, vertex: u32) -> bool {
+    fn is_at_its_radius(&self, steiner: &SteinerPoint<D>, vertex: VertexId) -> bool {
         let distance = distance(&steiner.point, self.state.delaunay.point(vertex));
         distance >= 0.5 * steiner.radius && distance <= 1.5 * steiner.radius
     }
@@ -72,11 +76,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// is inside the D-ball: no vertex is nearer to it than v.
     fn off_center_of_cell(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
         let vertex = self.worst_inner_cell(simplex, corner.radius)?;
-        let allowed = 0.5 * self.state.stage.bound * self.state.cells[vertex as usize].nearest;
+        let allowed = 0.5 * self.state.stage.bound * self.state.cells[vertex].nearest;
         let radius = cell_factor::<D>() * allowed;
         let from = self.state.delaunay.point(vertex);
         let point = between(from, &corner.point, radius / corner.radius)?;
@@ -88,7 +92,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// On the way from the middle of the shortest edge to `corner`.
     fn off_center_of_edge(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         corner: &SteinerPoint<D>,
     ) -> Option<SteinerPoint<D>> {
         let (a, b, length) = self.inner_short_edge(simplex, corner.radius)?;

@@ -6,37 +6,36 @@
 //! of the new balls holds the point: a ball through the new vertex and the point, empty of all
 //! others, lies in the destroyed ball, so the two would be Delaunay neighbours.
 
-use crate::complex::LocalToGlobal;
+use crate::complex::{LocalToGlobal, PartitionIds, SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow};
-use crate::mesh::NONE;
 use crate::netmesh::watch::Watch;
 
 /// The conflict list of one simplex.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct ConflictList {
     /// The first entry, and the number of entries.
-    first: u32,
+    first: VertexId,
     count: u32,
 }
 
 impl ConflictList {
-    const EMPTY: Self = Self { first: NONE, count: 0 };
+    const EMPTY: Self = Self { first: VertexId::NONE, count: 0 };
 }
 
 #[derive(Clone, Copy)]
 struct Entry {
     /// The next entry of the same list.
-    next: u32,
-    /// The simplex whose list this is on; [`NONE`] once the input is inserted.
-    simplex: u32,
+    next: VertexId,
+    /// The simplex whose list this is on; none once the input is inserted.
+    simplex: SimplexId,
     /// Touches, as in Definition 9.
     touches: u32,
 }
 
 impl Entry {
-    const UNASSIGNED: Self = Self { next: NONE, simplex: NONE, touches: 0 };
+    const UNASSIGNED: Self = Self { next: VertexId::NONE, simplex: SimplexId::NONE, touches: 0 };
 }
 
 pub(in crate::netmesh) struct ConflictLists {
@@ -52,18 +51,18 @@ pub(in crate::netmesh) struct ConflictLists {
 /// The entries of one list.
 pub(in crate::netmesh) struct Entries<'a> {
     inputs: &'a [Entry],
-    current: u32,
+    current: VertexId,
 }
 
 impl Iterator for Entries<'_> {
-    type Item = u32;
+    type Item = VertexId;
 
-    fn next(&mut self) -> Option<u32> {
-        if self.current == NONE {
+    fn next(&mut self) -> Option<VertexId> {
+        if !self.current.is_valid() {
             return None;
         }
         let input = self.current;
-        self.current = self.inputs[input as usize].next;
+        self.current = self.inputs[input].next;
         Some(input)
     }
 }
@@ -88,23 +87,23 @@ impl ConflictLists {
         self.remaining + self.suspended
     }
 
-    pub fn simplex_of(&self, input: u32) -> u32 {
-        self.inputs[input as usize].simplex
+    pub fn simplex_of(&self, input: VertexId) -> SimplexId {
+        self.inputs[input].simplex
     }
 
     /// The number of inputs on the list of `simplex`.
-    pub fn count(&self, simplex: u32) -> u32 {
+    pub fn count(&self, simplex: SimplexId) -> u32 {
         // Simplices made after the last input went in are not covered.
-        self.lists.get(simplex as usize).map_or(0, |list| list.count)
+        self.lists.get(simplex.index()).map_or(0, |list| list.count)
     }
 
-    pub fn entries(&self, simplex: u32) -> Entries<'_> {
-        Entries { inputs: &self.inputs, current: self.lists[simplex as usize].first }
+    pub fn entries(&self, simplex: SimplexId) -> Entries<'_> {
+        Entries { inputs: &self.inputs, current: self.lists[simplex].first }
     }
 
     /// Touches of `input` so far.
-    pub fn touches_mut(&mut self, input: u32) -> &mut u32 {
-        &mut self.inputs[input as usize].touches
+    pub fn touches_mut(&mut self, input: VertexId) -> &mut u32 {
+        &mut self.inputs[input].touches
     }
 
     pub fn total_touches(&self) -> u64 {
@@ -136,9 +135,9 @@ impl ConflictLists {
     }
 
     /// Puts `input`, which is on no list, on that of `simplex`.
-    pub fn assign(&mut self, input: u32, simplex: u32) {
-        let list = &mut self.lists[simplex as usize];
-        let entry = &mut self.inputs[input as usize];
+    pub fn assign(&mut self, input: VertexId, simplex: SimplexId) {
+        let list = &mut self.lists[simplex];
+        let entry = &mut self.inputs[input];
         (entry.next, entry.simplex) = (list.first, simplex);
         list.first = input;
         list.count += 1;
@@ -162,8 +161,8 @@ impl ConflictLists {
     }
 
     /// Empties the list of `simplex` and returns its entries, which are on no list then.
-    pub fn take_entries(&mut self, simplex: u32) -> Entries<'_> {
-        let list = match self.lists.get_mut(simplex as usize) {
+    pub fn take_entries(&mut self, simplex: SimplexId) -> Entries<'_> {
+        let list = match self.lists.get_mut(simplex.index()) {
             Some(list) => std::mem::replace(list, ConflictList::EMPTY),
             None => ConflictList::EMPTY,
         };
@@ -187,12 +186,13 @@ impl ConflictLists {
     }
 
     /// The conflict lists of a partition, which were emptied. Its `inputs` inputs are the first of
-    /// its vertices. `ids`: simplex -> its id in the partition.
-    pub fn partition(&self, names: &LocalToGlobal, ids: &[u32], inputs: usize) -> Result<Self> {
+    /// its vertices.
+    pub fn partition(&self, ids: &PartitionIds<'_>, inputs: usize) -> Result<Self> {
+        let PartitionIds { local_to_global, global_to_local } = ids;
         let mut partition = Self::new(inputs)?;
-        partition.cover(names.simplices.len())?;
-        for (own, &input) in names.vertices[..inputs].iter().enumerate() {
-            partition.assign(own as u32, ids[self.simplex_of(input) as usize]);
+        partition.cover(local_to_global.simplices.len())?;
+        for (local, &input) in VertexId::below(inputs).zip(&local_to_global.vertices) {
+            partition.assign(local, global_to_local.simplices[self.simplex_of(input)]);
         }
         Ok(partition)
     }
@@ -201,22 +201,20 @@ impl ConflictLists {
     pub fn join(
         &mut self,
         mut partition: Self,
-        names: &LocalToGlobal,
+        local_to_global: &LocalToGlobal,
         bound: usize,
     ) -> AllocResult<()> {
         partition.lists.fill(ConflictList::EMPTY);
-        partition.cover(names.simplices.len())?;
-        self.cover(bound - names.simplices.len())?;
+        partition.cover(local_to_global.simplices.len())?;
+        self.cover(bound - local_to_global.simplices.len())?;
         self.lists.absorb(partition.lists)?;
-        for (own, entry) in partition.inputs.iter().enumerate() {
-            let input = names.vertices[own];
-            self.inputs[input as usize].touches += entry.touches;
-            match entry.simplex {
-                NONE => {
-                    self.inputs[input as usize].simplex = NONE;
-                    self.remaining -= 1;
-                }
-                list => self.assign(input, names.simplices[list as usize]),
+        for (&input, entry) in local_to_global.vertices.iter().zip(&partition.inputs) {
+            self.inputs[input].touches += entry.touches;
+            if entry.simplex.is_valid() {
+                self.assign(input, local_to_global.simplices[entry.simplex]);
+            } else {
+                self.inputs[input].simplex = SimplexId::NONE;
+                self.remaining -= 1;
             }
         }
         Ok(())
@@ -228,8 +226,8 @@ impl ConflictLists {
         &mut self,
         delaunay: &Delaunay<D>,
         cavity: &Cavity,
-        created: &[u32],
-        inserted: u32,
+        created: &[SimplexId],
+        inserted: VertexId,
         watch: &mut Watch<'_, '_>,
     ) -> Result<()> {
         if self.remaining == 0 {
@@ -237,18 +235,18 @@ impl ConflictLists {
         }
         self.cover(delaunay.complex().simplex_bound())?;
         for (at, &simplex) in cavity.simplices.iter().enumerate() {
-            let list = std::mem::replace(&mut self.lists[simplex as usize], ConflictList::EMPTY);
+            let list = std::mem::replace(&mut self.lists[simplex], ConflictList::EMPTY);
             let mut input = list.first;
-            if input == NONE {
+            if !input.is_valid() {
                 continue;
             }
             let own = cavity.starts[at] as usize..cavity.starts[at + 1] as usize;
             let mut guess = created[own.start.min(created.len() - 1)];
-            while input != NONE {
+            while input.is_valid() {
                 watch.poll_after(4)?;
-                let next = self.inputs[input as usize].next;
+                let next = self.inputs[input].next;
                 if input == inserted {
-                    self.inputs[input as usize].simplex = NONE;
+                    self.inputs[input].simplex = SimplexId::NONE;
                     self.remaining -= 1;
                 } else {
                     guess = self.find_ball(delaunay, inserted, created, guess, input);
@@ -267,13 +265,13 @@ impl ConflictLists {
     fn find_ball<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,
-        apex: u32,
-        created: &[u32],
-        guess: u32,
-        input: u32,
-    ) -> u32 {
+        apex: VertexId,
+        created: &[SimplexId],
+        guess: SimplexId,
+        input: VertexId,
+    ) -> SimplexId {
         let q = delaunay.point(input);
-        let touches = &mut self.inputs[input as usize].touches;
+        let touches = &mut self.inputs[input].touches;
         let mut holds = |simplex| {
             *touches += 1;
             delaunay.in_conflict(simplex, q)
@@ -315,7 +313,7 @@ mod tests {
     /// simplex that it is assigned to. Returns the touches of all, and how often an input was
     /// redistributed.
     fn insert_all<const D: usize>(points: &[[f64; D]]) -> (u64, u64) {
-        let count = points.len() as u32;
+        let inputs = || VertexId::below(points.len());
         let mut all = points.to_vec();
         all.push([-10.0; D]);
         for axis in 0..D {
@@ -323,27 +321,26 @@ mod tests {
             corner[axis] = 40.0 * D as f64;
             all.push(corner);
         }
-        let corners: Vec<u32> = (count..=count + D as u32).collect();
+        let corners: Vec<_> = VertexId::range(points.len()..all.len()).collect();
         let mut delaunay = Delaunay::new(Array::copied(&all).unwrap()).unwrap();
         delaunay.begin(&corners).unwrap();
         let mut conflict_lists = ConflictLists::new(points.len()).unwrap();
         conflict_lists.cover(delaunay.complex().simplex_bound()).unwrap();
-        let first = delaunay.finite_near(delaunay.complex().incident(count));
-        (0..count).for_each(|input| conflict_lists.assign(input, first));
+        let first = delaunay.finite_near(delaunay.complex().incident(corners[0]));
+        inputs().for_each(|input| conflict_lists.assign(input, first));
         let mut watch = Watch::new(None);
         let (mut cavity, mut created, mut moves) = (Cavity::default(), Vec::new(), 0);
-        for input in 0..count {
+        for input in inputs() {
             let q = *delaunay.point(input);
             delaunay.find_cavity(conflict_lists.simplex_of(input), &q, &mut cavity).unwrap();
-            let lists: Vec<u32> =
-                (0..count).map(|other| conflict_lists.simplex_of(other)).collect();
+            let lists: Vec<_> = inputs().map(|other| conflict_lists.simplex_of(other)).collect();
             delaunay.insert(input, &cavity, &mut created).unwrap();
             conflict_lists.redistribute(&delaunay, &cavity, &created, input, &mut watch).unwrap();
-            for other in input + 1..count {
+            for other in inputs().filter(|&other| other > input) {
                 let list = conflict_lists.simplex_of(other);
                 assert!(delaunay.complex().is_live(list));
                 assert!(delaunay.in_conflict(list, delaunay.point(other)));
-                moves += u64::from(cavity.simplices.contains(&lists[other as usize]));
+                moves += u64::from(cavity.simplices.contains(&lists[other]));
             }
         }
         assert_eq!(conflict_lists.remaining(), 0);
@@ -360,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn homes_are_found_in_few_steps() {
+    fn conflict_lists_are_found_in_few_steps() {
         check_walks::<2>(1.6);
         check_walks::<3>(2.1);
         check_walks::<4>(2.8);
@@ -368,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn homes_are_found_where_powers_overflow_or_vanish() {
+    fn conflict_lists_are_found_where_powers_overflow_or_vanish() {
         let mut random = Random(3);
         let mut nested = Vec::new();
         for level in 0..40 {

@@ -1,6 +1,7 @@
 //! INSERT and INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy
 //! is changed first.
 
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
@@ -16,7 +17,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// it from outside and leave nothing to grow. False if the interface defers the input.
     pub(in crate::netmesh) fn insert_input(
         &mut self,
-        input: u32,
+        input: VertexId,
         cavity: &mut Cavity,
     ) -> Result<bool> {
         if self.is_inserted(input) {
@@ -65,7 +66,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Finds the cavity of `input` anew after a cage operation, unless a cage took it in.
-    fn look_again(&mut self, input: u32, cavity: &mut Cavity) -> AllocResult<bool> {
+    fn look_again(&mut self, input: VertexId, cavity: &mut Cavity) -> AllocResult<bool> {
         if self.is_inserted(input) {
             return Ok(false);
         }
@@ -75,7 +76,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     pub(in crate::netmesh) fn find_cavity_of_input(
         &mut self,
-        input: u32,
+        input: VertexId,
         cavity: &mut Cavity,
     ) -> AllocResult<()> {
         let q = *self.state.delaunay.point(input);

@@ -5,9 +5,16 @@
 //! here.
 
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, filled};
+use crate::memory::{AllocResult, Id, TryGrow, collected, filled};
 use crate::mesh::Inputs;
 use crate::netmesh::watch::Watch;
+
+/// A distinct input, in the caller's order. As a vertex it has its place in the order of locality
+/// ([`VertexId`](crate::complex::VertexId)).
+pub(in crate::netmesh) type InputId = Id<Input>;
+
+/// What an [`InputId`] is the id of.
+pub(in crate::netmesh) enum Input {}
 
 /// Bits of a key in all, and of one that buckets are made of.
 const KEY_BITS: usize = 63;
@@ -23,8 +30,8 @@ const FEW: usize = 8;
 pub(in crate::netmesh) fn by_locality<const D: usize>(
     inputs: &Inputs,
     watch: &mut Watch<'_, '_>,
-) -> Result<Vec<u32>> {
-    let mut order = collected(0..inputs.distinct() as u32)?;
+) -> Result<Vec<InputId>> {
+    let mut order = collected(InputId::below(inputs.distinct()))?;
     let mut keyed = Vec::new();
     let mut crowds = Vec::new();
     crowds.try_push(0..order.len())?;
@@ -62,9 +69,9 @@ pub(in crate::netmesh) fn by_locality<const D: usize>(
 /// Writes the ids by the bits of their keys from `shift` on to `sorted`; returns where buckets
 /// begin.
 fn sort_into_buckets(
-    keyed: &[(u64, u32)],
+    keyed: &[(u64, InputId)],
     shift: usize,
-    sorted: &mut [u32],
+    sorted: &mut [InputId],
     watch: &mut Watch<'_, '_>,
 ) -> Result<Vec<usize>> {
     let bucket = |key: u64| (key >> shift) as usize;
@@ -86,8 +93,8 @@ fn sort_into_buckets(
     Ok(starts)
 }
 
-fn point<const D: usize>(inputs: &Inputs, input: u32) -> &[f64; D] {
-    inputs.distinct_point(input as usize).try_into().expect("dim is D")
+fn point<const D: usize>(inputs: &Inputs, input: InputId) -> &[f64; D] {
+    inputs.distinct_point(input.index()).try_into().expect("dim is D")
 }
 
 /// The cells of a cube.
@@ -103,7 +110,7 @@ impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
 
     /// Around the named inputs.
-    fn around(inputs: &Inputs, named: &[u32], watch: &mut Watch<'_, '_>) -> Result<Self> {
+    fn around(inputs: &Inputs, named: &[InputId], watch: &mut Watch<'_, '_>) -> Result<Self> {
         let mut low = point::<D>(inputs, named[0]).map(|x| 0.5 * x);
         let mut high = low;
         for &input in named {
@@ -150,15 +157,15 @@ mod tests {
     use super::*;
     use rand_core::Rng;
 
-    fn order<const D: usize>(points: &[[f64; D]]) -> Vec<u32> {
+    fn order<const D: usize>(points: &[[f64; D]]) -> Vec<InputId> {
         let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0).unwrap();
         by_locality::<D>(&inputs, &mut Watch::new(None)).unwrap()
     }
 
     /// The average distance of consecutive points.
-    fn step<const D: usize>(points: &[[f64; D]], order: &[u32]) -> f64 {
-        let distance = |pair: &[u32]| {
-            let [a, b] = [points[pair[0] as usize], points[pair[1] as usize]];
+    fn step<const D: usize>(points: &[[f64; D]], order: &[InputId]) -> f64 {
+        let distance = |pair: &[InputId]| {
+            let [a, b] = [points[pair[0]], points[pair[1]]];
             crate::numerics::distance(&a, &b)
         };
         order.windows(2).map(distance).sum::<f64>() / order.len() as f64
@@ -170,16 +177,17 @@ mod tests {
         (0..count).map(|_| std::array::from_fn(|_| unit())).collect()
     }
 
-    fn is_permutation(order: &[u32]) -> bool {
+    fn is_permutation(order: &[InputId]) -> bool {
         let mut sorted = order.to_vec();
         sorted.sort_unstable();
-        sorted.into_iter().eq(0..order.len() as u32)
+        sorted.into_iter().eq(InputId::below(order.len()))
     }
 
     #[test]
     fn a_grid_is_ordered_as_the_curve_goes() {
         let grid: Vec<[f64; 2]> = (0..16).map(|i| [f64::from(i % 4), f64::from(i / 4)]).collect();
-        assert_eq!(order(&grid), [0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15]);
+        let expected = [0, 1, 4, 5, 2, 3, 6, 7, 8, 9, 12, 13, 10, 11, 14, 15];
+        assert_eq!(order(&grid), expected.map(InputId::new));
     }
 
     #[test]
@@ -210,7 +218,7 @@ mod tests {
         points.push([1.0, 1.0, 1.0]);
         let order = order(&points);
         assert!(is_permutation(&order));
-        let inner: Vec<u32> = order.iter().copied().filter(|&i| i < 1000).collect();
+        let inner: Vec<_> = order.iter().copied().filter(|id| id.index() < 1000).collect();
         assert!(step(&points, &inner) < 0.4e-200);
     }
 
@@ -221,6 +229,6 @@ mod tests {
         let mut points = vec![[far, far], [-far, far], [tiny, 0.0], [0.0, 0.0], [-tiny, tiny]];
         points.extend((0..20).map(|i| [f64::from(i) * tiny, 1.0]));
         assert!(is_permutation(&order(&points)));
-        assert_eq!(order(&points[..2]), [1, 0]);
+        assert_eq!(order(&points[..2]), [1, 0].map(InputId::new));
     }
 }

@@ -1,6 +1,7 @@
 //! The first simplices and conflict lists: the outer cage (§6.5, first lines of NETMESH), or for
 //! the plain Delaunay triangulation the first affinely independent inputs.
 
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{collected, with_room};
@@ -67,8 +68,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     fn insert_outer_cage_vertex(
         &mut self,
-        vertex: u32,
-        near: u32,
+        vertex: VertexId,
+        near: VertexId,
         cavity: &mut Cavity,
     ) -> Result<()> {
         let x = *self.state.delaunay.point(vertex);
@@ -81,7 +82,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The first D + 1 affinely independent inputs.
     pub(in crate::netmesh) fn start_delaunay(&mut self) -> Result<()> {
-        let basis = affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(i as u32));
+        let basis =
+            affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(VertexId::new(i)));
         if basis.len() < D + 1 {
             let message = message!(
                 "the points have affine rank {}; a Delaunay triangulation in dimension {D} needs rank {D}",
@@ -89,17 +91,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
             );
             return Err(Error::new(ErrorKind::DegenerateInput, message));
         }
-        let first = collected(basis.iter().map(|&i| i as u32))?;
+        let first = collected(basis.iter().copied().map(VertexId::new))?;
         self.state.delaunay.begin(&first)?;
         self.assign_inputs(first[0])
     }
 
     /// Assigns every uninserted input to a conflict list, walking from the simplex of the input
     /// before.
-    fn assign_inputs(&mut self, near: u32) -> Result<()> {
+    fn assign_inputs(&mut self, near: VertexId) -> Result<()> {
         self.state.conflict_lists.cover(self.state.delaunay.complex().simplex_bound())?;
         let mut start = self.state.delaunay.complex().incident(near);
-        for input in 0..self.state.inputs as u32 {
+        for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(4)?;
             if self.is_inserted(input) {
                 self.state.conflict_lists.dismiss_unassigned();
@@ -115,10 +117,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The input nearest to the middle of the bounding box.
-    fn central_input(&mut self) -> Result<u32> {
-        let mut low = *self.state.delaunay.point(0);
+    fn central_input(&mut self) -> Result<VertexId> {
+        let mut low = *self.state.delaunay.point(VertexId::new(0));
         let mut high = low;
-        for input in 1..self.state.inputs as u32 {
+        for input in VertexId::range(1..self.state.inputs) {
             self.watch.poll_after(1)?;
             for (axis, &x) in self.state.delaunay.point(input).iter().enumerate() {
                 low[axis] = low[axis].min(x);
@@ -126,8 +128,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
-        let (mut best, mut least) = (0, f64::INFINITY);
-        for input in 0..self.state.inputs as u32 {
+        let (mut best, mut least) = (VertexId::NONE, f64::INFINITY);
+        for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(1)?;
             let distance = distance(self.state.delaunay.point(input), &middle);
             if distance < least {
@@ -141,7 +143,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// express the outer cage, and that its hull surrounds the inputs with room to spare.
     fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
         let mut radius = 0.0f64;
-        for input in 0..self.state.inputs as u32 {
+        for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(1)?;
             radius = radius.max(distance(self.state.delaunay.point(input), center));
         }

@@ -3,6 +3,7 @@
 //! broken by its Voronoi corner, which yields to an input near it, so that only medial inputs go in
 //! and the mesh has its quality at all times. Each input is touched O(log spread) times.
 
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, enqueue};
@@ -14,13 +15,13 @@ use std::collections::VecDeque;
 /// that replace them.
 #[derive(Default)]
 pub(in crate::netmesh) struct Crowded {
-    queue: VecDeque<u32>,
+    queue: VecDeque<SimplexId>,
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Breaks D-balls until none holds an input.
     pub(in crate::netmesh) fn insert_sparsely(&mut self, cavity: &mut Cavity) -> Result<()> {
-        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
             self.queue_if_crowded(simplex)?;
         }
         while let Some(simplex) = self.crowded.queue.pop_front() {
@@ -43,17 +44,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn queue_if_crowded(&mut self, simplex: u32) -> AllocResult<()> {
+    fn queue_if_crowded(&mut self, simplex: SimplexId) -> AllocResult<()> {
         if self.is_crowded(simplex) { enqueue(&mut self.crowded.queue, simplex) } else { Ok(()) }
     }
 
-    fn is_crowded(&self, simplex: u32) -> bool {
+    fn is_crowded(&self, simplex: SimplexId) -> bool {
         self.state.conflict_lists.count(simplex) > 0
     }
 
     /// Inserts the corner of `simplex`, or the input that it yields to. Where the corner is of no
     /// use (beyond the root cage, or doubles cannot express it) one of the inputs goes in as it is.
-    fn break_ball(&mut self, simplex: u32, cavity: &mut Cavity) -> Result<()> {
+    fn break_ball(&mut self, simplex: SimplexId, cavity: &mut Cavity) -> Result<()> {
         if self.is_well_inside(simplex, ROOT) && !self.state.refine_list.is_limited(simplex) {
             self.refine_corner(simplex, cavity)?;
         } else if let Some(input) = self.state.conflict_lists.entries(simplex).next() {

@@ -2,10 +2,11 @@
 //! it is brought up to date: conflict lists, nearest distances, clearances of cages, and which
 //! cells are bad.
 
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
-use crate::netmesh::{Cell, Mesher, is_valid};
+use crate::netmesh::{Cell, Mesher};
 use crate::numerics::distance;
 use crate::options::Algorithm;
 
@@ -14,7 +15,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// updates conflict lists, nearest distances and the refine list.
     pub(in crate::netmesh) fn insert_into_cavity(
         &mut self,
-        vertex: u32,
+        vertex: VertexId,
         cavity: &Cavity,
     ) -> Result<()> {
         let created = &mut self.scratch.created;
@@ -46,9 +47,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in. Its
     /// neighbours are the corners of its cavity: no vertex is inside that, for all keep a star.
-    fn update_star(&mut self, vertex: u32, cavity: &Cavity) -> AllocResult<()> {
+    fn update_star(&mut self, vertex: VertexId, cavity: &Cavity) -> AllocResult<()> {
         let mut nearest = f64::INFINITY;
-        let neighbors: &[u32] = &cavity.vertices.ids;
+        let neighbors: &[VertexId] = &cavity.vertices.ids;
         let x = *self.state.delaunay.point(vertex);
         let mut nearer = std::mem::take(&mut self.scratch.nearer);
         nearer.clear();
@@ -57,12 +58,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for &neighbor in neighbors {
             let distance = distance(&x, self.state.delaunay.point(neighbor));
             nearest = nearest.min(distance);
-            let cell = &mut cells[neighbor as usize];
+            let cell = &mut cells[neighbor];
             let is_nearer = distance < cell.nearest;
             cell.nearest = if is_nearer { distance } else { cell.nearest };
             nearer.push_if(is_nearer, neighbor);
         }
-        cells[vertex as usize].nearest = nearest;
+        cells[vertex].nearest = nearest;
         let in_same_domain = self.state.hierarchy.same_domain(neighbors)
             && self.state.hierarchy.same_domain(&[vertex, neighbors[0]]);
         if !in_same_domain {
@@ -80,8 +81,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// cages.
     pub(in crate::netmesh) fn update_clearances(
         &mut self,
-        vertex: u32,
-        neighbors: &[u32],
+        vertex: VertexId,
+        neighbors: &[VertexId],
     ) -> AllocResult<()> {
         for &neighbor in neighbors {
             if self.state.hierarchy.same_domain(&[vertex, neighbor]) {
@@ -113,7 +114,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x: &[f64; D],
         max_distance: f64,
         cavity: &Cavity,
-    ) -> Result<Option<u32>> {
+    ) -> Result<Option<VertexId>> {
         if self.state.conflict_lists.remaining() == 0 {
             return Ok(None);
         }
@@ -134,7 +135,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The nearest distance of a corner of the first simplex; its farthest corner is not known.
-    pub(in crate::netmesh) fn measure_nearest(&mut self, vertex: u32) {
+    pub(in crate::netmesh) fn measure_nearest(&mut self, vertex: VertexId) {
         let simplex = self.state.delaunay.complex().incident(vertex);
         let x = self.state.delaunay.point(vertex);
         let nearest = self
@@ -143,10 +144,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .complex()
             .vertices(simplex)
             .iter()
-            .filter(|&&other| is_valid(other) && other != vertex)
+            .filter(|&&other| other.is_valid() && other != vertex)
             .map(|&other| distance(x, self.state.delaunay.point(other)))
             .fold(f64::INFINITY, f64::min);
-        self.state.cells[vertex as usize].nearest = nearest;
-        self.state.cells[vertex as usize].farthest = f64::INFINITY;
+        self.state.cells[vertex].nearest = nearest;
+        self.state.cells[vertex].farthest = f64::INFINITY;
     }
 }

@@ -4,9 +4,9 @@
 //! was cut out.
 
 use super::{DomainId, Hierarchy, Node, Place, ROOT};
+use crate::complex::{PartitionIds, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
-use crate::mesh::NONE;
 
 /// The domains of a partition in the global mesh.
 #[derive(Default)]
@@ -20,7 +20,7 @@ pub(in crate::netmesh) struct DomainsToGlobal {
 impl DomainsToGlobal {
     /// The global id of `domain`.
     pub fn global(&self, domain: DomainId) -> DomainId {
-        self.local_to_global[domain.index()]
+        self.local_to_global[domain]
     }
 
     /// Domain of the partition -> whether another partition owns it.
@@ -30,19 +30,18 @@ impl DomainsToGlobal {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The hierarchy of the partition with the given `vertices`, inserted or not, some of them
-    /// `shared` with other partitions. `ids`: vertex -> its id in the partition, [`NONE`] if it is
-    /// not there.
+    /// The hierarchy of the partition with the vertices of `ids`, inserted or not. `shared`: vertex
+    /// of the partition -> whether other partitions have simplices at it.
     pub fn partition(
         &mut self,
-        vertices: &[u32],
+        ids: &PartitionIds<'_>,
         shared: &[bool],
-        ids: &[u32],
     ) -> Result<(Self, DomainsToGlobal)> {
+        let vertices = &ids.local_to_global.vertices;
         let local_to_global = self.domains_at(vertices)?;
-        let own = |vertex: u32| {
-            let id = ids[vertex as usize];
-            (id != NONE && !shared[id as usize]).then_some(id)
+        let own = |vertex: VertexId| {
+            let id = ids.global_to_local.vertices[vertex];
+            (id.is_valid() && !shared[id]).then_some(id)
         };
         let mut nodes = with_room(local_to_global.len())?;
         let mut is_own = with_room(local_to_global.len())?;
@@ -54,7 +53,7 @@ impl<const D: usize> Hierarchy<D> {
                 && node.cage.iter().all(|&vertex| own(vertex).is_some());
             is_own.push(owns);
             nodes.push(Node {
-                center: own(node.center).unwrap_or(NONE),
+                center: own(node.center).unwrap_or(VertexId::NONE),
                 point: node.point,
                 radius: node.radius,
                 parent: local(&local_to_global, parent),
@@ -68,7 +67,7 @@ impl<const D: usize> Hierarchy<D> {
         }
         let mut places = Array::with_room(vertices.len())?;
         for &vertex in vertices {
-            let Place { label, .. } = self.places[vertex as usize];
+            let Place { label, .. } = self.places[vertex];
             let cage = self.cage_of(vertex);
             places.try_push(Place {
                 label: local(&local_to_global, label),
@@ -82,18 +81,18 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// The domains of `vertices` and their cages, with all around them, in rising order.
-    fn domains_at(&mut self, vertices: &[u32]) -> AllocResult<Vec<DomainId>> {
+    fn domains_at(&mut self, vertices: &[VertexId]) -> AllocResult<Vec<DomainId>> {
         let mut is_known = filled(self.nodes.len(), false)?;
         let mut local_to_global = Vec::new();
         local_to_global.try_push(ROOT)?;
-        is_known[ROOT.index()] = true;
+        is_known[ROOT] = true;
         for &vertex in vertices {
-            if self.places[vertex as usize].label == DomainId::NONE {
+            if !self.places[vertex].label.is_valid() {
                 continue;
             }
             for mut domain in [self.domain_of(vertex), self.cage_of(vertex)] {
-                while domain.is_valid() && !is_known[domain.index()] {
-                    is_known[domain.index()] = true;
+                while domain.is_valid() && !is_known[domain] {
+                    is_known[domain] = true;
                     local_to_global.try_push(domain)?;
                     domain = self.parent(domain);
                 }
@@ -110,7 +109,7 @@ impl<const D: usize> Hierarchy<D> {
         &mut self,
         partition: Self,
         domains: &mut DomainsToGlobal,
-        vertices: &[u32],
+        vertices: &[VertexId],
         shared: &[bool],
     ) -> Result<()> {
         let Self { nodes, places, .. } = partition;
@@ -118,9 +117,8 @@ impl<const D: usize> Hierarchy<D> {
         for at in old..nodes.len() {
             domains.local_to_global.try_push(DomainId::new(self.nodes.len() + at - old))?;
         }
-        let domain =
-            |id: DomainId| if id.is_valid() { domains.local_to_global[id.index()] } else { id };
-        let vertex = |id: u32| if id == NONE { NONE } else { vertices[id as usize] };
+        let domain = |id: DomainId| if id.is_valid() { domains.local_to_global[id] } else { id };
+        let vertex = |id: VertexId| if id.is_valid() { vertices[id] } else { id };
         for (at, mut node) in nodes.into_iter().enumerate() {
             if at < old && !domains.is_own[at] {
                 continue;
@@ -131,7 +129,7 @@ impl<const D: usize> Hierarchy<D> {
             self.alive += usize::from(node.alive);
             if at < old {
                 self.alive -= 1;
-                self.nodes[domains.local_to_global[at].index()] = node;
+                self.nodes[domains.local_to_global[at]] = node;
             } else {
                 self.nodes.try_push(node)?;
             }
@@ -142,7 +140,7 @@ impl<const D: usize> Hierarchy<D> {
                 self.add_vertex()?;
             }
             if place.label.is_valid() && is_shared != Some(true) {
-                self.places[vertices[own] as usize] =
+                self.places[vertices[own]] =
                     Place { label: domain(place.label), cage: domain(place.cage) };
             }
         }

@@ -14,6 +14,7 @@
 //! The coordinates are rounded, relative to the median and to the median distance from it. That
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.
 
+use super::PointId;
 use crate::memory::{AllocResult, TryGrow, make_room};
 
 /// A subset, and the point of its hull that is over the medians so far.
@@ -44,7 +45,9 @@ pub(in crate::netmesh) struct Center<const D: usize> {
     level: Vec<u32>,
     paired: Vec<u32>,
     values: Vec<f64>,
-    support: Vec<u32>,
+    /// Numbers of the points in one part.
+    leaves: Vec<u32>,
+    support: Vec<PointId>,
 }
 
 impl<const D: usize> Default for Center<D> {
@@ -54,6 +57,7 @@ impl<const D: usize> Default for Center<D> {
             level: Vec::new(),
             paired: Vec::new(),
             values: Vec::new(),
+            leaves: Vec::new(),
             support: Vec::new(),
         }
     }
@@ -61,7 +65,7 @@ impl<const D: usize> Default for Center<D> {
 
 impl<const D: usize> Center<D> {
     /// X for the `members` of `points`, which are not none; the most central point first.
-    pub fn support(&mut self, points: &[[f64; D]], members: &[u32]) -> AllocResult<&[u32]> {
+    pub fn support(&mut self, points: &[[f64; D]], members: &[PointId]) -> AllocResult<&[PointId]> {
         self.lift(points, members)?;
         for axis in 0..=D {
             self.pair_off(axis)?;
@@ -70,7 +74,7 @@ impl<const D: usize> Center<D> {
         let (mut best, mut central, mut least) = (self.level[0], 0, f64::INFINITY);
         for at in 0..self.level.len() {
             self.collect(self.level[at])?;
-            for &leaf in &self.support {
+            for &leaf in &self.leaves {
                 let point = &self.parts[leaf as usize].at;
                 let distance: f64 = point.iter().zip(&z).map(|(x, z)| (x - z) * (x - z)).sum();
                 if distance < least {
@@ -79,26 +83,27 @@ impl<const D: usize> Center<D> {
             }
         }
         self.collect(best)?;
-        if let Some(first) = self.support.iter().position(|&leaf| leaf == central) {
-            self.support.swap(0, first);
+        if let Some(first) = self.leaves.iter().position(|&leaf| leaf == central) {
+            self.leaves.swap(0, first);
         }
-        self.support.iter_mut().for_each(|leaf| *leaf = members[*leaf as usize]);
+        self.support.clear();
+        make_room(&mut self.support, self.leaves.len())?;
+        self.support.extend(self.leaves.iter().map(|&leaf| members[leaf as usize]));
         Ok(&self.support)
     }
 
     /// Makes a part of every point.
-    fn lift(&mut self, points: &[[f64; D]], members: &[u32]) -> AllocResult<()> {
+    fn lift(&mut self, points: &[[f64; D]], members: &[PointId]) -> AllocResult<()> {
         self.parts.clear();
         self.level.clear();
         make_room(&mut self.parts, members.len())?;
         make_room(&mut self.level, members.len())?;
         let mut origin = [0.0; D];
         for (axis, median) in origin.iter_mut().enumerate() {
-            *median = self.median(members.iter().map(|&i| points[i as usize][axis]))?;
+            *median = self.median(members.iter().map(|&i| points[i][axis]))?;
         }
-        let offset = |i: u32| -> [f64; D] {
-            std::array::from_fn(|axis| points[i as usize][axis] - origin[axis])
-        };
+        let offset =
+            |i: PointId| -> [f64; D] { std::array::from_fn(|axis| points[i][axis] - origin[axis]) };
         let largest = |x: [f64; D]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let scale = inverse_power(self.median(members.iter().map(|&i| largest(offset(i))))?);
         for (number, &i) in members.iter().enumerate() {
@@ -149,15 +154,15 @@ impl<const D: usize> Center<D> {
         Ok(())
     }
 
-    /// The numbers of the points of part `root`.
+    /// Collects the numbers of the points of part `root` into `leaves`.
     fn collect(&mut self, root: u32) -> AllocResult<()> {
-        self.support.clear();
+        self.leaves.clear();
         self.paired.clear();
         self.paired.try_push(root)?;
         while let Some(part) = self.paired.pop() {
             let [a, b] = self.parts[part as usize].halves;
             if a == b {
-                self.support.try_push(a)?;
+                self.leaves.try_push(a)?;
             } else {
                 self.paired.try_push(b)?;
                 self.paired.try_push(a)?;

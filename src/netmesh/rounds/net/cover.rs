@@ -8,19 +8,20 @@
 //! in sum, or all the D-balls around it in union. Balls without bound, half-spaces, are among the
 //! B.
 
-use crate::complex::INFINITE;
+use super::PointId;
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::memory::{AllocResult, Array, TryGrow};
 
 /// Counts points around the edges at a vertex; keeps its buffers.
 pub(in crate::netmesh) struct Rings<const D: usize> {
-    star: Array<u32>,
-    /// The other ends of the edges; the infinite vertex is that after the last.
-    others: Vec<u32>,
+    star: Array<SimplexId>,
+    /// The other ends of the edges; the one after the last vertex stands for the infinite vertex.
+    others: Vec<VertexId>,
     /// Other end -> the D largest counts of points in the D-balls around the edge.
     largest: Vec<[u32; D]>,
     /// Other end -> the simplex with the largest.
-    fullest: Vec<u32>,
+    fullest: Vec<SimplexId>,
     /// Point -> the last union that it was counted in.
     marks: Vec<u32>,
     unions: u32,
@@ -52,15 +53,15 @@ impl<const D: usize> Rings<D> {
     pub fn fullest(
         &mut self,
         delaunay: &mut Delaunay<D>,
-        inside: &[Vec<u32>],
-        vertex: u32,
+        inside: &[Vec<PointId>],
+        vertex: VertexId,
         threshold: u32,
-    ) -> AllocResult<Option<u32>> {
+    ) -> AllocResult<Option<SimplexId>> {
         self.count(delaunay, inside, vertex)?;
         let mut best = None;
         let mut most = 0;
         for at in 0..self.others.len() {
-            let other = self.others[at] as usize;
+            let other = self.others[at];
             let largest = &self.largest[other];
             let sum: u64 = largest.iter().map(|&count| u64::from(count)).sum();
             if largest[0] > most
@@ -77,27 +78,27 @@ impl<const D: usize> Rings<D> {
     fn count(
         &mut self,
         delaunay: &mut Delaunay<D>,
-        inside: &[Vec<u32>],
-        vertex: u32,
+        inside: &[Vec<PointId>],
+        vertex: VertexId,
     ) -> AllocResult<()> {
-        let infinite = delaunay.point_count();
+        let infinite = after_last(delaunay);
         for &other in &self.others {
-            self.largest[other as usize] = [0; D];
+            self.largest[other] = [0; D];
         }
         self.others.clear();
-        self.largest.cover(infinite + 1, [0; D])?;
-        self.fullest.cover(infinite + 1, 0)?;
+        self.largest.cover(infinite.index() + 1, [0; D])?;
+        self.fullest.cover(infinite.index() + 1, SimplexId::NONE)?;
         delaunay.star(vertex, &mut self.star)?;
         for &simplex in &self.star {
-            let count = inside[simplex as usize].len() as u32;
+            let count = inside[simplex].len() as u32;
             for &end in delaunay.complex().vertices(simplex) {
                 if count == 0 || end == vertex {
                     continue;
                 }
-                let other = if end == INFINITE { infinite } else { end as usize };
+                let other = if end == VertexId::INFINITE { infinite } else { end };
                 let largest = &mut self.largest[other];
                 if largest[0] == 0 {
-                    self.others.try_push(other as u32)?;
+                    self.others.try_push(other)?;
                 }
                 if count > largest[0] {
                     self.fullest[other] = simplex;
@@ -114,8 +115,8 @@ impl<const D: usize> Rings<D> {
     }
 
     /// The number of points in the D-balls around the edge to `other`.
-    fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<u32>], other: usize) -> u32 {
-        let end = if other == delaunay.point_count() { INFINITE } else { other as u32 };
+    fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<PointId>], other: VertexId) -> u32 {
+        let end = if other == after_last(delaunay) { VertexId::INFINITE } else { other };
         if self.unions == u32::MAX {
             self.marks.fill(0);
             self.unions = 0;
@@ -124,8 +125,8 @@ impl<const D: usize> Rings<D> {
         let mut union = 0;
         for &simplex in &self.star {
             if delaunay.complex().vertices(simplex).contains(&end) {
-                for &point in &inside[simplex as usize] {
-                    let mark = &mut self.marks[point as usize];
+                for &point in &inside[simplex] {
+                    let mark = &mut self.marks[point];
                     union += u32::from(*mark != self.unions);
                     *mark = self.unions;
                 }
@@ -133,4 +134,9 @@ impl<const D: usize> Rings<D> {
         }
         union
     }
+}
+
+/// What stands for the infinite vertex in arrays by vertex.
+fn after_last<const D: usize>(delaunay: &Delaunay<D>) -> VertexId {
+    VertexId::new(delaunay.point_count())
 }

@@ -3,6 +3,7 @@
 //! elsewhere in such a run.
 
 use super::greedy::Net;
+use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
@@ -14,12 +15,12 @@ const EXHAUSTED: u32 = 4;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The net of every conflict list's inputs for eps = 2^-pass / (2 D). Small conflict lists are
     /// exhausted.
-    pub(in crate::netmesh) fn select_nets(&mut self, pass: u32) -> Result<Vec<u32>> {
+    pub(in crate::netmesh) fn select_nets(&mut self, pass: u32) -> Result<Vec<VertexId>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;
         let (mut inputs, mut points) = (Vec::new(), Vec::new());
         let mut selected = Vec::new();
-        for start in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for start in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(start);
             if count == 0 || !self.state.interface.is_eligible(start) {
@@ -42,7 +43,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertices = self.state.delaunay.complex().vertices(finite);
             let anchors = collected(vertices.iter().map(|&v| *self.state.delaunay.point(v)))?;
             for &i in net.choose(&anchors, &points, count.div_ceil(share), &mut self.watch)? {
-                selected.try_push(inputs[i as usize])?;
+                selected.try_push(inputs[i])?;
             }
         }
         Ok(selected)

@@ -28,8 +28,10 @@
 //! **Time.** As the size is constant, so is the number of D-balls ever made, and each point of P is
 //! tested against each at most once: linear in |P|.
 
+use super::PointId;
 use super::center::Center;
 use super::cover::Rings;
+use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, make_room};
@@ -40,14 +42,14 @@ use crate::netmesh::watch::Watch;
 pub(in crate::netmesh) struct Net<const D: usize> {
     pub(in crate::netmesh) delaunay: Delaunay<D>,
     /// Simplex -> the points in its D-ball, in rising order; stale for a dead one.
-    pub(in crate::netmesh) inside: Vec<Vec<u32>>,
-    chosen: Vec<u32>,
+    pub(in crate::netmesh) inside: Vec<Vec<PointId>>,
+    chosen: Vec<PointId>,
     /// Point -> whether it is of an X, and not chosen yet.
     waiting: Vec<bool>,
     center: Center<D>,
     rings: Rings<D>,
     cavity: Cavity,
-    created: Vec<u32>,
+    created: Vec<SimplexId>,
     /// In-ball tests of points, those that a D-ball's two parents answer included.
     tests: u64,
 }
@@ -78,19 +80,20 @@ impl<const D: usize> Net<D> {
         points: &[[f64; D]],
         threshold: u32,
         watch: &mut Watch<'_, '_>,
-    ) -> Result<&[u32]> {
+    ) -> Result<&[PointId]> {
         self.begin(anchors, points, watch)?;
         loop {
             let before = self.chosen.len();
-            let mut vertex = 0;
-            while vertex < self.delaunay.point_count() as u32 {
+            let mut next = 0;
+            while next < self.delaunay.point_count() {
+                let vertex = VertexId::new(next);
                 while let Some(simplex) =
                     self.rings.fullest(&mut self.delaunay, &self.inside, vertex, threshold)?
                 {
                     let point = self.pick(simplex, points)?;
                     self.insert(point, simplex, points, watch)?;
                 }
-                vertex += 1;
+                next += 1;
             }
             // A later choice may have made new D-balls at an earlier vertex.
             if self.chosen.len() == before {
@@ -117,19 +120,19 @@ impl<const D: usize> Net<D> {
         self.waiting.clear();
         self.waiting.cover(points.len(), false)?;
         self.rings.restart(points.len())?;
-        let mut vertices = [0; MAX_DIM + 1];
+        let mut vertices = [VertexId::NONE; MAX_DIM + 1];
         for (corner, anchor) in vertices.iter_mut().zip(anchors) {
             *corner = self.delaunay.add_point(*anchor)?;
         }
         self.delaunay.begin(&vertices[..=D])?;
         self.cover_simplices()?;
-        for simplex in 0..self.delaunay.complex().simplex_bound() as u32 {
-            let inside = &mut self.inside[simplex as usize];
+        for simplex in SimplexId::below(self.delaunay.complex().simplex_bound()) {
+            let inside = &mut self.inside[simplex];
             inside.clear();
-            for (i, point) in points.iter().enumerate() {
+            for (i, point) in PointId::below(points.len()).zip(points) {
                 watch.poll_after(1)?;
                 if self.delaunay.in_conflict(simplex, point) {
-                    inside.try_push(i as u32)?;
+                    inside.try_push(i)?;
                 }
             }
             self.tests += points.len() as u64;
@@ -145,42 +148,42 @@ impl<const D: usize> Net<D> {
     }
 
     /// The point to choose in the D-ball of `simplex`, which holds one.
-    fn pick(&mut self, simplex: u32, points: &[[f64; D]]) -> AllocResult<u32> {
-        let members = &self.inside[simplex as usize];
-        if let Some(&point) = members.iter().find(|&&i| self.waiting[i as usize]) {
+    fn pick(&mut self, simplex: SimplexId, points: &[[f64; D]]) -> AllocResult<PointId> {
+        let members = &self.inside[simplex];
+        if let Some(&point) = members.iter().find(|&&i| self.waiting[i]) {
             return Ok(point);
         }
         let support = self.center.support(points, members)?;
-        support.iter().for_each(|&i| self.waiting[i as usize] = true);
+        support.iter().for_each(|&i| self.waiting[i] = true);
         Ok(support[0])
     }
 
     /// Makes `point`, in the D-ball of `simplex`, part of the net.
     pub(in crate::netmesh) fn insert(
         &mut self,
-        point: u32,
-        simplex: u32,
+        point: PointId,
+        simplex: SimplexId,
         points: &[[f64; D]],
         watch: &mut Watch<'_, '_>,
     ) -> Result<()> {
-        self.waiting[point as usize] = false;
+        self.waiting[point] = false;
         self.chosen.try_push(point)?;
-        let x = points[point as usize];
+        let x = points[point];
         let vertex = self.delaunay.add_point(x)?;
         self.delaunay.find_cavity(simplex, &x, &mut self.cavity)?;
         self.delaunay.insert(vertex, &self.cavity, &mut self.created)?;
         self.cover_simplices()?;
         for at in 0..self.created.len() {
             let (facet, created) = (self.cavity.boundary[at], self.created[at]);
-            let mut list = std::mem::take(&mut self.inside[created as usize]);
-            let within = &self.inside[facet.simplex as usize];
-            let beyond = &self.inside[facet.beyond as usize];
+            let mut list = std::mem::take(&mut self.inside[created]);
+            let within = &self.inside[facet.simplex];
+            let beyond = &self.inside[facet.beyond];
             let work = within.len() + beyond.len();
             // The point itself is on the sphere: it leaves, and no exact arithmetic has to tell so.
             merge(within, beyond, &mut list, |i| {
-                i != point && self.delaunay.in_conflict(created, &points[i as usize])
+                i != point && self.delaunay.in_conflict(created, &points[i])
             })?;
-            self.inside[created as usize] = list;
+            self.inside[created] = list;
             self.tests += work as u64;
             watch.poll_after(work as u32)?;
         }
@@ -191,10 +194,10 @@ impl<const D: usize> Net<D> {
 /// The points of a new D-ball, from those of the two on its facet: it lies in their union, and
 /// holds what they share.
 fn merge(
-    within: &[u32],
-    beyond: &[u32],
-    list: &mut Vec<u32>,
-    holds: impl Fn(u32) -> bool,
+    within: &[PointId],
+    beyond: &[PointId],
+    list: &mut Vec<PointId>,
+    holds: impl Fn(PointId) -> bool,
 ) -> AllocResult<()> {
     list.clear();
     make_room(list, within.len() + beyond.len())?;

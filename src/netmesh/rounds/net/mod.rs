@@ -23,14 +23,26 @@ mod sampled;
 #[cfg(test)]
 mod tests;
 
+use crate::complex::VertexId;
 use crate::error::Result;
+use crate::memory::Id;
 use crate::netmesh::Mesher;
 use crate::options::NetOrdering;
+
+/// One of the points that a net is chosen from, by its place among them.
+type PointId = Id<Point>;
+
+/// What a [`PointId`] is the id of.
+enum Point {}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The inputs that pass number `pass` of a round inserts, by conflict list. Conflict lists with
     /// at most `target` inputs need not halve again after the first pass.
-    pub(in crate::netmesh) fn select_round(&mut self, pass: u32, target: u32) -> Result<Vec<u32>> {
+    pub(in crate::netmesh) fn select_round(
+        &mut self,
+        pass: u32,
+        target: u32,
+    ) -> Result<Vec<VertexId>> {
         match self.state.parameters.ordering {
             NetOrdering::SampledNet => {
                 let crowd = if pass == 0 { 0 } else { target };

@@ -2,6 +2,7 @@
 //! conflict lists several times over in practice, far below the generic bound on the size of a net
 //! (Theorem 3); the round verifies that it did and asks for more where it did not.
 
+use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::Mesher;
@@ -13,9 +14,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         per_ball: u32,
         crowd: u32,
-    ) -> Result<Vec<u32>> {
+    ) -> Result<Vec<VertexId>> {
         let mut selected = Vec::new();
-        for simplex in 0..self.state.delaunay.complex().simplex_bound() as u32 {
+        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(simplex);
             if count > crowd && self.state.interface.is_eligible(simplex) {
@@ -29,10 +30,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// consecutive stretches of the list.
     fn sample(
         &mut self,
-        simplex: u32,
+        simplex: SimplexId,
         count: u32,
         wanted: u32,
-        selected: &mut Vec<u32>,
+        selected: &mut Vec<VertexId>,
     ) -> Result<()> {
         let stretch = |i: u32| (u64::from(i) * u64::from(count) / u64::from(wanted)) as u32;
         let mut entries = self.state.conflict_lists.entries(simplex);

@@ -1,7 +1,9 @@
 //! The net's property against every ball there is, its size, its work.
 
+use super::PointId;
 use super::center::Center;
 use super::greedy::Net;
+use crate::complex::SimplexId;
 use crate::netmesh::watch::Watch;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 
@@ -69,7 +71,7 @@ fn surrounding<const D: usize>(points: &[[f64; D]]) -> Vec<[f64; D]> {
 fn net<const D: usize>(anchors: &[[f64; D]], points: &[[f64; D]], threshold: u32) -> Vec<usize> {
     let mut net = Net::new().unwrap();
     let chosen = net.choose(anchors, points, threshold, &mut Watch::new(None)).unwrap();
-    chosen.iter().map(|&i| i as usize).collect()
+    chosen.iter().map(|i| i.index()).collect()
 }
 
 /// Calls `visit` with every set of `size` of the numbers below `count`, which is no smaller.
@@ -171,11 +173,11 @@ fn check_lists<const D: usize>() {
         let mut net = Net::<D>::new().unwrap();
         net.choose(&surrounding(&points), &points, 5, &mut Watch::new(None)).unwrap();
         let mut listed = 0;
-        for simplex in 0..net.delaunay.complex().simplex_bound() as u32 {
+        for simplex in SimplexId::below(net.delaunay.complex().simplex_bound()) {
             if net.delaunay.complex().is_live(simplex) {
-                let holds = |&i: &u32| net.delaunay.in_conflict(simplex, &points[i as usize]);
-                let inside: Vec<u32> = (0..points.len() as u32).filter(holds).collect();
-                assert_eq!(net.inside[simplex as usize], inside, "{D}D {kind}");
+                let holds = |&i: &PointId| net.delaunay.in_conflict(simplex, &points[i]);
+                let inside: Vec<_> = PointId::below(points.len()).filter(holds).collect();
+                assert_eq!(net.inside[simplex], inside, "{D}D {kind}");
                 listed += inside.len();
             }
         }
@@ -231,7 +233,7 @@ fn a_net_does_not_depend_on_those_before() {
     let mut one = Net::new().unwrap();
     let mut choose = |points: &[[f64; 3]]| {
         let chosen = one.choose(&surrounding(points), points, 15, &mut Watch::new(None)).unwrap();
-        chosen.iter().map(|&i| i as usize).collect::<Vec<_>>()
+        chosen.iter().map(|i| i.index()).collect::<Vec<_>>()
     };
     for points in [&a, &b, &a] {
         assert_eq!(choose(points), net(&surrounding(points), points, 15));
@@ -243,14 +245,13 @@ fn a_net_does_not_depend_on_those_before() {
 fn check_center<const D: usize>(count: usize) {
     for kind in KINDS {
         let points = points::<D>(kind, count);
-        let members: Vec<u32> = (0..points.len() as u32).collect();
+        let members: Vec<_> = PointId::below(points.len()).collect();
         let mut center = Center::<D>::default();
         let support = center.support(&points, &members).unwrap().to_vec();
         assert!(!support.is_empty() && support.len() <= 2 << D, "{D}D {kind}: {support:?}");
-        let (empty, others): (Vec<u32>, Vec<u32>) =
-            members.iter().partition(|i| support.contains(i));
+        let (empty, others): (Vec<_>, Vec<_>) = members.iter().partition(|i| support.contains(i));
         assert_eq!(empty.len(), support.len(), "{D}D {kind}: {support:?}");
-        let of = |ids: &[u32]| ids.iter().map(|&i| points[i as usize]).collect::<Vec<_>>();
+        let of = |ids: &[PointId]| ids.iter().map(|&i| points[i]).collect::<Vec<_>>();
         let most = fullest(&of(&empty), &of(&others));
         let missed = points.len() - most;
         assert!(

@@ -3,7 +3,7 @@
 //! corrupt) every part of it.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocError, filled, with_room};
+use crate::memory::{AllocError, filled, with_capacity};
 use crate::parameters::Parameters;
 
 /// No id: a hull facet's missing neighbour, the root's missing parent.
@@ -193,9 +193,9 @@ impl Inputs {
             );
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        let no_room = |_| no_room(n, dim);
-        let mut coordinates = with_room(n * dim).map_err(no_room)?;
-        let mut vertices = with_room(n).map_err(no_room)?;
+        let no_memory = |_| no_memory(n, dim);
+        let mut coordinates = with_capacity(n * dim).map_err(no_memory)?;
+        let mut vertices = with_capacity(n).map_err(no_memory)?;
         for i in 0..n {
             let point = &points[i * stride..][..dim];
             if let Some(axis) = point.iter().position(|x| !x.is_finite()) {
@@ -263,7 +263,7 @@ impl Inputs {
 }
 
 /// The refusal of a copy of the points; without numbers where there is no memory for those either.
-fn no_room(n: usize, dim: usize) -> Error {
+fn no_memory(n: usize, dim: usize) -> Error {
     let bytes = n as u128 * dim as u128 * size_of::<f64>() as u128;
     let message = message!("cannot allocate a copy of the points: n = {n}, {bytes} bytes");
     if message.is_empty() {
@@ -280,7 +280,7 @@ fn identify_duplicates(
     vertices: &mut Vec<u32>,
 ) -> Result<Vec<u32>> {
     let n = coordinates.len() / dim;
-    let mut first_input = with_room(n)?;
+    let mut first_input = with_capacity(n)?;
     let mask = (2 * n).next_power_of_two() - 1;
     let mut table: Vec<u32> = filled(mask + 1, NONE)?;
     for (i, point) in coordinates.chunks_exact(dim).enumerate() {

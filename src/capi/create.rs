@@ -6,7 +6,7 @@ use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8_path};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io;
-use crate::memory::with_room;
+use crate::memory::with_capacity;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
@@ -110,7 +110,7 @@ unsafe fn hand_out(out: *mut *mut nm_mesh, make: impl FnOnce() -> Result<Mesh>) 
 
 /// `Box::new` that refuses where that ends the process.
 fn boxed<T>(value: T) -> Result<Box<T>> {
-    let mut alone = with_room(1)?;
+    let mut alone = with_capacity(1)?;
     alone.push(value);
     let slice: *mut [T] = Box::into_raw(alone.into_boxed_slice());
     // SAFETY: a boxed slice of one element has the layout of a box of it.

@@ -85,8 +85,8 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// The simplex that is incident to the vertex number `index` of `simplex`; `at_infinity` for the
-    /// infinite vertex.
+    /// The simplex that is incident to the vertex number `index` of `simplex`; `at_infinity` for
+    /// the infinite vertex.
     #[inline(always)]
     fn incident_or<'a>(
         &'a mut self,

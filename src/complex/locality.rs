@@ -31,8 +31,8 @@ impl<const D: usize> Complex<D> {
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Anchored> {
         // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
-        let mut owners = Array::with_room(self.simplex_bound())?;
-        let mut reached = Array::with_room(self.simplex_count())?;
+        let mut owners = Array::with_capacity(self.simplex_bound())?;
+        let mut reached = Array::with_capacity(self.simplex_count())?;
         for simplex in SimplexId::below(self.simplex_bound()) {
             tick()?;
             let least = self.vertices(simplex).iter().copied().min().unwrap_or(VertexId::NONE);
@@ -57,7 +57,7 @@ impl<const D: usize> Complex<D> {
         // One place further on until `order` is made, which moves each to where the next one
         // begins.
         let mut starts = Array::filled(anchors + 2, 0u32)?;
-        let mut order = Array::with_room(reached.len())?;
+        let mut order = Array::with_capacity(reached.len())?;
         for &simplex in &reached {
             tick()?;
             order.try_push(SimplexId::NONE)?;

@@ -2,10 +2,10 @@
 //! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
 //!
 //! A simplex is a record of numbers of 32 bits: the ids of its vertices, those of the neighbours
-//! opposite them and its mark, which a search wants one after the other and finds in a cache line or
-//! two. Dead ones wait in a
-//! LIFO list. All simplices are oriented alike: replacing a vertex of one by a point on the same
-//! side keeps the orientation, so a cavity is retriangulated without one orientation test.
+//! opposite them and its mark, which a search wants one after the other and finds in a cache line
+//! or two. Dead ones wait in a LIFO list. All simplices are oriented alike: replacing a vertex of
+//! one by a point on the same side keeps the orientation, so a cavity is retriangulated without one
+//! orientation test.
 
 mod cone;
 mod ids;
@@ -16,7 +16,7 @@ mod ridges;
 mod star;
 mod vertices;
 
-use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, make_room};
+use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, reserve};
 use cone::EDGES;
 pub(crate) use ids::{SimplexId, Vertex, VertexId};
 pub(crate) use locality::Anchored;
@@ -153,8 +153,8 @@ impl<const D: usize> Complex<D> {
             4..=MAX_TABLE_DIM => self.ridges.reserve::<D>(created)?,
             _ => {}
         }
-        make_room(&mut self.free, released)?;
-        self.records.make_room(appended * Self::RECORD)
+        reserve(&mut self.free, released)?;
+        self.records.reserve(appended * Self::RECORD)
     }
 
     /// Reserves memory for `simplices` simplices and `vertices` vertices if the system gives it.

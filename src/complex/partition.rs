@@ -70,7 +70,7 @@ impl<const D: usize> Complex<D> {
     ) -> Result<Self> {
         let PartitionIds { local_to_global, global_to_local } = ids;
         let mut partition = Self::new(local_to_global.vertices.len())?;
-        partition.records.make_room(local_to_global.simplices.len() * Self::RECORD)?;
+        partition.records.reserve(local_to_global.simplices.len() * Self::RECORD)?;
         for (local, &simplex) in local_to_global.simplices.iter().enumerate() {
             tick()?;
             let local = SimplexId::new(local);
@@ -139,7 +139,7 @@ impl<const D: usize> Complex<D> {
         for &simplex in &partition.free {
             self.free.try_push(moved(simplex))?;
         }
-        local_to_global.simplices = Array::with_room(count)?;
+        local_to_global.simplices = Array::with_capacity(count)?;
         for simplex in SimplexId::range(base..base + count) {
             tick()?;
             local_to_global.simplices.try_push(simplex)?;

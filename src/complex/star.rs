@@ -16,7 +16,7 @@ impl<const D: usize> Complex<D> {
         while next < star.len() {
             let simplex = star[next];
             next += 1;
-            star.make_room(D)?;
+            star.reserve(D)?;
             // All but that opposite the vertex.
             let opposite = index_of(self.vertices(simplex), vertex);
             for index in (0..D).map(|i| i + usize::from(i >= opposite)) {

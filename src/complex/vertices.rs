@@ -37,7 +37,7 @@ impl<Of> IdSet<Of> {
     // A call would cost as much as what is done.
     #[inline(always)]
     pub fn insert(&mut self, id: Id<Of>) -> AllocResult<()> {
-        self.ids.make_room(1)?;
+        self.ids.reserve(1)?;
         let mark = &mut self.marks[id];
         // Without a branch on `is_new`, as `Array::push_if`.
         let is_new = *mark < self.base;

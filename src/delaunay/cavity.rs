@@ -1,5 +1,5 @@
-//! The search of a cavity, without branches on what a processor cannot guess
-//! ([`Array::push_if`] tells why): a simplex is written where it may belong, and stays if it does.
+//! The search of a cavity, without branches on what a processor cannot guess ([`Array::push_if`]
+//! tells why): a simplex is written where it may belong, and stays if it does.
 
 use super::Delaunay;
 use super::conflict::Conflicts;
@@ -42,8 +42,8 @@ impl Cavity {
     /// Goes on with `simplex`, whose facets fit in the reserve then.
     #[inline(always)]
     fn begin_simplex<const D: usize>(&mut self, simplex: SimplexId) -> AllocResult<()> {
-        self.queue.make_room(D + 1)?;
-        self.boundary.make_room(D + 1)?;
+        self.queue.reserve(D + 1)?;
+        self.boundary.reserve(D + 1)?;
         self.starts.try_push(self.boundary.len() as u32)?;
         self.simplices.try_push(simplex)
     }

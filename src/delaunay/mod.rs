@@ -22,7 +22,7 @@ mod partition;
 mod tests;
 
 use crate::complex::{Complex, SimplexId, VertexId};
-use crate::memory::{AllocResult, Array, TryGrow, make_room};
+use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::numerics::{Circumball, Sign, norm, orientation};
 pub(crate) use cavity::Cavity;
 use conflict::Conflicts;
@@ -184,7 +184,7 @@ impl<const D: usize> Delaunay<D> {
     ) -> AllocResult<()> {
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
-        make_room(created, cavity.boundary.len())?;
+        reserve(created, cavity.boundary.len())?;
         if !self.complex.has_marks_of(cavity.search) {
             self.complex.begin_marks();
             for &simplex in &cavity.simplices {

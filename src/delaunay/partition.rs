@@ -23,12 +23,12 @@ impl<const D: usize> Delaunay<D> {
     ) -> Result<Self> {
         let complex = self.complex.partition(ids, &mut tick)?;
         let PartitionIds { local_to_global, global_to_local } = ids;
-        let mut points = Array::with_room(local_to_global.vertices.len())?;
+        let mut points = Array::with_capacity(local_to_global.vertices.len())?;
         for &vertex in &local_to_global.vertices {
             tick()?;
             points.try_push(*self.point(vertex))?;
         }
-        let mut balls = Array::with_room(local_to_global.simplices.len())?;
+        let mut balls = Array::with_capacity(local_to_global.simplices.len())?;
         for &simplex in &local_to_global.simplices {
             tick()?;
             balls.try_push(renamed(&self.balls[simplex], &global_to_local.vertices))?;

@@ -1,7 +1,7 @@
 //! A buffer before a writer, as `BufWriter`, but it asks for its memory, and what it holds when it
 //! is dropped is gone: a writer that failed is not called again.
 
-use crate::memory::{AllocResult, with_room};
+use crate::memory::{AllocResult, with_capacity};
 use std::io::{Result, Write};
 
 pub(crate) struct Buffered<W> {
@@ -12,7 +12,7 @@ pub(crate) struct Buffered<W> {
 
 impl<W: Write> Buffered<W> {
     pub fn new(capacity: usize, out: W) -> AllocResult<Self> {
-        Ok(Self { out, bytes: with_room(capacity)? })
+        Ok(Self { out, bytes: with_capacity(capacity)? })
     }
 
     /// The writer; what was not flushed is lost.

@@ -189,7 +189,7 @@ pub(super) fn transposed(cloud: PointCloud, columns: &[u64]) -> Result<PointClou
     let points = cloud.coordinates.len() / cloud.dim;
     let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();
     let ranks: Vec<usize> = columns.iter().map(rank).collect();
-    let mut coordinates = crate::memory::with_room(cloud.coordinates.len())?;
+    let mut coordinates = crate::memory::with_capacity(cloud.coordinates.len())?;
     for point in 0..points {
         coordinates.extend(ranks.iter().map(|rank| cloud.coordinates[rank * points + point]));
     }

@@ -1,6 +1,6 @@
 //! Quality per simplex and per vertex, for the formats that viewers colour.
 
-use crate::memory::{AllocResult, TryGrow, with_room};
+use crate::memory::{AllocResult, TryGrow, with_capacity};
 use crate::mesh::{NONE, Triangulation};
 use crate::quality::cells::Cells;
 use crate::quality::view::View;
@@ -18,11 +18,11 @@ impl Measures {
     /// Of a mesh in dimension `D`.
     pub fn new<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
         let view = View::<D> { mesh };
-        let mut radius_edge = with_room(mesh.simplex_count())?;
+        let mut radius_edge = with_capacity(mesh.simplex_count())?;
         let cells =
             Cells::survey(view, None, 1.0, |simplex| radius_edge.try_push(simplex.radius_edge))?;
         let on_hull = view.hull_vertices()?;
-        let mut aspect = with_room(mesh.vertex_count())?;
+        let mut aspect = with_capacity(mesh.vertex_count())?;
         for (vertex, &on_hull) in on_hull.iter().enumerate() {
             let is_measured = !on_hull && mesh.cage_of[vertex] == NONE;
             let value = if is_measured { cells.aspect_anywhere(vertex) } else { f64::NAN };

@@ -1,52 +1,52 @@
-//! A growing array whose spare room can be lent: parts of a mesh grow in it, each in a stretch of
-//! its own, on threads of their own, and what they made is taken back without being copied.
+//! A growing array whose reserve can be split: partitions of a mesh grow in it, each in a stretch
+//! of its own, on threads of their own, and what they made is taken back without being copied.
 
 use super::pages::{give_back, prefer_large_pages};
-use super::{AllocResult, TryGrow, copied, with_room};
+use super::{AllocResult, TryGrow, copied, with_capacity};
 use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ops::{Deref, DerefMut, Index, IndexMut};
 use std::ptr::NonNull;
 use std::slice::SliceIndex;
 use std::sync::atomic::{AtomicUsize, Ordering, fence};
 
-/// Rooms from this size on are the system's to move, by mapping it elsewhere.
+/// Allocations from this size on are the system's to move, by mapping them elsewhere.
 const MAPPED: usize = 32 << 20;
 
-/// As `Vec`, of plain values. Its room may be a stretch of a larger one, whose other stretches
-/// belong to other arrays. What a large one frees goes back to the system at once, not only to the
-/// allocator.
+/// As `Vec`, of plain values. Its memory may be a stretch of a larger allocation, whose other
+/// stretches belong to other arrays. What a large one frees goes back to the system at once, not
+/// only to the allocator.
 ///
-/// What the unsafe code relies on: `[start, start + capacity)` lies in the allocation that `room`
-/// keeps, of which no other array has any of it ([`Array::lend`] divides a stretch,
-/// [`Array::absorb`] joins two, and growing makes a new one or has the allocation alone); its first
-/// `length` values are initialised. Nothing else looks into `room` while it is shared.
+/// What the unsafe code relies on: `[start, start + capacity)` lies in `allocation`, and no other
+/// array has any of it ([`Array::split_reserve`] divides a stretch, [`Array::absorb`] joins two,
+/// and growing makes a new one or has the allocation alone); its first `length` values are
+/// initialised. Nothing else looks into `allocation` while it is shared.
 pub struct Array<T> {
     start: NonNull<T>,
     length: usize,
     capacity: usize,
     /// Nothing where there is no capacity.
-    room: Option<Room<T>>,
+    allocation: Option<Allocation<T>>,
 }
 
 /// An allocation that several arrays have stretches of. What `Arc` would be, were it not that
 /// making one of those cannot be refused.
-struct Room<T> {
+struct Allocation<T> {
     shared: NonNull<Shared<T>>,
 }
 
 struct Shared<T> {
-    /// The number of rooms that point here.
-    rooms: AtomicUsize,
+    /// The number of allocations that point here: one of each array with a stretch.
+    holders: AtomicUsize,
     memory: Vec<MaybeUninit<T>>,
     /// Of the vector that this is the one element of.
     capacity: usize,
 }
 
-impl<T> Room<T> {
+impl<T> Allocation<T> {
     fn new(memory: Vec<MaybeUninit<T>>) -> AllocResult<Self> {
-        let mut holder = with_room(1)?;
+        let mut holder = with_capacity(1)?;
         let capacity = holder.capacity();
-        holder.push(Shared { rooms: AtomicUsize::new(1), memory, capacity });
+        holder.push(Shared { holders: AtomicUsize::new(1), memory, capacity });
         let mut holder = ManuallyDrop::new(holder);
         Ok(Self { shared: NonNull::from(&mut holder[0]) })
     }
@@ -55,35 +55,36 @@ impl<T> Room<T> {
         self.shared == other.shared
     }
 
-    /// The allocation, if no other room has it.
+    /// The memory, if no other array has a stretch of it.
     #[allow(unsafe_code)]
-    fn alone(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
-        // SAFETY: it lives as long as a room points to it. If this is the only one nobody else can
-        // reach it, nor make another one meanwhile; what others did to it came before they let go.
+    fn exclusive(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
+        // SAFETY: it lives as long as an allocation points to it. If this is the only one nobody
+        // else can reach it, nor make another one meanwhile; what others did to it came before they
+        // let go.
         unsafe {
-            let is_alone = self.shared.as_ref().rooms.load(Ordering::Acquire) == 1;
+            let is_alone = self.shared.as_ref().holders.load(Ordering::Acquire) == 1;
             // Not before that is known.
             if is_alone { Some(&mut self.shared.as_mut().memory) } else { None }
         }
     }
 }
 
-impl<T> Clone for Room<T> {
+impl<T> Clone for Allocation<T> {
     #[allow(unsafe_code)]
     fn clone(&self) -> Self {
-        // SAFETY: it lives as long as a room points to it.
-        unsafe { self.shared.as_ref() }.rooms.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: it lives as long as an allocation points to it.
+        unsafe { self.shared.as_ref() }.holders.fetch_add(1, Ordering::Relaxed);
         Self { shared: self.shared }
     }
 }
 
-impl<T> Drop for Room<T> {
+impl<T> Drop for Allocation<T> {
     #[allow(unsafe_code)]
     fn drop(&mut self) {
-        // SAFETY: it lives as long as a room points to it. The last one takes it down, after all
-        // that others did: it is the one element of a vector of that capacity.
+        // SAFETY: it lives as long as an allocation points to it. The last one takes it down, after
+        // all that others did: it is the one element of a vector of that capacity.
         unsafe {
-            if self.shared.as_ref().rooms.fetch_sub(1, Ordering::Release) == 1 {
+            if self.shared.as_ref().holders.fetch_sub(1, Ordering::Release) == 1 {
                 fence(Ordering::Acquire);
                 give_back(&mut self.shared.as_mut().memory);
                 let capacity = self.shared.as_ref().capacity;
@@ -93,8 +94,8 @@ impl<T> Drop for Room<T> {
     }
 }
 
-// SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of `room`
-// threads share the counter only, and whoever comes last frees the memory.
+// SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of
+// `allocation` threads share the counter only, and whoever comes last frees the memory.
 #[allow(unsafe_code)]
 unsafe impl<T: Send> Send for Array<T> {}
 // SAFETY: as above; a shared array gives out shared values only.
@@ -103,7 +104,7 @@ unsafe impl<T: Sync> Sync for Array<T> {}
 
 impl<T: Copy> Default for Array<T> {
     fn default() -> Self {
-        Self { start: NonNull::dangling(), length: 0, capacity: 0, room: None }
+        Self { start: NonNull::dangling(), length: 0, capacity: 0, allocation: None }
     }
 }
 
@@ -114,7 +115,7 @@ impl<T: Copy> Array<T> {
 
     /// `length` times `value`.
     pub fn filled(length: usize, value: T) -> AllocResult<Self> {
-        let mut array = Self::with_room(length)?;
+        let mut array = Self::with_capacity(length)?;
         array.resize_within(length, value);
         Ok(array)
     }
@@ -126,10 +127,10 @@ impl<T: Copy> Array<T> {
         Ok(array)
     }
 
-    /// An empty array with room for so many values.
-    pub fn with_room(capacity: usize) -> AllocResult<Self> {
+    /// An empty array with a reserve for `capacity` values.
+    pub fn with_capacity(capacity: usize) -> AllocResult<Self> {
         let mut array = Self::new();
-        array.make_room(capacity)?;
+        array.reserve(capacity)?;
         Ok(array)
     }
 
@@ -137,9 +138,9 @@ impl<T: Copy> Array<T> {
         self.length = 0;
     }
 
-    /// Room for `additional` more values, amortised.
+    /// Reserves memory for `additional` more values, amortised.
     #[inline]
-    pub fn make_room(&mut self, additional: usize) -> AllocResult<()> {
+    pub fn reserve(&mut self, additional: usize) -> AllocResult<()> {
         if additional > self.capacity - self.length { self.grow(additional) } else { Ok(()) }
     }
 
@@ -158,32 +159,33 @@ impl<T: Copy> Array<T> {
         self.move_to(needed.max(self.length.saturating_mul(2)).max(4))
     }
 
-    /// Moves to a room for `capacity` values of its own.
+    /// Moves to an allocation of its own for `capacity` values.
     #[allow(unsafe_code)]
     fn move_to(&mut self, capacity: usize) -> AllocResult<()> {
-        let own = self.room.as_mut().and_then(Room::alone);
-        // The system may make a large room larger without moving what is there.
-        let is_mapped = |room: &[MaybeUninit<T>]| size_of_val(room) >= MAPPED;
-        if let Some(room) = own.filter(|room| room.len() == self.capacity && is_mapped(room)) {
-            room.try_reserve_exact(capacity - room.len())?;
-            prefer_large_pages(room, room.capacity());
+        let own = self.allocation.as_mut().and_then(Allocation::exclusive);
+        // The system may make a large allocation larger without moving what is there.
+        let is_mapped = |memory: &[MaybeUninit<T>]| size_of_val(memory) >= MAPPED;
+        let own = own.filter(|memory| memory.len() == self.capacity && is_mapped(memory));
+        if let Some(memory) = own {
+            memory.try_reserve_exact(capacity - memory.len())?;
+            prefer_large_pages(memory, memory.capacity());
             // SAFETY: values that may be uninitialised need no initialisation.
-            unsafe { room.set_len(room.capacity()) };
-            self.capacity = room.len();
-            self.start = NonNull::from(room.as_mut_slice()).cast();
+            unsafe { memory.set_len(memory.capacity()) };
+            self.capacity = memory.len();
+            self.start = NonNull::from(memory.as_mut_slice()).cast();
             return Ok(());
         }
-        let mut room: Vec<MaybeUninit<T>> = with_room(capacity)?;
-        room.extend(self.iter().map(|&value| MaybeUninit::new(value)));
+        let mut memory: Vec<MaybeUninit<T>> = with_capacity(capacity)?;
+        memory.extend(self.iter().map(|&value| MaybeUninit::new(value)));
         // SAFETY: as above.
-        unsafe { room.set_len(room.capacity()) };
-        let (start, capacity) = (NonNull::from(room.as_mut_slice()).cast(), room.len());
-        self.room = Some(Room::new(room)?);
+        unsafe { memory.set_len(memory.capacity()) };
+        let (start, capacity) = (NonNull::from(memory.as_mut_slice()).cast(), memory.len());
+        self.allocation = Some(Allocation::new(memory)?);
         (self.start, self.capacity) = (start, capacity);
         Ok(())
     }
 
-    /// Appends `value` if it is wanted, without a branch. There must be room for it in any case.
+    /// Appends `value` if it is wanted, without a branch. It must fit in the reserve in any case.
     ///
     /// This is the branch-free idiom of the hot loops. A processor guesses which way a branch goes,
     /// and a wrong guess costs as much time as some 20 instructions. Whether a simplex is in
@@ -193,7 +195,7 @@ impl<T: Copy> Array<T> {
     /// the work is a few instructions; a branch that nearly always goes the same way is cheaper.
     #[inline(always)]
     pub fn push_if(&mut self, is_wanted: bool, value: T) {
-        assert!(self.length < self.capacity, "room is made before");
+        assert!(self.length < self.capacity, "it is reserved before");
         // SAFETY: within the stretch, by the assertion.
         #[allow(unsafe_code)]
         unsafe {
@@ -202,10 +204,10 @@ impl<T: Copy> Array<T> {
         self.length += usize::from(is_wanted);
     }
 
-    /// Appends `value` until there are `length`, for which there is room.
+    /// Appends `value` until there are `length`, which fit in the reserve.
     #[inline]
     pub fn resize_within(&mut self, length: usize, value: T) {
-        assert!(length <= self.capacity, "room is made before");
+        assert!(length <= self.capacity, "it is reserved before");
         for at in self.length..length {
             // SAFETY: within the stretch, by the assertion.
             #[allow(unsafe_code)]
@@ -216,64 +218,64 @@ impl<T: Copy> Array<T> {
         self.length = self.length.max(length);
     }
 
-    /// The values as a vector; not copied where they have a room of their own.
+    /// The values as a vector; not copied where they have an allocation of their own.
     #[allow(unsafe_code)]
     pub fn into_vec(mut self) -> AllocResult<Vec<T>> {
         let (start, length, capacity) = (self.start, self.length, self.capacity);
-        let room = self.room.as_mut().and_then(Room::alone);
-        match room.filter(|room| room.len() == capacity) {
-            Some(room) => {
-                let room = ManuallyDrop::new(std::mem::take(room));
+        let own = self.allocation.as_mut().and_then(Allocation::exclusive);
+        match own.filter(|memory| memory.len() == capacity) {
+            Some(memory) => {
+                let memory = ManuallyDrop::new(std::mem::take(memory));
                 // SAFETY: the stretch is all that the vector has, so it begins where that does;
                 // values that may be uninitialised are laid out as others, and so many are
                 // initialised.
-                Ok(unsafe { Vec::from_raw_parts(start.as_ptr(), length, room.capacity()) })
+                Ok(unsafe { Vec::from_raw_parts(start.as_ptr(), length, memory.capacity()) })
             }
             None => copied(&self),
         }
     }
 
-    /// Values that there is room for.
+    /// The number of values that fit in the reserve.
     pub fn spare(&self) -> usize {
         self.capacity - self.length
     }
 
-    /// Divides the room that is spare into empty arrays, with room for so many values each; the
-    /// last has the rest as well. `None` if it is not enough.
+    /// Splits the reserve among empty arrays: `reserves` has the number of values for each. The
+    /// last gets the rest as well. `None` if it is not enough.
     #[allow(unsafe_code)]
-    pub fn split_reserve(&mut self, rooms: &[usize]) -> Option<Vec<Self>> {
+    pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Self>> {
         let spare = self.spare();
-        let needed = rooms.iter().try_fold(0usize, |sum, &room| sum.checked_add(room))?;
-        let mut lent: Vec<Self> = with_room(rooms.len()).ok()?;
-        if needed > spare || rooms.is_empty() {
+        let needed = reserves.iter().try_fold(0usize, |sum, &reserve| sum.checked_add(reserve))?;
+        let mut shares: Vec<Self> = with_capacity(reserves.len()).ok()?;
+        if needed > spare || reserves.is_empty() {
             return None;
         }
         let mut offset = self.length;
         self.capacity = self.length;
-        for &capacity in rooms {
+        for &capacity in reserves {
             // SAFETY: at most `needed` after `length`, so within the stretch that this array had,
             // which ends at `length` now; and after the arrays before.
             let start = unsafe { self.start.add(offset) };
-            lent.push(Self { start, length: 0, capacity, room: self.room.clone() });
+            shares.push(Self { start, length: 0, capacity, allocation: self.allocation.clone() });
             offset += capacity;
         }
-        if let Some(last) = lent.last_mut() {
+        if let Some(last) = shares.last_mut() {
             last.capacity += spare - needed;
         }
-        Some(lent)
+        Some(shares)
     }
 
-    /// Goes on in the stretch of `room`, an empty array.
-    pub fn move_into(&mut self, mut room: Self) -> AllocResult<()> {
-        room.try_extend(self)?;
-        *self = room;
+    /// Goes on in the reserve of `share`, an empty array.
+    pub fn move_into(&mut self, mut share: Self) -> AllocResult<()> {
+        share.try_extend(self)?;
+        *self = share;
         Ok(())
     }
 
     /// Appends the values of `other`. If that has the stretch after this array's, both become one.
     #[allow(unsafe_code)]
     pub fn absorb(&mut self, other: Self) -> AllocResult<()> {
-        let is_shared = match (&self.room, &other.room) {
+        let is_shared = match (&self.allocation, &other.allocation) {
             (Some(own), Some(others)) => own.is_same(others),
             _ => false,
         };
@@ -304,16 +306,16 @@ impl<T: Copy> Array<T> {
 impl<T: Copy> TryGrow<T> for Array<T> {
     #[inline]
     fn try_push(&mut self, value: T) -> AllocResult<()> {
-        self.make_room(1)?;
+        self.reserve(1)?;
         self.resize_within(self.length + 1, value);
         Ok(())
     }
 
     #[allow(unsafe_code)]
     fn try_extend(&mut self, values: &[T]) -> AllocResult<()> {
-        self.make_room(values.len())?;
+        self.reserve(values.len())?;
         let values_start = NonNull::from(values).cast::<T>();
-        // SAFETY: there is room for them, in which no other array's values are.
+        // SAFETY: they fit in the reserve, in which no other array's values are.
         unsafe { values_start.copy_to_nonoverlapping(self.start.add(self.length), values.len()) };
         self.length += values.len();
         Ok(())
@@ -322,7 +324,7 @@ impl<T: Copy> TryGrow<T> for Array<T> {
     #[inline]
     fn cover(&mut self, length: usize, value: T) -> AllocResult<()> {
         if self.length < length {
-            self.make_room(length - self.length)?;
+            self.reserve(length - self.length)?;
             self.resize_within(length, value);
         }
         Ok(())
@@ -397,7 +399,7 @@ mod tests {
         assert_eq!(array[999..], [999, 5, 7, 7, 1, 2]);
         array.clear();
         assert!(array.is_empty());
-        assert!(array.make_room(usize::MAX / 4).is_err());
+        assert!(array.reserve(usize::MAX / 4).is_err());
         array.try_push(3).unwrap();
         assert_eq!(*array, [3]);
     }
@@ -405,41 +407,41 @@ mod tests {
     #[test]
     fn what_is_not_wanted_leaves_no_trace() {
         let mut array = filled(0..2);
-        array.make_room(2).unwrap();
+        array.reserve(2).unwrap();
         for (value, is_wanted) in [(7, false), (8, true), (9, false), (10, true), (11, false)] {
-            array.make_room(1).unwrap();
+            array.reserve(1).unwrap();
             array.push_if(is_wanted, value);
         }
         assert_eq!(*array, [0, 1, 8, 10]);
     }
 
     #[test]
-    #[should_panic = "room is made before"]
-    fn nothing_is_written_beyond_the_room() {
-        let mut lent = filled(0..3).split_reserve(&[0]);
-        // Whatever room is left is the last one's.
-        let last = lent.as_mut().unwrap().last_mut().unwrap();
+    #[should_panic = "it is reserved before"]
+    fn nothing_is_written_beyond_the_reserve() {
+        let mut shares = filled(0..3).split_reserve(&[0]);
+        // Whatever is left is the last one's.
+        let last = shares.as_mut().unwrap().last_mut().unwrap();
         for _ in 0..=last.spare() {
             last.push_if(true, 1);
         }
     }
 
     #[test]
-    fn what_was_lent_comes_back_in_its_place() {
+    fn what_was_split_off_comes_back_in_its_place() {
         let mut array = filled(0..3);
         array.expect(100);
         let start = array.as_ptr();
-        let mut lent = array.split_reserve(&[10, 20, 30]).unwrap();
+        let mut shares = array.split_reserve(&[10, 20, 30]).unwrap();
         assert!(array.split_reserve(&[1]).is_none());
         std::thread::scope(|scope| {
-            for (at, part) in lent.iter_mut().enumerate() {
+            for (at, share) in shares.iter_mut().enumerate() {
                 scope.spawn(move || {
-                    (0..5 + at as u32).for_each(|i| part.try_push(10 * at as u32 + i).unwrap());
+                    (0..5 + at as u32).for_each(|i| share.try_push(10 * at as u32 + i).unwrap());
                 });
             }
         });
-        for part in lent {
-            array.absorb(part).unwrap();
+        for share in shares {
+            array.absorb(share).unwrap();
         }
         let expected: Vec<u32> = (0..3).chain(0..5).chain(10..16).chain(20..27).collect();
         assert_eq!(*array, expected[..]);
@@ -449,15 +451,15 @@ mod tests {
     }
 
     #[test]
-    fn it_becomes_a_vector_in_its_place_where_it_has_a_room_of_its_own() {
+    fn it_becomes_a_vector_in_its_place_where_it_has_an_allocation_of_its_own() {
         assert!(Array::<u32>::new().into_vec().unwrap().is_empty());
         let mut array = filled(0..3);
         array.expect(100);
         let start = array.as_ptr();
-        let mut lent = array.split_reserve(&[10, 20]).unwrap();
-        lent.iter_mut().for_each(|part| part.try_push(7).unwrap());
-        let last = lent.pop().unwrap();
-        array.absorb(lent.pop().unwrap()).unwrap();
+        let mut shares = array.split_reserve(&[10, 20]).unwrap();
+        shares.iter_mut().for_each(|share| share.try_push(7).unwrap());
+        let last = shares.pop().unwrap();
+        array.absorb(shares.pop().unwrap()).unwrap();
         let mut copy = last.into_vec().unwrap();
         copy.push(8);
         assert_eq!(copy, [7, 8]);
@@ -466,8 +468,8 @@ mod tests {
         assert_ne!(vec.as_ptr(), start);
         let mut array = filled(0..1000);
         array.expect(3000);
-        let lent = array.split_reserve(&[500]).unwrap();
-        lent.into_iter().for_each(|part| array.absorb(part).unwrap());
+        let shares = array.split_reserve(&[500]).unwrap();
+        shares.into_iter().for_each(|share| array.absorb(share).unwrap());
         let start = array.as_ptr();
         let mut vec = array.into_vec().unwrap();
         assert!(vec.as_ptr() == start && vec.capacity() >= 3000);
@@ -483,12 +485,12 @@ mod tests {
         let units = |count: u32| (count * unit) as usize;
         let mut array = filled(0..7);
         array.expect(units(1700));
-        let mut lent = array.split_reserve(&[units(800), units(800)]).unwrap();
+        let mut shares = array.split_reserve(&[units(800), units(800)]).unwrap();
         for (at, count) in [(0, 350), (1, 790)] {
-            (0..count * unit).for_each(|i| lent[at].try_push(i).unwrap());
+            (0..count * unit).for_each(|i| shares[at].try_push(i).unwrap());
         }
-        for part in lent {
-            array.absorb(part).unwrap();
+        for share in shares {
+            array.absorb(share).unwrap();
         }
         let expected = || (0..7).chain(0..350 * unit).chain(0..790 * unit);
         let known = 7 + units(1140);
@@ -506,34 +508,34 @@ mod tests {
     fn a_stretch_that_is_not_the_next_is_copied() {
         let mut array = filled(0..3);
         array.expect(40);
-        let mut lent = array.split_reserve(&[5, 5]).unwrap();
-        let mut last = lent.pop().unwrap();
+        let mut shares = array.split_reserve(&[5, 5]).unwrap();
+        let mut last = shares.pop().unwrap();
         last.try_extend(&[7, 8]).unwrap();
         array.absorb(last).unwrap();
-        lent[0].try_extend(&[1, 1, 1, 1, 1]).unwrap();
+        shares[0].try_extend(&[1, 1, 1, 1, 1]).unwrap();
         assert_eq!(*array, [0, 1, 2, 7, 8]);
-        array.absorb(lent.pop().unwrap()).unwrap();
+        array.absorb(shares.pop().unwrap()).unwrap();
         assert_eq!(*array, [0, 1, 2, 7, 8, 1, 1, 1, 1, 1]);
     }
 
     #[test]
-    fn what_outgrew_its_room_comes_back_too() {
+    fn what_outgrew_its_reserve_comes_back_too() {
         let mut array = filled(0..3);
         array.expect(20);
-        let mut lent = array.split_reserve(&[2, 2]).unwrap();
-        (0..50).for_each(|i| lent[0].try_push(i).unwrap());
-        lent[1].try_push(99).unwrap();
-        // The lender may grow meanwhile, too.
+        let mut shares = array.split_reserve(&[2, 2]).unwrap();
+        (0..50).for_each(|i| shares[0].try_push(i).unwrap());
+        shares[1].try_push(99).unwrap();
+        // The array may grow meanwhile, too.
         array.try_push(3).unwrap();
-        for part in lent {
-            array.absorb(part).unwrap();
+        for share in shares {
+            array.absorb(share).unwrap();
         }
         let expected: Vec<u32> = (0..4).chain(0..50).chain([99]).collect();
         assert_eq!(*array, expected[..]);
     }
 
     #[test]
-    fn rooms_that_are_not_there_are_not_lent() {
+    fn a_reserve_that_is_too_small_is_not_split() {
         let mut array = filled(0..4);
         array.expect(10);
         let spare = array.capacity - 4;
@@ -541,6 +543,6 @@ mod tests {
         assert!(array.split_reserve(&[usize::MAX, 2]).is_none());
         assert!(array.split_reserve(&[]).is_none());
         assert_eq!(array.split_reserve(&[spare]).unwrap().len(), 1);
-        assert!(Array::<u32>::new().split_reserve(&[0]).is_some_and(|lent| lent[0].is_empty()));
+        assert!(Array::<u32>::new().split_reserve(&[0]).is_some_and(|shares| shares[0].is_empty()));
     }
 }

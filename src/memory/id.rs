@@ -204,7 +204,7 @@ mod tests {
     fn arrays_are_indexed_by_ids() {
         let id = ThingId::new(1);
         let mut array = Array::copied(&[5, 6, 7]).unwrap();
-        let mut vec = vec![5, 6, 7];
+        let mut vec = Vec::from([5, 6, 7]);
         array[id] += 10;
         vec[id] += 10;
         assert_eq!((array[id], vec[id], vec[1..][id]), (16, 16, 7));

@@ -60,7 +60,7 @@ pub trait TryGrow<T> {
 impl<T> TryGrow<T> for Vec<T> {
     #[inline]
     fn try_push(&mut self, value: T) -> AllocResult<()> {
-        make_room(self, 1)?;
+        reserve(self, 1)?;
         self.push(value);
         Ok(())
     }
@@ -70,7 +70,7 @@ impl<T> TryGrow<T> for Vec<T> {
     where
         T: Copy,
     {
-        make_room(self, values.len())?;
+        reserve(self, values.len())?;
         self.extend_from_slice(values);
         Ok(())
     }
@@ -81,16 +81,16 @@ impl<T> TryGrow<T> for Vec<T> {
         T: Clone,
     {
         if self.len() < length {
-            make_room(self, length - self.len())?;
+            reserve(self, length - self.len())?;
             self.resize(length, value);
         }
         Ok(())
     }
 }
 
-/// Room for `additional` more elements, amortised.
+/// Reserves memory for `additional` more elements, amortised.
 #[inline]
-pub fn make_room<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
+pub fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     if additional > vec.capacity() - vec.len() { grow(vec, additional) } else { Ok(()) }
 }
 
@@ -102,8 +102,8 @@ fn grow<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     Ok(())
 }
 
-/// Room for `expected` elements in all, if the system gives it: growing later would move what is
-/// there, which takes tenths of a second for the arrays of millions of simplices.
+/// Reserves memory for `expected` elements in all, if the system gives it: growing later would move
+/// what is there, which takes tenths of a second for the arrays of millions of simplices.
 pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
     let additional = expected.saturating_sub(vec.len());
     if vec.try_reserve_exact(additional).is_ok() {
@@ -121,8 +121,8 @@ pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> AllocResult<()> {
     Ok(())
 }
 
-/// An empty vector with room for exactly `capacity` elements.
-pub fn with_room<T>(capacity: usize) -> AllocResult<Vec<T>> {
+/// An empty vector with a reserve for exactly `capacity` elements.
+pub fn with_capacity<T>(capacity: usize) -> AllocResult<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity)?;
     prefer_large_pages(&vec, capacity);
@@ -131,7 +131,7 @@ pub fn with_room<T>(capacity: usize) -> AllocResult<Vec<T>> {
 
 /// `vec![value; length]`.
 pub fn filled<T: Clone>(length: usize, value: T) -> AllocResult<Vec<T>> {
-    let mut vec = with_room(length)?;
+    let mut vec = with_capacity(length)?;
     vec.resize(length, value);
     Ok(vec)
 }
@@ -139,7 +139,7 @@ pub fn filled<T: Clone>(length: usize, value: T) -> AllocResult<Vec<T>> {
 /// `iterator.collect()`; exact where the iterator knows its length.
 pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> AllocResult<Vec<T>> {
     let iterator = iterator.into_iter();
-    let mut vec = with_room(iterator.size_hint().0)?;
+    let mut vec = with_capacity(iterator.size_hint().0)?;
     for value in iterator {
         vec.try_push(value)?;
     }
@@ -148,7 +148,7 @@ pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> AllocResult<Vec<T>
 
 /// A copy of `values`.
 pub fn copied<T: Copy>(values: &[T]) -> AllocResult<Vec<T>> {
-    let mut vec = with_room(values.len())?;
+    let mut vec = with_capacity(values.len())?;
     vec.extend_from_slice(values);
     Ok(vec)
 }
@@ -159,7 +159,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_had_is_refused() {
-        assert_eq!(with_room::<u64>(usize::MAX / 4).unwrap_err(), AllocError::Memory);
+        assert_eq!(with_capacity::<u64>(usize::MAX / 4).unwrap_err(), AllocError::Memory);
         assert_eq!(filled(usize::MAX, 0u64).unwrap_err(), AllocError::Memory);
         let mut vec = vec![1u64];
         assert_eq!(vec.cover(usize::MAX / 4, 0), Err(AllocError::Memory));

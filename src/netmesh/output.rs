@@ -3,7 +3,7 @@
 use super::{Mesher, Scratch};
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
-use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
@@ -28,11 +28,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (domains, ids) = self.living_domains()?;
         let renumbered = |domain: DomainId| ids.get(domain.index()).copied().unwrap_or(NONE);
         let places = self.places()?;
-        let mut points = with_room(vertices * D)?;
-        let mut cage_of = with_room(vertices)?;
-        let mut vertex_domains = with_room(vertices)?;
-        let mut kinds = with_room(vertices)?;
-        let mut limited = with_room(vertices)?;
+        let mut points = with_capacity(vertices * D)?;
+        let mut cage_of = with_capacity(vertices)?;
+        let mut vertex_domains = with_capacity(vertices)?;
+        let mut kinds = with_capacity(vertices)?;
+        let mut limited = with_capacity(vertices)?;
         for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..vertices)) {
             self.watch.poll_after(1)?;
             limited.push(precision_limited[vertex]);
@@ -158,7 +158,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for (index, &domain) in living.iter().enumerate() {
             ids[domain.index()] = index as u32;
         }
-        let mut domains = with_room(living.len())?;
+        let mut domains = with_capacity(living.len())?;
         for &domain in &living {
             self.watch.poll_after(1)?;
             let parent = self.state.hierarchy.parent(domain);
@@ -221,6 +221,6 @@ fn output_id(order: &[InputId], vertex: VertexId) -> u32 {
 
 /// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.
 fn shares(array: &mut Array<u32>, reserves: &[usize]) -> AllocResult<Vec<Array<u32>>> {
-    array.make_room(reserves.iter().sum())?;
+    array.reserve(reserves.iter().sum())?;
     array.split_reserve(reserves).ok_or(AllocError::Memory)
 }

@@ -127,7 +127,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             return Err(limit(parameters.max_vertices, count));
         }
         let order = by_locality::<D>(inputs, &mut watch)?;
-        let mut points = Array::with_room(count)?;
+        let mut points = Array::with_capacity(count)?;
         for &input in &order {
             watch.poll_after(1)?;
             points.try_push(inputs.distinct_point(input.index()).try_into().expect("dim is D"))?;
@@ -175,7 +175,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         }
     }
 
-    /// Reserves memory for the mesh of uniform inputs, so that the arrays of a large run do not move.
+    /// Reserves memory for the mesh of uniform inputs, so that the arrays of a large run do not
+    /// move.
     pub(super) fn expect_usual_size(&mut self) {
         let (vertices, simplices) = match (self.state.parameters.algorithm, D) {
             (Algorithm::Delaunay, 2) => (self.state.inputs, 2),

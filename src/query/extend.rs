@@ -2,7 +2,7 @@
 
 use super::{Among, Index, Interpolation, Method, Outside, Values};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{filled, with_room};
+use crate::memory::{filled, with_capacity};
 use crate::mesh::{Inputs, Triangulation};
 
 /// Writes values at all vertices of `mesh` (`vertices x components`) that agree with `values` at
@@ -38,7 +38,7 @@ pub fn extend_values(
     if !is_of_inputs(mesh) || !delaunay.is_none_or(|mesh| is_of_inputs(mesh) && is_plain(mesh)) {
         return refuse(message!("the triangulation is not one of these inputs"));
     }
-    let mut of_vertices = with_room(inputs.distinct() * components)?;
+    let mut of_vertices = with_capacity(inputs.distinct() * components)?;
     for vertex in 0..inputs.distinct() {
         of_vertices.extend_from_slice(values.of(inputs.first_input(vertex).unwrap_or(0)));
     }

@@ -1,6 +1,6 @@
 //! Pieces of work that do not need each other, on as many threads as the caller allows.
 
-use crate::memory::{AllocResult, with_room};
+use crate::memory::{AllocResult, with_capacity};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -37,7 +37,7 @@ pub(super) fn on_threads<W: Send, S: Default>(
         return workers.work();
     }
     std::thread::scope(|scope| {
-        let mut others = with_room(threads)?;
+        let mut others = with_capacity(threads)?;
         for _ in 1..threads {
             // What the system refuses of the other threads, this one does as well.
             others.extend(std::thread::Builder::new().spawn_scoped(scope, || workers.work()));

@@ -3,7 +3,7 @@
 //! O(log n) deep whatever the spread.
 
 use super::view::{View, coordinates};
-use crate::memory::{AllocResult, collected, filled, make_room, with_room};
+use crate::memory::{AllocResult, collected, filled, reserve, with_capacity};
 use crate::mesh::Triangulation;
 
 /// A leaf has at most as many points, and more than half of that unless it is the only one.
@@ -52,7 +52,7 @@ impl Tree {
                 nodes[(1 << level) + at] = Node { value, axis: axis as u32 };
             }
         }
-        let mut points = with_room(ids.len() * D)?;
+        let mut points = with_capacity(ids.len() * D)?;
         ids.iter().for_each(|&v| points.extend_from_slice(view.point(v)));
         Ok(Self { levels, nodes, ids, points })
     }
@@ -145,7 +145,7 @@ pub(super) fn sort_by_leaf<const D: usize>(
     keys: &mut Vec<u64>,
 ) -> AllocResult<()> {
     keys.clear();
-    make_room(keys, points.len() / D)?;
+    reserve(keys, points.len() / D)?;
     let leaf = |at: usize| tree.leaf(coordinates::<D>(points, at));
     keys.extend((0..points.len() / D).map(|at| (leaf(at) as u64) << 32 | at as u64));
     keys.sort_unstable();

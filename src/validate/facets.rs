@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -34,7 +34,7 @@ pub(super) fn check<const D: usize>(
 }
 
 fn sorted_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<Facet<D>>> {
-    let mut facets = with_room(view.mesh.simplices.len())?;
+    let mut facets = with_capacity(view.mesh.simplices.len())?;
     for s in 0..view.simplex_count() {
         let simplex = view.simplex(s);
         for apex in 0..View::<D>::VERTICES {

@@ -3,7 +3,7 @@
 use super::report::{Findings, Violation, ViolationKind};
 use super::signs::{Adaptive, Signs};
 use crate::error::message;
-use crate::memory::{AllocResult, with_room};
+use crate::memory::{AllocResult, with_capacity};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 use std::cmp::Ordering;
@@ -15,7 +15,7 @@ pub(super) fn check<const D: usize, A: Adaptive>(
     signs: &mut Signs<A>,
     findings: &mut Findings,
 ) -> AllocResult<bool> {
-    let mut positive = with_room(view.simplex_count())?;
+    let mut positive = with_capacity(view.simplex_count())?;
     for s in 0..view.simplex_count() {
         positive.push(check_orientation(view, s, signs, findings)?);
     }

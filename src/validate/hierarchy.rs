@@ -4,7 +4,7 @@
 use super::boxes::{Bounds, BoxTree};
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, with_room};
+use crate::memory::{AllocResult, with_capacity};
 use crate::quality::length::Length;
 use crate::quality::tree::{DomainTree, first_misplaced};
 use crate::quality::view::View;
@@ -22,7 +22,7 @@ pub(super) fn check<const D: usize>(
         return Ok(None);
     }
     check_centers(view, &tree, findings);
-    let mut siblings = with_room(view.mesh.domains.len())?;
+    let mut siblings = with_capacity(view.mesh.domains.len())?;
     for i in 0..view.mesh.domains.len() as u32 {
         siblings.push(BoxTree::new(view, &view.mesh.domains, tree.children(i))?);
     }

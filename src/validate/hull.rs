@@ -2,7 +2,7 @@
 
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 
@@ -61,7 +61,7 @@ fn hull_facets<const D: usize>(view: View<'_, D>) -> AllocResult<Vec<HullFacet<D
 }
 
 fn sorted_ridges<const D: usize>(facets: &[HullFacet<D>]) -> AllocResult<Vec<Ridge<D>>> {
-    let mut ridges = with_room(facets.len() * D)?;
+    let mut ridges = with_capacity(facets.len() * D)?;
     for (f, facet) in facets.iter().enumerate() {
         for skipped in 0..D {
             let mut vertices = facet.vertices;

@@ -7,7 +7,7 @@ mod partition;
 pub(in crate::netmesh) use partition::DomainsToGlobal;
 
 use crate::complex::VertexId;
-use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, with_room};
+use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, with_capacity};
 use crate::numerics::distance;
 
 /// A domain, by the order in which domains are created. None: the parent of the root, the domain of
@@ -95,7 +95,7 @@ impl<const D: usize> Hierarchy<D> {
         parent: DomainId,
         cage_size: usize,
     ) -> AllocResult<DomainId> {
-        let cage = with_room(cage_size)?;
+        let cage = with_capacity(cage_size)?;
         if self.nodes.len() >= DomainId::NONE.index() {
             return Err(AllocError::Ids);
         }

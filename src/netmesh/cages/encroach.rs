@@ -85,8 +85,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         None
     }
 
-    /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are the scratch
-    /// cavity, encroaches from outside. Returns the innermost domain that then holds `x`.
+    /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are `cavity`,
+    /// encroaches from outside. Returns the innermost domain that then holds `x`.
     pub(in crate::netmesh) fn enter(
         &mut self,
         x: &[f64; D],

@@ -85,7 +85,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The radius of a cage that has an input at distance `gap` from its centre well inside.
+    /// The radius of a cage that has an input at `distance` from its centre well inside.
     pub(in crate::netmesh) fn radius_for(&self, distance: f64) -> f64 {
         SLACK * distance / self.state.parameters.epsilon + ROUNDING
     }
@@ -171,7 +171,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in
-    /// the scratch cavity or next to the centre (or the cage of the `child` domain round it), as
+    /// `cavity` or next to the centre (or the cage of the `child` domain round it), as
     /// bits, which are ordered as distances are.
     fn distances_nearby(
         &mut self,

@@ -4,7 +4,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{AllocResult, Array, collected, copied, with_room};
+use crate::memory::{AllocResult, Array, collected, copied, with_capacity};
 use crate::netmesh::watch::Watch;
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
@@ -72,7 +72,7 @@ fn greedy_net<const D: usize>(
     watch: &mut Watch<'_, '_>,
 ) -> Result<Vec<[f64; D]>> {
     const ORIGIN: VertexId = VertexId::new(0);
-    let mut points = with_room(D + 2)?;
+    let mut points = with_capacity(D + 2)?;
     points.push([0.0; D]);
     points.extend(spanning_directions::<D>()?);
     let mut delaunay = Delaunay::new(Array::copied(&points)?)?;
@@ -121,7 +121,7 @@ fn widest_facet<const D: usize>(
 /// that balances them: together they hold the origin inside.
 fn spanning_directions<const D: usize>() -> AllocResult<Vec<[f64; D]>> {
     let mut random = Pcg64Mcg::new(0x5eed);
-    let mut directions: Vec<[f64; D]> = with_room(D + 1)?;
+    let mut directions: Vec<[f64; D]> = with_capacity(D + 1)?;
     while directions.len() < D {
         let mut candidate = [0.0; D].map(|_| uniform(&mut random));
         for direction in &directions {

@@ -5,7 +5,7 @@ use super::interface::Interface;
 use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{Array, TryGrow, copied, with_room};
+use crate::memory::{Array, TryGrow, copied, with_capacity};
 use crate::mesh::Stats;
 use crate::netmesh::refinement::refine_list::RefineList;
 use crate::netmesh::watch::Watch;
@@ -42,8 +42,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (hierarchy, domains) = self.state.hierarchy.partition(&ids, &shared)?;
         let local_to_global = ids.forget_local();
         self.watch.poll()?;
-        let mut cells = Array::with_room(local_to_global.vertices.len())?;
-        let mut precision_limited = with_room(local_to_global.vertices.len())?;
+        let mut cells = Array::with_capacity(local_to_global.vertices.len())?;
+        let mut precision_limited = with_capacity(local_to_global.vertices.len())?;
         for &vertex in &local_to_global.vertices {
             cells.try_push(self.state.cells[vertex])?;
             precision_limited.push(self.state.precision_limited[vertex]);

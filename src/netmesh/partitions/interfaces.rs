@@ -6,7 +6,7 @@ use super::FEW;
 use crate::complex::{Anchored, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{AllocResult, Array, TryGrow, collected, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, collected, with_capacity};
 use crate::netmesh::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -20,7 +20,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// All simplices in an order of locality, a run for each partition.
     pub(super) fn between(&mut self, interfaces: &[VertexId]) -> Result<Vec<Array<SimplexId>>> {
         let anchored = self.anchored()?;
-        let mut runs = with_room(interfaces.len() + 1)?;
+        let mut runs = with_capacity(interfaces.len() + 1)?;
         let mut begin = 0;
         let ends = interfaces.iter().map(|interface| interface.index());
         for end in ends.chain([self.state.inputs]) {

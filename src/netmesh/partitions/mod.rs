@@ -29,7 +29,7 @@ pub(super) mod workers;
 use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{Array, with_room};
+use crate::memory::{Array, with_capacity};
 use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
@@ -90,7 +90,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut moved = Array::filled(complex.simplex_bound(), SimplexId::NONE)?;
         let mut global_to_local =
             GlobalToLocal::new(complex.simplex_bound(), self.state.delaunay.point_count())?;
-        let mut partitions = with_room(runs.len())?;
+        let mut partitions = with_capacity(runs.len())?;
         for run in runs {
             partitions.push(self.cut(run, &mut global_to_local)?);
         }

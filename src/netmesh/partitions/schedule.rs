@@ -4,7 +4,7 @@
 use super::Partition;
 use crate::complex::SimplexId;
 use crate::error::Result;
-use crate::memory::with_room;
+use crate::memory::with_capacity;
 use crate::netmesh::Mesher;
 use crate::netmesh::partitions::workers::{Workers, threads};
 use crate::netmesh::watch::{INTERVAL, Tally, Watch, cancelled};
@@ -77,7 +77,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         tally: &Tally,
         moved: &mut [SimplexId],
     ) -> Result<()> {
-        let mut done: Vec<Option<Result<Partition<D>>>> = with_room(count)?;
+        let mut done: Vec<Option<Result<Partition<D>>>> = with_capacity(count)?;
         done.resize_with(count, || None);
         let mut next = 0;
         while next < count {

@@ -9,7 +9,7 @@ use crate::parameters::Parameters;
 use crate::validate::validate;
 
 /// Inputs of a partition in these tests, where a mesh of some thousands has several.
-const PART: usize = 800;
+const INPUTS_PER_PARTITION: usize = 800;
 
 fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
     Inputs::new(D, points.len(), points.as_flattened(), 0).unwrap()
@@ -17,7 +17,7 @@ fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
 
 fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
     let resolved = Parameters::resolve(dim, options).unwrap();
-    Parameters { threads, inputs_per_partition: PART, ..resolved }
+    Parameters { threads, inputs_per_partition: INPUTS_PER_PARTITION, ..resolved }
 }
 
 fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
@@ -52,11 +52,11 @@ fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     let report = validate(&inputs, &one, 3).unwrap();
     assert_eq!(report.level, 3, "{report:?}");
     assert_eq!(one.stats.input_vertices as usize, points.len());
-    let whole = Parameters::resolve(D, options).unwrap();
-    assert!(points.len() < 2 * whole.inputs_per_partition);
-    let whole = mesh::<D>(&inputs, whole, None).unwrap();
-    assert_ne!(bits(&one.points), bits(&whole.points));
-    let ratio = one.vertex_count() as f64 / whole.vertex_count() as f64;
+    let undivided = Parameters::resolve(D, options).unwrap();
+    assert!(points.len() < 2 * undivided.inputs_per_partition);
+    let undivided = mesh::<D>(&inputs, undivided, None).unwrap();
+    assert_ne!(bits(&one.points), bits(&undivided.points));
+    let ratio = one.vertex_count() as f64 / undivided.vertex_count() as f64;
     assert!((0.9..1.1).contains(&ratio), "{ratio} times the vertices");
 }
 
@@ -135,7 +135,7 @@ fn clusters_that_are_cut() {
 }
 
 #[test]
-fn domains_of_several_parts() {
+fn domains_of_several_partitions() {
     let options = Options { epsilon: 0.6, ..Options::default() };
     check::<2>(&halos(3, 2000), &options);
     check::<3>(&halos(2, 2000), &Options::default());
@@ -172,7 +172,7 @@ fn higher_dimensions_go_as_one() {
 }
 
 #[test]
-fn the_limit_is_that_of_the_whole() {
+fn the_limit_is_that_of_the_global_mesh() {
     let inputs = inputs(&scattered::<2>(8000, 6));
     let size = run::<2>(&inputs, &Options::default(), 1).vertex_count() as u64;
     for threads in [1, 2] {
@@ -190,7 +190,7 @@ fn the_limit_is_that_of_the_whole() {
 
 /// What the caller is told goes up, and it can end the run at any time.
 #[test]
-fn runs_in_parts_are_watched() {
+fn runs_in_partitions_are_watched() {
     let inputs = inputs(&scattered::<3>(30_000, 7));
     for threads in [1, 2] {
         let mut calls: Vec<Progress> = Vec::new();
@@ -207,7 +207,7 @@ fn runs_in_parts_are_watched() {
         let last = calls.last().unwrap();
         assert_eq!(last.inputs_inserted, 30_000);
         assert_eq!(last.vertices as usize, mesh_of.vertex_count());
-        // A partition of them is in the coarse mesh and at interfaces, which are made as one.
+        // Some of them are in the coarse mesh and at interfaces, which are made before partitions.
         for most in [5_000, 12_000, 25_000] {
             let mut stop = |progress: &Progress| progress.inputs_inserted < most;
             let error = mesh::<3>(&inputs, options.clone(), Some(&mut stop)).unwrap_err();
@@ -219,7 +219,7 @@ fn runs_in_parts_are_watched() {
 /// What is left for the global mesh are the inputs at interfaces; those were inserted before, as
 /// long as simplices there were large.
 #[test]
-fn few_inputs_wait_for_the_whole() {
+fn few_inputs_wait_for_the_global_mesh() {
     fn check<const D: usize>(count: usize, most: f64) {
         let inputs = inputs(&scattered::<D>(count, 12));
         let resolved = Parameters::resolve(D, &Options::default()).unwrap();

@@ -4,7 +4,7 @@
 
 use crate::complex::SimplexId;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::netmesh::Mesher;
 use crate::netmesh::watch::Watch;
 use std::iter::Enumerate;
@@ -116,7 +116,7 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
         A: Fn(I::Item) -> AllocResult<T> + Sync,
     {
         std::thread::scope(|scope| {
-            let mut others = with_room(threads)?;
+            let mut others = with_capacity(threads)?;
             for _ in 1..threads {
                 let builder = std::thread::Builder::new();
                 others.extend(builder.spawn_scoped(scope, || self.collect(|| Ok(()))));

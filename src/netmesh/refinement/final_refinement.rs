@@ -42,7 +42,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         while self.refine_scanned(scan, cavity)? {
             scan = Scan::SpanningDomains;
         }
-        debug_assert!(!self.is_any_open(), "what is not divided was seen when it changed");
+        debug_assert!(
+            !self.is_any_open(),
+            "a simplex that spans no domains was examined when it changed"
+        );
         self.state.stage.final_fraction = 1.0;
         self.report_progress()
     }

@@ -26,7 +26,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let cells: &mut [Cell] = cells;
         let Scratch { created, suspects, .. } = &mut self.scratch;
         suspects.clear();
-        suspects.make_room(created.len())?;
+        suspects.reserve(created.len())?;
         for &simplex in created.iter() {
             let Some(ball) = delaunay.ball(simplex) else { continue };
             let radius = ball.radius();

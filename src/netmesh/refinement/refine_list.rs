@@ -11,7 +11,7 @@
 //! list then has the simplices of one tile at a time (`final_refinement`).
 
 use crate::complex::SimplexId;
-use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, enqueue, with_capacity};
 use std::collections::VecDeque;
 
 const QUEUED: u8 = 1;
@@ -79,7 +79,7 @@ impl RefineList {
     }
 
     fn make_buckets(&mut self, count: usize) -> AllocResult<()> {
-        let mut buckets = with_room(count)?;
+        let mut buckets = with_capacity(count)?;
         buckets.extend((0..count).map(|_| VecDeque::new()));
         self.buckets = buckets;
         self.occupied.clear();

@@ -72,7 +72,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// On the way from v, the vertex of the worst cell that `corner` makes bad, to the corner, at
-    /// the distance t that the bound allows, times [`cell_reach`]. The ball of radius t about it
+    /// the distance t that the bound allows, times [`cell_factor`]. The ball of radius t about it
     /// is inside the D-ball: no vertex is nearer to it than v.
     fn off_center_of_cell(
         &mut self,

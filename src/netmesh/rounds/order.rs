@@ -207,7 +207,7 @@ mod tests {
         check::<8>(2000);
     }
 
-    /// A thousand points beyond the resolution of the whole's keys are ordered among themselves.
+    /// A thousand points beyond the resolution of the keys of all are ordered among themselves.
     #[test]
     fn a_cluster_is_ordered_at_its_own_scale() {
         let mut points = scattered::<3>(1000);

@@ -4,7 +4,7 @@
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{collected, with_room};
+use crate::memory::{collected, with_capacity};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::template::{cage_points, cage_template};
 use crate::netmesh::{Mesher, limit};
@@ -38,7 +38,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.state.hierarchy.create(center, point, radius, DomainId::NONE, sphere.len())?;
         self.state.stats.cages_created += 1;
-        let mut vertices = with_room(1 + sphere.len())?;
+        let mut vertices = with_capacity(1 + sphere.len())?;
         vertices.push(center);
         for x in sphere {
             vertices.push(self.add_vertex(x)?);

@@ -53,7 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let x = *self.state.delaunay.point(vertex);
         let mut nearer = std::mem::take(&mut self.scratch.nearer);
         nearer.clear();
-        nearer.make_room(neighbors.len())?;
+        nearer.reserve(neighbors.len())?;
         let cells: &mut [Cell] = &mut self.state.cells;
         for &neighbor in neighbors {
             let distance = distance(&x, self.state.delaunay.point(neighbor));

@@ -3,7 +3,7 @@
 //! elimination", 1968).
 
 use super::{Integer, Number, Refusal};
-use crate::memory::{AllocResult, TryGrow, with_room};
+use crate::memory::{AllocResult, TryGrow, with_capacity};
 use crate::mesh::MAX_DIM;
 use std::cmp::Ordering;
 
@@ -134,12 +134,12 @@ impl<N: Number> Matrix<N> {
             let (odd, exponent) = parts(x);
             N::shifted(odd, if odd == 0 { 0 } else { (exponent - unit) as u32 })
         };
-        let mut start = with_room(MAX_DIM)?;
+        let mut start = with_capacity(MAX_DIM)?;
         for &x in origin {
             start.push(whole(x)?);
         }
         let width = D + sides.len();
-        let mut entries: Vec<N> = with_room(ends.len() * width)?;
+        let mut entries: Vec<N> = with_capacity(ends.len() * width)?;
         for (row, end) in ends.iter().enumerate() {
             for (&x, start) in end.iter().zip(&start) {
                 entries.push(whole(x)?.minus(start)?);

@@ -1,7 +1,7 @@
 //! Signed integers of any size, whose memory may be refused.
 
 use super::{Number, Refusal};
-use crate::memory::{AllocResult, TryGrow, with_room};
+use crate::memory::{AllocResult, TryGrow, with_capacity};
 use std::cmp::Ordering;
 
 /// Sign and magnitude.
@@ -47,7 +47,7 @@ impl Number for Integer {
     fn shifted(mantissa: i64, shift: u32) -> Result<Self, Refusal> {
         let (words, bits) = (shift as usize / 64, shift % 64);
         let wide = u128::from(mantissa.unsigned_abs()) << bits;
-        let mut limbs = with_room(words + 2)?;
+        let mut limbs = with_capacity(words + 2)?;
         limbs.resize(words, 0);
         limbs.extend([wide as u64, (wide >> 64) as u64]);
         Ok(Self::new(mantissa < 0, limbs))
@@ -62,7 +62,7 @@ impl Number for Integer {
     }
 
     fn times(&self, other: &Self) -> Result<Self, Refusal> {
-        let mut limbs: Vec<u64> = with_room(self.limbs.len() + other.limbs.len())?;
+        let mut limbs: Vec<u64> = with_capacity(self.limbs.len() + other.limbs.len())?;
         limbs.resize(self.limbs.len() + other.limbs.len(), 0);
         for (i, &factor) in self.limbs.iter().enumerate() {
             let mut carry = 0u128;
@@ -86,7 +86,7 @@ impl Number for Integer {
         let (odd, mut rest) = (halved(&divisor.limbs, shift)?, halved(&self.limbs, shift)?);
         let inverse = inverse_of_odd(odd[0]);
         let length = (rest.len() + 1).saturating_sub(odd.len());
-        let mut limbs = with_room(length)?;
+        let mut limbs = with_capacity(length)?;
         for i in 0..length {
             let digit = rest[i].wrapping_mul(inverse);
             let mut borrow = 0u128;
@@ -133,7 +133,7 @@ fn compare(a: &[u64], b: &[u64]) -> Ordering {
 
 fn added(a: &[u64], b: &[u64]) -> AllocResult<Vec<u64>> {
     let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    let mut limbs: Vec<u64> = with_room(long.len() + 1)?;
+    let mut limbs: Vec<u64> = with_capacity(long.len() + 1)?;
     let mut carry = false;
     for (i, &limb) in long.iter().enumerate() {
         let (sum, over) = limb.overflowing_add(short.get(i).copied().unwrap_or(0));
@@ -147,7 +147,7 @@ fn added(a: &[u64], b: &[u64]) -> AllocResult<Vec<u64>> {
 
 /// `a - b` for `a >= b`.
 fn subtracted(a: &[u64], b: &[u64]) -> AllocResult<Vec<u64>> {
-    let mut limbs = with_room(a.len())?;
+    let mut limbs = with_capacity(a.len())?;
     let mut borrow = false;
     for (i, &limb) in a.iter().enumerate() {
         let (rest, under) = limb.overflowing_sub(b.get(i).copied().unwrap_or(0));

@@ -6,7 +6,7 @@
 use super::{DomainId, Hierarchy, Node, Place, ROOT};
 use crate::complex::{PartitionIds, VertexId};
 use crate::error::Result;
-use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_capacity};
 
 /// The domains of a partition in the global mesh.
 #[derive(Default)]
@@ -43,12 +43,12 @@ impl<const D: usize> Hierarchy<D> {
             let id = ids.global_to_local.vertices[vertex];
             (id.is_valid() && !shared[id]).then_some(id)
         };
-        let mut nodes = with_room(local_to_global.len())?;
-        let mut is_own = with_room(local_to_global.len())?;
-        for &name in &local_to_global {
-            let parent = self.parent(name);
-            let node = self.node(name);
-            let owns = name != ROOT
+        let mut nodes = with_capacity(local_to_global.len())?;
+        let mut is_own = with_capacity(local_to_global.len())?;
+        for &domain in &local_to_global {
+            let parent = self.parent(domain);
+            let node = self.node(domain);
+            let owns = domain != ROOT
                 && own(node.center).is_some()
                 && node.cage.iter().all(|&vertex| own(vertex).is_some());
             is_own.push(owns);
@@ -65,7 +65,7 @@ impl<const D: usize> Hierarchy<D> {
                 },
             });
         }
-        let mut places = Array::with_room(vertices.len())?;
+        let mut places = Array::with_capacity(vertices.len())?;
         for &vertex in vertices {
             let Place { label, .. } = self.places[vertex];
             let cage = self.cage_of(vertex);
@@ -134,13 +134,13 @@ impl<const D: usize> Hierarchy<D> {
                 self.nodes.try_push(node)?;
             }
         }
-        for (own, &place) in places.iter().enumerate() {
-            let is_shared = shared.get(own).copied();
+        for (local, &place) in places.iter().enumerate() {
+            let is_shared = shared.get(local).copied();
             if is_shared.is_none() {
                 self.add_vertex()?;
             }
             if place.label.is_valid() && is_shared != Some(true) {
-                self.places[vertices[own]] =
+                self.places[vertices[local]] =
                     Place { label: domain(place.label), cage: domain(place.cage) };
             }
         }

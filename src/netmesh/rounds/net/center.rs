@@ -15,7 +15,7 @@
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.
 
 use super::PointId;
-use crate::memory::{AllocResult, TryGrow, make_room};
+use crate::memory::{AllocResult, TryGrow, reserve};
 
 /// A subset, and the point of its hull that is over the medians so far.
 struct Part<const D: usize> {
@@ -87,7 +87,7 @@ impl<const D: usize> Center<D> {
             self.leaves.swap(0, first);
         }
         self.support.clear();
-        make_room(&mut self.support, self.leaves.len())?;
+        reserve(&mut self.support, self.leaves.len())?;
         self.support.extend(self.leaves.iter().map(|&leaf| members[leaf as usize]));
         Ok(&self.support)
     }
@@ -96,8 +96,8 @@ impl<const D: usize> Center<D> {
     fn lift(&mut self, points: &[[f64; D]], members: &[PointId]) -> AllocResult<()> {
         self.parts.clear();
         self.level.clear();
-        make_room(&mut self.parts, members.len())?;
-        make_room(&mut self.level, members.len())?;
+        reserve(&mut self.parts, members.len())?;
+        reserve(&mut self.level, members.len())?;
         let mut origin = [0.0; D];
         for (axis, median) in origin.iter_mut().enumerate() {
             *median = self.median(members.iter().map(|&i| points[i][axis]))?;
@@ -117,7 +117,7 @@ impl<const D: usize> Center<D> {
 
     fn median(&mut self, values: impl ExactSizeIterator<Item = f64>) -> AllocResult<f64> {
         self.values.clear();
-        make_room(&mut self.values, values.len())?;
+        reserve(&mut self.values, values.len())?;
         self.values.extend(values);
         let middle = self.values.len() / 2;
         Ok(*self.values.select_nth_unstable_by(middle, f64::total_cmp).1)
@@ -134,8 +134,8 @@ impl<const D: usize> Center<D> {
         });
         let z = value(parts, *median);
         paired.clear();
-        make_room(paired, 1 + high.len())?;
-        make_room(parts, high.len())?;
+        reserve(paired, 1 + high.len())?;
+        reserve(parts, high.len())?;
         paired.push(*median);
         for (&a, &b) in low.iter().zip(&*high) {
             let (below, above) = (&parts[a as usize], &parts[b as usize]);

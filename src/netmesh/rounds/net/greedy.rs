@@ -34,7 +34,7 @@ use super::cover::Rings;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{AllocResult, Array, TryGrow, make_room};
+use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::mesh::MAX_DIM;
 use crate::netmesh::watch::Watch;
 
@@ -200,7 +200,7 @@ fn merge(
     holds: impl Fn(PointId) -> bool,
 ) -> AllocResult<()> {
     list.clear();
-    make_room(list, within.len() + beyond.len())?;
+    reserve(list, within.len() + beyond.len())?;
     let (mut a, mut b) = (0, 0);
     while a < within.len() && b < beyond.len() {
         let (i, j) = (within[a], beyond[b]);

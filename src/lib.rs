@@ -3,6 +3,7 @@
 
 #![deny(unsafe_code)]
 
+pub mod arrays;
 pub mod error;
 pub mod io;
 pub(crate) mod memory;

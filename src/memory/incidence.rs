@@ -41,6 +41,11 @@ impl Incidence {
     pub fn of(&self, owner: usize) -> &[u32] {
         &self.members[self.starts[owner]..self.starts[owner + 1]]
     }
+
+    /// Where each list begins, with one more at the end, and the lists one after the other.
+    pub fn into_parts(self) -> (Vec<usize>, Vec<u32>) {
+        (self.starts, self.members)
+    }
 }
 
 #[cfg(test)]

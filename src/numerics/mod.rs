@@ -28,6 +28,7 @@ mod laplace;
 mod lengths;
 mod power;
 mod sign;
+mod volume;
 
 #[cfg(test)]
 pub(crate) mod testing;
@@ -40,6 +41,7 @@ pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exa
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub use lengths::{distance, norm, shortest_distance};
 pub use sign::Sign;
+pub use volume::volume;
 
 /// The highest dimension.
 const MAX_DIM: usize = 8;

@@ -1,47 +1,10 @@
 //! Barycentric coordinates of a point in a face of a simplex.
 
+use super::unit::{Unit, exponent, largest, scaled};
 use crate::mesh::MAX_DIM;
 
 /// A weight for each vertex of a simplex.
 pub(super) type Weights = [f64; MAX_DIM + 1];
-
-/// Differences of points in a unit that is a power of two.
-#[derive(Clone, Copy)]
-pub(super) struct Unit {
-    /// 1, or a half where differences would overflow.
-    half: f64,
-    /// What a difference of halved coordinates is multiplied by.
-    scale: f64,
-}
-
-impl Unit {
-    /// A unit in which points as large as `largest` have finite differences.
-    pub fn of_points(largest: f64) -> Self {
-        Self { half: if largest > power_of_two(1000) { 0.5 } else { 1.0 }, scale: 1.0 }
-    }
-
-    /// About `length`, a difference in the present unit that is not zero.
-    pub fn scaled_to(self, length: f64) -> Self {
-        Self { scale: power_of_two((-exponent(length)).min(1000)), ..self }
-    }
-
-    /// a - b.
-    #[inline]
-    pub fn difference<const D: usize>(self, a: &[f64; D], b: &[f64; D]) -> [f64; D] {
-        std::array::from_fn(|i| (a[i] * self.half - b[i] * self.half) * self.scale)
-    }
-
-    /// A vector of real units in this unit.
-    #[inline]
-    pub fn vector<const D: usize>(self, x: [f64; D]) -> [f64; D] {
-        x.map(|x| x * self.half * self.scale)
-    }
-
-    /// A vector in this unit in real units.
-    pub fn real<const D: usize>(self, x: [f64; D]) -> [f64; D] {
-        x.map(|x| x / self.scale / self.half)
-    }
-}
 
 /// The barycentric coordinates of `q` in the face `face` of the simplex `points`; those of other
 /// vertices are zero. They sum to one up to a rounding, and combine the vertices to `q` up to a few
@@ -157,36 +120,8 @@ impl<const D: usize> System<D> {
     }
 }
 
-pub(super) fn largest<const D: usize>(vector: &[f64; D]) -> f64 {
-    vector.iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })
-}
-
 /// A vector times 2^-e with its largest component in [1, 2), or zero, and e.
 fn normalized<const D: usize>(vector: [f64; D]) -> ([f64; D], i32) {
     let exponent = exponent(largest(&vector));
     (vector.map(|x| scaled(x, -exponent)), exponent)
-}
-
-/// The exponent of a finite number that is not negative; 0 for zero.
-fn exponent(x: f64) -> i32 {
-    match x.to_bits() >> 52 {
-        0 if x == 0.0 => 0,
-        0 => x.to_bits().ilog2() as i32 - 1074,
-        field => field as i32 - 1023,
-    }
-}
-
-/// `x * 2^exponent`.
-fn scaled(x: f64, exponent: i32) -> f64 {
-    if (-1000..=1000).contains(&exponent) {
-        return x * power_of_two(exponent);
-    }
-    let half = (exponent / 2).clamp(-1000, 1000);
-    let rest = (exponent - half).clamp(-1000, 1000);
-    x * power_of_two(half) * power_of_two(rest)
-}
-
-/// For -1022 to 1023.
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + 1023) as u64) << 52)
 }

@@ -4,7 +4,7 @@
 //! faces of ever higher dimension, from the vertex to a simplex of the mesh. Each step of a chain
 //! is at right angles to those before: the volume is the product of the steps over dim factorial.
 
-use super::barycentric::Unit;
+use super::unit::{Unit, scaled};
 use crate::mesh::MAX_DIM;
 use crate::numerics::{Circumball, Sign, norm, orientation};
 
@@ -15,7 +15,7 @@ const SETS: usize = 1 << MAX_DIM;
 const CLEAR: f64 = 1e-9;
 
 /// The sums over all chains from a face, by the set of its vertices beside the base.
-pub(super) struct Chains {
+pub(crate) struct Chains {
     /// The step from a set to the same and one vertex more.
     steps: [[f64; MAX_DIM]; SETS],
     sums: [f64; SETS],
@@ -24,6 +24,23 @@ pub(super) struct Chains {
 impl Default for Chains {
     fn default() -> Self {
         Self { steps: [[0.0; MAX_DIM]; SETS], sums: [0.0; SETS] }
+    }
+}
+
+/// A circumcentre relative to a vertex of its simplex.
+#[derive(Clone, Copy)]
+pub(crate) struct Center<const D: usize> {
+    /// The place of the vertex.
+    pub anchor: usize,
+    /// In units of 2^`exponent`. NaN or infinite where it cannot be used.
+    pub offset: [f64; D],
+    pub exponent: i32,
+}
+
+impl<const D: usize> From<Circumball<D>> for Center<D> {
+    fn from(ball: Circumball<D>) -> Self {
+        let exponent = i32::from(ball.exponent());
+        Self { anchor: ball.anchor as usize, offset: ball.center, exponent }
     }
 }
 
@@ -47,19 +64,19 @@ struct Frame<const D: usize> {
 }
 
 impl Chains {
-    /// Takes up a positively oriented simplex with its ball. NaN or infinity come from a ball that
-    /// cannot be used.
+    /// Takes up a positively oriented simplex with its circumcentre. NaN or infinity come from one
+    /// that cannot be used.
     pub fn of<const D: usize>(
         &mut self,
         points: &[&[f64; D]],
         base: usize,
-        ball: &Circumball<D>,
+        center: &Center<D>,
         unit: Unit,
     ) {
         let edge = |k: usize| unit.difference(points[k + usize::from(k >= base)], points[base]);
-        let anchor = unit.difference(points[ball.anchor as usize], points[base]);
-        let real = ball.unit();
-        let offset = unit.vector(ball.center.map(|x| x * real));
+        let anchor = unit.difference(points[center.anchor], points[base]);
+        let exponent = center.exponent - unit.exponent();
+        let offset = center.offset.map(|x| scaled(x, exponent));
         let center = std::array::from_fn(|i| anchor[i] + offset[i]);
         let seen = Seen { points, base, unit, edges: std::array::from_fn(edge), center };
         let frame = Frame { vectors: [[0.0; D]; D], count: 0, center: [0.0; D] };

@@ -1,6 +1,5 @@
 //! What is made once for a result, and the questions that it answers.
 
-use super::in_dimension;
 use super::interpolate::{Method, Values, interpolate_in};
 use super::locate::{Locator, Place, Scratch};
 use super::nearest::{Among, nearest};
@@ -9,7 +8,7 @@ use super::tree::{Tree, sort_by_leaf};
 use super::view::{View, coordinates};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, collected, filled};
-use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind};
+use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
 
 /// What queries of one result need beside its arrays.
 ///
@@ -34,7 +33,7 @@ impl Index {
     /// `InvalidArgument` (arrays that do not fit together, or ids out of range), `OutOfMemory`.
     pub fn new(mesh: &Triangulation) -> Result<Self> {
         check_arrays(mesh)?;
-        Ok(in_dimension!(mesh.dim, build(mesh))?)
+        Ok(in_dimension!(mesh.dim, D => build::<D>(mesh), _ => return no_dimension())?)
     }
 
     /// Bytes on the heap.
@@ -58,7 +57,12 @@ impl Index {
         simplices: &mut [u32],
     ) -> Result<()> {
         self.check(mesh, points, simplices.len(), "simplices")?;
-        Ok(in_dimension!(self.dim, locate_in(self, mesh, points, threads, simplices))?)
+        let found = in_dimension!(
+            self.dim,
+            D => locate_in::<D>(self, mesh, points, threads, simplices),
+            _ => return no_dimension()
+        );
+        Ok(found?)
     }
 
     /// As [`Index::locate`], with the face of the simplex that was hit.
@@ -73,7 +77,12 @@ impl Index {
         places: &mut [Place],
     ) -> Result<()> {
         self.check(mesh, points, places.len(), "places")?;
-        Ok(in_dimension!(self.dim, locate_in(self, mesh, points, threads, places))?)
+        let found = in_dimension!(
+            self.dim,
+            D => locate_in::<D>(self, mesh, points, threads, places),
+            _ => return no_dimension()
+        );
+        Ok(found?)
     }
 
     /// Writes for each of the points the nearest vertex and its distance: the least of those at the
@@ -94,7 +103,12 @@ impl Index {
         self.check(mesh, points, vertices.len(), "vertices")?;
         self.check(mesh, points, distances.len(), "distances")?;
         let tree = self.tree(among);
-        Ok(in_dimension!(self.dim, nearest_in(tree, points, threads, vertices, distances))?)
+        let found = in_dimension!(
+            self.dim,
+            D => nearest_in::<D>(tree, points, threads, vertices, distances),
+            _ => return no_dimension()
+        );
+        Ok(found?)
     }
 
     /// Writes for each of the points (`count x dim`) the values there (`count x components`).
@@ -125,7 +139,8 @@ impl Index {
         self.check(mesh, points, count, "out")?;
         let made = in_dimension!(
             self.dim,
-            interpolate_in(self, mesh, method, values, points, threads, out)
+            D => interpolate_in::<D>(self, mesh, method, values, points, threads, out),
+            _ => return no_dimension()
         );
         Ok(made?)
     }
@@ -170,11 +185,11 @@ impl Index {
 }
 
 /// Fails unless every access to the arrays by the ids in them is in range.
-fn check_arrays(mesh: &Triangulation) -> Result<()> {
+pub(crate) fn check_arrays(mesh: &Triangulation) -> Result<()> {
     let refuse = |rule: &'static str| Err(Error::new(ErrorKind::InvalidArgument, rule));
     let dim = mesh.dim;
     if !(MIN_DIM..=MAX_DIM).contains(&dim) {
-        return refuse("the mesh's dim is out of range");
+        return no_dimension();
     }
     let (vertices, simplices) = (mesh.vertex_count(), mesh.simplices.len() / (dim + 1));
     let fits = mesh.points.len() == vertices * dim
@@ -192,6 +207,10 @@ fn check_arrays(mesh: &Triangulation) -> Result<()> {
         return refuse("the mesh has an id out of range");
     }
     Ok(())
+}
+
+fn no_dimension<T>() -> Result<T> {
+    Err(Error::new(ErrorKind::InvalidArgument, "the mesh's dim is out of range"))
 }
 
 fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {

@@ -1,5 +1,5 @@
 //! Questions to a result, from its arrays alone: which simplex holds a point, which vertex is the
-//! nearest, what a function given at the vertices is elsewhere; and arrays made ready to use.
+//! nearest, what a function given at the vertices is elsewhere.
 //!
 //! Signs and the order of distances are exact. An answer depends on neither the order of the points
 //! nor the number of threads. Points may come in any order: they are sorted inside.
@@ -19,7 +19,7 @@
 //! ```
 
 mod barycentric;
-mod dual;
+pub(crate) mod dual;
 mod extend;
 mod id_set;
 mod index;
@@ -31,26 +31,12 @@ mod nearest;
 mod tests;
 mod threads;
 mod tree;
-mod view;
+pub(crate) mod unit;
+pub(crate) mod view;
 
 pub use extend::extend_values;
 pub use index::Index;
+pub(crate) use index::check_arrays;
 pub use interpolate::{Interpolation, Method, Outside, Values};
 pub use locate::Place;
 pub use nearest::Among;
-
-/// Calls a function with the dimension as a type.
-macro_rules! in_dimension {
-    ($dim:expr, $function:ident($($argument:expr),* $(,)?)) => {
-        match $dim {
-            2 => $function::<2>($($argument),*),
-            3 => $function::<3>($($argument),*),
-            4 => $function::<4>($($argument),*),
-            5 => $function::<5>($($argument),*),
-            6 => $function::<6>($($argument),*),
-            7 => $function::<7>($($argument),*),
-            _ => $function::<8>($($argument),*),
-        }
-    };
-}
-use in_dimension;

@@ -1,10 +1,11 @@
 //! Weights of natural neighbours: the vertices that a point would be joined to if it went in.
 
 use super::Interpolation;
-use super::barycentric::{System, Unit, largest};
+use super::barycentric::System;
 use super::dual::{Chains, dot};
 use super::id_set::IdSet;
 use super::locate::Place;
+use super::unit::{Unit, largest};
 use super::view::View;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
@@ -103,9 +104,9 @@ impl Natural {
         factor: f64,
         unit: Unit,
     ) {
-        let ball = Circumball::new(points);
+        let center = Circumball::new(points).into();
         for (base, &vertex) in simplex.iter().enumerate().filter(|&(_, &v)| v != left_out) {
-            self.chains.of(points, base, &ball, unit);
+            self.chains.of(points, base, &center, unit);
             self.add(vertex, factor * self.chains.of_cell());
         }
     }
@@ -119,7 +120,7 @@ impl Natural {
         base: usize,
         unit: Unit,
     ) {
-        self.chains.of(points, base, &Circumball::new(points), unit);
+        self.chains.of(points, base, &Circumball::new(points).into(), unit);
         for i in (0..=D).filter(|&i| i != base) {
             let distance = norm(&unit.difference(points[i], points[base]));
             self.add(simplex[i], self.chains.of_facet::<D>(base, i) / distance);

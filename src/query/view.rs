@@ -3,7 +3,7 @@
 use crate::mesh::{MAX_DIM, Triangulation};
 
 #[derive(Clone, Copy)]
-pub(super) struct View<'a, const D: usize> {
+pub(crate) struct View<'a, const D: usize> {
     pub mesh: &'a Triangulation,
 }
 

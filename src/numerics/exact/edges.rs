@@ -118,6 +118,29 @@ impl<const D: usize> Edges<D> {
         value.sign()
     }
 
+    /// The determinant of the components of `D` edges, m * 2^e as `(m, e)` with |m| in [1, 2), or
+    /// m = 0, within 2 units of roundoff.
+    pub fn determinant_of_components(&self) -> (f64, i64) {
+        debug_assert_eq!(self.count, D);
+        let columns: [Column; D] = std::array::from_fn(Column::Component);
+        let primes = primes_for(self.bits_of_determinants(&columns));
+        let (mantissa, exponent) = if primes <= FEW {
+            self.determinant_in::<FEW>(&columns, primes)
+        } else {
+            self.determinant_in::<MANY>(&columns, primes)
+        };
+        (mantissa, exponent + D as i64 * i64::from(self.unit))
+    }
+
+    fn determinant_in<const N: usize>(&self, columns: &[Column], primes: usize) -> (f64, i64) {
+        let (mut value, mut one) = (Integer::<N>::NEW, Integer::<N>::NEW);
+        self.minors(columns, primes, |minors| {
+            value.push(minors[(1 << columns.len()) - 1]);
+            one.push(1);
+        });
+        value.divided_by(&one)
+    }
+
     /// The solution x of `D` equations, edge . x = right, each component m * 2^e as `(m, e)` with
     /// |m| in [1, 2), or m = 0, within 2 units of roundoff; `None` if the edges are dependent.
     pub fn solve(&self, right: Column) -> Option<[(f64, i64); D]> {

@@ -18,4 +18,4 @@ mod solve;
 
 pub use circumball::Circumball;
 pub use in_ball::in_ball;
-pub use orientation::{orientation, orientation_filtered};
+pub use orientation::{determinant_filtered, orientation, orientation_filtered};

@@ -33,6 +33,23 @@ pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sig
     })
 }
 
+/// det[p1 - p0, ..., pD - p0] as m * 2^e, if floating-point arithmetic can tell it with a relative error
+/// of at most `accepted`.
+pub fn determinant_filtered<const D: usize>(
+    simplex: &[&[f64; D]],
+    accepted: f64,
+) -> Option<(f64, i64)> {
+    let rows: [[f64; D]; D] = std::array::from_fn(|i| {
+        let (p, origin) = (simplex[i + 1], simplex[0]);
+        std::array::from_fn(|j| p[j] - origin[j])
+    });
+    let exponent = |row: &[f64; D]| i64::from(biased_exponent(largest_magnitude(row))) - 1023;
+    let (determinant, bound) = normal_determinant(&normalise(rows)?);
+    // False if anything is NaN.
+    let is_accepted = bound <= accepted * determinant.abs();
+    is_accepted.then(|| (determinant, rows.iter().map(exponent).sum()))
+}
+
 /// The determinant of two rows of rounded differences and a bound of its error. Each product
 /// carries three roundings and their difference one: 4u of the permanent, doubled here; products
 /// that underflow lose at most 2^-1075 each.

@@ -1,0 +1,62 @@
+//! The volume of a simplex, whatever its size and shape.
+
+use super::exact::Edges;
+use super::filters::determinant_filtered;
+use super::power::scale_by_power;
+
+/// The relative error that a determinant in floating point may have.
+const ACCEPTED: f64 = 1e-13;
+
+/// det[p1 - p0, ..., pD - p0] / D! for `D + 1` finite points: the volume, positive if the simplex is
+/// positively oriented. Relative error at most 1e-12, or 2^-1074 absolutely where the result is
+/// subnormal; infinite beyond `f64::MAX`.
+///
+/// Usually O(2^D D) floating-point operations; a flat simplex costs as many in integers.
+pub fn volume<const D: usize>(simplex: &[&[f64; D]]) -> f64 {
+    let (mantissa, exponent) = determinant_filtered(simplex, ACCEPTED).unwrap_or_else(|| {
+        Edges::new(simplex[0], simplex[1..].iter().copied()).determinant_of_components()
+    });
+    let factorial: u32 = (1..=D as u32).product();
+    scale_by_power(mantissa / f64::from(factorial), exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::*;
+    use dashu_int::IBig;
+
+    fn volumes_agree<const D: usize>(trials: usize) {
+        for family in FAMILIES {
+            let mut random = Random(family as u64 * 100 + 30 + D as u64);
+            for _ in 0..trials {
+                let points = points::<D>(family, D + 1, &mut random);
+                let edge = |p: &[f64; D]| -> Vec<IBig> {
+                    p.iter().zip(&points[0]).map(|(x, o)| integer(*x) - integer(*o)).collect()
+                };
+                let rows: Vec<Vec<IBig>> = points[1..].iter().map(edge).collect();
+                // In units of 2^-1074 after division by so many more of them.
+                let exact = determinant_oracle(&rows);
+                let factorial = IBig::from((1..=D).product::<usize>());
+                let denominator = factorial << (1074 * (D - 1));
+                let value = volume(&references(&points));
+                if value.is_infinite() {
+                    let largest = integer(f64::MAX) * &denominator;
+                    assert!(exact >= largest || -exact >= largest, "{points:?}");
+                    continue;
+                }
+                let bound = 1e-12 * value.abs() + f64::from_bits(1);
+                assert!(is_close(value, bound, 0, (&exact, &denominator)), "{family:?} {points:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn volumes_are_determinants_in_integers() {
+        volumes_agree::<2>(200);
+        volumes_agree::<3>(100);
+        volumes_agree::<4>(30);
+        volumes_agree::<5>(10);
+        volumes_agree::<8>(1);
+    }
+}

@@ -36,7 +36,7 @@ impl Part<'_> {
     pub fn edges(&self) -> Result<Vec<u32>> {
         let above = self.neighbors_from(|vertex| vertex)?;
         let mut edges = with_room(2 * above.ids.len())?;
-        for (vertex, others) in above.all().enumerate() {
+        for (vertex, others) in above.iter().enumerate() {
             edges.extend(others.iter().flat_map(|&other| [vertex as u32, other]));
         }
         Ok(edges)

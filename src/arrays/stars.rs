@@ -37,7 +37,7 @@ impl Lists {
     }
 
     /// All lists in turn.
-    pub fn all(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.count()).map(|at| self.of(at))
     }
 }

@@ -63,13 +63,13 @@ fn faces_are_right<const D: usize>(count: usize) {
         let expected: Vec<u32> = edges.iter().flatten().copied().collect();
         assert_eq!(mesh.edges().unwrap(), expected);
         let neighbors = mesh.vertex_neighbors().unwrap();
-        for (vertex, list) in neighbors.all().enumerate() {
+        for (vertex, list) in neighbors.iter().enumerate() {
             let vertex = vertex as u32;
             let of = |edge: &[u32; 2]| edge.contains(&vertex).then(|| edge[0] + edge[1] - vertex);
             assert_eq!(list, sorted(edges.iter().filter_map(of).collect()));
         }
         let stars = mesh.vertex_simplices().unwrap();
-        for (vertex, list) in stars.all().enumerate() {
+        for (vertex, list) in stars.iter().enumerate() {
             let has = |s: &usize| triangulation.simplex(*s).contains(&(vertex as u32));
             let expected = (0..triangulation.simplex_count()).filter(has).map(|s| s as u32);
             assert_eq!(list, expected.collect::<Vec<_>>());
@@ -243,7 +243,7 @@ fn cells_in_the_plane_are_polygons_in_counterclockwise_order() {
     for options in [Options::default(), delaunay()] {
         let mesh = meshed(&points, &options).unwrap();
         let (voronoi, centers) = (mesh.voronoi().unwrap(), mesh.circumcenters().unwrap().centers);
-        let cells = voronoi.regions.all().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
+        let cells = voronoi.regions.iter().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
         for ((region, volume), bounded) in cells {
             let corners = corners::<2>(&centers, region);
             let next = corners.iter().cycle().skip(1);

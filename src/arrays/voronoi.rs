@@ -128,7 +128,7 @@ impl Part<'_> {
     fn in_order(&self, regions: &Lists) -> AllocResult<Lists> {
         let mut ordered = Lists::with_room(regions.count())?;
         let mut fans = Fans::default();
-        for (vertex, star) in regions.all().enumerate() {
+        for (vertex, star) in regions.iter().enumerate() {
             fans.go_round(self, &[vertex as u32], star, &mut ordered.ids)?;
             ordered.end_list()?;
         }
@@ -216,7 +216,7 @@ fn shares<const D: usize>(part: &Part<'_>, stars: &Lists) -> AllocResult<Vec<f64
     let factorial = f64::from((1..=D as u32).product::<u32>());
     let mut chains = Chains::default();
     let mut shares = with_room(stars.count())?;
-    for (vertex, star) in stars.all().enumerate() {
+    for (vertex, star) in stars.iter().enumerate() {
         let unit = unit_of_star::<D>(part.mesh, vertex as u32, star);
         let mut sum = 0.0;
         for &simplex in star {

@@ -36,6 +36,6 @@ impl<'a, const D: usize> View<'a, D> {
 
 /// Point `at` of a flat array.
 #[inline]
-pub(super) fn coordinates<const D: usize>(points: &[f64], at: usize) -> &[f64; D] {
+pub(crate) fn coordinates<const D: usize>(points: &[f64], at: usize) -> &[f64; D] {
     points[at * D..][..D].try_into().expect("D coordinates")
 }

@@ -2,7 +2,7 @@
 
 use super::Part;
 use crate::error::Result;
-use crate::memory::{AllocResult, with_room};
+use crate::memory::{AllocResult, with_capacity};
 use crate::mesh::{Triangulation, in_dimension};
 use crate::numerics::{Circumball, circumcenter_exact, norm};
 use crate::query::dual::Center;
@@ -37,7 +37,8 @@ impl Part<'_> {
 
 fn circumcenters<const D: usize>(part: &Part<'_>) -> AllocResult<Circumcenters> {
     let count = part.simplex_count();
-    let mut found = Circumcenters { centers: with_room(count * D)?, radii: with_room(count)? };
+    let mut found =
+        Circumcenters { centers: with_capacity(count * D)?, radii: with_capacity(count)? };
     for simplex in part.simplices() {
         let (center, radius) = circumcenter::<D>(part.mesh, simplex);
         found.centers.extend(center);

@@ -2,7 +2,7 @@
 
 use super::Part;
 use crate::error::Result;
-use crate::memory::{TryGrow, with_room};
+use crate::memory::{TryGrow, with_capacity};
 use crate::mesh::NONE;
 
 /// Facets with the simplices that have them.
@@ -35,7 +35,7 @@ impl Part<'_> {
     /// `OutOfMemory`.
     pub fn edges(&self) -> Result<Vec<u32>> {
         let above = self.neighbors_from(|vertex| vertex)?;
-        let mut edges = with_room(2 * above.ids.len())?;
+        let mut edges = with_capacity(2 * above.ids.len())?;
         for (vertex, others) in above.iter().enumerate() {
             edges.extend(others.iter().flat_map(|&other| [vertex as u32, other]));
         }

@@ -2,7 +2,7 @@
 
 use super::Part;
 use crate::error::Result;
-use crate::memory::{AllocResult, Incidence, TryGrow, filled, with_room};
+use crate::memory::{AllocResult, Incidence, TryGrow, filled, with_capacity};
 use crate::mesh::NONE;
 
 /// A list of ids for each vertex, or for another thing: list `i` is
@@ -16,8 +16,8 @@ pub struct Lists {
 
 impl Lists {
     /// No list, with room for so many.
-    pub(super) fn with_room(lists: usize) -> AllocResult<Self> {
-        let mut starts = with_room(lists + 1)?;
+    pub(super) fn with_capacity(lists: usize) -> AllocResult<Self> {
+        let mut starts = with_capacity(lists + 1)?;
         starts.push(0);
         Ok(Self { starts, ids: Vec::new() })
     }
@@ -75,7 +75,7 @@ impl Part<'_> {
         let stars = self.stars()?;
         let count = self.mesh.vertex_count();
         let mut seen_from = filled(count, NONE)?;
-        let mut lists = Lists::with_room(count)?;
+        let mut lists = Lists::with_capacity(count)?;
         for vertex in 0..count as u32 {
             // So that it is not its own neighbour.
             seen_from[vertex as usize] = vertex;

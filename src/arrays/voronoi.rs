@@ -3,7 +3,7 @@
 use super::circumcenters::accurate_center;
 use super::{Lists, Part};
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_room};
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{NONE, Triangulation, in_dimension};
 use crate::query::dual::Chains;
 use crate::query::unit::{Unit, largest, scaled};
@@ -53,7 +53,7 @@ impl Part<'_> {
         let shares = in_dimension!(
             self.mesh.dim, D => shares::<D>(self, &regions), _ => Ok(Vec::new())
         )?;
-        let mut volumes = with_room(shares.len())?;
+        let mut volumes = with_capacity(shares.len())?;
         let of_cell = |(&share, &bounded)| if bounded { share } else { f64::INFINITY };
         volumes.extend(shares.iter().zip(&is_bounded).map(of_cell));
         let regions = if self.mesh.dim == 2 { self.in_order(&regions)? } else { regions };
@@ -98,8 +98,8 @@ impl Part<'_> {
         hull: &[u16],
     ) -> AllocResult<(Lists, Vec<bool>)> {
         let count = ridges.len() / 2;
-        let mut corners = Lists::with_room(count)?;
-        let mut is_bounded = with_room(count)?;
+        let mut corners = Lists::with_capacity(count)?;
+        let mut is_bounded = with_capacity(count)?;
         let (mut round, mut fans) = (Vec::new(), Fans::default());
         for ends in ridges.chunks_exact(2) {
             round.clear();
@@ -126,7 +126,7 @@ impl Part<'_> {
 
     /// The triangles round each vertex in counterclockwise order.
     fn in_order(&self, regions: &Lists) -> AllocResult<Lists> {
-        let mut ordered = Lists::with_room(regions.count())?;
+        let mut ordered = Lists::with_capacity(regions.count())?;
         let mut fans = Fans::default();
         for (vertex, star) in regions.iter().enumerate() {
             fans.go_round(self, &[vertex as u32], star, &mut ordered.ids)?;
@@ -215,7 +215,7 @@ fn shares<const D: usize>(part: &Part<'_>, stars: &Lists) -> AllocResult<Vec<f64
     let centers = collected((0..part.mesh.simplex_count() as u32).map(center))?;
     let factorial = f64::from((1..=D as u32).product::<u32>());
     let mut chains = Chains::default();
-    let mut shares = with_room(stars.count())?;
+    let mut shares = with_capacity(stars.count())?;
     for (vertex, star) in stars.iter().enumerate() {
         let unit = unit_of_star::<D>(part.mesh, vertex as u32, star);
         let mut sum = 0.0;

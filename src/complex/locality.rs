@@ -33,7 +33,7 @@ impl<const D: usize> Complex<D> {
         // Arrays of this size are filled as the loops go: fresh memory may be slow to come.
         let mut owners = Array::with_capacity(self.simplex_bound())?;
         let mut reached = Array::with_capacity(self.simplex_count())?;
-        for simplex in SimplexId::below(self.simplex_bound()) {
+        for simplex in self.simplices() {
             tick()?;
             let least = self.vertices(simplex).iter().copied().min().unwrap_or(VertexId::NONE);
             let is_reached = least.index() < anchors && self.is_live(simplex);

@@ -80,6 +80,11 @@ impl<const D: usize> Complex<D> {
         self.records.len() / Self::RECORD
     }
 
+    /// All simplices, dead ones too.
+    pub fn simplices(&self) -> impl ExactSizeIterator<Item = SimplexId> + Clone + use<D> {
+        SimplexId::below(self.simplex_bound())
+    }
+
     /// Number of live simplices, infinite ones included.
     pub fn simplex_count(&self) -> usize {
         self.simplex_bound() - self.free.len()
@@ -172,7 +177,7 @@ impl<const D: usize> Complex<D> {
     /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex
     /// each.
     fn link_all(&mut self) {
-        let all = SimplexId::below(self.simplex_bound());
+        let all = self.simplices();
         for simplex in all.clone() {
             for index in 0..Self::VERTICES {
                 let missing = self.vertices(simplex)[index];

@@ -35,7 +35,8 @@ impl<const D: usize> Delaunay<D> {
                 None => break,
             }
         }
-        SimplexId::below(self.complex.simplex_bound())
+        self.complex
+            .simplices()
             .filter(|&simplex| self.complex.is_live(simplex))
             .inspect(|_| *tests += 1)
             .find(|&simplex| self.in_conflict(simplex, q))

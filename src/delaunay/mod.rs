@@ -117,7 +117,7 @@ impl<const D: usize> Delaunay<D> {
         self.complex.begin(ordered)?;
         self.simplices_created += self.complex.simplex_count() as u64;
         self.cover_balls()?;
-        for simplex in SimplexId::below(self.complex.simplex_bound()) {
+        for simplex in self.complex.simplices() {
             self.compute_ball(simplex);
         }
         Ok(())

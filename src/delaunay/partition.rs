@@ -60,7 +60,7 @@ impl<const D: usize> Delaunay<D> {
     /// not. Then it is on a cut facet.
     pub fn interface_vertices(&self) -> Result<Vec<bool>> {
         let mut is_at_interface = filled(self.points.len(), false)?;
-        for simplex in SimplexId::below(self.complex.simplex_bound()) {
+        for simplex in self.complex.simplices() {
             for interface in (0..=D).filter(|&index| self.complex.is_interface(simplex, index)) {
                 for (index, &vertex) in self.complex.vertices(simplex).iter().enumerate() {
                     if index != interface && vertex != VertexId::INFINITE {

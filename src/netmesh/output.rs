@@ -188,7 +188,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for (limited, cell) in limited.iter_mut().zip(&self.state.cells) {
             *limited |= cell.nearest < SUBNORMAL;
         }
-        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
+        for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
             if self.state.refine_list.is_limited(simplex)
                 && self.state.delaunay.complex().is_live(simplex)

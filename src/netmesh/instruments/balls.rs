@@ -91,7 +91,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Live finite simplices at a regular stride, at most `most`.
     fn probes(&mut self, most: usize) -> Result<Vec<SimplexId>> {
         let complex = self.state.delaunay.complex();
-        let all = SimplexId::below(complex.simplex_bound());
+        let all = complex.simplices();
         let is_finite = |s: SimplexId| complex.is_live(s) && !complex.is_infinite(s);
         let mut count = 0;
         for simplex in all.clone() {

@@ -65,7 +65,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Makes only the inputs at interfaces eligible.
     fn skip_all_but(&mut self, interfaces: &[VertexId]) -> Result<()> {
         self.state.interface.clear_skipped();
-        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
+        for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
             if self.state.conflict_lists.count(simplex) > 0
                 && !self.is_at_interface(simplex, interfaces)

@@ -104,8 +104,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn is_any_open(&mut self) -> bool {
-        let bound = self.state.delaunay.complex().simplex_bound();
-        SimplexId::below(bound).any(|simplex| {
+        let mut all = self.state.delaunay.complex().simplices();
+        all.any(|simplex| {
             self.state.delaunay.complex().is_live(simplex) && self.open_domain(simplex).is_some()
         })
     }

@@ -128,7 +128,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         let middle: [f64; D] = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
-        let (mut best, mut least) = (VertexId::NONE, f64::INFINITY);
+        let (mut best, mut least) = (VertexId::new(0), f64::INFINITY);
         for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(1)?;
             let distance = distance(self.state.delaunay.point(input), &middle);
@@ -157,4 +157,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
 pub(in crate::netmesh) fn spacing_near<const D: usize>(point: &[f64; D]) -> f64 {
     let largest = point.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     largest.next_up() - largest
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::error::ErrorKind;
+    use crate::mesh::Inputs;
+    use crate::options::Options;
+
+    /// No input is at a finite distance from the middle.
+    #[test]
+    fn inputs_too_far_from_each_other_are_refused() {
+        let far = f64::MAX;
+        let points = [far, far, -far, far, far, -far, -far, -far];
+        let inputs = Inputs::new(2, 4, &points, 0).unwrap();
+        let error = crate::netmesh::run(&inputs, &Options::default(), None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Limit);
+    }
 }

@@ -21,7 +21,7 @@ pub(in crate::netmesh) struct Crowded {
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Breaks D-balls until none holds an input.
     pub(in crate::netmesh) fn insert_sparsely(&mut self, cavity: &mut Cavity) -> Result<()> {
-        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
+        for simplex in self.state.delaunay.complex().simplices() {
             self.queue_if_crowded(simplex)?;
         }
         while let Some(simplex) = self.crowded.queue.pop_front() {

@@ -3,7 +3,7 @@
 //! elsewhere in such a run.
 
 use super::greedy::Net;
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
@@ -20,7 +20,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut net = Net::new()?;
         let (mut inputs, mut points) = (Vec::new(), Vec::new());
         let mut selected = Vec::new();
-        for start in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
+        for start in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(start);
             if count == 0 || !self.state.interface.is_eligible(start) {

@@ -126,7 +126,7 @@ impl<const D: usize> Net<D> {
         }
         self.delaunay.begin(&vertices[..=D])?;
         self.cover_simplices()?;
-        for simplex in SimplexId::below(self.delaunay.complex().simplex_bound()) {
+        for simplex in self.delaunay.complex().simplices() {
             let inside = &mut self.inside[simplex];
             inside.clear();
             for (i, point) in PointId::below(points.len()).zip(points) {

@@ -16,7 +16,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         crowd: u32,
     ) -> Result<Vec<VertexId>> {
         let mut selected = Vec::new();
-        for simplex in SimplexId::below(self.state.delaunay.complex().simplex_bound()) {
+        for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(simplex);
             if count > crowd && self.state.interface.is_eligible(simplex) {

@@ -3,7 +3,6 @@
 use super::PointId;
 use super::center::Center;
 use super::greedy::Net;
-use crate::complex::SimplexId;
 use crate::netmesh::watch::Watch;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 
@@ -173,7 +172,7 @@ fn check_lists<const D: usize>() {
         let mut net = Net::<D>::new().unwrap();
         net.choose(&surrounding(&points), &points, 5, &mut Watch::new(None)).unwrap();
         let mut listed = 0;
-        for simplex in SimplexId::below(net.delaunay.complex().simplex_bound()) {
+        for simplex in net.delaunay.complex().simplices() {
             if net.delaunay.complex().is_live(simplex) {
                 let holds = |&i: &PointId| net.delaunay.in_conflict(simplex, &points[i]);
                 let inside: Vec<_> = PointId::below(points.len()).filter(holds).collect();

@@ -8,8 +8,8 @@ use std::hash::{Hash, Hasher};
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut, Range};
 
-/// The id of an `Of`, a type that stands for what has the id. In memory it is its number, so that
-/// it costs nothing.
+/// The id of something; `Of` is an empty type that says of what. In memory an id is its number, so
+/// that it costs nothing.
 #[repr(transparent)]
 pub struct Id<Of> {
     number: u32,

@@ -10,31 +10,32 @@ use crate::netmesh::{Cell, Mesher, limit};
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Joins `partition`. `moved`: simplex that became one of a partition -> its new id.
     pub(super) fn join(&mut self, partition: Partition<D>, moved: &mut [SimplexId]) -> Result<()> {
-        let Partition { mut local_to_global, mut domains, shared, state: own } = partition;
+        let Partition { mut local_to_global, mut domains, shared, state } = partition;
         let known = shared.len();
-        let count = self.state.delaunay.point_count() + own.delaunay.point_count() - known;
+        let count = self.state.delaunay.point_count() + state.delaunay.point_count() - known;
         if count as u64 > self.state.parameters.max_vertices {
             return Err(limit(self.state.parameters.max_vertices, count));
         }
         let taken = std::mem::take(&mut local_to_global.simplices);
         let watch = &mut self.watch;
-        self.state.delaunay.join(own.delaunay, &mut local_to_global, || watch.poll_after(1))?;
+        self.state.delaunay.join(state.delaunay, &mut local_to_global, || watch.poll_after(1))?;
         for (&old, &new) in taken.iter().zip(&local_to_global.simplices) {
             moved[old] = new;
         }
         self.watch.poll()?;
         self.state.hierarchy.join(
-            own.hierarchy,
+            state.hierarchy,
             &mut domains,
             &local_to_global.vertices,
             &shared,
         )?;
-        for (local, (&vertex, &cell)) in local_to_global.vertices.iter().zip(&own.cells).enumerate()
+        for (local, (&vertex, &cell)) in
+            local_to_global.vertices.iter().zip(&state.cells).enumerate()
         {
             self.watch.poll_after(1)?;
             if local >= known {
                 self.state.cells.try_push(cell)?;
-                self.state.precision_limited.try_push(own.precision_limited[local])?;
+                self.state.precision_limited.try_push(state.precision_limited[local])?;
                 continue;
             }
             let global = &mut self.state.cells[vertex];
@@ -45,18 +46,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 },
                 false => cell,
             };
-            self.state.precision_limited[vertex] |= own.precision_limited[local];
+            self.state.precision_limited[vertex] |= state.precision_limited[local];
         }
         let bound = self.state.delaunay.complex().simplex_bound();
         self.watch.poll()?;
-        self.state.conflict_lists.join(own.conflict_lists, &local_to_global, bound)?;
+        self.state.conflict_lists.join(state.conflict_lists, &local_to_global, bound)?;
         self.watch.poll()?;
-        self.state.refine_list.join(own.refine_list, local_to_global.simplices.len(), bound)?;
-        for &(cage, input) in &own.interface.deferred {
+        self.state.refine_list.join(state.refine_list, local_to_global.simplices.len(), bound)?;
+        for &(cage, input) in &state.interface.deferred {
             let input = local_to_global.vertices[input];
             self.state.interface.deferred.try_push((domains.global(cage), input))?;
         }
-        add(&mut self.state.stats, &own.stats);
+        add(&mut self.state.stats, &state.stats);
         Ok(())
     }
 }

@@ -3,7 +3,6 @@
 use crate::errors::raised;
 use netmesh::ErrorKind;
 use numpy::ndarray::{ArrayView, Dimension, Ix2, ShapeBuilder};
-use numpy::prelude::*;
 use numpy::{Element, PyArray, PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -14,11 +13,12 @@ use pyo3::prelude::*;
 pub unsafe fn shared<'py, T: Element, D: Dimension>(
     owner: &Bound<'py, PyAny>,
     values: &ArrayView<'_, T, D>,
-) -> Bound<'py, PyArray<T, D>> {
+) -> PyResult<Bound<'py, PyArray<T, D>>> {
     // SAFETY: the caller's promise.
     let array = unsafe { PyArray::borrow_from_array(values, owner.clone()) };
-    array.readwrite().make_nonwriteable();
-    array
+    // Other threads may read the same memory as another array, which forbids to borrow it here.
+    array.getattr("flags")?.setattr("writeable", false)?;
+    Ok(array)
 }
 
 /// Rows of ids as a read-only array, with -1 for none.
@@ -33,7 +33,7 @@ pub unsafe fn shared_ids<'py>(
 ) -> PyResult<Bound<'py, PyArray2<i32>>> {
     let ids = signed(owner.py(), ids, count)?;
     // SAFETY: the caller's promise.
-    Ok(unsafe { shared(owner, &rows(ids, columns)) })
+    unsafe { shared(owner, &rows(ids, columns)) }
 }
 
 /// As [`shared_ids`], in one column.
@@ -47,7 +47,7 @@ pub unsafe fn shared_ids_1<'py>(
 ) -> PyResult<Bound<'py, PyArray1<i32>>> {
     let ids = signed(owner.py(), ids, count)?;
     // SAFETY: the caller's promise.
-    Ok(unsafe { shared(owner, &ArrayView::from(ids)) })
+    unsafe { shared(owner, &ArrayView::from(ids)) }
 }
 
 pub fn rows<T>(values: &[T], columns: usize) -> ArrayView<'_, T, Ix2> {

@@ -63,7 +63,7 @@ impl Core {
     }
 
     #[getter]
-    fn points<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray2<f64>> {
+    fn points<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let mesh = this.get().triangulation();
         // SAFETY: nothing changes a mesh.
         unsafe { shared(this.as_any(), &rows(&mesh.points, mesh.dim)) }
@@ -84,7 +84,7 @@ impl Core {
     }
 
     #[getter]
-    fn kinds<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray1<u8>> {
+    fn kinds<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<u8>>> {
         let kinds = &this.get().triangulation().kinds;
         // SAFETY: the enum is represented by a u8.
         let kinds: &[u8] =
@@ -101,7 +101,7 @@ impl Core {
     }
 
     #[getter]
-    fn precision_limited<'py>(this: &Bound<'py, Self>) -> Bound<'py, PyArray1<bool>> {
+    fn precision_limited<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let limited = &*this.get().triangulation().precision_limited;
         // SAFETY: as above.
         unsafe { shared(this.as_any(), &ArrayView::from(limited)) }

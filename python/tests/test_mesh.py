@@ -212,28 +212,6 @@ def test_errors_are_what_python_calls_them_too():
         netmesh.Mesh()
 
 
-def test_nobody_else_need_wait(random):
-    """Other threads of Python go on while a mesh is made."""
-    import threading
-
-    points = random.random((40000, 3))
-    counts = []
-
-    def count():
-        n = 0
-        while worker.is_alive():
-            n += 1
-        counts.append(n)
-
-    worker = threading.Thread(target=netmesh.mesh, args=(points,))
-    worker.start()
-    counter = threading.Thread(target=count)
-    counter.start()
-    counter.join()
-    worker.join()
-    assert counts[0] > 1000
-
-
 def test_copies_and_pickles_are_the_same_mesh():
     points = clusters()
     m = netmesh.mesh(np.concatenate([points, points[:3]]), seed=3, quality_bound=2.5)

@@ -1,0 +1,174 @@
+"""Progress, signals, other threads, memory."""
+
+import gc
+import pathlib
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import netmesh
+import numpy as np
+import pytest
+import tqdm
+
+
+def test_progress_is_told(random):
+    reports = []
+    m = netmesh.mesh(random.random((5000, 2)), progress=reports.append)
+    phases = [report.phase for report in reports]
+    order = ["prepare", "insert", "finish", "export"]
+    assert set(phases) <= set(order) and "insert" in phases
+    assert [order.index(phase) for phase in phases] == sorted(map(order.index, phases))
+    fractions = [report.fraction for report in reports]
+    assert fractions == sorted(fractions) and 0 <= fractions[0] < fractions[-1] <= 1
+    assert 0 < max(report.vertices for report in reports) <= len(m.points)
+    assert max(report.inputs_inserted for report in reports) <= 5000
+    assert repr(reports[-1]).startswith("Progress(phase='")
+    with pytest.raises(AttributeError):
+        reports[0].fraction = 2
+
+
+def test_false_stops_a_run(random):
+    points = random.random((5000, 2))
+    for answer in (False, 0, np.False_):
+        with pytest.raises(netmesh.CancelledError, match="the progress function cancelled the run"):
+            netmesh.mesh(points, progress=lambda report: answer)
+    for answer in (True, None, 1, "go on"):
+        netmesh.mesh(points[:100], progress=lambda report: answer)
+
+
+def test_an_exception_stops_a_run_and_comes_out(random):
+    error = KeyError("mine")
+    calls = []
+
+    def fail(report):
+        calls.append(report)
+        raise error
+
+    with pytest.raises(KeyError) as raised:
+        netmesh.mesh(random.random((5000, 2)), progress=fail)
+    assert raised.value is error and len(calls) == 1
+
+
+def test_a_bar_of_tqdm_moves_to_its_end(random):
+    for total in (None, 1, 100):
+        with tqdm.tqdm(total=total, disable=False, file=open("/dev/null", "w")) as bar:
+            netmesh.mesh(random.random((3000, 2)), progress=bar)
+            assert bar.n == (total or 1)
+    with pytest.raises(TypeError, match="^progress is of type int"):
+        netmesh.mesh(random.random((10, 2)), progress=3)
+
+
+INTERRUPTED = """
+import sys, time
+import numpy as np, netmesh
+
+points = np.random.default_rng(1).random((8_000_000, 3))
+m = netmesh.mesh(points[:3000])
+before = m.points.copy()
+said = []
+
+def report(progress):
+    if progress.phase == "insert" and not said:
+        said.append(print("running", flush=True))
+
+for call in [
+    lambda: netmesh.mesh(points[:2_000_000], progress=report),
+    lambda: netmesh.mesh(points[:2_000_000]),
+    lambda: m.locate(points),
+    lambda: m.nearest(points),
+    lambda: m.interpolate(m.points, points),
+]:
+    if said:
+        print("running", flush=True)
+    try:
+        call()
+        print("not interrupted", flush=True)
+    except KeyboardInterrupt:
+        print("interrupted", bool((m.points == before).all()), flush=True)
+"""
+
+
+def test_ctrl_c_from_another_process_stops_a_call():
+    child = subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED], stdout=subprocess.PIPE, text=True
+    )
+    try:
+        for _ in range(5):
+            assert child.stdout.readline() == "running\n"
+            # It is in the call by now, which takes many seconds.
+            time.sleep(0.3)
+            child.send_signal(signal.SIGINT)
+            start = time.monotonic()
+            assert child.stdout.readline() == "interrupted True\n"
+            assert time.monotonic() - start < 3
+        assert child.wait(10) == 0
+    finally:
+        child.kill()
+        child.stdout.close()
+        child.wait()
+
+
+def test_other_threads_of_python_go_on(random):
+    points = random.random((40000, 3))
+    m = netmesh.mesh(points[:100])
+    x = random.random((400000, 3))
+    for call in (lambda: netmesh.mesh(points), lambda: m.locate(x), lambda: m.nearest(x)):
+        worker = threading.Thread(target=call)
+        worker.start()
+        count = 0
+        while worker.is_alive():
+            count += 1
+        assert count > 1000
+
+
+def test_many_threads_ask_at_once(random):
+    """The first to ask makes the index; all get the same answers."""
+    points, x = random.random((5000, 3)), random.random((20000, 3))
+    m, values = netmesh.mesh(points), []
+    expected = netmesh.mesh(points).locate(x)
+
+    def ask():
+        values.append((m.locate(x) == expected).all() and (m.nearest(m.points)[1] == 0).all())
+
+    threads = [threading.Thread(target=ask) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert values == [True] * 8
+
+
+def resident():
+    gc.collect()
+    status = pathlib.Path("/proc/self/status").read_text().split()
+    return int(status[status.index("VmRSS:") + 1]) * 1024
+
+
+def test_ten_thousand_meshes_leave_no_memory_behind(random):
+    points, x = random.random((12, 2)), random.random((3, 2))
+
+    def use():
+        m = netmesh.mesh(points, progress=lambda report: None)
+        m.locate(x), m.nearest(x), m.interpolate(m.points, x), m.domains, m.stats, m.quality()
+        tri = netmesh.Delaunay(points)
+        tri.transform, tri.simplices, netmesh.LinearNDInterpolator(tri, points)(x)
+        with pytest.raises(netmesh.NonFiniteError):
+            m.locate([np.nan, 0])
+
+    for _ in range(1000):
+        use()
+    before = resident()
+    for _ in range(9000):
+        use()
+    # A mesh of these takes 10 kB: one in a hundred would show.
+    assert resident() - before < 1 << 20
+
+
+def test_a_mesh_does_not_depend_on_threads_or_the_time(random):
+    points = random.random((550_000, 2))
+    one, two = netmesh.mesh(points), netmesh.mesh(points, threads=2)
+    for name in ("points", "simplices", "neighbors", "kinds", "domains"):
+        assert (getattr(one, name) == getattr(two, name)).all()

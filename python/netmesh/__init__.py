@@ -25,15 +25,18 @@ from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, VertexKind, mesh
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
-from ._results import Quality, Report, Stats, Violation
+from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
+from ._voronoi import Voronoi
 
 __all__ = [
+    "CSR",
     "CancelledError",
     "CapacityError",
     "DegenerateInputError",
     "Delaunay",
     "DimensionError",
     "Error",
+    "Facets",
     "FileError",
     "FormatError",
     "InternalError",
@@ -50,6 +53,8 @@ __all__ = [
     "Stats",
     "VertexKind",
     "Violation",
+    "Voronoi",
+    "VoronoiCells",
     "mesh",
 ]
 

@@ -166,22 +166,17 @@ class Delaunay:
 
     @functools.cached_property
     def convex_hull(self) -> np.ndarray:
-        simplex, opposite = np.nonzero(self.mesh.neighbors == -1)
-        others = np.arange(self.ndim) + (np.arange(self.ndim) >= opposite[:, None])
-        facets = np.take_along_axis(self.mesh.simplices[simplex], others, axis=1)
-        # So that all are oriented outwards: moving vertex i to the front takes i swaps.
-        swapped = opposite % 2 == 1
-        facets[swapped, :2] = facets[swapped, 1::-1]
-        return self._first_inputs[facets]
+        return self._first_inputs[self.mesh.hull.vertices]
 
     @functools.cached_property
     def vertex_neighbor_vertices(self) -> tuple[np.ndarray, np.ndarray]:
-        n = self.npoints
-        pairs = [(i, j) for i in range(self.ndim + 1) for j in range(self.ndim + 1) if i != j]
-        simplices = self._first_inputs[self.mesh.simplices].astype(np.int64)
-        keys = np.unique(np.concatenate([simplices[:, i] * n + simplices[:, j] for i, j in pairs]))
-        indptr = np.searchsorted(keys, np.arange(n + 1, dtype=np.int64) * n)
-        return indptr.astype(np.int32), (keys % n).astype(np.int32)
+        starts, neighbors = self.mesh.vertex_neighbors
+        if self._is_distinct:
+            return starts.astype(np.int32), neighbors.copy()
+        # Points that are no vertices have none; the others keep the order of the vertices.
+        counts = np.zeros(self.npoints + 1, np.int32)
+        counts[self._first_inputs + 1] = np.diff(starts)
+        return np.cumsum(counts, dtype=np.int32), self._first_inputs[neighbors]
 
     @functools.cached_property
     def transform(self) -> np.ndarray:

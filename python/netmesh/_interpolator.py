@@ -80,7 +80,7 @@ class LinearNDInterpolator:
         self.is_complex = values.dtype.kind == "c"
         self.values_shape = values.shape[1:]
         self.values = columns.view(np.complex128) if self.is_complex else columns
-        self.fill_value = complex(fill_value) if self.is_complex else float(fill_value)
+        self.fill_value = np.asarray(fill_value, self.values.dtype)[()]
         tri = self.tri
         self._of_vertices = columns if tri._is_distinct else columns[tri._first_inputs]
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import enum
+import functools
 import os
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
 
+from . import _views
 from ._arrays import point_rows, query_points, shaped_values, value_columns
 from ._netmesh import Core, Progress
-from ._results import Quality, Report, Stats, Violation
+from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
 
 
 class VertexKind(enum.IntEnum):
@@ -121,7 +123,6 @@ class Mesh:
     ((2, 3), (2, 3))
     """
 
-    __slots__ = ("_core", "_options", "__weakref__")
     _core: Core
     _options: dict
 
@@ -211,6 +212,61 @@ class Mesh:
         domains["center"], domains["parent"], domains["radius"] = centers, parents, radii
         return domains
 
+    @functools.cached_property
+    def edges(self) -> np.ndarray:
+        """Edges, int32, shape (edges, 2): the less vertex first, in lexicographic order."""
+        return _fixed(self._core.edges())
+
+    @functools.cached_property
+    def facets(self) -> Facets:
+        """Facets, and the two simplices of each; -1 on the hull."""
+        return Facets(*map(_fixed, self._core.facets()))
+
+    @functools.cached_property
+    def hull(self) -> Facets:
+        """Facets of the convex hull, oriented outwards, and the simplex of each."""
+        return Facets(*map(_fixed, self._core.hull()))
+
+    @functools.cached_property
+    def vertex_simplices(self) -> CSR:
+        """The simplices of each vertex, ascending."""
+        indptr, indices = self._core.vertex_simplices()
+        return CSR(_fixed(indptr), _fixed(indices))
+
+    @functools.cached_property
+    def vertex_neighbors(self) -> CSR:
+        """The vertices that have an edge with each vertex, ascending."""
+        indptr, indices = self._core.vertex_neighbors()
+        return CSR(_fixed(indptr), _fixed(indices))
+
+    @functools.cached_property
+    def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
+        centers, radii = self._core.circumcenters()
+        return _fixed(centers), _fixed(radii)
+
+    @property
+    def circumcenters(self) -> np.ndarray:
+        """Circumcentres of simplices, float64, shape (simplices, dim)."""
+        return self._circumballs[0]
+
+    @property
+    def circumradii(self) -> np.ndarray:
+        """Circumradii of simplices, float64, shape (simplices,)."""
+        return self._circumballs[1]
+
+    @functools.cached_property
+    def volumes(self) -> np.ndarray:
+        """Volumes (2D: areas) of simplices, float64, shape (simplices,)."""
+        return _fixed(self._core.volumes())
+
+    @functools.cached_property
+    def voronoi(self) -> VoronoiCells:
+        """The Voronoi diagram of the vertices."""
+        parts = self._core.voronoi()
+        for name, part in parts.items():
+            parts[name] = CSR(*map(_fixed, part)) if isinstance(part, tuple) else _fixed(part)
+        return VoronoiCells(**parts)
+
     @property
     def stats(self) -> Stats:
         """What the run did."""
@@ -235,9 +291,10 @@ class Mesh:
         >>> report.level, report.violations, report.first
         (3, 0, None)
         """
-        level, violations, checked, first = self._core.validate(level)
-        if first is not None:
-            number, kind, ids, message = first
+        level, violations, checked, found = self._core.validate(level)
+        first = None
+        if found is not None:
+            number, kind, ids, message = found
             first = Violation(kind, number, *ids, message)
         return Report(level, violations, checked, first)
 
@@ -349,6 +406,78 @@ class Mesh:
         rows = points.reshape(-1, self.dim)
         found = self._core.interpolate(columns, rows, interpolation, outside, threads)
         return shaped_values(found, values, points.shape[:-1])
+
+    def extend_values(self, values: Any, *, threads: int = 1) -> np.ndarray:
+        """Extend values at the inputs to all vertices.
+
+        They are linear in the Delaunay triangulation of the inputs, and those of the nearest input
+        beyond its hull.
+
+        Parameters
+        ----------
+        values : array_like of float or complex, shape (n, ...)
+            Of inputs that are equal the first one's count.
+
+        Returns
+        -------
+        ndarray of float64 or complex128, shape (vertices, ...)
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> points = np.random.default_rng(1).random((50, 2))
+        >>> m = netmesh.mesh(points)
+        >>> at_vertices = m.extend_values(points @ [2, 3])
+        >>> at_vertices.shape == (len(m.points),)
+        True
+        >>> np.allclose(m.interpolate(at_vertices, points[:5]), points[:5] @ [2, 3])
+        True
+        """
+        columns = value_columns(values, len(self.input_vertices), "input")
+        found = self._core.extend_values(columns, threads)
+        return shaped_values(found, values, found.shape[:1])
+
+    def to_meshio(self, point_data: Any = None, cell_data: Any = None) -> Any:
+        """The mesh as a `meshio.Mesh`, in 2D and 3D.
+
+        Parameters
+        ----------
+        point_data, cell_data : dict of str to array, optional
+            Values of vertices and of simplices, beside the kinds and domains of vertices.
+        """
+        return _views.to_meshio(self, point_data, cell_data)
+
+    def to_pyvista(self, point_data: Any = None, cell_data: Any = None) -> Any:
+        """The mesh as a `pyvista.UnstructuredGrid`, in 2D and 3D.
+
+        Parameters
+        ----------
+        point_data, cell_data : dict of str to array, optional
+            As those of `to_meshio`.
+        """
+        return _views.to_pyvista(self, point_data, cell_data)
+
+    def plot(self, ax: Any = None, **arguments: Any) -> Any:
+        """Draw a planar mesh with Matplotlib: edges, and inputs as dots.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            The current one if it is not given.
+        **arguments
+            Of `matplotlib.axes.Axes.triplot`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        return _views.plot(self, ax, arguments)
+
+
+def _fixed(array: np.ndarray) -> np.ndarray:
+    """An array that is kept, so that nobody changes it."""
+    array.flags.writeable = False
+    return array
 
 
 def _reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:

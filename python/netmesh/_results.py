@@ -2,6 +2,45 @@
 
 from typing import NamedTuple, Optional
 
+import numpy as np
+
+
+class CSR(NamedTuple):
+    """A list of ids for each of several things: list i is ``indices[indptr[i]:indptr[i+1]]``."""
+
+    #: int64, one more than there are lists.
+    indptr: np.ndarray
+    #: int32.
+    indices: np.ndarray
+
+
+class Facets(NamedTuple):
+    """Facets with the simplices that have them."""
+
+    #: int32, shape (facets, dim).
+    vertices: np.ndarray
+    #: int32, shape (facets, 2), -1 for none; of the hull's facets shape (facets,).
+    simplices: np.ndarray
+
+
+class VoronoiCells(NamedTuple):
+    """The Voronoi diagram of the vertices. The corner that belongs to a simplex is its circumcentre."""
+
+    #: Of each vertex the simplices whose corners its cell has; in 2D counterclockwise.
+    regions: CSR
+    #: bool, shape (vertices,).
+    is_bounded: np.ndarray
+    #: float64, shape (vertices,): of the cells; infinite where they are not bounded.
+    volumes: np.ndarray
+    #: float64, shape (vertices,): what cells add to the volume of the mesh, which is their sum.
+    shares: np.ndarray
+    #: int32, shape (ridges, 2): the vertices between which each ridge lies. They are the edges.
+    ridges: np.ndarray
+    #: Of each ridge the simplices whose corners it has; in 3D in their order round it.
+    ridge_corners: CSR
+    #: bool, shape (ridges,).
+    is_ridge_bounded: np.ndarray
+
 
 class Violation(NamedTuple):
     """A rule that does not hold. Ids are None where the rule concerns none."""

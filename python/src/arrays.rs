@@ -57,12 +57,18 @@ pub fn rows<T>(values: &[T], columns: usize) -> ArrayView<'_, T, Ix2> {
 
 /// Ids below `count`, and [`netmesh::NONE`] as -1.
 fn signed<'a>(py: Python<'_>, ids: &'a [u32], count: usize) -> PyResult<&'a [i32]> {
-    if count > i32::MAX as usize {
-        let message = format!("ids up to {count} do not fit the arrays of Python, which are int32");
-        return Err(raised(py, ErrorKind::Capacity, message));
-    }
+    fits(py, count)?;
     // SAFETY: the same size and alignment; any bits are an i32.
     Ok(unsafe { std::slice::from_raw_parts(ids.as_ptr().cast(), ids.len()) })
+}
+
+/// Fails unless ids below `count` fit the arrays of Python.
+pub fn fits(py: Python<'_>, count: usize) -> PyResult<()> {
+    if count <= i32::MAX as usize {
+        return Ok(());
+    }
+    let message = format!("{count} ids do not fit the arrays of Python, which are int32");
+    Err(raised(py, ErrorKind::Capacity, message))
 }
 
 /// Ids that are written as -1 where there is none.

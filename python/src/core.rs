@@ -22,6 +22,8 @@ pub struct Core {
     pub mesh: Mesh,
     /// Made at the first query.
     pub index: Mutex<Option<Arc<Index>>>,
+    /// The Delaunay triangulation of the inputs, if they have one; made when it is needed first.
+    pub delaunay: Mutex<Option<Arc<Option<Mesh>>>>,
 }
 
 impl Core {
@@ -58,7 +60,9 @@ impl Core {
             detached(py, || mesh.run(&options, Some(&mut |progress| reporter.report(progress))));
         match reporter.exception {
             Some(exception) => Err(exception),
-            None => done.map(|()| Self { mesh, index: Mutex::new(None) }),
+            None => {
+                done.map(|()| Self { mesh, index: Mutex::default(), delaunay: Mutex::default() })
+            }
         }
     }
 

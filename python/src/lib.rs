@@ -3,10 +3,12 @@
 
 mod arrays;
 mod core;
+mod derived;
 mod errors;
 mod options;
 mod progress;
 mod queries;
+mod voronoi;
 
 #[pyo3::pymodule]
 mod _netmesh {

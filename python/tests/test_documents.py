@@ -1,12 +1,15 @@
 """The code in the documents runs as shown."""
 
+import ast
 import doctest
 import importlib
+import inspect
 import pathlib
 import pkgutil
 
 import netmesh
 import pytest
+import run_page
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "python.md"
 MODULES = ["netmesh", *(f"netmesh.{m.name}" for m in pkgutil.iter_modules(netmesh.__path__))]
@@ -14,11 +17,8 @@ MODULES = ["netmesh", *(f"netmesh.{m.name}" for m in pkgutil.iter_modules(netmes
 
 def test_the_page(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    # Fences are no part of what the code prints.
-    text = "\n".join("" if line.startswith("```") else line for line in PAGE.read_text().split("\n"))
-    test = doctest.DocTestParser().get_doctest(text, {}, PAGE.name, str(PAGE), 0)
-    assert len(test.examples) > 10
-    assert doctest.DocTestRunner().run(test).failed == 0
+    failed, attempted = run_page.run(PAGE)
+    assert failed == 0 and attempted > 10
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -37,3 +37,35 @@ def test_everything_public_is_described():
         )
     for name in ("mesh", "Mesh", "Delaunay", "LinearNDInterpolator"):
         assert ">>>" in getattr(netmesh, name).__doc__
+
+
+def test_the_stub_has_what_the_extension_has():
+    from netmesh import _netmesh
+
+    stub = ast.parse(pathlib.Path(netmesh.__file__).with_name("_netmesh.pyi").read_text())
+    for described in (node for node in stub.body if isinstance(node, ast.ClassDef)):
+        thing = getattr(_netmesh, described.name)
+        names = {name for name in dir(thing) if not name.startswith("_")}
+        functions = {node.name: node for node in described.body if hasattr(node, "name")}
+        assert names == set(functions) - {"__new__"}
+        for name in names:
+            if inspect.isdatadescriptor(getattr(thing, name)):
+                continue
+            parameters = [argument.arg for argument in functions[name].args.args]
+            assert list(inspect.signature(getattr(thing, name)).parameters) == parameters
+
+
+def test_every_option_of_the_library_is_a_keyword():
+    page = PAGE.with_name("options.md").read_text()
+    rows = [line.split("|")[1] for line in page.split("\n") if line.startswith("| `")]
+    options = {row.split("`")[1] for row in rows}
+    keywords = set(inspect.signature(netmesh.mesh).parameters) - {"points", "progress"}
+    assert keywords == options and len(options) > 10
+
+
+def test_the_version_is_that_of_the_library():
+    import importlib.metadata
+
+    text = (PAGE.parents[1] / "Cargo.toml").read_text()
+    version = text.split("[workspace.package]")[1].split('version = "')[1].split('"')[0]
+    assert netmesh.__version__ == version == importlib.metadata.version("netmesh")

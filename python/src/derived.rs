@@ -1,0 +1,168 @@
+//! Arrays that are made of the mesh's on request.
+
+use crate::arrays::{empty, fits};
+use crate::core::Core;
+use crate::errors::detached;
+use crate::options::whole;
+use crate::progress::Reporter;
+use netmesh::query::{Values, extend_values};
+use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result, arrays};
+use numpy::prelude::*;
+use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::{Arc, PoisonError};
+
+/// Starts and ids of lists, as SciPy's `indptr` and `indices`.
+pub type Lists<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i32>>);
+
+/// An array that owns the ids, which are below `count` or NONE.
+pub fn ids(py: Python<'_>, ids: Vec<u32>, count: usize) -> PyResult<Bound<'_, PyArray1<i32>>> {
+    fits(py, count)?;
+    // In place: the same size and alignment. NONE becomes -1.
+    Ok(PyArray1::from_vec(py, ids.into_iter().map(|id| id as i32).collect()))
+}
+
+pub fn lists(py: Python<'_>, lists: arrays::Lists, count: usize) -> PyResult<Lists<'_>> {
+    let starts = lists.starts.into_iter().map(|start| start as i64).collect();
+    Ok((PyArray1::from_vec(py, starts), ids(py, lists.ids, count)?))
+}
+
+impl Core {
+    pub fn count_of_vertices(&self) -> usize {
+        self.triangulation().vertex_count()
+    }
+
+    pub fn count_of_simplices(&self) -> usize {
+        self.triangulation().simplex_count()
+    }
+
+    /// The Delaunay triangulation of the inputs; `None` if they are in a hyperplane.
+    fn delaunay(&self, py: Python<'_>) -> PyResult<Arc<Option<Mesh>>> {
+        let made = self.delaunay.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        if let Some(made) = made {
+            return Ok(made);
+        }
+        let inputs = self.mesh.inputs();
+        let mut reporter = Reporter::new(None);
+        let made = detached(py, || {
+            let mut mesh =
+                Mesh::new(inputs.dim(), inputs.distinct(), &inputs.distinct_points(), 0)?;
+            let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+            match mesh.run(&options, Some(&mut |progress| reporter.report(progress))) {
+                Err(error) if error.kind() == ErrorKind::DegenerateInput => Ok(None),
+                done => done.map(|()| Some(mesh)),
+            }
+        });
+        let made = Arc::new(reporter.exception.map_or(made, Err)?);
+        *self.delaunay.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&made));
+        Ok(made)
+    }
+
+    fn rows<'py>(
+        &self,
+        py: Python<'py>,
+        columns: usize,
+        count: usize,
+        make: impl FnOnce(&Mesh) -> Result<Vec<u32>> + Send,
+    ) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let values = ids(py, detached(py, || make(&self.mesh))?, count)?;
+        values.reshape([values.len() / columns, columns])
+    }
+}
+
+#[pymethods]
+impl Core {
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        self.rows(py, 2, self.count_of_vertices(), Mesh::edges)
+    }
+
+    /// Vertices of facets, and their two simplices.
+    fn facets<'py>(&self, py: Python<'py>) -> PyResult<FacetArrays<'py>> {
+        let facets = detached(py, || self.mesh.facets())?;
+        let dim = self.triangulation().dim;
+        let vertices = ids(py, facets.vertices, self.count_of_vertices())?;
+        let simplices = ids(py, facets.simplices, self.count_of_simplices())?;
+        let count = simplices.len() / 2;
+        Ok((vertices.reshape([count, dim])?, simplices.reshape([count, 2])?))
+    }
+
+    /// Vertices of the hull's facets, and their simplices.
+    fn hull<'py>(&self, py: Python<'py>) -> PyResult<HullArrays<'py>> {
+        let hull = detached(py, || self.mesh.hull())?;
+        let dim = self.triangulation().dim;
+        let vertices = ids(py, hull.vertices, self.count_of_vertices())?;
+        let count = vertices.len() / dim;
+        Ok((vertices.reshape([count, dim])?, ids(py, hull.simplices, self.count_of_simplices())?))
+    }
+
+    fn vertex_simplices<'py>(&self, py: Python<'py>) -> PyResult<Lists<'py>> {
+        lists(py, detached(py, || self.mesh.vertex_simplices())?, self.count_of_simplices())
+    }
+
+    fn vertex_neighbors<'py>(&self, py: Python<'py>) -> PyResult<Lists<'py>> {
+        lists(py, detached(py, || self.mesh.vertex_neighbors())?, self.count_of_vertices())
+    }
+
+    /// Centres and radii.
+    fn circumcenters<'py>(&self, py: Python<'py>) -> PyResult<BallArrays<'py>> {
+        let arrays::Circumcenters { centers, radii } = detached(py, || self.mesh.circumcenters())?;
+        let shape = [radii.len(), self.triangulation().dim];
+        Ok((PyArray1::from_vec(py, centers).reshape(shape)?, PyArray1::from_vec(py, radii)))
+    }
+
+    fn volumes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, detached(py, || self.mesh.volumes())?))
+    }
+
+    /// The Voronoi diagram by the names of its parts.
+    fn voronoi<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arrays::Voronoi {
+            regions,
+            is_bounded,
+            volumes,
+            shares,
+            ridges,
+            ridge_corners,
+            is_ridge_bounded,
+        } = detached(py, || self.mesh.voronoi())?;
+        let parts = PyDict::new(py);
+        let ridges = ids(py, ridges, self.count_of_vertices())?;
+        parts.set_item("regions", lists(py, regions, self.count_of_simplices())?)?;
+        parts.set_item("is_bounded", PyArray1::from_vec(py, is_bounded))?;
+        parts.set_item("volumes", PyArray1::from_vec(py, volumes))?;
+        parts.set_item("shares", PyArray1::from_vec(py, shares))?;
+        parts.set_item("ridges", ridges.reshape([ridges.len() / 2, 2])?)?;
+        parts.set_item("ridge_corners", lists(py, ridge_corners, self.count_of_simplices())?)?;
+        parts.set_item("is_ridge_bounded", PyArray1::from_vec(py, is_ridge_bounded))?;
+        Ok(parts)
+    }
+
+    /// Values at all vertices that agree with those at the inputs.
+    fn extend_values<'py>(
+        &self,
+        py: Python<'py>,
+        values: PyReadonlyArray2<'py, f64>,
+        threads: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let threads = whole("threads", threads, u32::MAX)?;
+        let components = values.as_array().dim().1;
+        let mesh = self.triangulation();
+        let found = empty(py, (mesh.vertex_count(), components))?;
+        let mut room = found.readwrite();
+        let (out, values) = (room.as_slice_mut()?, values.as_slice()?);
+        let is_delaunay = mesh.parameters.algorithm == Algorithm::Delaunay;
+        let other = if is_delaunay { None } else { Some(self.delaunay(py)?) };
+        let delaunay = match &other {
+            Some(other) => other.as_ref().as_ref().and_then(Mesh::triangulation),
+            None => Some(mesh),
+        };
+        let values = Values { components, values };
+        detached(py, || extend_values(self.mesh.inputs(), delaunay, mesh, values, threads, out))?;
+        Ok(found)
+    }
+}
+
+type FacetArrays<'py> = (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray2<i32>>);
+type HullArrays<'py> = (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>);
+type BallArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<f64>>);

@@ -1,0 +1,98 @@
+"""Arrays that are made of the mesh's, and values of inputs at all vertices."""
+
+import itertools
+
+import netmesh
+import numpy as np
+import pytest
+
+
+@pytest.fixture(params=[2, 3, 4])
+def mesh(request, random):
+    return netmesh.mesh(random.random((60, request.param)))
+
+
+def rows(array):
+    return set(map(tuple, array.tolist()))
+
+
+def lists(csr):
+    return [csr.indices[a:b].tolist() for a, b in zip(csr.indptr, csr.indptr[1:])]
+
+
+def test_edges_and_facets(mesh):
+    dim, simplices = mesh.dim, np.sort(mesh.simplices, axis=1).tolist()
+    edges = {pair for s in simplices for pair in itertools.combinations(s, 2)}
+    assert mesh.edges.tolist() == sorted(map(list, edges))
+    facets = {facet for s in simplices for facet in itertools.combinations(s, dim)}
+    assert rows(np.sort(mesh.facets.vertices, axis=1)) == facets
+    assert len(mesh.facets.vertices) == len(mesh.facets.simplices) == len(facets)
+    for facet, (a, b) in zip(mesh.facets.vertices[:200], mesh.facets.simplices):
+        assert set(facet) <= set(mesh.simplices[a]) and (b == -1 or b in mesh.neighbors[a])
+    on_hull = mesh.facets.simplices[:, 1] == -1
+    assert rows(mesh.facets.vertices[on_hull]) == rows(mesh.hull.vertices)
+    assert (mesh.neighbors[mesh.hull.simplices] == -1).any(axis=1).all()
+
+
+def test_stars(mesh):
+    simplices = [[] for _ in mesh.points]
+    neighbors = [set() for _ in mesh.points]
+    for s, vertices in enumerate(mesh.simplices.tolist()):
+        for v in vertices:
+            simplices[v].append(s)
+            neighbors[v] |= set(vertices) - {v}
+    assert lists(mesh.vertex_simplices) == simplices
+    assert lists(mesh.vertex_neighbors) == list(map(sorted, neighbors))
+
+
+def test_measures(mesh):
+    corners = mesh.points[mesh.simplices]
+    lengths = np.linalg.norm(corners - mesh.circumcenters[:, None], axis=2)
+    assert np.allclose(lengths, mesh.circumradii[:, None], rtol=1e-9)
+    determinants = np.linalg.det(corners[:, 1:] - corners[:, :1])
+    volumes = determinants / np.prod(np.arange(1, mesh.dim + 1))
+    assert np.allclose(mesh.volumes, volumes, rtol=1e-9, atol=1e-15)
+    voronoi = mesh.voronoi
+    assert np.isclose(voronoi.shares.sum(), mesh.volumes.sum(), rtol=1e-12)
+    assert (voronoi.volumes[voronoi.is_bounded] == voronoi.shares[voronoi.is_bounded]).all()
+    assert np.isinf(voronoi.volumes[~voronoi.is_bounded]).all()
+    assert set(np.flatnonzero(~voronoi.is_bounded)) == set(mesh.hull.vertices.ravel())
+    assert (voronoi.ridges == mesh.edges).all()
+    assert sorted(lists(voronoi.regions)[7]) == lists(mesh.vertex_simplices)[7]
+    for ends, corners in zip(mesh.edges[:50].tolist(), lists(voronoi.ridge_corners)):
+        assert all(set(ends) <= set(mesh.simplices[s].tolist()) for s in corners)
+
+
+def test_arrays_are_made_once_and_stay_as_they_are(mesh):
+    for name in ("edges", "circumcenters", "circumradii", "volumes"):
+        array = getattr(mesh, name)
+        assert array is getattr(mesh, name)
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    with pytest.raises(ValueError, match="read-only"):
+        mesh.voronoi.regions.indices[0] = 1
+
+
+@pytest.mark.parametrize("shape", [(), (2,), (2, 2)])
+@pytest.mark.parametrize("options", [{}, {"algorithm": "delaunay"}])
+def test_values_of_inputs_at_all_vertices(shape, options, random):
+    points = random.random((80, 2))
+    points = np.concatenate([points, points[:1]])
+    values = random.random((81, *shape)) + 1j * random.random((81, *shape))
+    m = netmesh.mesh(points, **options)
+    found = m.extend_values(values)
+    assert found.shape == (len(m.points), *shape) and (found[:80] == values[:80]).all()
+    tri = netmesh.Delaunay(points[:80])
+    inside = tri.find_simplex(m.points) >= 0
+    linear = netmesh.LinearNDInterpolator(tri, values[:80])(m.points[inside])
+    assert np.allclose(found[inside], linear, rtol=0, atol=1e-12)
+    nearest, _ = m.nearest(m.points[~inside], among="inputs")
+    assert (found[~inside] == values[nearest]).all()
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^values has shape \(80,\)"):
+        m.extend_values(np.zeros(80))
+
+
+def test_values_of_inputs_on_a_line():
+    m = netmesh.mesh(np.outer(np.arange(5.0), [1, 2]))
+    found = m.extend_values(np.arange(5))
+    assert (found == m.nearest(m.points, among="inputs")[0]).all() and len(found) > 5

@@ -1,0 +1,93 @@
+"""SciPy's own tests of `Delaunay`, `Voronoi` and `LinearNDInterpolator`, from its wheel, run against
+netmesh. What differs is listed in `DIFFERENCES` with its reason, and must differ.
+"""
+
+import types
+
+import netmesh
+import pytest
+import scipy.interpolate.tests.test_interpnd as their_interpolation
+import scipy.spatial
+import scipy.spatial.tests.test_qhull as their_qhull
+
+ORDER = "simplices come in another order, and start with another vertex"
+QHULL = "QJ moves the points; here one that equals another is never a vertex"
+FURTHEST = "furthest_site is not supported"
+CORNERS = "corners come in another order, and there is no empty region for a point at infinity"
+APART = "corners that are a rounding apart are two; Qhull merges them"
+FLAT = "Qhull merges some of the flattest simplices: 22 have no transform, of the exact ones 31"
+
+#: By name, or a pattern of names with parameters.
+DIFFERENCES = {
+    "TestUtilities.test_find_simplex": ORDER,
+    "TestUtilities.test_convex_hull": ORDER,
+    "TestUtilities.test_degenerate_barycentric_transforms": FLAT,
+    "TestDelaunay.test_2d_square": ORDER,
+    "TestDelaunay.test_joggle": QHULL,
+    "TestDelaunay.test_furthest_site": FURTHEST,
+    "TestVoronoi.test_furthest_site": FURTHEST,
+    "TestVoronoi.test_furthest_site_flag": FURTHEST,
+    "TestVoronoi.test_simple": CORNERS,
+    "TestVoronoi.test_point_region_structure*Qz*": CORNERS,
+    "TestVoronoi.test_incremental*pathological-2-*": APART,
+    "TestVoronoi.test_ridges*pathological-2*": APART,
+}
+
+#: Of ConvexHull, which netmesh does not have.
+LEFT_OUT = {
+    "TestUtilities.test_volume_area",
+    "TestUtilities.test_random_volume_area",
+    "TestUtilities.test_incremental_volume_area_random_input",
+}
+
+their_qhull.qhull = types.SimpleNamespace(
+    Delaunay=netmesh.Delaunay,
+    Voronoi=netmesh.Voronoi,
+    ConvexHull=scipy.spatial.ConvexHull,
+    tsearch=lambda tri, x: tri.find_simplex(x),
+)
+their_qhull.Voronoi = netmesh.Voronoi
+their_interpolation.qhull = their_qhull.qhull
+their_interpolation.interpnd = types.SimpleNamespace(
+    LinearNDInterpolator=netmesh.LinearNDInterpolator
+)
+
+
+def taken(theirs):
+    """A class of theirs without what is left out, and without limits of time."""
+    members = {}
+    for name in dir(theirs):
+        if not name.startswith("test_") or f"{theirs.__name__}.{name}" in LEFT_OUT:
+            continue
+        test = getattr(theirs, name)
+        copied = types.FunctionType(
+            test.__code__, test.__globals__, name, test.__defaults__, test.__closure__
+        )
+        marks = getattr(test, "pytestmark", [])
+        copied.pytestmark = [mark for mark in marks if mark.name in ("parametrize", "slow")]
+        members[name] = copied
+    helpers = {n: getattr(theirs, n) for n in dir(theirs) if n.startswith("_") and n[1] != "_"}
+    return type(theirs.__name__, (), {**helpers, **members})
+
+
+TestUtilities = taken(their_qhull.TestUtilities)
+TestVertexNeighborVertices = taken(their_qhull.TestVertexNeighborVertices)
+TestDelaunay = taken(their_qhull.TestDelaunay)
+TestVoronoi = taken(their_qhull.TestVoronoi)
+TestLinearNDInterpolation = taken(their_interpolation.TestLinearNDInterpolation)
+
+
+@pytest.mark.parametrize("name", sorted(their_qhull.DATASETS))
+def test_hull_consistency_tri(name):
+    their_qhull.TestConvexHull().test_hull_consistency_tri(name)
+
+
+def test_issue_8051():
+    their_qhull.Test_Qhull().test_issue_8051()
+
+
+def test_every_name_is_of_a_test():
+    for name in [*DIFFERENCES, *LEFT_OUT]:
+        theirs, test = name.split("*")[0].split(".")
+        module = their_qhull if hasattr(their_qhull, theirs) else their_interpolation
+        assert hasattr(getattr(module, theirs), test)

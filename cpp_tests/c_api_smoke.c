@@ -75,22 +75,22 @@ static void getters(const nm_mesh *mesh) {
     uint32_t *ids;
     uint8_t *kinds;
     nm_domain *domains;
-    uint64_t corners;
+    uint64_t entries;
 
     REQUIRE(nm_mesh_counts(mesh, &counts) == NM_OK);
     REQUIRE(counts.inputs == point_count && counts.duplicates == 1);
     REQUIRE(counts.vertices > point_count && counts.simplices > 0 && counts.domains > 0);
-    corners = counts.simplices * (counts.dim + 1);
+    entries = counts.simplices * (counts.dim + 1);
 
     points = allocate(counts.vertices * counts.dim, sizeof *points);
     REQUIRE(nm_mesh_get_points(mesh, points, counts.vertices * counts.dim, &needed) == NM_OK);
     REQUIRE(needed == counts.vertices * counts.dim);
     free(points);
 
-    ids = allocate(corners, sizeof *ids);
-    REQUIRE(nm_mesh_get_simplices(mesh, ids, corners, &needed) == NM_OK && needed == corners);
-    REQUIRE(nm_mesh_get_neighbors(mesh, ids, corners, NULL) == NM_OK);
-    REQUIRE(nm_mesh_get_simplices(mesh, ids, corners - 1, &needed) == NM_CAPACITY && needed == corners);
+    ids = allocate(entries, sizeof *ids);
+    REQUIRE(nm_mesh_get_simplices(mesh, ids, entries, &needed) == NM_OK && needed == entries);
+    REQUIRE(nm_mesh_get_neighbors(mesh, ids, entries, NULL) == NM_OK);
+    REQUIRE(nm_mesh_get_simplices(mesh, ids, entries - 1, &needed) == NM_CAPACITY && needed == entries);
     free(ids);
 
     kinds = allocate(counts.vertices, 1);

@@ -31,9 +31,9 @@ std::size_t find_simplex(const ExportedMesh& mesh, bool on_hull) {
     return 0;
 }
 
-void swap_corners(ExportedMesh& mesh) {
-    std::uint32_t* corners = mesh.simplices.data() + find_simplex(mesh, false) * (mesh.dim + 1);
-    std::swap(corners[0], corners[1]);
+void swap_vertices(ExportedMesh& mesh) {
+    std::uint32_t* vertices = mesh.simplices.data() + find_simplex(mesh, false) * (mesh.dim + 1);
+    std::swap(vertices[0], vertices[1]);
 }
 
 void cut_adjacency(ExportedMesh& mesh) {
@@ -55,7 +55,7 @@ void leave_a_vertex_out(ExportedMesh& mesh) {
 
 // Takes a simplex off the hull and closes the gap in the numbering: a dent.
 void dent_the_hull(ExportedMesh& mesh) {
-    const unsigned corners = mesh.dim + 1;
+    const unsigned per_simplex = mesh.dim + 1;
     const auto gone = static_cast<std::uint32_t>(find_simplex(mesh, true));
     const auto last = static_cast<std::uint32_t>(mesh.simplex_count() - 1);
     for (std::uint32_t& neighbor : mesh.neighbors) {
@@ -64,12 +64,12 @@ void dent_the_hull(ExportedMesh& mesh) {
     for (std::uint32_t& neighbor : mesh.neighbors) {
         if (neighbor == last) neighbor = gone;
     }
-    for (unsigned i = 0; i < corners; ++i) {
-        mesh.simplices[gone * corners + i] = mesh.simplices[last * corners + i];
-        mesh.neighbors[gone * corners + i] = mesh.neighbors[last * corners + i];
+    for (unsigned i = 0; i < per_simplex; ++i) {
+        mesh.simplices[gone * per_simplex + i] = mesh.simplices[last * per_simplex + i];
+        mesh.neighbors[gone * per_simplex + i] = mesh.neighbors[last * per_simplex + i];
     }
-    mesh.simplices.resize(last * corners);
-    mesh.neighbors.resize(last * corners);
+    mesh.simplices.resize(last * per_simplex);
+    mesh.neighbors.resize(last * per_simplex);
 }
 
 struct Damage {
@@ -78,7 +78,7 @@ struct Damage {
 };
 
 constexpr Damage damages[] = {
-    {"two corners swapped", swap_corners},      {"a neighbour forgotten", cut_adjacency},
+    {"two vertices swapped", swap_vertices},      {"a neighbour forgotten", cut_adjacency},
     {"a vertex moved", move_vertex},            {"an id out of range", name_a_stranger},
     {"a vertex left out", leave_a_vertex_out},  {"a dent in the hull", dent_the_hull},
 };

@@ -96,16 +96,16 @@ void ranges() {
     const netmesh::table<double> vertices = mesh.points();
     const netmesh::table<std::uint32_t> simplices = mesh.simplices(), neighbors = mesh.neighbors();
     std::size_t s = 0, shared = 0;
-    for (const netmesh::span<const std::uint32_t> corners : simplices) {
-        CHECK_EQUAL(corners.size(), 4u);
-        CHECK(std::equal(corners.begin(), corners.end(), simplices[s].begin()));
-        CHECK(corners.data() == simplices.data() + 4 * s);
+    for (const netmesh::span<const std::uint32_t> simplex : simplices) {
+        CHECK_EQUAL(simplex.size(), 4u);
+        CHECK(std::equal(simplex.begin(), simplex.end(), simplices[s].begin()));
+        CHECK(simplex.data() == simplices.data() + 4 * s);
         for (std::size_t i = 0; i < 4; ++i) {
             if (neighbors[s][i] == NM_NONE) continue;
-            // The neighbour opposite corner i has the other three.
-            const std::set<std::uint32_t> own(corners.begin(), corners.end());
-            for (const std::uint32_t corner : simplices[neighbors[s][i]]) shared += own.count(corner);
-            CHECK(std::count(simplices[neighbors[s][i]].begin(), simplices[neighbors[s][i]].end(), corners[i]) == 0);
+            // The neighbour opposite vertex i has the other three.
+            const std::set<std::uint32_t> own(simplex.begin(), simplex.end());
+            for (const std::uint32_t vertex : simplices[neighbors[s][i]]) shared += own.count(vertex);
+            CHECK(std::count(simplices[neighbors[s][i]].begin(), simplices[neighbors[s][i]].end(), simplex[i]) == 0);
             shared -= 3;
         }
         ++s;

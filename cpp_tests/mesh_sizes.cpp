@@ -43,7 +43,7 @@ public:
                 "TetGen 1.5 with `" + std::string(tetgen_switches) + "` in a box of three times the "
                 "bounding box; netmesh with\n`NM_CRITERION_RADIUS_EDGE` and `NM_OUTPUT_WELL_SPACED`. "
                 "m/n: vertices per input, those of the box or\nof the root cage included. Quality: over "
-                "the tetrahedra that have an input as a corner.\n\n"
+                "the tetrahedra that have an input as a vertex.\n\n"
                 "| input | n | mesher | vertices | m/n | tetrahedra | worst radius-edge | mean | least "
                 "dihedral | seconds |\n|---|---|---|---|---|---|---|---|---|---|\n";
     }

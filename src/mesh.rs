@@ -72,17 +72,17 @@ pub struct Stats {
     pub seconds: f64,
     /// Nets or samples taken in all rounds.
     pub passes: u64,
-    /// The largest, over the rounds, of the most inputs in one home after over before.
+    /// The largest, over the rounds, of the longest conflict list after over before.
     pub worst_halving: f64,
     /// Points inserted over the whole run, those included whose cage was released later: of cages, ...
     pub cage_points: u64,
-    /// ... Voronoi corners of bad cells or crowded homes, ...
+    /// ... Voronoi corners of bad cells or long conflict lists, ...
     pub far_corners: u64,
     /// ... and points on the way to such a corner.
     pub off_centers: u64,
     /// How often an input went in instead of such a point.
     pub yields: u64,
-    /// Those of `cage_points` that closed slits between the vertices of a cage at the end.
+    /// Those of `cage_points` that the final refinement inserted in cage gaps.
     pub closing_points: u64,
     /// What follows is measured if [`crate::Options::instruments`] asks for it, and 0 if not. Probe points:
     /// Voronoi corners.

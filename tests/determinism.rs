@@ -1,20 +1,17 @@
 //! A mesh is a function of its points and options: the same bytes every time, in this process and
 //! in any other. The bytes themselves are nobody's promise; a better algorithm may give others.
 
+use crate::random::Random;
 use netmesh::validate::validate;
 use netmesh::{Algorithm, Inputs, Mesh, NetOrdering, Options, Output, Triangulation};
 
 /// Points in general position, some of them close together so that there are cages.
 fn points(dim: usize, n: usize) -> Vec<f64> {
-    let mut state = dim as u64;
-    let mut next = || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = Random::new(dim as u64);
     (0..n)
         .flat_map(|i| {
             let scale = if i % 3 == 0 { 1e-9 } else { 1.0 };
-            (0..dim).map(|_| scale * next()).collect::<Vec<_>>()
+            (0..dim).map(|_| scale * random.unit()).collect::<Vec<_>>()
         })
         .collect()
 }
@@ -87,7 +84,7 @@ fn a_second_run_gives_the_bytes_of_a_first_one() {
 }
 
 /// The deterministic ordering uses no random number: the seed changes nothing, and each round
-/// halves the homes.
+/// halves the longest list.
 #[test]
 fn the_deterministic_ordering_has_no_seed() {
     let kinds = [
@@ -108,7 +105,7 @@ fn the_deterministic_ordering_has_no_seed() {
             assert_same_bytes(&first, &other, &condition);
             let most = (n as f64).log2() as u64 + 2;
             let rounds = first.stats.rounds;
-            // More than one, or every home was exhausted at once and there was no net.
+            // More than one, or every list was exhausted at once and there was no net.
             assert!((rounds > 1 || dim == 4) && rounds <= most, "{condition}: {rounds} rounds");
             let inputs = Inputs::new(dim, n, &points, 0).unwrap();
             let report = validate(&inputs, &first, 3).unwrap();

@@ -1,31 +1,23 @@
 //! What `nm_stats` says of a mesh against what brute force finds in its arrays.
 
+use crate::random::Random;
 use netmesh::numerics::{Sign, distance, in_ball};
 use netmesh::{
     Algorithm, Criterion, Mesh, NONE, NetOrdering, Options, Output, Stats, Triangulation,
     VertexKind,
 };
 
-/// Doubles in \[0, 1), always the same.
-fn random(mut state: u64) -> impl FnMut() -> f64 {
-    move || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 fn uniform(dim: usize, n: usize) -> Vec<f64> {
-    let mut next = random(dim as u64);
-    (0..dim * n).map(|_| next()).collect()
+    Random::new(dim as u64).uniform(dim, n)
 }
 
 /// Clusters inside each other, each 2^-20 of the one around it.
 fn nested(dim: usize, n: usize) -> Vec<f64> {
-    let mut next = random(dim as u64);
+    let mut random = Random::new(dim as u64);
     (0..n)
         .flat_map(|i| {
             let scale = 0.5f64.powi(20 * (i % 3) as i32);
-            (0..dim).map(|_| scale * (next() - 0.5)).collect::<Vec<_>>()
+            (0..dim).map(|_| scale * (random.unit() - 0.5)).collect::<Vec<_>>()
         })
         .collect()
 }
@@ -33,8 +25,8 @@ fn nested(dim: usize, n: usize) -> Vec<f64> {
 /// Pairs of points 2^-30 apart.
 fn pairs(dim: usize, n: usize) -> Vec<f64> {
     let firsts = uniform(dim, n / 2);
-    let mut next = random(77);
-    let second = |x: &f64| x + 0.5f64.powi(30) * (next() - 0.5);
+    let mut random = Random::new(77);
+    let second = |x: &f64| x + 0.5f64.powi(30) * (random.unit() - 0.5);
     let seconds: Vec<f64> = firsts.iter().map(second).collect();
     [firsts, seconds].concat()
 }
@@ -60,15 +52,15 @@ fn point<const D: usize>(mesh: &Triangulation, vertex: u32) -> &[f64; D] {
     mesh.point(vertex).try_into().unwrap()
 }
 
-fn corners<const D: usize>(mesh: &Triangulation, simplex: usize) -> Vec<&[f64; D]> {
+fn points_of<const D: usize>(mesh: &Triangulation, simplex: usize) -> Vec<&[f64; D]> {
     mesh.simplex(simplex).iter().map(|&v| point(mesh, v)).collect()
 }
 
-/// The circumcentre relative to the first corner, by elimination with pivots.
-fn center<const D: usize>(corners: &[&[f64; D]]) -> [f64; D] {
+/// The circumcentre relative to the first vertex, by elimination with pivots.
+fn center<const D: usize>(vertices: &[&[f64; D]]) -> [f64; D] {
     let mut rows: Vec<Vec<f64>> = (1..=D)
         .map(|i| {
-            let edge: Vec<f64> = (0..D).map(|axis| corners[i][axis] - corners[0][axis]).collect();
+            let edge: Vec<f64> = (0..D).map(|axis| vertices[i][axis] - vertices[0][axis]).collect();
             let half = 0.5 * edge.iter().map(|x| x * x).sum::<f64>();
             [edge, vec![half]].concat()
         })
@@ -94,7 +86,7 @@ fn center<const D: usize>(corners: &[&[f64; D]]) -> [f64; D] {
 /// last bits: nothing but a point that is nearly on a sphere may tell them apart.
 fn plies<const D: usize>(mesh: &Triangulation) -> (u64, u64, u64) {
     let count = mesh.simplex_count();
-    let all: Vec<_> = (0..count).map(|simplex| corners::<D>(mesh, simplex)).collect();
+    let all: Vec<_> = (0..count).map(|simplex| points_of::<D>(mesh, simplex)).collect();
     let (mut max, mut sum, mut probes) = (0, 0, 0);
     for own in &all {
         let offset = center(own);
@@ -138,9 +130,9 @@ fn the_ply_is_that_of_all_balls() {
 fn meetings<const D: usize>(mesh: &Triangulation, slack: f64) -> Vec<u64> {
     let balls: Vec<(&[f64; D], [f64; D], f64)> = (0..mesh.simplex_count())
         .map(|simplex| {
-            let corners = corners::<D>(mesh, simplex);
-            let offset = center(&corners);
-            (corners[0], offset, distance(&offset, &[0.0; D]))
+            let vertices = points_of::<D>(mesh, simplex);
+            let offset = center(&vertices);
+            (vertices[0], offset, distance(&offset, &[0.0; D]))
         })
         .collect();
     let meet = |a: usize, b: usize| {
@@ -274,7 +266,7 @@ fn every_vertex_is_counted_by_its_kind() {
             let in_cages = mesh.cage_of.iter().filter(|&&cage| cage != NONE).count() as u64;
             assert!(stats.cage_points + stats.yields >= in_cages, "{condition}");
             // Without inputs in their way all cages ever made would have this many vertices.
-            // The root's stand first; those that close slits are the last.
+            // The root's stand first; those in cage gaps are the last.
             let after_inputs = mesh.cage_of.iter().skip(stats.input_vertices as usize);
             let template = after_inputs.take_while(|&&cage| cage == 0).count() as u64;
             let made = stats.cages_created * template + stats.closing_points;
@@ -288,7 +280,7 @@ fn every_vertex_is_counted_by_its_kind() {
 }
 
 #[test]
-fn rounds_halve_the_homes() {
+fn rounds_halve_the_longest_list() {
     for options in kinds_of_runs() {
         let stats = run(2, &uniform(2, 3000), &options).stats;
         if options.algorithm == Algorithm::Svr {

@@ -5,10 +5,10 @@
 mod architecture;
 mod c_api;
 mod certificate;
-mod closing;
 mod damaged_meshes;
 mod determinism;
 mod extremes;
+mod final_refinement;
 mod formats;
 mod guarantees;
 mod header;
@@ -25,6 +25,8 @@ mod written_files;
 mod compiler;
 #[path = "support/directory.rs"]
 mod directory;
+#[path = "support/random.rs"]
+mod random;
 
 /// A file that nobody names is not compiled, and its tests pass unrun.
 #[test]

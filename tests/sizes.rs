@@ -1,15 +1,12 @@
 //! Sizes of meshes of uniform points: what a user pays for downstream.
 
+use crate::random::Random;
 use netmesh::{Criterion, Mesh, Options, Output};
-use rand_core::Rng;
-use rand_pcg::Pcg64Mcg;
 
 const INPUTS: usize = 10_000;
 
 fn vertices_per_input(dim: usize, options: &Options) -> f64 {
-    let mut random = Pcg64Mcg::new(1);
-    let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-    let points: Vec<f64> = (0..INPUTS * dim).map(|_| unit()).collect();
+    let points = Random::new(1).uniform(dim, INPUTS);
     let mut mesh = Mesh::new(dim, INPUTS, &points, 0).unwrap();
     mesh.run(options, None).unwrap();
     mesh.triangulation().unwrap().vertex_count() as f64 / INPUTS as f64

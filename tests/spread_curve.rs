@@ -3,10 +3,9 @@
 //! cluster has its inputs between 1 and 1.5 times its radius, and a cage needs a factor of
 //! 1 / epsilon^2 = 4 from the outermost of them to the next cluster.)
 
+use crate::random::Random;
 use netmesh::validate::validate;
 use netmesh::{Mesh, Options};
-use rand_core::Rng;
-use rand_pcg::Pcg64Mcg;
 
 /// Vertices and touches per input.
 #[derive(Clone, Copy, Debug)]
@@ -15,20 +14,12 @@ struct Cost {
     touches: f64,
 }
 
-struct Random(Pcg64Mcg);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn direction(&mut self, dim: usize) -> Vec<f64> {
-        loop {
-            let x: Vec<f64> = (0..dim).map(|_| 2.0 * self.unit() - 1.0).collect();
-            let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if length > 0.1 && length < 1.0 {
-                return x.iter().map(|x| x / length).collect();
-            }
+fn direction(random: &mut Random, dim: usize) -> Vec<f64> {
+    loop {
+        let x: Vec<f64> = (0..dim).map(|_| 2.0 * random.unit() - 1.0).collect();
+        let length = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if length > 0.1 && length < 1.0 {
+            return x.iter().map(|x| x / length).collect();
         }
     }
 }
@@ -40,7 +31,7 @@ fn nested_clusters(dim: usize, gap: f64, random: &mut Random) -> Vec<f64> {
         let radius = (gap * (9.5 - f64::from(cluster))).exp2();
         for _ in 0..50 {
             let distance = radius * (1.0 + 0.5 * random.unit());
-            points.extend(random.direction(dim).iter().map(|x| x * distance));
+            points.extend(direction(random, dim).iter().map(|x| x * distance));
         }
     }
     points
@@ -51,7 +42,7 @@ fn close_pairs(dim: usize, pairs: usize, gap: f64, random: &mut Random) -> Vec<f
     let mut points = Vec::new();
     for _ in 0..pairs {
         let first: Vec<f64> = (0..dim).map(|_| random.unit()).collect();
-        let direction = random.direction(dim);
+        let direction = direction(random, dim);
         let second = first.iter().zip(&direction).map(|(x, d)| x + d * (-gap).exp2());
         points.extend(first.iter().copied().chain(second));
     }
@@ -63,7 +54,7 @@ fn cost(dim: usize, points: impl Fn(&mut Random) -> Vec<f64>) -> Cost {
     let seeds = 2;
     let mut mean = Cost { vertices: 0.0, touches: 0.0 };
     for seed in 1..=seeds {
-        let points = points(&mut Random(Pcg64Mcg::new(u128::from(2 * seed + 77_777))));
+        let points = points(&mut Random::new(2 * seed + 77_777));
         let count = points.len() / dim;
         let mut mesh = Mesh::new(dim, count, &points, 0).unwrap();
         mesh.run(&Options { seed, ..Options::default() }, None).unwrap();

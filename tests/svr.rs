@@ -1,23 +1,18 @@
 //! Sparse Voronoi Refinement, the baseline: sound meshes whose size follows the logarithm of the
 //! spread, where NETMESH's does not.
 
+use crate::random::Random;
 use netmesh::validate::validate;
 use netmesh::{Algorithm, Criterion, Mesh, Options, Output, Triangulation};
-use rand_core::Rng;
-use rand_pcg::Pcg64Mcg;
-
-fn unit(random: &mut Pcg64Mcg) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-}
 
 /// Eight points each in concentric shells, from 1 down to 2^-`doublings`.
 fn nested_clusters(dim: usize, doublings: i32) -> Vec<f64> {
     const SHELLS: i32 = 16;
-    let mut random = Pcg64Mcg::new(5);
+    let mut random = Random::new(5);
     let mut points = Vec::new();
     for shell in 0..SHELLS {
         let scale = 2f64.powi(-doublings * shell / SHELLS);
-        points.extend((0..8 * dim).map(|_| scale * (2.0 * unit(&mut random) - 1.0)));
+        points.extend((0..8 * dim).map(|_| scale * (2.0 * random.unit() - 1.0)));
     }
     points
 }
@@ -39,9 +34,9 @@ fn sparse() -> Options {
 
 #[test]
 fn meshes_are_sound_and_have_one_domain() {
-    let mut random = Pcg64Mcg::new(9);
+    let mut random = Random::new(9);
     for dim in 2..=4 {
-        let points: Vec<f64> = (0..200 * dim).map(|_| unit(&mut random)).collect();
+        let points: Vec<f64> = (0..200 * dim).map(|_| random.unit()).collect();
         for criterion in [Criterion::VoronoiAspect, Criterion::RadiusEdge] {
             for output in [Output::Hierarchical, Output::WellSpaced] {
                 let result = mesh(dim, &points, &Options { criterion, output, ..sparse() });

@@ -176,11 +176,11 @@ void check_against_insertion(const typename World::Delaunay& filled, const netme
         std::vector<typename World::Vertex> by_id(reference.number_of_vertices());
         for (const auto vertex : reference.finite_vertex_handles()) by_id[vertex->info()] = vertex;
         for (const auto cell : World::cells(filled)) {
-            std::array<typename World::Vertex, 4> corners;
+            std::array<typename World::Vertex, 4> vertices;
             for (unsigned i = 0; i <= World::dim; ++i) {
-                corners[i] = by_id[cell->vertex(static_cast<int>(i))->info()];
+                vertices[i] = by_id[cell->vertex(static_cast<int>(i))->info()];
             }
-            CHECK(World::has(reference, corners));
+            CHECK(World::has(reference, vertices));
         }
     }
     const auto points = mesh.points();

@@ -192,8 +192,8 @@ void standard_spans() {
     CHECK(row.size() == 3 && std::ranges::equal(row, standard.subspan(21, 3)));
     const auto simplices = mesh.simplices();
     const auto with_vertex_0 =
-        std::ranges::count_if(simplices, [](std::span<const std::uint32_t> corners) {
-            return std::ranges::find(corners, 0u) != corners.end();
+        std::ranges::count_if(simplices, [](std::span<const std::uint32_t> vertices) {
+            return std::ranges::find(vertices, 0u) != vertices.end();
         });
     CHECK_EQUAL(static_cast<std::ptrdiff_t>(std::ranges::count(simplices.flat(), 0u)), with_vertex_0);
     const netmesh::options options{.output = NM_OUTPUT_WELL_SPACED, .seed = 3};

@@ -19,7 +19,7 @@
 
 namespace {
 
-using Corners = std::array<int, 4>;
+using Vertices = std::array<int, 4>;
 using Face = std::array<int, 3>;
 
 void put(const PointSet& points, tetgenio& in, int first_number = 0, bool markers = false) {
@@ -38,7 +38,7 @@ void by_tetgen(std::string switches, tetgenio& in, tetgenio& out) {
     ::tetrahedralize((switches + "Q").data(), &in, &out);
 }
 
-Corners corners_of(const tetgenio& io, int tetrahedron) {
+Vertices vertices_of(const tetgenio& io, int tetrahedron) {
     const int* list = io.tetrahedronlist + 4 * tetrahedron;
     return {list[0], list[1], list[2], list[3]};
 }
@@ -58,25 +58,25 @@ void check_conventions(const tetgenio& io, bool exact) {
     CHECK_EQUAL(io.numberofcorners, 4);
     CHECK(io.numberoftetrahedra > 0 && io.numberofpoints > 3);
     const int first = io.firstnumber;
-    std::map<Face, int> hull;  // sorted corners: how often
+    std::map<Face, int> hull;  // sorted vertices: how often
     for (int t = 0; t < io.numberoftetrahedra; ++t) {
-        const Corners own = corners_of(io, t);
-        for (const int corner : own) REQUIRE(corner >= first && corner < first + io.numberofpoints);
+        const Vertices own = vertices_of(io, t);
+        for (const int vertex : own) REQUIRE(vertex >= first && vertex < first + io.numberofpoints);
         if (exact) {
             CHECK(determinant(point_of(io, own[0]), point_of(io, own[1]), point_of(io, own[2]), point_of(io, own[3])) > 0);
         }
         for (std::size_t i = 0; i < 4 && io.neighborlist != nullptr; ++i) {
             const int neighbor = io.neighborlist[4 * static_cast<std::size_t>(t) + i];
             Face face{};
-            std::copy_if(own.begin(), own.end(), face.begin(), [&](int corner) { return corner != own[i]; });
+            std::copy_if(own.begin(), own.end(), face.begin(), [&](int vertex) { return vertex != own[i]; });
             if (neighbor == -1) {
                 std::sort(face.begin(), face.end());
                 ++hull[face];
                 continue;
             }
             REQUIRE(neighbor >= first && neighbor < first + io.numberoftetrahedra);
-            const Corners other = corners_of(io, neighbor - first);
-            for (const int corner : face) CHECK(std::count(other.begin(), other.end(), corner) == 1);
+            const Vertices other = vertices_of(io, neighbor - first);
+            for (const int vertex : face) CHECK(std::count(other.begin(), other.end(), vertex) == 1);
             CHECK(std::count(other.begin(), other.end(), own[i]) == 0);
         }
     }
@@ -95,27 +95,27 @@ void check_conventions(const tetgenio& io, bool exact) {
     }
 }
 
-// Sorted corners, and the sorted neighbours' corners opposite each; the same for equal meshes.
-std::vector<std::pair<Corners, std::array<Corners, 4>>> canonical(const tetgenio& io) {
+// Sorted vertices, and the sorted neighbours' vertices opposite each; the same for equal meshes.
+std::vector<std::pair<Vertices, std::array<Vertices, 4>>> canonical(const tetgenio& io) {
     const auto sorted = [&](int number) {
-        Corners corners{-1, -1, -1, -1};
-        if (number == -1) return corners;
-        corners = corners_of(io, number - io.firstnumber);
-        for (int& corner : corners) corner -= io.firstnumber;
-        std::sort(corners.begin(), corners.end());
-        return corners;
+        Vertices vertices{-1, -1, -1, -1};
+        if (number == -1) return vertices;
+        vertices = vertices_of(io, number - io.firstnumber);
+        for (int& vertex : vertices) vertex -= io.firstnumber;
+        std::sort(vertices.begin(), vertices.end());
+        return vertices;
     };
-    std::vector<std::pair<Corners, std::array<Corners, 4>>> all;
+    std::vector<std::pair<Vertices, std::array<Vertices, 4>>> all;
     for (int t = 0; t < io.numberoftetrahedra; ++t) {
         const int number = t + io.firstnumber;
-        const Corners in_order = corners_of(io, t), corners = sorted(number);
-        std::array<Corners, 4> neighbors{};
+        const Vertices in_order = vertices_of(io, t), vertices = sorted(number);
+        std::array<Vertices, 4> neighbors{};
         for (std::size_t i = 0; i < 4; ++i) {
             const auto place = static_cast<std::size_t>(
-                std::lower_bound(corners.begin(), corners.end(), in_order[i] - io.firstnumber) - corners.begin());
+                std::lower_bound(vertices.begin(), vertices.end(), in_order[i] - io.firstnumber) - vertices.begin());
             neighbors[place] = sorted(io.neighborlist[4 * static_cast<std::size_t>(t) + i]);
         }
-        all.emplace_back(corners, neighbors);
+        all.emplace_back(vertices, neighbors);
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -177,7 +177,7 @@ void quality() {
         for (int t = 0; t < out.numberoftetrahedra; ++t) {
             tetrahedra::Vector p[4];
             for (std::size_t i = 0; i < 4; ++i) {
-                const REAL* x = point_of(out, corners_of(out, t)[i]);
+                const REAL* x = point_of(out, vertices_of(out, t)[i]);
                 p[i] = {x[0], x[1], x[2]};
             }
             worst = std::max(worst, tetrahedra::radius_edge(p));

@@ -11,7 +11,7 @@ constexpr std::size_t most_reported = 20;
 class Certifier {
 public:
     Certifier(const ExportedMesh& mesh, const Reference& reference)
-        : mesh_(mesh), reference_(reference), corners_(mesh.dim + 1) {}
+        : mesh_(mesh), reference_(reference), per_simplex_(mesh.dim + 1) {}
 
     Certificate run() {
         const std::size_t simplices = mesh_.simplex_count();
@@ -24,7 +24,7 @@ public:
             if (reference_.orientation(mesh_.simplex(s)) != 1) {
                 say("simplex " + std::to_string(s) + " is not positively oriented");
             }
-            for (unsigned i = 0; i < corners_; ++i) facet(static_cast<std::uint32_t>(s), i);
+            for (unsigned i = 0; i < per_simplex_; ++i) facet(static_cast<std::uint32_t>(s), i);
         }
         if (out_.violations.empty()) convexity();
         euler_characteristic();
@@ -41,7 +41,7 @@ private:
     }
 
     bool ids_in_range(std::size_t s) {
-        for (unsigned i = 0; i < corners_; ++i) {
+        for (unsigned i = 0; i < per_simplex_; ++i) {
             const std::uint32_t neighbor = mesh_.neighbors_of(s)[i];
             if (mesh_.simplex(s)[i] >= mesh_.vertex_count()
                 || (neighbor != NM_NONE && neighbor >= mesh_.simplex_count())) {
@@ -52,21 +52,21 @@ private:
         return true;
     }
 
-    // The position in a simplex of its vertex that the facet (simplex, i) does not have; corners_
+    // The position in a simplex of its vertex that the facet (simplex, i) does not have; per_simplex_
     // if the two do not share that facet.
     unsigned opposite(std::uint32_t neighbor, std::uint32_t simplex, unsigned i) const {
         const std::uint32_t* theirs = mesh_.simplex(neighbor);
         const std::uint32_t* ours = mesh_.simplex(simplex);
-        unsigned found = corners_;
+        unsigned found = per_simplex_;
         unsigned missing = 0;
-        for (unsigned j = 0; j < corners_; ++j) {
-            const std::uint32_t* at = std::find(ours, ours + corners_, theirs[j]);
-            if (at == ours + corners_ || at == ours + i) {
+        for (unsigned j = 0; j < per_simplex_; ++j) {
+            const std::uint32_t* at = std::find(ours, ours + per_simplex_, theirs[j]);
+            if (at == ours + per_simplex_ || at == ours + i) {
                 found = j;
                 ++missing;
             }
         }
-        return missing == 1 ? found : corners_;
+        return missing == 1 ? found : per_simplex_;
     }
 
     void facet(std::uint32_t simplex, unsigned i) {
@@ -77,7 +77,7 @@ private:
             return;
         }
         const unsigned j = opposite(neighbor, simplex, i);
-        if (j == corners_ || mesh_.neighbors_of(neighbor)[j] != simplex) {
+        if (j == per_simplex_ || mesh_.neighbors_of(neighbor)[j] != simplex) {
             say(name(simplex, i) + ": the neighbour does not answer");
             return;
         }
@@ -95,9 +95,9 @@ private:
     // At each ridge of the hull, the next hull facet's far vertex is not beyond this one.
     void convexity() {
         for (std::uint32_t s = 0; s < mesh_.simplex_count(); ++s) {
-            for (unsigned i = 0; i < corners_; ++i) {
+            for (unsigned i = 0; i < per_simplex_; ++i) {
                 if (mesh_.neighbors_of(s)[i] != NM_NONE) continue;
-                for (unsigned j = 0; j < corners_; ++j) {
+                for (unsigned j = 0; j < per_simplex_; ++j) {
                     if (j != i) ridge(s, i, j);
                 }
             }
@@ -117,12 +117,12 @@ private:
             const std::uint32_t shared = mesh_.simplex(simplex)[kept];
             kept = opposite(next, simplex, dropped);
             const std::uint32_t* vertices = mesh_.simplex(next);
-            dropped = static_cast<unsigned>(std::find(vertices, vertices + corners_, shared) - vertices);
+            dropped = static_cast<unsigned>(std::find(vertices, vertices + per_simplex_, shared) - vertices);
             simplex = next;
         }
         const std::uint32_t far = mesh_.simplex(simplex)[kept];
         std::array<std::uint32_t, 9> probe{};
-        std::copy_n(mesh_.simplex(s), corners_, probe.begin());
+        std::copy_n(mesh_.simplex(s), per_simplex_, probe.begin());
         if (far == probe[i]) return;  // both facets belong to s
         probe[i] = far;
         if (reference_.orientation(probe.data()) < 0) say(name(s, i) + ": the hull is not convex");
@@ -131,7 +131,7 @@ private:
     // Vertices - edges + triangles - ... = 1, and no vertex stands alone.
     void euler_characteristic() {
         long long sum = 0;
-        for (unsigned size = 1; size <= corners_; ++size) {
+        for (unsigned size = 1; size <= per_simplex_; ++size) {
             const auto count = static_cast<long long>(faces(size));
             sum += size % 2 == 1 ? count : -count;
             if (size == 1 && count != static_cast<long long>(mesh_.vertex_count())) {
@@ -142,13 +142,13 @@ private:
         if (sum != 1) say("the Euler characteristic is " + std::to_string(sum) + " instead of 1");
     }
 
-    // The number of faces with so many corners.
+    // The number of faces with `size` vertices.
     std::size_t faces(unsigned size) const {
-        if (size == corners_) return mesh_.simplex_count();
-        if (size == corners_ - 1) return out_.facets;  // counted, with its adjacency, by facet()
+        if (size == per_simplex_) return mesh_.simplex_count();
+        if (size == per_simplex_ - 1) return out_.facets;  // counted, with its adjacency, by facet()
         using Face = std::array<std::uint32_t, 3>;     // all that is left up to dimension 4
         std::vector<unsigned> subsets;
-        for (unsigned subset = 0; subset < (1u << corners_); ++subset) {
+        for (unsigned subset = 0; subset < (1u << per_simplex_); ++subset) {
             if (members(subset) == size) subsets.push_back(subset);
         }
         std::vector<Face> all;
@@ -157,7 +157,7 @@ private:
             for (const unsigned subset : subsets) {
                 Face face = {NM_NONE, NM_NONE, NM_NONE};
                 unsigned used = 0;
-                for (unsigned i = 0; i < corners_; ++i) {
+                for (unsigned i = 0; i < per_simplex_; ++i) {
                     if ((subset >> i & 1u) != 0) face[used++] = mesh_.simplex(s)[i];
                 }
                 std::sort(face.begin(), face.end());
@@ -176,16 +176,16 @@ private:
 
     const ExportedMesh& mesh_;
     const Reference& reference_;
-    const unsigned corners_;
+    const unsigned per_simplex_;
     Certificate out_;
 };
 
 using Tuple = std::array<std::uint32_t, 5>;
 
-Tuple sorted_tuple(const std::uint32_t* simplex, unsigned corners) {
+Tuple sorted_tuple(const std::uint32_t* simplex, unsigned per_simplex) {
     Tuple tuple;
     tuple.fill(NM_NONE);
-    std::copy_n(simplex, corners, tuple.begin());
+    std::copy_n(simplex, per_simplex, tuple.begin());
     std::sort(tuple.begin(), tuple.end());
     return tuple;
 }
@@ -224,22 +224,22 @@ Certificate certify(const ExportedMesh& mesh, const Reference& reference) {
 
 Comparison compare(const ExportedMesh& mesh, const Certificate& certificate,
                    const Reference& reference) {
-    const unsigned corners = mesh.dim + 1;
+    const unsigned per_simplex = mesh.dim + 1;
     const std::vector<std::uint32_t> flat = reference.delaunay();
     Comparison out;
     out.ours = mesh.simplex_count();
-    out.theirs = flat.size() / corners;
+    out.theirs = flat.size() / per_simplex;
     std::vector<Tuple> theirs;
     long double their_volume = 0.0L;
     for (std::size_t s = 0; s < out.theirs; ++s) {
-        theirs.push_back(sorted_tuple(flat.data() + s * corners, corners));
-        their_volume += volume(mesh, flat.data() + s * corners);
+        theirs.push_back(sorted_tuple(flat.data() + s * per_simplex, per_simplex));
+        their_volume += volume(mesh, flat.data() + s * per_simplex);
     }
     std::sort(theirs.begin(), theirs.end());
     long double our_volume = 0.0L;
     for (std::size_t s = 0; s < out.ours; ++s) {
         our_volume += volume(mesh, mesh.simplex(s));
-        if (!std::binary_search(theirs.begin(), theirs.end(), sorted_tuple(mesh.simplex(s), corners))) {
+        if (!std::binary_search(theirs.begin(), theirs.end(), sorted_tuple(mesh.simplex(s), per_simplex))) {
             ++out.differing;
             if (!certificate.has_tie[s]) ++out.inexcusable;
         }

@@ -25,13 +25,13 @@ public:
     }
 
     int orientation(const std::uint32_t* simplex) const override {
-        const auto corners = corners_of(simplex);
-        return kernel_.orientation_d_object()(corners.begin(), corners.end());
+        const auto vertices = vertices_of(simplex);
+        return kernel_.orientation_d_object()(vertices.begin(), vertices.end());
     }
 
     int side_of_sphere(const std::uint32_t* simplex, std::uint32_t query) const override {
-        const auto corners = corners_of(simplex);
-        return kernel_.side_of_oriented_sphere_d_object()(corners.begin(), corners.end(),
+        const auto vertices = vertices_of(simplex);
+        return kernel_.side_of_oriented_sphere_d_object()(vertices.begin(), vertices.end(),
                                                           points_[query]);
     }
 
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    std::array<Point, dim + 1> corners_of(const std::uint32_t* v) const {
+    std::array<Point, dim + 1> vertices_of(const std::uint32_t* v) const {
         return {points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], points_[v[4]]};
     }
 

@@ -69,12 +69,12 @@ bool operator==(const ExportedMesh& a, const ExportedMesh& b) {
 
 ExportedMesh export_mesh(const nm_mesh* mesh) {
     const nm_counts counts = counts_of(mesh);
-    const std::uint64_t corners = counts.simplices * (counts.dim + 1);
+    const std::uint64_t entries = counts.simplices * (counts.dim + 1);
     ExportedMesh out;
     out.dim = counts.dim;
     out.points = get<double>(mesh, nm_mesh_get_points, counts.vertices * counts.dim);
-    out.simplices = get<std::uint32_t>(mesh, nm_mesh_get_simplices, corners);
-    out.neighbors = get<std::uint32_t>(mesh, nm_mesh_get_neighbors, corners);
+    out.simplices = get<std::uint32_t>(mesh, nm_mesh_get_simplices, entries);
+    out.neighbors = get<std::uint32_t>(mesh, nm_mesh_get_neighbors, entries);
     out.kinds = get<std::uint8_t>(mesh, nm_mesh_get_vertex_kinds, counts.vertices);
     out.vertex_domains = get<std::uint32_t>(mesh, nm_mesh_get_vertex_domains, counts.vertices);
     out.input_vertices = get<std::uint32_t>(mesh, nm_mesh_get_input_vertices, counts.inputs);

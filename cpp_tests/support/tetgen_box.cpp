@@ -65,10 +65,10 @@ TetgenResult tetgen_in_box(const PointSet& points, const std::string& switches) 
     out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (out.error == 0) {
         out.points.assign(output.pointlist, output.pointlist + 3 * output.numberofpoints);
-        const int corners = output.numberofcorners;
+        const int vertices = output.numberofcorners;
         for (int t = 0; t < output.numberoftetrahedra; ++t) {
             for (int i = 0; i < 4; ++i) {
-                out.tetrahedra.push_back(static_cast<std::uint32_t>(output.tetrahedronlist[corners * t + i]));
+                out.tetrahedra.push_back(static_cast<std::uint32_t>(output.tetrahedronlist[vertices * t + i]));
             }
         }
     }

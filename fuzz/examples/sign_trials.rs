@@ -21,7 +21,7 @@ const PLAN: [(usize, [u64; 3]); 5] = [
     (6, [300_000, 6_000, 1_000]),
 ];
 
-/// The circumball is asked once in so many in-ball trials: it costs more than the sign.
+/// The circumball is asked once in 16 in-ball trials: it costs more than the sign.
 const BALL_EVERY: u64 = 16;
 
 fn main() {

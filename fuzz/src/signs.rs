@@ -27,7 +27,7 @@ fn check_bytes<const D: usize>(bytes: &mut Bytes<'_>) {
     check_points(&points, swapped);
 }
 
-/// `D + 1` corners and a query point; two corners to exchange.
+/// `D + 1` vertices and a query point; two vertices to exchange.
 pub fn check_points<const D: usize>(points: &[[f64; D]], swapped: (usize, usize)) {
     let signs = Signs::of(points);
     assert_eq!(signs, Signs::exact(points), "{points:?}");
@@ -105,7 +105,7 @@ fn check_symmetry<const D: usize>(points: &[[f64; D]], signs: Signs, swapped: (u
     assert_eq!(Signs::of(&mirrored), signs.flip(), "axis {} of {points:?}", swapped.0 % D);
 }
 
-/// What a ball decides is so, for the query point and for the corners, which are on the sphere.
+/// What a ball decides is so, for the query point and for the vertices, which are on the sphere.
 fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
     if signs.orientation == Sign::Zero {
         return;
@@ -113,8 +113,8 @@ fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
     let simplex = &references(points)[..=D];
     let ball = Circumball::new(simplex);
     let anchor = simplex[ball.anchor as usize];
-    for corner in simplex {
-        assert_eq!(ball.side(anchor, corner), None, "{corner:?} of {points:?}");
+    for vertex in simplex {
+        assert_eq!(ball.side(anchor, vertex), None, "{vertex:?} of {points:?}");
     }
     if let Some(inside) = ball.side(anchor, &points[D + 1]) {
         let expected = if inside { signs.orientation } else { signs.orientation.flip() };

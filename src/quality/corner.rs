@@ -2,7 +2,7 @@
 //! written apart from the builder's so that the certificate does not repeat the builder's mistakes.
 
 use super::length::{Length, Offset, scale};
-use super::rational;
+use super::rational::{self, Gradients};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
@@ -83,9 +83,6 @@ pub(crate) fn normals<const D: usize>(
     }
     Ok(Some(normals))
 }
-
-/// One gradient for each vertex of a simplex; what follows is zero.
-pub(super) type Gradients<const D: usize> = [Offset<D>; MAX_DIM + 1];
 
 /// The gradients of the barycentric coordinates of the other vertices; last, that of `base`.
 fn gradients<const D: usize>(

@@ -1,10 +1,12 @@
 //! Exact solutions of small linear systems, for simplices whose doubles are too ill-conditioned.
 
-use super::corner::Gradients;
 use super::exact::{Side, Solution, ratio, solve};
 use super::length::{Offset, exponent_of, scale};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
+
+/// One gradient for each vertex of a simplex; what follows is zero.
+pub(super) type Gradients<const D: usize> = [Offset<D>; MAX_DIM + 1];
 
 /// The circumcentre of `D + 1` points relative to that at `base`; `None` if the simplex is flat.
 pub(crate) fn circumcenter<const D: usize>(

@@ -173,12 +173,12 @@ pub fn uses(sources: &[Source]) -> Layers {
     for (module, called) in calls {
         let used = uses.entry(module.clone()).or_default();
         let known: BTreeSet<&String> = used.iter().chain([&module]).collect();
-        let foreign = called.iter().filter_map(|method| definitions.methods.get(method));
+        let others = called.iter().filter_map(|method| definitions.methods.get(method));
         // A method of that name in a module that is used anyway is taken for the one that is
         // called.
-        let foreign = foreign.filter(|owners| !owners.iter().any(|owner| known.contains(owner)));
-        let foreign: BTreeSet<String> = foreign.flatten().cloned().collect();
-        used.extend(foreign);
+        let others = others.filter(|owners| !owners.iter().any(|owner| known.contains(owner)));
+        let others: BTreeSet<String> = others.flatten().cloned().collect();
+        used.extend(others);
     }
     for (module, used) in &mut uses {
         used.remove(module);

@@ -43,9 +43,9 @@ fn is_on_hull(mesh: &Triangulation, vertex: u32) -> bool {
 
 /// Removes simplices and relinks the rest; vertices stay.
 fn remove_simplices(mesh: &mut Triangulation, remove: impl Fn(&[u32]) -> bool) {
-    let corners = mesh.dim + 1;
+    let per_simplex = mesh.dim + 1;
     let kept: Vec<Vec<u32>> =
-        mesh.simplices.chunks(corners).filter(|s| !remove(s)).map(<[u32]>::to_vec).collect();
+        mesh.simplices.chunks(per_simplex).filter(|s| !remove(s)).map(<[u32]>::to_vec).collect();
     mesh.neighbors = neighbors(&kept);
     mesh.simplices = kept.concat();
 }
@@ -188,7 +188,7 @@ fn a_vertex_whose_link_is_a_torus() {
 
 #[test]
 fn garbage_is_reported_and_not_a_panic() {
-    let mut random = super::meshes::Random(7);
+    let mut random = crate::random::Random::new(7);
     for case in cases() {
         for _ in 0..200 {
             let mut broken = case.clone();

@@ -1,5 +1,6 @@
 //! Meshes to check and to corrupt: made by hand, by brute force, and by real runs.
 
+use crate::random::Random;
 use netmesh::numerics::{Sign, in_ball, orientation};
 use netmesh::options::{Algorithm, Options};
 use netmesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
@@ -10,16 +11,6 @@ use std::collections::HashMap;
 pub struct Case {
     pub inputs: Inputs,
     pub mesh: Triangulation,
-}
-
-/// Doubles in \[0, 1).
-pub struct Random(pub u64);
-
-impl Random {
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
 }
 
 /// A plain triangulation of `points` by `simplices`, neighbours by shared facets.
@@ -74,14 +65,14 @@ pub fn brute_force<const D: usize>(points: &[[f64; D]]) -> Case {
     let mut simplices = Vec::new();
     let mut chosen: Vec<u32> = (0..=D as u32).collect();
     loop {
-        let corners: Vec<&[f64; D]> = chosen.iter().map(|&v| &points[v as usize]).collect();
+        let simplex: Vec<&[f64; D]> = chosen.iter().map(|&v| &points[v as usize]).collect();
         let mut vertices = chosen.clone();
-        if orientation(&corners) == Sign::Negative {
+        if orientation(&simplex) == Sign::Negative {
             vertices.swap(0, 1);
         }
-        let corners: Vec<&[f64; D]> = vertices.iter().map(|&v| &points[v as usize]).collect();
-        assert_eq!(orientation(&corners), Sign::Positive, "general position");
-        if points.iter().all(|q| in_ball(&corners, q) != Sign::Positive) {
+        let simplex: Vec<&[f64; D]> = vertices.iter().map(|&v| &points[v as usize]).collect();
+        assert_eq!(orientation(&simplex), Sign::Positive, "general position");
+        if points.iter().all(|q| in_ball(&simplex, q) != Sign::Positive) {
             simplices.push(vertices);
         }
         let Some(at) = (0..=D).rev().find(|&i| (chosen[i] as usize) < points.len() - 1 - (D - i))
@@ -96,13 +87,13 @@ pub fn brute_force<const D: usize>(points: &[[f64; D]]) -> Case {
 }
 
 pub fn random_points<const D: usize>(count: usize, seed: u64) -> Vec<[f64; D]> {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect()
 }
 
 /// Pairs of points `gap` apart at random places.
 pub fn pairs<const D: usize>(count: usize, gap: f64, seed: u64) -> Vec<[f64; D]> {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut points: Vec<[f64; D]> = Vec::new();
     for _ in 0..count {
         let first: [f64; D] = std::array::from_fn(|_| random.unit());

@@ -136,9 +136,9 @@ fn wrong_labels() {
     // A hull vertex is in no inner ball.
     assert_all(Kind::VertexDomain, |case| {
         let hull = case.mesh.neighbors.iter().position(|&n| n == NONE).unwrap();
-        let corners = case.mesh.dim + 1;
-        let slot = (hull + 1) % corners;
-        let vertex = case.mesh.simplices[hull / corners * corners + slot];
+        let per_simplex = case.mesh.dim + 1;
+        let slot = (hull + 1) % per_simplex;
+        let vertex = case.mesh.simplices[hull / per_simplex * per_simplex + slot];
         case.mesh.vertex_domains[vertex as usize] = 1;
     });
     // A vertex that is no centre belongs to the innermost ball that holds it.

@@ -51,12 +51,12 @@ fn degrees(mesh: &Triangulation) -> Vec<u32> {
         // A vertex is no neighbour of itself.
         seen_from[vertex] = vertex as u32;
         let star = &incident[begins[vertex]..begins[vertex + 1]];
-        let corners = star.iter().flat_map(|&simplex| {
+        let shared = star.iter().flat_map(|&simplex| {
             let begin = simplex as usize * (mesh.dim + 1);
             &mesh.simplices[begin..begin + mesh.dim + 1]
         });
         let mut count = 0;
-        for &other in corners {
+        for &other in shared {
             count += u32::from(seen_from[other as usize] != vertex as u32);
             seen_from[other as usize] = vertex as u32;
         }

@@ -27,7 +27,7 @@ pub struct Figures {
     pub simplices: usize,
     /// Distinct inputs that are not vertices, bit for bit.
     pub lost: usize,
-    /// Largest circumradius over shortest edge of the simplices whose corners are all in the
+    /// Largest circumradius over shortest edge of the simplices whose vertices are all in the
     /// inputs' bounding box; 0 if none.
     pub worst_radius_edge: f64,
 }
@@ -82,7 +82,7 @@ impl Simplicial {
     }
 }
 
-/// The c with 2 e.c = e.e for each row e: a simplex's circumcentre seen from the corner that its
+/// The c with 2 e.c = e.e for each row e: a simplex's circumcentre seen from the vertex that its
 /// edges start at. Gauss with pivoting; none if the edges do not span the space.
 fn solve(edges: &[Vec<f64>]) -> Option<Vec<f64>> {
     let d = edges.len();

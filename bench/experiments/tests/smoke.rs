@@ -19,7 +19,7 @@ const HEADERS: [(&str, &str); 7] = [
         "dimensions",
         "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate,certificate seconds",
     ),
-    ("cage_cells", "input,dim,n,m/n,counted,anywhere,closing points,closing/n"),
+    ("cage_cells", "input,dim,n,m/n,counted,anywhere,in cage gaps,in gaps/n"),
 ];
 
 fn run(folder: &Path, options_and_names: &[&str]) {

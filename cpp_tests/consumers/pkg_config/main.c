@@ -35,18 +35,18 @@ int main(int argc, char **argv)
     nm_mesh *mesh = NULL;
     nm_counts counts = NM_COUNTS_INIT;
     uint64_t coordinates = 0;
-    uint64_t corners = 0;
+    uint64_t simplex_ids = 0;
     size_t count;
     if (argc != 3 || (count = read_numbers(argv[1], numbers)) == 0)
         return 2;
     require(nm_mesh_create(2, count / 2, numbers, 0, &mesh));
     require(nm_run(mesh, NULL));
     require(nm_mesh_get_points(mesh, NULL, 0, &coordinates));
-    require(nm_mesh_get_simplices(mesh, NULL, 0, &corners));
+    require(nm_mesh_get_simplices(mesh, NULL, 0, &simplex_ids));
     require(nm_mesh_counts(mesh, &counts));
     require(nm_export(mesh, argv[2], NM_FORMAT_AUTO));
     printf("netmesh %s: %lu points, %lu vertices, %lu simplices, %lu domains\n", nm_version(),
-           (unsigned long)(count / 2), (unsigned long)(coordinates / 2), (unsigned long)(corners / 3),
+           (unsigned long)(count / 2), (unsigned long)(coordinates / 2), (unsigned long)(simplex_ids / 3),
            (unsigned long)counts.domains);
     nm_mesh_free(mesh);
     return 0;

@@ -17,7 +17,7 @@ pub fn get(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     let [vertices, simplices, domains, inputs, dim] = counts.map_or([0; 5], |counts| {
         [counts.vertices, counts.simplices, counts.domains, counts.inputs, u64::from(counts.dim)]
     });
-    let corners = simplices * (dim + 1);
+    let entries = simplices * (dim + 1);
     let mut call = Call { bytes, handle, needs_result: false };
     match call.bytes.below(8) {
         0 => call.check(nm_mesh_get_points, vertices * dim, f64::to_bits),
@@ -29,7 +29,7 @@ pub fn get(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
         kind => {
             call.needs_result = true;
             let getter = if kind == 6 { nm_mesh_get_simplices } else { nm_mesh_get_neighbors };
-            call.check(getter, corners, u64::from);
+            call.check(getter, entries, u64::from);
         }
     }
 }

@@ -47,7 +47,7 @@ pub fn run(context: &Context) -> Report {
 fn text() -> String {
     "The worst aspect over tau, of all cells off the hull over all their corners (\"anywhere\"), and of \
      the cells of vertices over the corners well inside the hull of their domain's cage (\"counted\"). \
-     \"closing points\" are the vertices that closed cage gaps in the final refinement. Default options."
+     \"in cage gaps\" are the vertices that the final refinement inserted there. Default options."
         .to_string()
 }
 
@@ -85,7 +85,7 @@ fn verdict(entry: &Entry) -> Verdict {
 fn table(entries: &[Entry]) -> Table {
     let mut table = Table::new(
         "cage_cells",
-        &["input", "dim", "n", "m/n", "counted", "anywhere", "closing points", "closing/n"],
+        &["input", "dim", "n", "m/n", "counted", "anywhere", "in cage gaps", "in gaps/n"],
     );
     for e in entries {
         table.add(row![

@@ -1,50 +1,33 @@
 //! Definition 4 as it stands: after a run every cell keeps its bound over all its corners, beside
 //! cages and at the root too, and where the criterion is radius-edge every simplex does.
 
+use crate::random::Random;
 use netmesh::quality::measure;
 use netmesh::validate::validate;
 use netmesh::{Criterion, Mesh, Options, Output, Triangulation};
-use rand_core::Rng;
-use rand_pcg::Pcg64Mcg;
 
-struct Random(Pcg64Mcg);
+fn point(random: &mut Random, dim: usize) -> Vec<f64> {
+    (0..dim).map(|_| random.unit() - 0.5).collect()
+}
 
-impl Random {
-    fn new(seed: u128) -> Self {
-        Self(Pcg64Mcg::new(seed))
+fn gaussian(random: &mut Random, dim: usize, n: usize) -> Vec<f64> {
+    (0..n * dim).map(|_| (0..12).map(|_| random.unit()).sum::<f64>() - 6.0).collect()
+}
+
+/// Eight points a cluster, each cluster 2^-12 times as large as the one around it.
+fn clusters(random: &mut Random, dim: usize, n: usize) -> Vec<f64> {
+    let scale = |i: usize| (-12.0 * (i / 8) as f64).exp2();
+    (0..n).flat_map(|i| point(random, dim).into_iter().map(move |x| x * scale(i))).collect()
+}
+
+fn pairs(random: &mut Random, dim: usize, n: usize) -> Vec<f64> {
+    let mut points = Vec::new();
+    for _ in 0..n / 2 {
+        let (first, step) = (point(random, dim), point(random, dim));
+        points.extend(&first);
+        points.extend(first.iter().zip(step).map(|(x, s)| x + s * 1e-6));
     }
-
-    fn unit(&mut self) -> f64 {
-        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn point(&mut self, dim: usize) -> Vec<f64> {
-        (0..dim).map(|_| self.unit() - 0.5).collect()
-    }
-
-    fn uniform(&mut self, dim: usize, n: usize) -> Vec<f64> {
-        (0..n * dim).map(|_| self.unit()).collect()
-    }
-
-    fn gaussian(&mut self, dim: usize, n: usize) -> Vec<f64> {
-        (0..n * dim).map(|_| (0..12).map(|_| self.unit()).sum::<f64>() - 6.0).collect()
-    }
-
-    /// Eight points a cluster, each cluster 2^-12 times as large as the one around it.
-    fn clusters(&mut self, dim: usize, n: usize) -> Vec<f64> {
-        let scale = |i: usize| (-12.0 * (i / 8) as f64).exp2();
-        (0..n).flat_map(|i| self.point(dim).into_iter().map(move |x| x * scale(i))).collect()
-    }
-
-    fn pairs(&mut self, dim: usize, n: usize) -> Vec<f64> {
-        let mut points = Vec::new();
-        for _ in 0..n / 2 {
-            let (first, step) = (self.point(dim), self.point(dim));
-            points.extend(&first);
-            points.extend(first.iter().zip(step).map(|(x, s)| x + s * 1e-6));
-        }
-        points
-    }
+    points
 }
 
 fn run(dim: usize, points: &[f64], options: &Options) -> Mesh {
@@ -68,12 +51,12 @@ fn assert_closed(dim: usize, points: &[f64], options: &Options) {
 #[test]
 fn every_cell_keeps_the_bound_over_all_corners() {
     for (dim, n) in [(2, 400), (3, 200), (4, 96)] {
-        let mut random = Random::new(dim as u128);
+        let mut random = Random::new(dim as u64);
         let inputs = [
             random.uniform(dim, n),
-            random.gaussian(dim, n),
-            random.clusters(dim, n),
-            random.pairs(dim, n),
+            gaussian(&mut random, dim, n),
+            clusters(&mut random, dim, n),
+            pairs(&mut random, dim, n),
         ];
         for points in inputs {
             assert_closed(dim, &points, &Options::default());
@@ -85,7 +68,7 @@ fn every_cell_keeps_the_bound_over_all_corners() {
 #[test]
 fn other_bounds_and_cages_close() {
     for (dim, n, bound) in [(2, 300, 2.2), (3, 60, 2.5), (4, 40, 4.0)] {
-        let points = Random::new(3).pairs(dim, n);
+        let points = pairs(&mut Random::new(3), dim, n);
         assert_closed(dim, &points, &Options { quality_bound: bound, ..Options::default() });
         assert_closed(
             dim,
@@ -132,7 +115,7 @@ fn every_simplex_of_a_finished_mesh_keeps_its_radius_edge_ratio() {
             ..Options::default()
         };
         let mut random = Random::new(5);
-        for points in [random.uniform(dim, n), random.gaussian(dim, n)] {
+        for points in [random.uniform(dim, n), gaussian(&mut random, dim, n)] {
             let mesh = run(dim, &points, &options);
             let worst = worst_radius_edge(mesh.triangulation().unwrap());
             assert!(worst <= bound * (1.0 + 1e-9), "{dim}D: {worst}");
@@ -149,7 +132,7 @@ fn cages_within_their_inputs() {
     let options = Options { cage_scale: 0.3, epsilon: 0.6, ..Options::default() };
     for dim in [2, 3] {
         for seed in 0..20 {
-            let points = Random::new(seed).pairs(dim, 20);
+            let points = pairs(&mut Random::new(seed), dim, 20);
             run(dim, &points, &options);
         }
     }

@@ -13,7 +13,7 @@ fn uniform(dim: usize, n: usize) -> Vec<f64> {
 
 /// Clusters inside each other, each 2^-20 of the one around it.
 fn nested(dim: usize, n: usize) -> Vec<f64> {
-    let mut random = Random::new(dim as u64);
+    let mut random = Random::new(10 + dim as u64);
     (0..n)
         .flat_map(|i| {
             let scale = 0.5f64.powi(20 * (i % 3) as i32);

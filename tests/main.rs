@@ -12,6 +12,7 @@ mod final_refinement;
 mod formats;
 mod guarantees;
 mod header;
+mod high_dimensions;
 mod instruments;
 mod pages;
 mod progress;

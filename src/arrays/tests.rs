@@ -310,15 +310,3 @@ fn there_are_no_arrays_before_a_run() {
     assert_eq!(mesh.edges().unwrap_err().kind(), ErrorKind::State);
     assert_eq!(mesh.voronoi().unwrap_err().kind(), ErrorKind::State);
 }
-
-#[test]
-fn arrays_in_eight_dimensions() {
-    let points = points::<8>(Family::Uniform, 11, &mut Random(3));
-    let mesh = meshed(&points, &delaunay()).unwrap();
-    assert_eq!(mesh.edges().unwrap().len() % 2, 0);
-    let volume: f64 = mesh.volumes().unwrap().iter().sum();
-    let shares: f64 = mesh.voronoi().unwrap().shares.iter().sum();
-    assert!((volume - shares).abs() < 1e-9 * volume.abs(), "{volume} {shares}");
-    let hull = mesh.hull().unwrap();
-    assert_eq!(hull.vertices.len(), 8 * hull.simplices.len());
-}

@@ -25,7 +25,7 @@ mod watch;
 
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::mesh::{Inputs, Triangulation};
+use crate::mesh::{Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
 use crate::parameters::Parameters;
 use state::{Cell, Mesher, Scratch, Stage, State};
@@ -42,16 +42,11 @@ pub fn run(
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
     let parameters = Parameters::resolve(inputs.dim(), options)?;
-    match inputs.dim() {
-        2 => mesh::<2>(inputs, parameters, progress),
-        3 => mesh::<3>(inputs, parameters, progress),
-        4 => mesh::<4>(inputs, parameters, progress),
-        5 => mesh::<5>(inputs, parameters, progress),
-        6 => mesh::<6>(inputs, parameters, progress),
-        7 => mesh::<7>(inputs, parameters, progress),
-        8 => mesh::<8>(inputs, parameters, progress),
-        dim => unreachable!("inputs of dimension {dim} are refused when they are made"),
-    }
+    in_dimension!(
+        inputs.dim(),
+        D => mesh::<D>(inputs, parameters, progress),
+        _ => unreachable!("inputs of other dimensions are refused when they are made")
+    )
 }
 
 fn mesh<const D: usize>(

@@ -1,13 +1,13 @@
 //! Numbers that are the same in every run, and the points that tests make of them.
 
-use rand_core::Rng;
+use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 pub struct Random(Pcg64Mcg);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Self(Pcg64Mcg::new(u128::from(seed)))
+        Self(Pcg64Mcg::seed_from_u64(seed))
     }
 
     /// A double in \[0, 1).

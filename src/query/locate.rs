@@ -1,7 +1,7 @@
 //! Which simplex holds a point: a walk from a vertex nearby, every step decided by an exact sign.
 
 use super::Index;
-use super::id_set::IdSet;
+use super::marked_ids::MarkedIds;
 use super::tree::sort_by_leaf;
 use super::view::{View, coordinates};
 use crate::memory::AllocResult;
@@ -39,7 +39,7 @@ impl From<Place> for u32 {
 #[derive(Default)]
 pub(super) struct Scratch {
     pub keys: Vec<u64>,
-    pub set: IdSet,
+    pub set: MarkedIds,
 }
 
 /// Finds the places of points one after the other.
@@ -74,7 +74,7 @@ impl<'a, const D: usize> Locator<'a, D> {
     }
 
     /// The place of a point that belongs in that leaf of the tree of all vertices.
-    pub fn place(&mut self, leaf: usize, q: &[f64; D], set: &mut IdSet) -> AllocResult<Place> {
+    pub fn place(&mut self, leaf: usize, q: &[f64; D], set: &mut MarkedIds) -> AllocResult<Place> {
         let near = self.index.all.near(leaf, q);
         let start = near.map_or(NONE, |vertex| self.index.least_simplex[vertex as usize]);
         match self.holder(start, q) {
@@ -136,7 +136,7 @@ impl<'a, const D: usize> Locator<'a, D> {
     }
 
     /// The same place in the least of all simplices that have the face.
-    fn least_place(&self, simplex: u32, face: u32, set: &mut IdSet) -> AllocResult<Place> {
+    fn least_place(&self, simplex: u32, face: u32, set: &mut MarkedIds) -> AllocResult<Place> {
         let vertices = self.view.simplex(simplex);
         let least = match face.count_ones() as usize {
             count if count == D + 1 => return Ok(Place { simplex, face }),
@@ -158,7 +158,7 @@ impl<'a, const D: usize> Locator<'a, D> {
 
     /// The least simplex that has a face of `simplex`. Those that have it are connected by facets
     /// that have it too.
-    fn least_around(&self, simplex: u32, face: u32, set: &mut IdSet) -> AllocResult<u32> {
+    fn least_around(&self, simplex: u32, face: u32, set: &mut MarkedIds) -> AllocResult<u32> {
         let mut of_face = [NONE; 8];
         let own = self.view.simplex(simplex);
         let members = (0..=D).filter(|i| face >> i & 1 == 1);

@@ -21,10 +21,10 @@
 mod barycentric;
 pub(crate) mod dual;
 mod extend;
-mod id_set;
 mod index;
 mod interpolate;
 mod locate;
+mod marked_ids;
 mod natural;
 mod nearest;
 #[cfg(test)]

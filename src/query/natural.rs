@@ -3,8 +3,8 @@
 use super::Interpolation;
 use super::barycentric::System;
 use super::dual::{Chains, dot};
-use super::id_set::IdSet;
 use super::locate::Place;
+use super::marked_ids::MarkedIds;
 use super::unit::{Unit, largest};
 use super::view::View;
 use crate::memory::{AllocResult, TryGrow};
@@ -17,7 +17,7 @@ const MAX_ERROR: f64 = 1e-6;
 /// The weights of one point, and memory to find them.
 #[derive(Default)]
 pub(super) struct Natural {
-    neighbors: IdSet,
+    neighbors: MarkedIds,
     /// Of each of the neighbours.
     weights: Vec<f64>,
     chains: Chains,
@@ -37,7 +37,7 @@ impl Natural {
         interpolation: Interpolation,
         place: Place,
         q: &[f64; D],
-        cavity: &mut IdSet,
+        cavity: &mut MarkedIds,
     ) -> AllocResult<bool> {
         if place.dimension() == Some(0) {
             return Ok(false);
@@ -79,7 +79,7 @@ impl Natural {
     fn find_neighbors<const D: usize>(
         &mut self,
         view: View<'_, D>,
-        cavity: &IdSet,
+        cavity: &MarkedIds,
     ) -> AllocResult<()> {
         self.neighbors.clear();
         self.weights.clear();
@@ -178,7 +178,7 @@ fn find_conflicts<const D: usize>(
     view: View<'_, D>,
     start: u32,
     q: &[f64; D],
-    cavity: &mut IdSet,
+    cavity: &mut MarkedIds,
 ) -> AllocResult<()> {
     cavity.clear();
     cavity.add(start, true)?;
@@ -199,7 +199,7 @@ fn find_conflicts<const D: usize>(
 }
 
 /// A unit in which the farthest of the vertices is about 1 from `q`.
-fn unit_around<const D: usize>(view: View<'_, D>, vertices: &IdSet, q: &[f64; D]) -> Unit {
+fn unit_around<const D: usize>(view: View<'_, D>, vertices: &MarkedIds, q: &[f64; D]) -> Unit {
     let points = || vertices.members().iter().map(|member| view.point(member.id));
     let magnitude = points().chain([q]).map(largest).fold(0.0, f64::max);
     let unit = Unit::of_points(magnitude);

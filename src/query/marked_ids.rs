@@ -5,7 +5,7 @@ use crate::mesh::NONE;
 
 /// Ids in the order in which they came, and an open hash table of them, at most half full.
 #[derive(Default)]
-pub(super) struct IdSet {
+pub(super) struct MarkedIds {
     members: Vec<Member>,
     /// Places in `members`, or [`NONE`].
     table: Vec<u32>,
@@ -18,7 +18,7 @@ pub(super) struct Member {
     slot: u32,
 }
 
-impl IdSet {
+impl MarkedIds {
     pub fn clear(&mut self) {
         self.members.iter().for_each(|member| self.table[member.slot as usize] = NONE);
         self.members.clear();
@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_added_since_it_was_emptied() {
-        let mut set = IdSet::default();
+        let mut set = MarkedIds::default();
         for round in 0..3u32 {
             assert_eq!(set.mark(round), None);
             for i in 0..500 {

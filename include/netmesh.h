@@ -54,6 +54,15 @@
  * NULL. buf NULL: only *needed is written, NM_OK. capacity < *needed: NM_CAPACITY, buf untouched.
  * Otherwise the first *needed elements of buf are written. O(*needed). Not during nm_run, its
  * progress callback included: NM_STATE.
+ *
+ * ARRAY GETTERS OF A SELECTION, nm_mesh_get_*(mesh, selection, buf, capacity, needed), have the same
+ * rules. selection: which simplices, NULL for all. The selection is a mesh of its own: its hull is its
+ * boundary, and a neighbour that is not in it is none. Ids are those of the whole mesh all the same,
+ * and lists of vertices have one for each vertex of the mesh. These arrays are not stored but made in
+ * each call, also in one that only asks for *needed, in time of the order of the simplices.
+ *
+ * QUERIES, nm_mesh_locate and those after it, answer any number of points in a call, on as many
+ * threads as it allows; no answer depends on the order of the points or on the threads.
  */
 
 #ifndef NETMESH_H
@@ -110,9 +119,11 @@
 
 /**
  * The initial value of an nm_counts that a function is to fill: struct_size is set, the rest is zero.
- * The three below do the same for their structs.
+ * The four below do the same for their structs.
  */
 #define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
+/** The initial value of an nm_selection: all simplices. */
+#define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
 #define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
@@ -173,6 +184,31 @@ enum nm_criterion
 };
 #ifndef __cplusplus
 typedef int32_t nm_criterion;
+#endif // __cplusplus
+
+/**
+ * nm_selection.extent: a region, and which simplices are in it.
+ */
+enum nm_extent
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Everywhere.
+     */
+    NM_EXTENT_ALL = 0,
+    /**
+     * The convex hull of the inputs.
+     */
+    NM_EXTENT_HULL = 1,
+    /**
+     * The least box that holds the inputs, its sides along the axes.
+     */
+    NM_EXTENT_BOX = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_extent;
 #endif // __cplusplus
 
 /**
@@ -238,6 +274,49 @@ enum nm_format
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
+#endif // __cplusplus
+
+/**
+ * How nm_mesh_interpolate goes on between vertices, and what it does with points outside the hull.
+ * All methods reproduce linear functions and are continuous.
+ */
+enum nm_interpolation
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Linear in each simplex. Outside the hull NaN.
+     */
+    NM_INTERPOLATION_LINEAR = 0,
+    /**
+     * By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+     * take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
+     * rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
+     * with 2^dim.
+     */
+    NM_INTERPOLATION_SIBSON = 1,
+    /**
+     * By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+     * the point's cell would share with its neighbours', over the distances. Linear where Sibson's
+     * are. Outside the hull NaN.
+     */
+    NM_INTERPOLATION_LAPLACE = 2,
+    /**
+     * As NM_INTERPOLATION_LINEAR; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_LINEAR_OR_NEAREST = 16,
+    /**
+     * As NM_INTERPOLATION_SIBSON; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_SIBSON_OR_NEAREST = 17,
+    /**
+     * As NM_INTERPOLATION_LAPLACE; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
+};
+#ifndef __cplusplus
+typedef int32_t nm_interpolation;
 #endif // __cplusplus
 
 /**
@@ -312,6 +391,32 @@ enum nm_phase
 };
 #ifndef __cplusplus
 typedef int32_t nm_phase;
+#endif // __cplusplus
+
+/**
+ * Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
+ */
+enum nm_placement
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * All of it is in the region, whose boundary is part of it. No simplex is inside a region that
+     * lies in a hyperplane.
+     */
+    NM_PLACEMENT_INSIDE = 0,
+    /**
+     * Its interior meets the region, and some of it is outside.
+     */
+    NM_PLACEMENT_ACROSS = 1,
+    /**
+     * Its interior does not meet the region.
+     */
+    NM_PLACEMENT_OUTSIDE = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_placement;
 #endif // __cplusplus
 
 /**
@@ -820,6 +925,30 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
+ * Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+ * selects all.
+ */
+typedef struct nm_selection {
+    /**
+     * sizeof(nm_selection) of the caller. Fields that a smaller struct lacks select all.
+     */
+    uint32_t struct_size;
+    /**
+     * The simplices inside this region (nm_placement).
+     */
+    nm_extent extent;
+    /**
+     * Nonzero: those across the region's boundary, too.
+     */
+    uint32_t across;
+    /**
+     * The simplices of this domain and of the domains in it; NM_NONE for all. A simplex is of the
+     * innermost domain that holds all its vertices.
+     */
+    uint32_t domain;
+} nm_selection;
+
+/**
  * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
  * distance from its vertex to its farthest corner over half the distance to the nearest other vertex;
  * it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles.
@@ -1298,6 +1427,403 @@ nm_status nm_mesh_get_domains(const struct nm_mesh *mesh,
                               uint64_t *needed);
 
 /**
+ * Makes the index that queries need, unless it is there, and tells its size. Queries make it
+ * themselves; with this call the first of them takes no longer than the others. nm_run drops it.
+ *
+ * bytes: receives the size of the index, about 8 dim + 11 bytes a vertex, and as much again but for
+ * 4 bytes an input if there are other vertices; may be NULL.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
+ * poisoned).
+ *
+ * O(simplices + vertices log vertices).
+ */
+NM_NODISCARD NM_API nm_status nm_mesh_index(const struct nm_mesh *mesh, uint64_t *bytes);
+
+/**
+ * Finds the simplex that holds each of count points, by exact signs.
+ *
+ * points: count x dim coordinates, which must be finite. They may come in any order: they are sorted
+ * inside. threads: threads to use, 0 = all cores; no answer depends on it. simplices: receives count
+ * ids, NM_NONE for a point outside the hull; on a face that several simplices share, the least of
+ * them. points and simplices may be NULL if count is 0, and must not overlap.
+ *
+ * The first query of a result makes an index (nm_mesh_index).
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, points, simplices), NM_NON_FINITE (the message names the point and
+ * the coordinate), NM_INVALID_ARGUMENT (count beyond the address space, an array not aligned),
+ * NM_OUT_OF_MEMORY (what simplices holds then is unspecified), NM_STATE (no result yet, nm_run at
+ * work, poisoned).
+ *
+ * O(log vertices) expected time for a point in meshes of bounded degree. Any number of threads may
+ * ask one mesh at the same time.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_locate(const struct nm_mesh *mesh,
+                         uint64_t count,
+                         const double *points,
+                         uint32_t threads,
+                         uint32_t *simplices);
+
+/**
+ * Finds the vertex nearest to each of count points; of several at the same exact distance the least.
+ *
+ * points, threads: as for nm_mesh_locate. vertices: receives count ids. distances: receives count
+ * distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
+ * NULL unless count is 0; they must not overlap.
+ *
+ * Errors: as nm_mesh_locate, with vertices and distances in place of simplices. O(log vertices)
+ * expected time for a point that is not far from all vertices.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_nearest(const struct nm_mesh *mesh,
+                          uint64_t count,
+                          const double *points,
+                          uint32_t threads,
+                          uint32_t *vertices,
+                          double *distances);
+
+/**
+ * As nm_mesh_nearest, among the vertices that are inputs.
+ *
+ * Errors: as nm_mesh_nearest.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_nearest_input(const struct nm_mesh *mesh,
+                                uint64_t count,
+                                const double *points,
+                                uint32_t threads,
+                                uint32_t *vertices,
+                                double *distances);
+
+/**
+ * Interpolates values that are given at the vertices.
+ *
+ * components: numbers a vertex, at least 1. values: vertices x components numbers (nm_mesh_counts);
+ * they need not be finite, and one counts only where its vertex has a weight. points, threads: as
+ * for nm_mesh_locate. out: receives count x components numbers. The arrays must not overlap.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, values, points, out), NM_INVALID_ARGUMENT (interpolation,
+ * components, a size beyond the address space, an array not aligned), and as nm_mesh_locate with out
+ * in place of simplices.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_interpolate(const struct nm_mesh *mesh,
+                              nm_interpolation interpolation,
+                              uint32_t components,
+                              const double *values,
+                              uint64_t count,
+                              const double *points,
+                              uint32_t threads,
+                              double *out);
+
+/**
+ * Extends values at the inputs to all vertices: linear in the Delaunay triangulation of the inputs,
+ * those of the nearest input beyond its hull, and everywhere if the inputs lie in a hyperplane.
+ *
+ * components: numbers an input, at least 1. input_values: inputs x components numbers, duplicates
+ * included; of equal inputs the first counts. vertex_values: receives vertices x components numbers,
+ * those of an input's vertex unchanged. The arrays must not overlap.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, input_values, vertex_values), NM_INVALID_ARGUMENT (components, an
+ * array not aligned), NM_OUT_OF_MEMORY (what vertex_values holds then is unspecified), NM_STATE (no
+ * result yet, nm_run at work, poisoned).
+ *
+ * Each call triangulates the inputs, which may take time and memory of order n^ceil(dim/2): pass all
+ * components at once. As many threads as nm_options.threads of the run allowed.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_extend_values(const struct nm_mesh *mesh,
+                                uint32_t components,
+                                const double *input_values,
+                                double *vertex_values);
+
+/**
+ * Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
+ * NM_EXTENT_ALL: all are inside.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
+ * (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
+ * poisoned).
+ *
+ * The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their hull;
+ * a byte per simplex is kept until the next nm_run.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_placements(const struct nm_mesh *mesh,
+                                 nm_extent extent,
+                                 uint8_t *buf,
+                                 uint64_t capacity,
+                                 uint64_t *needed);
+
+/**
+ * Writes the ids of the simplices of a selection, ascending. Arrays with a row for each simplex of a
+ * selection have them in this order.
+ *
+ * Array getter of a selection, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh),
+ * NM_INVALID_ARGUMENT (a field of the selection; the message names it; buf not aligned), NM_CAPACITY,
+ * NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_selected(const struct nm_mesh *mesh,
+                               const struct nm_selection *selection,
+                               uint32_t *buf,
+                               uint64_t capacity,
+                               uint64_t *needed);
+
+/**
+ * Writes the edges: edges x 2 vertex ids, the less first, in lexicographic order.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_edges(const struct nm_mesh *mesh,
+                            const struct nm_selection *selection,
+                            uint32_t *buf,
+                            uint64_t capacity,
+                            uint64_t *needed);
+
+/**
+ * Writes the facets: facets x dim vertex ids. They are ordered by their first simplex
+ * (nm_mesh_get_facet_simplices) and by the place of the vertex opposite in it, and oriented as on the
+ * boundary of that simplex: outwards, as the hull is.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_facets(const struct nm_mesh *mesh,
+                             const struct nm_selection *selection,
+                             uint32_t *buf,
+                             uint64_t capacity,
+                             uint64_t *needed);
+
+/**
+ * Writes the simplices of each facet: facets x 2 simplex ids, the less first; NM_NONE in place of the
+ * second on the hull of the selection.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_facet_simplices(const struct nm_mesh *mesh,
+                                      const struct nm_selection *selection,
+                                      uint32_t *buf,
+                                      uint64_t capacity,
+                                      uint64_t *needed);
+
+/**
+ * Writes the hull, the facets that only one simplex of the selection has: facets x dim vertex ids,
+ * oriented outwards. They go counterclockwise round the mesh in 2D, and counterclockwise for who looks
+ * at them from outside in 3D; in any dimension a point inside before them makes a positively oriented
+ * simplex.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_hull(const struct nm_mesh *mesh,
+                           const struct nm_selection *selection,
+                           uint32_t *buf,
+                           uint64_t capacity,
+                           uint64_t *needed);
+
+/**
+ * Writes the simplex of each facet of nm_mesh_get_hull.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_hull_simplices(const struct nm_mesh *mesh,
+                                     const struct nm_selection *selection,
+                                     uint32_t *buf,
+                                     uint64_t capacity,
+                                     uint64_t *needed);
+
+/**
+ * Writes the simplices of each vertex, one vertex after the other, each time ascending; where the lists
+ * begin tells nm_mesh_get_vertex_simplex_starts.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_vertex_simplices(const struct nm_mesh *mesh,
+                                       const struct nm_selection *selection,
+                                       uint32_t *buf,
+                                       uint64_t capacity,
+                                       uint64_t *needed);
+
+/**
+ * Writes where the list of each vertex begins in nm_mesh_get_vertex_simplices, and at the end its
+ * length: vertices + 1 numbers. Vertices without a simplex of the selection have empty lists.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_vertex_simplex_starts(const struct nm_mesh *mesh,
+                                            const struct nm_selection *selection,
+                                            uint64_t *buf,
+                                            uint64_t capacity,
+                                            uint64_t *needed);
+
+/**
+ * Writes the vertices that share an edge with each vertex, one vertex after the other, each time
+ * ascending; where the lists begin tells nm_mesh_get_vertex_neighbor_starts.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_vertex_neighbors(const struct nm_mesh *mesh,
+                                       const struct nm_selection *selection,
+                                       uint32_t *buf,
+                                       uint64_t capacity,
+                                       uint64_t *needed);
+
+/**
+ * Writes where the list of each vertex begins in nm_mesh_get_vertex_neighbors, and at the end its
+ * length: vertices + 1 numbers.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_vertex_neighbor_starts(const struct nm_mesh *mesh,
+                                             const struct nm_selection *selection,
+                                             uint64_t *buf,
+                                             uint64_t capacity,
+                                             uint64_t *needed);
+
+/**
+ * Writes the circumcentres: simplices x dim coordinates, exact up to 1e-12 of the circumradius and a
+ * rounding. Infinite where a coordinate exceeds the doubles.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_circumcenters(const struct nm_mesh *mesh,
+                                    const struct nm_selection *selection,
+                                    double *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Writes the circumradius of each simplex, exact up to a relative error of 1e-12, or to 2^-1074 if
+ * subnormal. Infinite beyond the doubles.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_circumradii(const struct nm_mesh *mesh,
+                                  const struct nm_selection *selection,
+                                  double *buf,
+                                  uint64_t capacity,
+                                  uint64_t *needed);
+
+/**
+ * Writes the volume of each simplex (its area in 2D), exact up to a relative error of 1e-12, or to
+ * 2^-1074 if subnormal; 0 below the doubles and infinite beyond.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_volumes(const struct nm_mesh *mesh,
+                              const struct nm_selection *selection,
+                              double *buf,
+                              uint64_t capacity,
+                              uint64_t *needed);
+
+/**
+ * Writes the Voronoi cells: the simplices whose circumcentres are the corners of each vertex's cell, one
+ * vertex after the other. In 2D counterclockwise, from one end to the other where the cell is unbounded;
+ * else ascending. Where the lists begin tells nm_mesh_get_region_starts.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_regions(const struct nm_mesh *mesh,
+                              const struct nm_selection *selection,
+                              uint32_t *buf,
+                              uint64_t capacity,
+                              uint64_t *needed);
+
+/**
+ * Writes where the list of each vertex begins in nm_mesh_get_regions, and at the end its length:
+ * vertices + 1 numbers.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_region_starts(const struct nm_mesh *mesh,
+                                    const struct nm_selection *selection,
+                                    uint64_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Writes the volume of each vertex's Voronoi cell, infinite where the cell is unbounded: the vertex is
+ * on the hull of the selection, or in no simplex of it. Computed in doubles from circumcentres.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_region_volumes(const struct nm_mesh *mesh,
+                                     const struct nm_selection *selection,
+                                     double *buf,
+                                     uint64_t capacity,
+                                     uint64_t *needed);
+
+/**
+ * Writes what each vertex's Voronoi cell adds to the volume of the mesh: its volume if it is bounded;
+ * else what the simplices at the vertex have of it, which may be negative next to obtuse simplices. The
+ * shares of all vertices add up to the volume of the simplices.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_region_shares(const struct nm_mesh *mesh,
+                                    const struct nm_selection *selection,
+                                    double *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Writes the ridges, the facets of Voronoi cells: one for each edge, in the order of nm_mesh_get_edges,
+ * between the cells of its ends. A ridge is the list of simplices whose circumcentres are its corners, in
+ * 3D in their order round it, from one end to the other where it is unbounded; else ascending. Where the
+ * lists begin tells nm_mesh_get_ridge_starts.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_ridge_corners(const struct nm_mesh *mesh,
+                                    const struct nm_selection *selection,
+                                    uint32_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Writes where the list of each ridge begins in nm_mesh_get_ridge_corners, and at the end its length:
+ * edges + 1 numbers.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_ridge_starts(const struct nm_mesh *mesh,
+                                   const struct nm_selection *selection,
+                                   uint64_t *buf,
+                                   uint64_t capacity,
+                                   uint64_t *needed);
+
+/**
+ * Writes 1 for each ridge that is bounded, 0 for those whose edge is on the hull of the selection: one
+ * byte per edge.
+ *
+ * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
+                                    const struct nm_selection *selection,
+                                    uint8_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
  * Measures the quality of the mesh. O(vertices + simplices).
  *
  * quality: the caller sets struct_size.
@@ -1374,6 +1900,33 @@ nm_status nm_export_write(const struct nm_mesh *mesh,
                           nm_format format,
                           nm_write_fn write,
                           void *user_data);
+
+/**
+ * As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
+ * numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+ *
+ * selection: NULL for all.
+ *
+ * Errors: as nm_export, and NM_INVALID_ARGUMENT (a field of the selection; the message names it).
+ */
+NM_NODISCARD NM_API
+nm_status nm_export_selected(const struct nm_mesh *mesh,
+                             const struct nm_selection *selection,
+                             const char *path_utf8,
+                             nm_format format);
+
+/**
+ * As nm_export_write, with a selection only, as nm_export_selected has it.
+ *
+ * Errors: as nm_export_write, and NM_INVALID_ARGUMENT (a field of the selection; the message names
+ * it).
+ */
+NM_NODISCARD NM_API
+nm_status nm_export_write_selected(const struct nm_mesh *mesh,
+                                   const struct nm_selection *selection,
+                                   nm_format format,
+                                   nm_write_fn write,
+                                   void *user_data);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -80,6 +80,25 @@ struct options {
     bool instruments = false;
 };
 
+// Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
+struct selection {
+    nm_extent extent = NM_EXTENT_ALL;
+    bool across = false;
+    std::uint32_t domain = NM_NONE;
+};
+
+// What nearest() found, for each of the points.
+struct nearest_vertices {
+    std::vector<std::uint32_t> vertices;
+    std::vector<double> distances;
+};
+
+// Facets: dim vertices each, and the simplices that have them.
+struct facet_tables {
+    table<std::uint32_t> vertices;
+    table<std::uint32_t> simplices;
+};
+
 // Points, and after run() their mesh. Moves, does not copy; with a moved-from mesh everything but
 // assignment and destruction fails with NM_NULL_ARGUMENT.
 class mesh {
@@ -188,6 +207,170 @@ public:
         return array<nm_domain>(nm_mesh_get_domains);
     }
 
+    // Arrays of a selection, which are made in each call; ids are those of the whole mesh. First the
+    // ids of its simplices; arrays with a row for each simplex are in this order.
+    result<std::vector<std::uint32_t>> try_selected(const selection &wanted = {}) const {
+        return array<std::uint32_t>(nm_mesh_get_selected, wanted);
+    }
+
+    // edges x 2 vertex ids, the less first.
+    result<table<std::uint32_t>> try_edges(const selection &wanted = {}) const {
+        return in_rows(array<std::uint32_t>(nm_mesh_get_edges, wanted), 2);
+    }
+
+    // Facets and the two simplices of each; NM_NONE in place of the second on the hull.
+    result<facet_tables> try_facets(const selection &wanted = {}) const {
+        return facets_of(nm_mesh_get_facets, nm_mesh_get_facet_simplices, wanted, 2);
+    }
+
+    // The facets on the hull, oriented outwards, and the simplex of each.
+    result<facet_tables> try_hull(const selection &wanted = {}) const {
+        return facets_of(nm_mesh_get_hull, nm_mesh_get_hull_simplices, wanted, 1);
+    }
+
+    // For each vertex the simplices that have it.
+    result<lists<std::uint32_t>> try_vertex_simplices(const selection &wanted = {}) const {
+        return lists_of(nm_mesh_get_vertex_simplices, nm_mesh_get_vertex_simplex_starts, wanted);
+    }
+
+    // For each vertex those that share an edge with it.
+    result<lists<std::uint32_t>> try_vertex_neighbors(const selection &wanted = {}) const {
+        return lists_of(nm_mesh_get_vertex_neighbors, nm_mesh_get_vertex_neighbor_starts, wanted);
+    }
+
+    // simplices x dim coordinates.
+    result<table<double>> try_circumcenters(const selection &wanted = {}) const {
+        return points_of<double>(nm_mesh_get_circumcenters, wanted);
+    }
+
+    result<std::vector<double>> try_circumradii(const selection &wanted = {}) const {
+        return array<double>(nm_mesh_get_circumradii, wanted);
+    }
+
+    result<std::vector<double>> try_volumes(const selection &wanted = {}) const {
+        return array<double>(nm_mesh_get_volumes, wanted);
+    }
+
+    // Voronoi cells: for each vertex the simplices whose circumcentres are the corners of its cell.
+    result<lists<std::uint32_t>> try_regions(const selection &wanted = {}) const {
+        return lists_of(nm_mesh_get_regions, nm_mesh_get_region_starts, wanted);
+    }
+
+    // Volumes of Voronoi cells, infinite where unbounded.
+    result<std::vector<double>> try_region_volumes(const selection &wanted = {}) const {
+        return array<double>(nm_mesh_get_region_volumes, wanted);
+    }
+
+    // What each Voronoi cell adds to the volume of the mesh.
+    result<std::vector<double>> try_region_shares(const selection &wanted = {}) const {
+        return array<double>(nm_mesh_get_region_shares, wanted);
+    }
+
+    // Facets of Voronoi cells: for each edge the simplices whose circumcentres are the corners.
+    result<lists<std::uint32_t>> try_ridge_corners(const selection &wanted = {}) const {
+        return lists_of(nm_mesh_get_ridge_corners, nm_mesh_get_ridge_starts, wanted);
+    }
+
+    // 1 for each ridge that is bounded, else 0.
+    result<std::vector<std::uint8_t>> try_ridge_bounded(const selection &wanted = {}) const {
+        return array<std::uint8_t>(nm_mesh_get_ridge_bounded, wanted);
+    }
+
+    // An nm_placement per simplex.
+    result<std::vector<std::uint8_t>> try_placements(nm_extent extent) const {
+        return fetched<std::uint8_t>(
+            [this, extent](std::uint8_t *buf, std::uint64_t capacity, std::uint64_t *needed) {
+                return nm_mesh_get_placements(handle_, extent, buf, capacity, needed);
+            });
+    }
+
+    // Makes the index that queries need, which the first of them does otherwise; tells its bytes.
+    result<std::uint64_t> try_index() const {
+        std::uint64_t bytes = 0;
+        nm_status status = nm_mesh_index(handle_, &bytes);
+        return status == NM_OK ? result<std::uint64_t>(bytes) : detail::failed(status);
+    }
+
+    // The simplex that holds each of the points, dim coordinates each; NM_NONE outside.
+    result<std::vector<std::uint32_t>> try_locate(span<const double> points,
+                                                  std::uint32_t threads = 1) const {
+        result<std::size_t> count = count_of(points);
+        if (!count) {
+            return failure{count.status(), count.message()};
+        }
+        return detail::allocating("the ids", [&]() -> result<std::vector<std::uint32_t>> {
+            std::vector<std::uint32_t> found(*count);
+            nm_status status =
+                nm_mesh_locate(handle_, *count, points.data(), threads, found.data());
+            if (status != NM_OK) {
+                return detail::failed(status);
+            }
+            return found;
+        });
+    }
+
+    // The vertex nearest to each of the points, and its distance.
+    result<nearest_vertices> try_nearest(span<const double> points,
+                                         std::uint32_t threads = 1) const {
+        return nearest_by(nm_mesh_nearest, points, threads);
+    }
+
+    // The same among the vertices that are inputs.
+    result<nearest_vertices> try_nearest_input(span<const double> points,
+                                               std::uint32_t threads = 1) const {
+        return nearest_by(nm_mesh_nearest_input, points, threads);
+    }
+
+    // Values at the points, components each, of those at the vertices.
+    result<table<double>> try_interpolate(nm_interpolation interpolation, std::uint32_t components,
+                                          span<const double> values, span<const double> points,
+                                          std::uint32_t threads = 1) const {
+        result<std::size_t> count = count_of(points);
+        if (!count) {
+            return failure{count.status(), count.message()};
+        }
+        result<nm_counts> counted = try_counts();
+        if (!counted) {
+            return failure{counted.status(), counted.message()};
+        }
+        if (components == 0 || values.size() != counted->vertices * components) {
+            return wrong_size("values", values.size(), "vertices x components",
+                              counted->vertices * components);
+        }
+        return detail::allocating("the values", [&]() -> result<table<double>> {
+            std::vector<double> out(*count * components);
+            nm_status status =
+                nm_mesh_interpolate(handle_, interpolation, components, values.data(), *count,
+                                    points.data(), threads, out.data());
+            if (status != NM_OK) {
+                return detail::failed(status);
+            }
+            return table<double>(std::move(out), components);
+        });
+    }
+
+    // Values at all vertices, components each, of those at the inputs.
+    result<table<double>> try_extend_values(std::uint32_t components,
+                                            span<const double> input_values) const {
+        result<nm_counts> counted = try_counts();
+        if (!counted) {
+            return failure{counted.status(), counted.message()};
+        }
+        if (components == 0 || input_values.size() != counted->inputs * components) {
+            return wrong_size("input_values", input_values.size(), "inputs x components",
+                              counted->inputs * components);
+        }
+        return detail::allocating("the values", [&]() -> result<table<double>> {
+            std::vector<double> out(static_cast<std::size_t>(counted->vertices) * components);
+            nm_status status =
+                nm_mesh_extend_values(handle_, components, input_values.data(), out.data());
+            if (status != NM_OK) {
+                return detail::failed(status);
+            }
+            return table<double>(std::move(out), components);
+        });
+    }
+
     result<nm_quality> try_quality() const { return filled<nm_quality>(nm_mesh_quality); }
 
     result<nm_stats> try_stats() const { return filled<nm_stats>(nm_mesh_stats); }
@@ -203,6 +386,13 @@ public:
     // Writes a file; the path is UTF-8.
     result<void> try_save(const std::string &path_utf8, nm_format format = NM_FORMAT_AUTO) const {
         return detail::outcome(nm_export(handle_, path_utf8.c_str(), format));
+    }
+
+    // Writes a file of a selection; the path is UTF-8.
+    result<void> try_save(const std::string &path_utf8, const selection &wanted,
+                          nm_format format = NM_FORMAT_AUTO) const {
+        nm_selection which = raw(wanted);
+        return detail::outcome(nm_export_selected(handle_, &which, path_utf8.c_str(), format));
     }
 
     // Writes to a function, piece by piece.
@@ -254,11 +444,74 @@ public:
     std::vector<std::uint8_t> precision_limited() const { return try_precision_limited().value(); }
     std::vector<std::uint32_t> input_vertices() const { return try_input_vertices().value(); }
     std::vector<nm_domain> domains() const { return try_domains().value(); }
+    std::vector<std::uint32_t> selected(const selection &wanted = {}) const {
+        return try_selected(wanted).value();
+    }
+    table<std::uint32_t> edges(const selection &wanted = {}) const {
+        return try_edges(wanted).value();
+    }
+    facet_tables facets(const selection &wanted = {}) const { return try_facets(wanted).value(); }
+    facet_tables hull(const selection &wanted = {}) const { return try_hull(wanted).value(); }
+    lists<std::uint32_t> vertex_simplices(const selection &wanted = {}) const {
+        return try_vertex_simplices(wanted).value();
+    }
+    lists<std::uint32_t> vertex_neighbors(const selection &wanted = {}) const {
+        return try_vertex_neighbors(wanted).value();
+    }
+    table<double> circumcenters(const selection &wanted = {}) const {
+        return try_circumcenters(wanted).value();
+    }
+    std::vector<double> circumradii(const selection &wanted = {}) const {
+        return try_circumradii(wanted).value();
+    }
+    std::vector<double> volumes(const selection &wanted = {}) const {
+        return try_volumes(wanted).value();
+    }
+    lists<std::uint32_t> regions(const selection &wanted = {}) const {
+        return try_regions(wanted).value();
+    }
+    std::vector<double> region_volumes(const selection &wanted = {}) const {
+        return try_region_volumes(wanted).value();
+    }
+    std::vector<double> region_shares(const selection &wanted = {}) const {
+        return try_region_shares(wanted).value();
+    }
+    lists<std::uint32_t> ridge_corners(const selection &wanted = {}) const {
+        return try_ridge_corners(wanted).value();
+    }
+    std::vector<std::uint8_t> ridge_bounded(const selection &wanted = {}) const {
+        return try_ridge_bounded(wanted).value();
+    }
+    std::vector<std::uint8_t> placements(nm_extent extent) const {
+        return try_placements(extent).value();
+    }
+    std::uint64_t index() const { return try_index().value(); }
+    std::vector<std::uint32_t> locate(span<const double> points, std::uint32_t threads = 1) const {
+        return try_locate(points, threads).value();
+    }
+    nearest_vertices nearest(span<const double> points, std::uint32_t threads = 1) const {
+        return try_nearest(points, threads).value();
+    }
+    nearest_vertices nearest_input(span<const double> points, std::uint32_t threads = 1) const {
+        return try_nearest_input(points, threads).value();
+    }
+    table<double> interpolate(nm_interpolation interpolation, std::uint32_t components,
+                              span<const double> values, span<const double> points,
+                              std::uint32_t threads = 1) const {
+        return try_interpolate(interpolation, components, values, points, threads).value();
+    }
+    table<double> extend_values(std::uint32_t components, span<const double> input_values) const {
+        return try_extend_values(components, input_values).value();
+    }
     nm_quality quality() const { return try_quality().value(); }
     nm_stats stats() const { return try_stats().value(); }
     nm_report validate(std::uint32_t level = 3) const { return try_validate(level).value(); }
     void save(const std::string &path_utf8, nm_format format = NM_FORMAT_AUTO) const {
         try_save(path_utf8, format).value();
+    }
+    void save(const std::string &path_utf8, const selection &wanted,
+              nm_format format = NM_FORMAT_AUTO) const {
+        try_save(path_utf8, wanted, format).value();
     }
     void write(nm_format format, const write_function &sink) const {
         try_write(format, sink).value();
@@ -341,19 +594,60 @@ private:
     using getter = nm_status (*)(const nm_mesh *, Element *, std::uint64_t, std::uint64_t *);
 
     template <typename Element>
-    result<std::vector<Element>> array(getter<Element> fetch) const {
+    using selected_getter = nm_status (*)(const nm_mesh *, const nm_selection *, Element *,
+                                          std::uint64_t, std::uint64_t *);
+
+    // An array by whatever has the last three arguments of a getter.
+    template <typename Element, typename Fetch>
+    static result<std::vector<Element>> fetched(Fetch fetch) {
         return detail::allocating("the array", [&]() -> result<std::vector<Element>> {
             std::uint64_t needed = 0;
-            nm_status status = fetch(handle_, nullptr, 0, &needed);
+            nm_status status = fetch(nullptr, 0, &needed);
             std::vector<Element> elements(static_cast<std::size_t>(needed));
             if (status == NM_OK && needed != 0) {
-                status = fetch(handle_, elements.data(), needed, nullptr);
+                status = fetch(elements.data(), needed, nullptr);
             }
             if (status != NM_OK) {
                 return detail::failed(status);
             }
             return elements;
         });
+    }
+
+    template <typename Element>
+    result<std::vector<Element>> array(getter<Element> fetch) const {
+        return fetched<Element>([this, fetch](Element *buf, std::uint64_t capacity,
+                                              std::uint64_t *needed) {
+            return fetch(handle_, buf, capacity, needed);
+        });
+    }
+
+    template <typename Element>
+    result<std::vector<Element>> array(selected_getter<Element> fetch,
+                                       const selection &wanted) const {
+        nm_selection which = raw(wanted);
+        return fetched<Element>([this, fetch, &which](Element *buf, std::uint64_t capacity,
+                                                      std::uint64_t *needed) {
+            return fetch(handle_, &which, buf, capacity, needed);
+        });
+    }
+
+    static nm_selection raw(const selection &wanted) noexcept {
+        nm_selection which = NM_SELECTION_INIT;
+        which.extent = wanted.extent;
+        which.across = wanted.across ? 1 : 0;
+        which.domain = wanted.domain;
+        return which;
+    }
+
+    // An array in rows of so many elements.
+    template <typename Element>
+    static result<table<Element>> in_rows(result<std::vector<Element>> elements,
+                                          std::size_t width) {
+        if (!elements) {
+            return failure{elements.status(), elements.message()};
+        }
+        return table<Element>(*std::move(elements), width);
     }
 
     // An array in rows of dim + more elements.
@@ -363,11 +657,86 @@ private:
         if (!counted) {
             return failure{counted.status(), counted.message()};
         }
-        result<std::vector<Element>> elements = array<Element>(fetch);
-        if (!elements) {
-            return failure{elements.status(), elements.message()};
+        return in_rows(array<Element>(fetch), counted->dim + more);
+    }
+
+    // An array of a selection in rows of dim elements.
+    template <typename Element>
+    result<table<Element>> points_of(selected_getter<Element> fetch,
+                                     const selection &wanted) const {
+        result<nm_counts> counted = try_counts();
+        if (!counted) {
+            return failure{counted.status(), counted.message()};
         }
-        return table<Element>(*std::move(elements), counted->dim + more);
+        return in_rows(array<Element>(fetch, wanted), counted->dim);
+    }
+
+    result<facet_tables> facets_of(selected_getter<std::uint32_t> vertices_of,
+                                   selected_getter<std::uint32_t> simplices_of,
+                                   const selection &wanted, std::size_t sides) const {
+        result<table<std::uint32_t>> first = points_of<std::uint32_t>(vertices_of, wanted);
+        if (!first) {
+            return failure{first.status(), first.message()};
+        }
+        result<table<std::uint32_t>> second =
+            in_rows(array<std::uint32_t>(simplices_of, wanted), sides);
+        if (!second) {
+            return failure{second.status(), second.message()};
+        }
+        return facet_tables{*std::move(first), *std::move(second)};
+    }
+
+    result<lists<std::uint32_t>> lists_of(selected_getter<std::uint32_t> elements,
+                                          selected_getter<std::uint64_t> starts,
+                                          const selection &wanted) const {
+        result<std::vector<std::uint64_t>> begins = array<std::uint64_t>(starts, wanted);
+        if (!begins) {
+            return failure{begins.status(), begins.message()};
+        }
+        result<std::vector<std::uint32_t>> ids = array<std::uint32_t>(elements, wanted);
+        if (!ids) {
+            return failure{ids.status(), ids.message()};
+        }
+        return lists<std::uint32_t>(*std::move(begins), *std::move(ids));
+    }
+
+    static failure wrong_size(const char *name, std::uint64_t size, const char *rule,
+                              std::uint64_t wanted) {
+        return failure{NM_INVALID_ARGUMENT, std::string(name) + " holds " + std::to_string(size) +
+                                                " numbers; it must be " + rule + " = " +
+                                                std::to_string(wanted)};
+    }
+
+    // How many points coordinates make.
+    result<std::size_t> count_of(span<const double> points) const {
+        result<nm_counts> counted = try_counts();
+        if (!counted) {
+            return failure{counted.status(), counted.message()};
+        }
+        if (points.size() % counted->dim != 0) {
+            return failure{NM_INVALID_ARGUMENT, "points holds " + std::to_string(points.size()) +
+                                                    " coordinates, not a multiple of dim = " +
+                                                    std::to_string(counted->dim)};
+        }
+        return points.size() / counted->dim;
+    }
+
+    template <typename Query>
+    result<nearest_vertices> nearest_by(Query query, span<const double> points,
+                                        std::uint32_t threads) const {
+        result<std::size_t> count = count_of(points);
+        if (!count) {
+            return failure{count.status(), count.message()};
+        }
+        return detail::allocating("the vertices", [&]() -> result<nearest_vertices> {
+            nearest_vertices found{std::vector<std::uint32_t>(*count), std::vector<double>(*count)};
+            nm_status status = query(handle_, *count, points.data(), threads,
+                                     found.vertices.data(), found.distances.data());
+            if (status != NM_OK) {
+                return detail::failed(status);
+            }
+            return found;
+        });
     }
 
     nm_mesh *handle_ = nullptr;

@@ -12,6 +12,7 @@ pub(crate) mod netmesh;
 pub mod numerics;
 pub mod options;
 pub mod parameters;
+pub mod prepared;
 pub mod quality;
 pub mod query;
 mod run;

@@ -3,7 +3,7 @@
 //! corrupt) every part of it.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocError, filled, with_capacity};
+use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
 use crate::parameters::Parameters;
 
 /// No id: a hull facet's missing neighbour, the root's missing parent.
@@ -225,6 +225,23 @@ impl Inputs {
         Ok(Self { dim, coordinates, vertices, first_input })
     }
 
+    /// The inputs of a mesh that has only some of the vertices, ascending: the others have no vertex.
+    pub(crate) fn of_vertices(&self, kept: &[u32]) -> AllocResult<Self> {
+        let mut vertices = filled(self.count(), NONE)?;
+        let mut first_input = Vec::new();
+        for (new, &old) in
+            kept.iter().enumerate().filter(|&(_, &old)| (old as usize) < self.distinct())
+        {
+            let first = self.first_input[old as usize];
+            first_input.try_push(first)?;
+            vertices[first as usize] = new as u32;
+        }
+        for input in 0..self.count() {
+            vertices[input] = vertices[self.first_input[self.vertices[input] as usize] as usize];
+        }
+        Ok(Self { dim: self.dim, coordinates: copied(&self.coordinates)?, vertices, first_input })
+    }
+
     pub fn dim(&self) -> usize {
         self.dim
     }
@@ -339,7 +356,6 @@ impl Mesh {
     }
 
     /// A mesh with a result that no run made.
-    #[cfg(test)]
     pub(crate) fn from_parts(inputs: Inputs, triangulation: Triangulation) -> Self {
         Self { inputs, triangulation: Some(triangulation) }
     }

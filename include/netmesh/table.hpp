@@ -1,10 +1,11 @@
-// netmesh/table.hpp - netmesh::span and netmesh::table, the arrays of netmesh.hpp. Included by it.
+// netmesh/table.hpp - netmesh::span, netmesh::table and netmesh::lists, the arrays of netmesh.hpp. Included by it.
 // License: MIT OR Apache-2.0.
 
 #ifndef NETMESH_TABLE_HPP
 #define NETMESH_TABLE_HPP
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -164,6 +165,80 @@ private:
 
     const T *first_ = nullptr;
     std::ptrdiff_t width_ = 0;
+};
+
+// Lists of several lengths, one after the other: a range of the lists, which are spans. They live as
+// long as the whole, and until it is moved from or assigned to.
+template <typename T>
+class lists {
+public:
+    class iterator;
+    using const_iterator = iterator;
+    using value_type = span<const T>;
+    using size_type = std::size_t;
+
+    lists() noexcept = default;
+
+    // Takes elements, and where each list begins among them: one number more than there are lists,
+    // the last of them the number of elements.
+    lists(std::vector<std::uint64_t> starts, std::vector<T> elements) noexcept
+        : starts_(std::move(starts)), elements_(std::move(elements)) {}
+
+    // Lists.
+    std::size_t size() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
+    bool empty() const noexcept { return size() == 0; }
+
+    // Not checked.
+    span<const T> operator[](std::size_t i) const noexcept {
+        return {elements_.data() + starts_[i], static_cast<std::size_t>(starts_[i + 1] - starts_[i])};
+    }
+
+    iterator begin() const noexcept { return {*this, 0}; }
+    iterator end() const noexcept { return {*this, size()}; }
+
+    // All elements, and where the lists begin among them; of a temporary they are moved out.
+    const std::vector<T> &flat() const & noexcept { return elements_; }
+    std::vector<T> flat() && noexcept { return std::move(elements_); }
+    const std::vector<std::uint64_t> &starts() const & noexcept { return starts_; }
+    std::vector<std::uint64_t> starts() && noexcept { return std::move(starts_); }
+
+    friend bool operator==(const lists &a, const lists &b) {
+        return a.starts_ == b.starts_ && a.elements_ == b.elements_;
+    }
+    friend bool operator!=(const lists &a, const lists &b) { return !(a == b); }
+
+private:
+    std::vector<std::uint64_t> starts_;
+    std::vector<T> elements_;
+};
+
+// Forward.
+template <typename T>
+class lists<T>::iterator {
+public:
+    using iterator_category = std::input_iterator_tag;
+#if defined(__cpp_lib_ranges)
+    using iterator_concept = std::forward_iterator_tag;
+#endif
+    using value_type = span<const T>;
+    using difference_type = std::ptrdiff_t;
+    using reference = span<const T>;
+    using pointer = void;
+
+    iterator() noexcept = default;
+
+    span<const T> operator*() const noexcept { return (*lists_)[at_]; }
+    iterator &operator++() noexcept { ++at_; return *this; }
+    iterator operator++(int) noexcept { iterator old = *this; ++at_; return old; }
+    friend bool operator==(iterator a, iterator b) noexcept { return a.at_ == b.at_; }
+    friend bool operator!=(iterator a, iterator b) noexcept { return a.at_ != b.at_; }
+
+private:
+    friend lists;
+    iterator(const lists &of, std::size_t at) noexcept : lists_(&of), at_(at) {}
+
+    const lists *lists_ = nullptr;
+    std::size_t at_ = 0;
 };
 
 }  // namespace netmesh

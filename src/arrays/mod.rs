@@ -16,20 +16,29 @@
 //! | [`Part::vertex_neighbors`] | vertices round each vertex, ascending | a list a vertex |
 //! | [`Part::circumcenters`] | circumcentres and radii | simplices x dim, simplices |
 //! | [`Part::volumes`] | volumes | simplices |
-//! | [`Part::voronoi`] | Voronoi cells and their facets | see [`Voronoi`] |
+//! | [`Part::regions`] | simplices whose circumcentres are the corners of each vertex's Voronoi cell | a list a vertex |
+//! | [`Part::cells`] | which cells are bounded, their volumes | vertices |
+//! | [`Part::ridges`] | facets of Voronoi cells | edges x 2, a list an edge |
+//! | [`ConvexHull::placements`], [`placements_in_box`] | where each simplex lies | simplices |
 
 mod circumcenters;
+pub(crate) mod domains;
 mod faces;
+mod placement;
+mod selection;
+mod separation;
 mod stars;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod volumes;
 mod voronoi;
 
 pub use circumcenters::Circumcenters;
 pub use faces::{Facets, Hull};
+pub use placement::{ConvexHull, Placement, placements_in_box};
+pub use selection::{Extent, Selection};
 pub use stars::Lists;
-pub use voronoi::Voronoi;
+pub use voronoi::{Cells, Ridges, Voronoi};
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::{Mesh, NONE, Triangulation};

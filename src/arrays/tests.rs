@@ -135,7 +135,7 @@ fn circumcenters_are_right<const D: usize>(count: usize) {
     each_mesh::<D>(count, |mesh, family| {
         let triangulation = mesh.triangulation().unwrap();
         let found = mesh.circumcenters().unwrap();
-        for (simplex, radius) in found.radii.iter().enumerate().step_by(5) {
+        for (simplex, radius) in found.radii.iter().enumerate().step_by(7).take(30) {
             let vertices = triangulation.simplex(simplex).iter();
             let points: Vec<&[f64; D]> =
                 vertices.map(|&v| triangulation.point(v).try_into().unwrap()).collect();
@@ -189,8 +189,8 @@ fn shares_add_up<const D: usize>(count: usize) {
         if !(1e-280..1e280).contains(&volume) || !size.is_finite() {
             return;
         }
-        // Chains through needles lose digits: their short edges end in a plane far from the base.
-        let accepted = if family == Family::FarCluster { 1e-7 } else { 1e-9 };
+        // Needles whose axes differ by 2^120 have cells that cancel to nothing.
+        let accepted = if family == Family::MixedScales { 1e-4 } else { 1e-9 };
         let error = (shared - volume).abs() / size;
         assert!(error <= accepted, "{family:?}: {shared} {volume} {size}");
         for (vertex, &bounded) in voronoi.is_bounded.iter().enumerate() {
@@ -243,7 +243,8 @@ fn cells_in_the_plane_are_polygons_in_counterclockwise_order() {
     for options in [Options::default(), delaunay()] {
         let mesh = meshed(&points, &options).unwrap();
         let (voronoi, centers) = (mesh.voronoi().unwrap(), mesh.circumcenters().unwrap().centers);
-        let cells = voronoi.regions.iter().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
+        let cells =
+            voronoi.regions.iter().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
         for ((region, volume), bounded) in cells {
             let corners = corners::<2>(&centers, region);
             let next = corners.iter().cycle().skip(1);

@@ -13,50 +13,54 @@ use crate::query::view::View;
 /// circumcentre ([`Part::circumcenters`]); corners of cospherical simplices are one point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Voronoi {
-    /// For each vertex the simplices whose corners its cell has: counterclockwise in 2D, from one
-    /// end to the other where the cell is unbounded; else ascending.
+    /// As [`Part::regions`].
     pub regions: Lists,
-    /// For each vertex whether its cell is bounded: it has simplices, and none of them is on the
-    /// hull at the vertex.
+    /// As those of [`Cells`].
     pub is_bounded: Vec<bool>,
-    /// For each vertex the volume of its cell, infinite if that is unbounded.
     pub volumes: Vec<f64>,
-    /// For each vertex what its cell adds to the volume of the mesh: that of the cell if it is
-    /// bounded; else what the simplices at the vertex have of it, which may be negative next to
-    /// obtuse simplices. All together are the volume of the mesh.
     pub shares: Vec<f64>,
-    /// `ridges x 2` vertices: the facets of cells, between the cells of two vertices each. They are
-    /// the edges, in their order ([`Part::edges`]).
+    /// As the vertices, the corners and what is bounded in [`Ridges`].
     pub ridges: Vec<u32>,
-    /// For each ridge the simplices whose corners it has: in 3D in their order round the ridge, from
-    /// one end to the other where it is unbounded; else ascending.
     pub ridge_corners: Lists,
-    /// For each ridge whether it is bounded: its edge is not on the hull.
     pub is_ridge_bounded: Vec<bool>,
 }
 
+/// What the cell of each vertex is like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    /// Whether the cell is bounded: the vertex has simplices, and is not on the hull.
+    pub is_bounded: Vec<bool>,
+    /// The volume of the cell, infinite if that is unbounded.
+    pub volumes: Vec<f64>,
+    /// What the cell adds to the volume of the mesh: that of the cell if it is bounded; else what the
+    /// simplices at the vertex have of it, which may be negative next to obtuse simplices. All
+    /// together are the volume of the mesh.
+    pub shares: Vec<f64>,
+}
+
+/// The facets of cells, each between the cells of the two ends of an edge; in the order of
+/// [`Part::edges`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ridges {
+    /// `ridges x 2` vertices: the edges.
+    pub vertices: Vec<u32>,
+    /// For each ridge the simplices whose corners it has: in 3D in their order round the ridge, from
+    /// one end to the other where it is unbounded; else ascending.
+    pub corners: Lists,
+    /// For each ridge whether it is bounded: its edge is not on the hull.
+    pub is_bounded: Vec<bool>,
+}
+
 impl Part<'_> {
-    /// The Voronoi diagram. Of a part that is not all of the mesh, a cell is bounded if all simplices
-    /// at its vertex are in the part.
-    ///
-    /// Volumes are computed in doubles from circumcentres, in a unit of each cell: no step of it
-    /// overflows or underflows where the cell's volume does not. O(2^dim dim) for each simplex and
-    /// vertex of it.
+    /// The Voronoi diagram: what the three functions below answer.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn voronoi(&self) -> Result<Voronoi> {
-        let regions = self.vertex_simplices()?;
-        let ridges = self.edges()?;
-        let (is_bounded, hull) = self.bounded_cells()?;
-        let (ridge_corners, is_ridge_bounded) = self.ridge_corners(&regions, &ridges, &hull)?;
-        let shares = in_dimension!(
-            self.mesh.dim, D => shares::<D>(self, &regions), _ => Ok(Vec::new())
-        )?;
-        let mut volumes = with_capacity(shares.len())?;
-        let of_cell = |(&share, &bounded)| if bounded { share } else { f64::INFINITY };
-        volumes.extend(shares.iter().zip(&is_bounded).map(of_cell));
-        let regions = if self.mesh.dim == 2 { self.in_order(&regions)? } else { regions };
+        let Cells { is_bounded, volumes, shares } = self.cells()?;
+        let Ridges { vertices: ridges, corners, is_bounded: is_ridge_bounded } = self.ridges()?;
+        let regions = self.regions()?;
+        let ridge_corners = corners;
         Ok(Voronoi {
             regions,
             is_bounded,
@@ -66,6 +70,48 @@ impl Part<'_> {
             ridge_corners,
             is_ridge_bounded,
         })
+    }
+
+    /// For each vertex the simplices whose corners its Voronoi cell has: counterclockwise in 2D, from
+    /// one end to the other where the cell is unbounded; else ascending. O(simplices).
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn regions(&self) -> Result<Lists> {
+        let stars = self.vertex_simplices()?;
+        Ok(if self.mesh.dim == 2 { self.in_order(&stars)? } else { stars })
+    }
+
+    /// Which cells are bounded, and their volumes. Of a part that is not all of the mesh, a cell is
+    /// bounded if all simplices at its vertex are in the part.
+    ///
+    /// Volumes are computed in doubles from circumcentres, in a unit of each cell: no step overflows
+    /// or underflows where the cell's volume does not. O(2^dim dim) for each simplex and vertex of
+    /// it.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn cells(&self) -> Result<Cells> {
+        let stars = self.vertex_simplices()?;
+        let (is_bounded, _) = self.bounded_cells()?;
+        let shares =
+            in_dimension!(self.mesh.dim, D => shares::<D>(self, &stars), _ => Ok(Vec::new()))?;
+        let mut volumes = with_capacity(shares.len())?;
+        let of_cell = |(&share, &bounded)| if bounded { share } else { f64::INFINITY };
+        volumes.extend(shares.iter().zip(&is_bounded).map(of_cell));
+        Ok(Cells { is_bounded, volumes, shares })
+    }
+
+    /// The facets of the Voronoi cells. O(edges x simplices at a vertex).
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn ridges(&self) -> Result<Ridges> {
+        let (_, hull) = self.bounded_cells()?;
+        let vertices = self.edges()?;
+        let (corners, is_bounded) =
+            self.ridge_corners(&self.vertex_simplices()?, &vertices, &hull)?;
+        Ok(Ridges { vertices, corners, is_bounded })
     }
 
     /// Vertex -> whether its cell is bounded; simplex -> the places of its vertices opposite the
@@ -93,7 +139,7 @@ impl Part<'_> {
 
     fn ridge_corners(
         &self,
-        regions: &Lists,
+        stars: &Lists,
         ridges: &[u32],
         hull: &[u16],
     ) -> AllocResult<(Lists, Vec<bool>)> {
@@ -103,8 +149,8 @@ impl Part<'_> {
         let (mut round, mut fans) = (Vec::new(), Fans::default());
         for ends in ridges.chunks_exact(2) {
             round.clear();
-            let others = regions.of(ends[1] as usize);
-            for &simplex in regions.of(ends[0] as usize) {
+            let others = stars.of(ends[1] as usize);
+            for &simplex in stars.of(ends[0] as usize) {
                 if others.binary_search(&simplex).is_ok() {
                     round.try_push(simplex)?;
                 }

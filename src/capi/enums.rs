@@ -1,10 +1,12 @@
 //! The enums of the boundary. C passes any 32 bits: a parameter or field that C fills is a
 //! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`decode`].
 
+use crate::arrays::{Extent, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
 use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
+use crate::query::{Interpolation, Method, Outside};
 use std::mem::MaybeUninit;
 
 /// What every fallible function answers. Values are fixed; later versions only append. Whatever is
@@ -172,6 +174,58 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
     value as u8
 }
 
+/// How nm_mesh_interpolate goes on between vertices, and what it does with points outside the hull.
+/// All methods reproduce linear functions and are continuous.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_interpolation {
+    /// Linear in each simplex. Outside the hull NaN.
+    NM_INTERPOLATION_LINEAR = 0,
+    /// By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+    /// take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
+    /// rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
+    /// with 2^dim.
+    NM_INTERPOLATION_SIBSON = 1,
+    /// By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+    /// the point's cell would share with its neighbours', over the distances. Linear where Sibson's
+    /// are. Outside the hull NaN.
+    NM_INTERPOLATION_LAPLACE = 2,
+    /// As NM_INTERPOLATION_LINEAR; outside the hull the values of the nearest vertex.
+    NM_INTERPOLATION_LINEAR_OR_NEAREST = 16,
+    /// As NM_INTERPOLATION_SIBSON; outside the hull the values of the nearest vertex.
+    NM_INTERPOLATION_SIBSON_OR_NEAREST = 17,
+    /// As NM_INTERPOLATION_LAPLACE; outside the hull the values of the nearest vertex.
+    NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
+}
+
+/// nm_selection.extent: a region, and which simplices are in it.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_extent {
+    /// Everywhere.
+    NM_EXTENT_ALL = 0,
+    /// The convex hull of the inputs.
+    NM_EXTENT_HULL = 1,
+    /// The least box that holds the inputs, its sides along the axes.
+    NM_EXTENT_BOX = 2,
+}
+
+/// Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_placement {
+    /// All of it is in the region, whose boundary is part of it. No simplex is inside a region that
+    /// lies in a hyperplane.
+    NM_PLACEMENT_INSIDE = 0,
+    /// Its interior meets the region, and some of it is outside.
+    NM_PLACEMENT_ACROSS = 1,
+    /// Its interior does not meet the region.
+    NM_PLACEMENT_OUTSIDE = 2,
+}
+
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
 /// before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
 /// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the points are read.
@@ -242,6 +296,42 @@ pub(super) fn decode_ordering(raw: MaybeUninit<nm_ordering>) -> Result<NetOrderi
 
 pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criterion> {
     decode("options.criterion", raw, [Criterion::VoronoiAspect, Criterion::RadiusEdge])
+}
+
+pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Result<Extent> {
+    decode(argument, raw, [Extent::All, Extent::Hull, Extent::Box])
+}
+
+pub(super) fn decode_interpolation(raw: MaybeUninit<nm_interpolation>) -> Result<Method> {
+    let value = bits(raw);
+    let interpolation = match value & 15 {
+        0 => Some(Interpolation::Linear),
+        1 => Some(Interpolation::Sibson),
+        2 => Some(Interpolation::Laplace),
+        _ => None,
+    };
+    let outside = match value >> 4 {
+        0 => Some(Outside::Nan),
+        1 => Some(Outside::Nearest),
+        _ => None,
+    };
+    interpolation
+        .zip(outside)
+        .map(|(interpolation, outside)| Method { interpolation, outside })
+        .ok_or_else(|| {
+            let message = message!("interpolation is {value}; it must be in 0..=2 or in 16..=18");
+            Error::new(ErrorKind::InvalidArgument, message)
+        })
+}
+
+/// The byte of a placement at the boundary.
+pub(super) fn placement_byte(placement: Placement) -> u8 {
+    let value = match placement {
+        Placement::Inside => nm_placement::NM_PLACEMENT_INSIDE,
+        Placement::Across => nm_placement::NM_PLACEMENT_ACROSS,
+        Placement::Outside => nm_placement::NM_PLACEMENT_OUTSIDE,
+    };
+    value as u8
 }
 
 /// `by_value[raw]`, or `InvalidArgument` naming the field, the value and the range.

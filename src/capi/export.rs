@@ -1,11 +1,15 @@
 //! Writing meshes to files and to callbacks.
 
+use super::arrays::read_selection;
 use super::enums::{decode_format, nm_format, nm_status};
 use super::error::null_argument;
-use super::handle::{nm_mesh, with_mesh};
+use super::getters::result;
+use super::handle::{nm_mesh, with_mesh, with_prepared};
 use super::memory::utf8_path;
+use super::structs::nm_selection;
+use crate::arrays::Selection;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::io::{self, Buffered};
+use crate::io::{self, Buffered, Format};
 use crate::mesh::Mesh;
 use std::ffi::{c_char, c_void};
 use std::io::Write;
@@ -66,17 +70,94 @@ pub unsafe extern "C" fn nm_export_write(
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let format = decode_format(format)?;
-        let callback = write.ok_or_else(|| null_argument("write"))?;
-        let send = |bytes: &[u8]| {
-            // SAFETY: the caller's function, with the caller's `user_data`.
-            unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
-        };
-        write_through(send, |out| io::write(mesh, format, out))
-    };
+    // SAFETY: the caller's function, with the caller's `user_data`.
+    let body = |mesh: &Mesh| unsafe { write_to_callback(mesh, format, write, user_data) };
     // SAFETY: the caller gave NULL or a live handle.
     unsafe { with_mesh(mesh, body) }
+}
+
+/// # Safety
+/// `write` may be called with `user_data`.
+unsafe fn write_to_callback(
+    mesh: &Mesh,
+    format: MaybeUninit<nm_format>,
+    write: nm_write_fn,
+    user_data: *mut c_void,
+) -> Result<()> {
+    let format = decode_format(format)?;
+    let callback = write.ok_or_else(|| null_argument("write"))?;
+    let send = |bytes: &[u8]| {
+        // SAFETY: the caller's promise.
+        unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
+    };
+    write_through(send, |out| io::write(mesh, format, out))
+}
+
+/// As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
+/// numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+///
+/// selection: NULL for all.
+///
+/// Errors: as nm_export, and NM_INVALID_ARGUMENT (a field of the selection; the message names it).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_export_selected(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    path_utf8: *const c_char,
+    format: MaybeUninit<nm_format>,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        // SAFETY: the caller gave NULL or a C string.
+        let path = unsafe { utf8_path(path_utf8)? };
+        io::write_file(mesh, path, decode_format(format)?)
+    };
+    // SAFETY: the caller's promises are those of `with_selected`.
+    unsafe { with_selected(mesh, selection, format, body) }
+}
+
+/// As nm_export_write, with a selection only, as nm_export_selected has it.
+///
+/// Errors: as nm_export_write, and NM_INVALID_ARGUMENT (a field of the selection; the message names
+/// it).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_export_write_selected(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    format: MaybeUninit<nm_format>,
+    write: nm_write_fn,
+    user_data: *mut c_void,
+) -> nm_status {
+    // SAFETY: the caller's function, with the caller's `user_data`.
+    let body = |mesh: &Mesh| unsafe { write_to_callback(mesh, format, write, user_data) };
+    // SAFETY: the caller's promises are those of `with_selected`.
+    unsafe { with_selected(mesh, selection, format, body) }
+}
+
+/// Runs `body` on the mesh of a selection.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle, `selection` NULL or as long as its `struct_size` says.
+unsafe fn with_selected(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    format: MaybeUninit<nm_format>,
+    body: impl FnOnce(&Mesh) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with_prepared(mesh, |mesh, prepared| {
+            let selection = read_selection(selection)?;
+            if selection == Selection::default() {
+                return body(mesh);
+            }
+            if decode_format(format)? == Format::DomainsJson {
+                let rule = "format is NM_FORMAT_DOMAINS_JSON, which takes no selection";
+                return Err(Error::new(ErrorKind::InvalidArgument, rule));
+            }
+            result(mesh)?;
+            body(&prepared.part(mesh, &selection)?.to_mesh(mesh.inputs())?)
+        })
+    }
 }
 
 /// Runs `export` on a buffered writer whose bytes go to `send`; nonzero stops it for good.

@@ -4,6 +4,7 @@ use super::enums::nm_status;
 use super::error::{fail, null_argument, panicked};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::Mesh;
+use crate::prepared::Prepared;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
@@ -13,21 +14,27 @@ use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 /// any threads; nm_run needs the handle for itself, which is checked: the call that comes too early
 /// (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
 #[allow(non_camel_case_types)]
-#[derive(Debug)]
 pub struct nm_mesh {
-    mesh: RwLock<Mesh>,
+    held: RwLock<Held>,
     poisoned: AtomicBool,
+}
+
+/// A mesh, and what queries of its result have made.
+struct Held {
+    mesh: Mesh,
+    prepared: Prepared,
 }
 
 impl nm_mesh {
     pub(super) fn new(mesh: Mesh) -> Self {
-        Self { mesh: RwLock::new(mesh), poisoned: AtomicBool::new(false) }
+        let held = Held { mesh, prepared: Prepared::default() };
+        Self { held: RwLock::new(held), poisoned: AtomicBool::new(false) }
     }
 
     /// The mesh for reading, beside other readers.
-    fn read(&self) -> Result<RwLockReadGuard<'_, Mesh>> {
+    fn read(&self) -> Result<RwLockReadGuard<'_, Held>> {
         self.check_poison()?;
-        self.mesh.try_read().map_err(|error| match error {
+        self.held.try_read().map_err(|error| match error {
             TryLockError::Poisoned(_) => poisoned(),
             TryLockError::WouldBlock => {
                 let message =
@@ -38,9 +45,9 @@ impl nm_mesh {
     }
 
     /// The mesh for this call alone.
-    fn write(&self) -> Result<RwLockWriteGuard<'_, Mesh>> {
+    fn write(&self) -> Result<RwLockWriteGuard<'_, Held>> {
         self.check_poison()?;
-        self.mesh.try_write().map_err(|error| match error {
+        self.held.try_write().map_err(|error| match error {
             TryLockError::Poisoned(_) => poisoned(),
             TryLockError::WouldBlock => {
                 let message = "mesh: another call is using it; nm_run needs it alone";
@@ -77,10 +84,28 @@ pub(super) unsafe fn with_mesh(
     body: impl FnOnce(&Mesh) -> Result<()>,
 ) -> nm_status {
     // SAFETY: the caller's promise.
-    unsafe { with_handle(mesh, |handle| body(&*handle.read()?)) }
+    unsafe { with_handle(mesh, |handle| body(&handle.read()?.mesh)) }
 }
 
-/// As [`barrier`], with the mesh for writing; a panic poisons the handle.
+/// As [`with_mesh`], with what queries have made too.
+///
+/// # Safety
+/// As [`with_mesh`].
+pub(super) unsafe fn with_prepared(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&Mesh, &Prepared) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with_handle(mesh, |handle| {
+            let held = handle.read()?;
+            body(&held.mesh, &held.prepared)
+        })
+    }
+}
+
+/// As [`barrier`], with the mesh for writing; a panic poisons the handle. What queries have made is
+/// dropped unless the body fails.
 ///
 /// # Safety
 /// As [`with_mesh`].
@@ -89,7 +114,14 @@ pub(super) unsafe fn with_mesh_mut(
     body: impl FnOnce(&mut Mesh) -> Result<()>,
 ) -> nm_status {
     // SAFETY: the caller's promise.
-    unsafe { with_handle(mesh, |handle| body(&mut *handle.write()?)) }
+    unsafe {
+        with_handle(mesh, |handle| {
+            let mut held = handle.write()?;
+            body(&mut held.mesh)?;
+            held.prepared = Prepared::default();
+            Ok(())
+        })
+    }
 }
 
 /// # Safety

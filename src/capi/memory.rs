@@ -188,15 +188,71 @@ pub(super) unsafe fn doubles<'a>(
     pointer: *const f64,
     count: usize,
 ) -> Result<&'a [f64]> {
-    if !pointer.is_aligned() {
-        return Err(misaligned::<f64>(argument));
-    }
-    if count > isize::MAX as usize / size_of::<f64>() {
-        let message = message!("{argument} would hold {count} doubles, more than there is memory");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
-    }
+    check_room(argument, pointer, count)?;
     // SAFETY: not NULL, aligned, not too long, and readable by the caller's promise.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// `rows x columns` values of the caller's; none may be NULL.
+///
+/// # Safety
+/// `pointer` is NULL or has so many readable values that stay while the slice lives.
+pub(super) unsafe fn read_rows<'a, T>(
+    argument: &str,
+    pointer: *const T,
+    rows: u64,
+    columns: usize,
+) -> Result<&'a [T]> {
+    let Some(count) = rows_to_fill(argument, pointer, rows, columns)? else { return Ok(&[]) };
+    // SAFETY: not NULL, aligned, not too long, and readable by the caller's promise.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// `rows x columns` values of the caller's that a call fills; none may be NULL.
+///
+/// # Safety
+/// `pointer` is NULL or has so many writable values, which nothing else uses while the slice lives.
+pub(super) unsafe fn rows_out<'a, T>(
+    argument: &str,
+    pointer: *mut T,
+    rows: u64,
+    columns: usize,
+) -> Result<&'a mut [T]> {
+    let count = rows_to_fill(argument, pointer.cast_const(), rows, columns)?;
+    let Some(count) = count else { return Ok(&mut []) };
+    // SAFETY: not NULL, aligned, not too long, and writable by the caller's promise. Numbers that C
+    // has not set yet are numbers.
+    Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
+}
+
+/// The number of values in so many rows at a pointer that is checked; none if there are no rows.
+fn rows_to_fill<T>(
+    argument: &str,
+    pointer: *const T,
+    rows: u64,
+    columns: usize,
+) -> Result<Option<usize>> {
+    if rows == 0 || columns == 0 {
+        return Ok(None);
+    }
+    if pointer.is_null() {
+        return Err(null_argument(argument));
+    }
+    let count = usize::try_from(rows).ok().and_then(|rows| rows.checked_mul(columns));
+    let count = count.unwrap_or(usize::MAX);
+    check_room(argument, pointer, count)?;
+    Ok(Some(count))
+}
+
+fn check_room<T>(argument: &str, pointer: *const T, count: usize) -> Result<()> {
+    if !pointer.is_aligned() {
+        return Err(misaligned::<T>(argument));
+    }
+    if count > isize::MAX as usize / size_of::<T>() {
+        let message = message!("{argument} would hold {count} numbers, more than there is memory");
+        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    }
+    Ok(())
 }
 
 /// The path in a C string of the caller's.

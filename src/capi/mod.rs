@@ -33,17 +33,32 @@ mod run;
 
 mod getters;
 
+mod queries;
+
+mod arrays;
+
 mod measures;
 
 mod export;
 
+pub use arrays::{
+    nm_mesh_get_circumcenters, nm_mesh_get_circumradii, nm_mesh_get_edges,
+    nm_mesh_get_facet_simplices, nm_mesh_get_facets, nm_mesh_get_hull, nm_mesh_get_hull_simplices,
+    nm_mesh_get_placements, nm_mesh_get_region_shares, nm_mesh_get_region_starts,
+    nm_mesh_get_region_volumes, nm_mesh_get_regions, nm_mesh_get_ridge_bounded,
+    nm_mesh_get_ridge_corners, nm_mesh_get_ridge_starts, nm_mesh_get_selected,
+    nm_mesh_get_vertex_neighbor_starts, nm_mesh_get_vertex_neighbors,
+    nm_mesh_get_vertex_simplex_starts, nm_mesh_get_vertex_simplices, nm_mesh_get_volumes,
+};
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
-    nm_algorithm, nm_criterion, nm_format, nm_ordering, nm_output, nm_phase, nm_status,
-    nm_vertex_kind,
+    nm_algorithm, nm_criterion, nm_extent, nm_format, nm_interpolation, nm_ordering, nm_output,
+    nm_phase, nm_placement, nm_status, nm_vertex_kind,
 };
 pub use error::nm_last_error;
-pub use export::{nm_export, nm_export_write, nm_write_fn};
+pub use export::{
+    nm_export, nm_export_selected, nm_export_write, nm_export_write_selected, nm_write_fn,
+};
 pub use getters::{
     nm_mesh_counts, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,
     nm_mesh_get_points, nm_mesh_get_precision_limited, nm_mesh_get_simplices,
@@ -52,9 +67,14 @@ pub use getters::{
 pub use handle::nm_mesh;
 pub use measures::{nm_mesh_quality, nm_mesh_stats, nm_mesh_validate};
 pub use options::nm_options_init;
+pub use queries::{
+    nm_mesh_extend_values, nm_mesh_index, nm_mesh_interpolate, nm_mesh_locate, nm_mesh_nearest,
+    nm_mesh_nearest_input,
+};
 pub use run::nm_run;
 pub use structs::{
-    nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report, nm_stats,
+    nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report,
+    nm_selection, nm_stats,
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
 pub use violations::nm_violation;

@@ -1,10 +1,39 @@
 //! The structs of the boundary.
 
-use super::enums::{nm_algorithm, nm_criterion, nm_ordering, nm_output, nm_phase};
+use super::enums::{nm_algorithm, nm_criterion, nm_extent, nm_ordering, nm_output, nm_phase};
 use super::memory::Versioned;
 use super::violations::nm_violation;
 use std::ffi::{c_char, c_void};
 use std::mem::{MaybeUninit, offset_of};
+
+/// Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+/// selects all.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct nm_selection {
+    /// sizeof(nm_selection) of the caller. Fields that a smaller struct lacks select all.
+    pub struct_size: u32,
+    /// The simplices inside this region (nm_placement).
+    pub extent: MaybeUninit<nm_extent>,
+    /// Nonzero: those across the region's boundary, too.
+    pub across: u32,
+    /// The simplices of this domain and of the domains in it; NM_NONE for all. A simplex is of the
+    /// innermost domain that holds all its vertices.
+    pub domain: u32,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), and the enum and all numbers take
+// any bits.
+unsafe impl Versioned for nm_selection {
+    const TYPE: &'static str = "nm_selection";
+
+    fn ends_inside_field(size: usize) -> bool {
+        size % size_of::<u32>() != 0
+    }
+}
+
+const _: () = assert!(size_of::<nm_selection>() == 4 * 4);
 
 /// What nm_run reports while it works. The library fills it; it is valid during the callback only.
 #[allow(non_camel_case_types)]

@@ -2,8 +2,8 @@
 //! saves so if not told otherwise, and programs beside Gmsh often read nothing else.
 
 use super::PointCloud;
-use super::simplex_domain::simplices;
 use super::text::{Line, Lines, Points, quoted, write_number, write_point};
+use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::Triangulation;
 use std::io::{self, Write};

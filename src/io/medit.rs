@@ -1,8 +1,8 @@
 //! Medit's `.mesh`, as text.
 
 use super::PointCloud;
-use super::simplex_domain::simplices;
 use super::text::{Line, Lines, Points, write_point};
+use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::Triangulation;
 use std::io::{self, Write};

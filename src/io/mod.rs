@@ -40,8 +40,7 @@ mod off;
 mod ply;
 mod replace;
 #[cfg(test)]
-mod samples;
-mod simplex_domain;
+pub(crate) mod samples;
 mod tetgen;
 mod text;
 mod voronoi;

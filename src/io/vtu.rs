@@ -2,7 +2,7 @@
 
 use super::allocation_failed;
 use super::measures::Measures;
-use super::simplex_domain::domain_of;
+use crate::arrays::domains::domain_of;
 use crate::mesh::{Inputs, NONE, Triangulation};
 use std::fmt;
 use std::io::{self, Write};

@@ -4,7 +4,7 @@
 //! faces of ever higher dimension, from the vertex to a simplex of the mesh. Each step of a chain
 //! is at right angles to those before: the volume is the product of the steps over dim factorial.
 
-use super::unit::{Unit, scaled};
+use super::unit::{Unit, largest, scaled};
 use crate::mesh::MAX_DIM;
 use crate::numerics::{Circumball, Sign, norm, orientation};
 
@@ -103,16 +103,17 @@ impl Chains {
     /// The steps from a set and from all those that have members beyond its last one besides.
     fn measure<const D: usize>(&mut self, seen: &Seen<'_, D>, set: usize, frame: Frame<D>) {
         for w in (0..D).filter(|w| set >> w & 1 == 0) {
-            let edge = &seen.edges[w];
+            let (start, edge) = seen.shortest_edge(set, w);
             if frame.count == D - 1 {
-                let normal = seen.normal(&frame, w);
+                let normal = seen.normal(&frame, w, &edge);
                 let rest = std::array::from_fn(|i| seen.center[i] - frame.center[i]);
                 self.steps[set][w] = dot(&rest, &normal);
                 continue;
             }
-            let rest = frame.without(*edge);
+            let rest = frame.without(edge);
             let length = norm(&rest);
-            let step = (0.5 * dot(edge, edge) - dot(edge, &frame.center)) / length;
+            let center = std::array::from_fn(|i| frame.center[i] - start[i]);
+            let step = (0.5 * dot(&edge, &edge) - dot(&edge, &center)) / length;
             self.steps[set][w] = step;
             if set >> w == 0 {
                 self.measure(seen, set | 1 << w, frame.with(rest.map(|x| x / length), step));
@@ -122,8 +123,24 @@ impl Chains {
 }
 
 impl<const D: usize> Seen<'_, D> {
-    /// The unit normal of a facet on the side of vertex `w`, of those other than the base.
-    fn normal(&self, frame: &Frame<D>, w: usize) -> [f64; D] {
+    /// The shortest edge to vertex `w`, of those other than the base, from the base or a vertex of the
+    /// set: what is left of it without its part in the face is the same for all, and loses the least.
+    /// First where it starts.
+    fn shortest_edge(&self, set: usize, w: usize) -> ([f64; D], [f64; D]) {
+        let point = |k: usize| self.points[k + usize::from(k >= self.base)];
+        let mut shortest = ([0.0; D], self.edges[w]);
+        for k in (0..D).filter(|k| set >> k & 1 == 1) {
+            let edge = self.unit.difference(point(w), point(k));
+            if largest(&edge) < largest(&shortest.1) {
+                shortest = (self.edges[k], edge);
+            }
+        }
+        shortest
+    }
+
+    /// The unit normal of a facet on the side of vertex `w`, of those other than the base, where an
+    /// `edge` from the facet ends.
+    fn normal(&self, frame: &Frame<D>, w: usize, edge: &[f64; D]) -> [f64; D] {
         // The axis that is least in the facet's hyperplane.
         let within =
             |axis: usize| frame.vectors[..D - 1].iter().map(|v| v[axis] * v[axis]).sum::<f64>();
@@ -133,9 +150,9 @@ impl<const D: usize> Seen<'_, D> {
         let rest = frame.without(frame.without(axis));
         let length = norm(&rest);
         let normal = rest.map(|x| x / length);
-        let (side, edge) = (dot(&normal, &self.edges[w]), norm(&self.edges[w]));
+        let (side, length) = (dot(&normal, edge), norm(edge));
         let is_beyond =
-            if side.abs() > CLEAR * edge { side > 0.0 } else { self.is_beyond(&normal, w) };
+            if side.abs() > CLEAR * length { side > 0.0 } else { self.is_beyond(&normal, w) };
         if is_beyond { normal } else { normal.map(|x| -x) }
     }
 

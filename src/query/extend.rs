@@ -20,22 +20,11 @@ pub fn extend_values(
     threads: u32,
     out: &mut [f64],
 ) -> Result<()> {
-    let refuse = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
+    check_extension(inputs, mesh, values, out)?;
     let components = values.components;
-    if components == 0 {
-        return refuse(message!("components is 0; it must be at least 1"));
-    }
-    values.check("input_values", inputs.count(), "inputs")?;
-    if out.len() != mesh.vertex_count() * components {
-        let (length, vertices) = (out.len(), mesh.vertex_count());
-        return refuse(message!(
-            "vertex_values has length {length}; it must be {vertices} vertices x {components}"
-        ));
-    }
     let is_of_inputs =
-        |mesh: &Triangulation| mesh.dim == inputs.dim() && mesh.vertex_count() >= inputs.distinct();
-    let is_plain = |mesh: &Triangulation| mesh.vertex_count() == inputs.distinct();
-    if !is_of_inputs(mesh) || !delaunay.is_none_or(|mesh| is_of_inputs(mesh) && is_plain(mesh)) {
+        |mesh: &Triangulation| mesh.dim == inputs.dim() && mesh.vertex_count() == inputs.distinct();
+    if !delaunay.is_none_or(is_of_inputs) {
         return refuse(message!("the triangulation is not one of these inputs"));
     }
     let mut of_vertices = with_capacity(inputs.distinct() * components)?;
@@ -56,4 +45,32 @@ pub fn extend_values(
         out.copy_from_slice(of_vertices.of(vertex));
     }
     Ok(())
+}
+
+/// Fails unless the values are those of the inputs and there is room for those of the vertices.
+pub(crate) fn check_extension(
+    inputs: &Inputs,
+    mesh: &Triangulation,
+    values: Values<'_>,
+    out: &[f64],
+) -> Result<()> {
+    let components = values.components;
+    if components == 0 {
+        return refuse(message!("components is 0; it must be at least 1"));
+    }
+    values.check("input_values", inputs.count(), "inputs")?;
+    if Some(out.len()) != mesh.vertex_count().checked_mul(components) {
+        let (length, vertices) = (out.len(), mesh.vertex_count());
+        return refuse(message!(
+            "vertex_values has length {length}; it must be {vertices} vertices x {components}"
+        ));
+    }
+    if mesh.dim != inputs.dim() || mesh.vertex_count() < inputs.distinct() {
+        return refuse(message!("the mesh is not one of these inputs"));
+    }
+    Ok(())
+}
+
+fn refuse(message: String) -> Result<()> {
+    Err(Error::new(ErrorKind::InvalidArgument, message))
 }

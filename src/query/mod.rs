@@ -34,6 +34,7 @@ mod tree;
 pub(crate) mod unit;
 pub(crate) mod view;
 
+pub(crate) use extend::check_extension;
 pub use extend::extend_values;
 pub use index::Index;
 pub(crate) use index::check_arrays;

@@ -1,7 +1,8 @@
 //! Meshes: points bit by bit, simplices, arrays.
 
-use super::super::{samples, simplex_domain};
+use super::super::samples;
 use super::{as_read_by, bits, python_has};
+use crate::arrays::domains;
 use crate::mesh::{Mesh, NONE, Triangulation};
 
 const MESHIO: &str = include_str!("meshio_mesh.py");
@@ -24,7 +25,7 @@ fn kinds(mesh: &Triangulation) -> Vec<u8> {
 }
 
 fn cell_domains(mesh: &Triangulation) -> Vec<u32> {
-    simplex_domain::simplices(mesh).map(|(_, domain)| domain).collect()
+    domains::simplices(mesh).map(|(_, domain)| domain).collect()
 }
 
 /// Meshes that are hard to read, and such that have domains.
@@ -47,7 +48,7 @@ fn assert_reads_vtu(script: &str, reader: &str, types: [&str; 2]) {
             let inputs: Vec<u32> = vertices.map(|v| if v < inputs { v } else { NONE }).collect();
             let simplices = triangulation.simplices.chunks_exact(dim + 1);
             let domains: Vec<u32> =
-                simplices.map(|s| simplex_domain::domain_of(triangulation, s)).collect();
+                simplices.map(|s| domains::domain_of(triangulation, s)).collect();
             let arrays = format!(
                 "{:?}\n{:?}\n{inputs:?}\n{limited:?}\n{domains:?}\n",
                 kinds(triangulation),
@@ -152,7 +153,7 @@ fn gmsh_reads_medit() {
             assert_eq!(points, format!("{:?}", bits(&in_space(triangulation))), "{name}");
             // Gmsh makes an entity of each reference: simplices of one domain stand together.
             let mut simplices: Vec<(u32, &[u32])> =
-                simplex_domain::simplices(triangulation).map(|(s, domain)| (domain, s)).collect();
+                domains::simplices(triangulation).map(|(s, domain)| (domain, s)).collect();
             simplices.sort_by_key(|(domain, _)| *domain);
             let expected: Vec<u32> = simplices.iter().flat_map(|(_, s)| *s).copied().collect();
             assert_eq!(vertices, format!("{expected:?}"), "{name}");

@@ -6,9 +6,19 @@ use crate::mesh::{NONE, Triangulation};
 /// domains.
 ///
 /// A parent stands before its children, so the later of two domains is not the other's ancestor.
-pub(super) fn domain_of(triangulation: &Triangulation, vertices: &[u32]) -> u32 {
+pub(crate) fn domain_of(triangulation: &Triangulation, vertices: &[u32]) -> u32 {
     let domains = vertices.iter().map(|&vertex| triangulation.vertex_domains[vertex as usize]);
     domains.reduce(|a, b| common_ancestor(triangulation, a, b)).unwrap_or(NONE)
+}
+
+/// Whether a domain is `outer` or in it.
+pub(super) fn is_within(triangulation: &Triangulation, mut domain: u32, outer: u32) -> bool {
+    // A parent stands before its children.
+    while domain != NONE && domain > outer {
+        let parent = triangulation.domains.get(domain as usize).map_or(NONE, |own| own.parent);
+        domain = if parent < domain { parent } else { NONE };
+    }
+    domain == outer
 }
 
 fn common_ancestor(triangulation: &Triangulation, mut a: u32, mut b: u32) -> u32 {
@@ -24,7 +34,7 @@ fn common_ancestor(triangulation: &Triangulation, mut a: u32, mut b: u32) -> u32
 
 /// All simplices with their domains, 0 where there are none: for formats in which a number less
 /// than 2^31 must stand.
-pub(super) fn simplices(triangulation: &Triangulation) -> impl Iterator<Item = (&[u32], u32)> {
+pub(crate) fn simplices(triangulation: &Triangulation) -> impl Iterator<Item = (&[u32], u32)> {
     let domain = |vertices: &[u32]| match domain_of(triangulation, vertices) {
         NONE => 0,
         domain => domain,
@@ -35,8 +45,8 @@ pub(super) fn simplices(triangulation: &Triangulation) -> impl Iterator<Item = (
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples;
     use super::*;
+    use crate::io::samples;
     use crate::mesh::Domain;
 
     #[test]

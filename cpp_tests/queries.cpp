@@ -1,0 +1,205 @@
+// Queries, arrays ready to use and selections, through netmesh.hpp: each answer against what the
+// mesh's own arrays say.
+#include <netmesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "check.hpp"
+#include "inputs.hpp"
+
+namespace {
+
+using Ids = netmesh::span<const std::uint32_t>;
+
+netmesh::mesh meshed(std::uint32_t dim, std::size_t count) {
+    netmesh::mesh mesh(dim, generate("uniform", dim, count).coordinates);
+    mesh.run();
+    return mesh;
+}
+
+// The middle of each simplex.
+std::vector<double> middles(const netmesh::mesh& mesh) {
+    const auto points = mesh.points();
+    std::vector<double> found;
+    for (Ids simplex : mesh.simplices()) {
+        for (std::size_t axis = 0; axis < points.width(); ++axis) {
+            double sum = 0;
+            for (std::uint32_t vertex : simplex) {
+                sum += points[vertex][axis];
+            }
+            found.push_back(sum / static_cast<double>(simplex.size()));
+        }
+    }
+    return found;
+}
+
+void middles_are_in_their_simplices(std::uint32_t dim) {
+    const netmesh::mesh mesh = meshed(dim, 400);
+    const std::vector<double> points = middles(mesh);
+    const std::vector<std::uint32_t> found = mesh.locate(points, 2);
+    std::vector<std::uint32_t> expected(found.size());
+    std::iota(expected.begin(), expected.end(), 0u);
+    CHECK(found == expected);
+    CHECK(mesh.index() > 0);
+    const std::vector<double> far(dim, 1e6);
+    CHECK(mesh.locate(far)[0] == NM_NONE);
+    const auto near = mesh.nearest(mesh.points().flat());
+    for (std::size_t vertex = 0; vertex < near.vertices.size(); ++vertex) {
+        CHECK(near.vertices[vertex] == vertex && near.distances[vertex] == 0);
+    }
+    const auto input = mesh.nearest_input(far);
+    CHECK(input.vertices[0] < mesh.counts().inputs);
+
+    // A linear function goes through unchanged.
+    const auto vertices = mesh.points();
+    std::vector<double> values;
+    for (netmesh::span<const double> point : vertices) {
+        values.push_back(std::accumulate(point.begin(), point.end(), 1.0));
+    }
+    for (nm_interpolation method : {NM_INTERPOLATION_LINEAR, NM_INTERPOLATION_SIBSON,
+                                    NM_INTERPOLATION_LAPLACE_OR_NEAREST}) {
+        const auto out = mesh.interpolate(method, 1, values, points);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const double* point = points.data() + i * dim;
+            CHECK(std::abs(out[i][0] - std::accumulate(point, point + dim, 1.0)) < 1e-9);
+        }
+    }
+    CHECK(std::isnan(mesh.interpolate(NM_INTERPOLATION_LINEAR, 1, values, far)[0][0]));
+    CHECK(!std::isnan(mesh.interpolate(NM_INTERPOLATION_LINEAR_OR_NEAREST, 1, values, far)[0][0]));
+    const std::size_t inputs = mesh.counts().inputs;
+    const auto extended = mesh.extend_values(1, {values.data(), inputs});
+    CHECK(extended.size() == values.size());
+    CHECK(std::equal(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(inputs),
+                     extended.flat().begin()));
+}
+
+void arrays_fit_together(std::uint32_t dim) {
+    const netmesh::mesh mesh = meshed(dim, 200);
+    const auto simplices = mesh.simplices();
+    const auto stars = mesh.vertex_simplices();
+    const auto neighbors = mesh.vertex_neighbors();
+    CHECK(stars.size() == mesh.points().size() && neighbors.size() == stars.size());
+    std::size_t vertex = 0;
+    for (Ids star : stars) {
+        for (std::uint32_t simplex : star) {
+            const Ids ids = simplices[simplex];
+            CHECK(std::find(ids.begin(), ids.end(), vertex) != ids.end());
+        }
+        ++vertex;
+    }
+    CHECK(stars.flat().size() == simplices.flat().size());
+    const auto edges = mesh.edges();
+    CHECK(2 * edges.size() == neighbors.flat().size());
+    for (Ids edge : edges) {
+        const Ids others = neighbors[edge[0]];
+        CHECK(edge[0] < edge[1] && std::find(others.begin(), others.end(), edge[1]) != others.end());
+    }
+    const auto facets = mesh.facets();
+    const auto hull = mesh.hull();
+    CHECK(2 * facets.vertices.size() == simplices.flat().size() + hull.vertices.size());
+    CHECK(facets.simplices.width() == 2 && hull.simplices.width() == 1);
+    CHECK(hull.vertices.width() == dim);
+    const auto volumes = mesh.volumes();
+    const auto shares = mesh.region_shares();
+    const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    CHECK(std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) / volume - 1) < 1e-9);
+    std::set<std::uint32_t> on_hull(hull.vertices.flat().begin(), hull.vertices.flat().end());
+    const auto cells = mesh.region_volumes();
+    for (std::uint32_t id = 0; id < cells.size(); ++id) {
+        CHECK(std::isinf(cells[id]) == (on_hull.count(id) == 1));
+    }
+    CHECK(mesh.regions().size() == cells.size() && mesh.ridge_corners().size() == edges.size());
+    CHECK(mesh.ridge_bounded().size() == edges.size());
+    const auto centers = mesh.circumcenters();
+    const auto radii = mesh.circumradii();
+    const auto points = mesh.points();
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+        double square = 0;
+        for (std::size_t axis = 0; axis < dim; ++axis) {
+            square += std::pow(centers[i][axis] - points[simplices[i][0]][axis], 2);
+        }
+        CHECK(std::abs(std::sqrt(square) / radii[i] - 1) < 1e-9);
+    }
+}
+
+void selections_are_parts(const std::string& directory) {
+    const netmesh::mesh mesh = meshed(3, 300);
+    netmesh::selection hull;
+    hull.extent = NM_EXTENT_HULL;
+    netmesh::selection touched = hull;
+    touched.across = true;
+    const auto placements = mesh.placements(NM_EXTENT_HULL);
+    const auto count = [&placements](int placement) {
+        return static_cast<std::size_t>(std::count(placements.begin(), placements.end(), placement));
+    };
+    const std::size_t inside = count(NM_PLACEMENT_INSIDE);
+    CHECK(mesh.selected(hull).size() == inside && mesh.volumes(hull).size() == inside);
+    CHECK(mesh.selected(touched).size() == inside + count(NM_PLACEMENT_ACROSS));
+    CHECK(inside > 0 && count(NM_PLACEMENT_OUTSIDE) > 0);
+    CHECK(mesh.edges(hull).size() < mesh.edges().size());
+    const std::string path = directory + "/inside_the_hull.off";
+    mesh.save(path, hull);
+    const netmesh::mesh back = netmesh::mesh::from_file(path);
+    CHECK(back.counts().inputs < mesh.counts().vertices && back.counts().inputs >= 300);
+}
+
+// Many threads ask a mesh that has no index yet.
+void threads_share_an_index() {
+    const netmesh::mesh mesh = meshed(3, 500);
+    const std::vector<double> points = middles(mesh);
+    std::vector<std::vector<std::uint32_t>> found(4);
+    std::vector<std::thread> threads;
+    for (auto& ids : found) {
+        threads.emplace_back([&mesh, &points, &ids] { ids = mesh.locate(points); });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (const auto& ids : found) {
+        CHECK(ids == found[0] && ids.size() == mesh.simplices().size());
+    }
+}
+
+void failures_are_named() {
+    const netmesh::mesh mesh = meshed(2, 20);
+    const auto fails = [](const auto& result, nm_status status, const char* word) {
+        CHECK(!result && result.status() == status);
+        CHECK(result.message().find(word) != std::string::npos);
+    };
+    const std::vector<double> odd(3), point(2, std::numeric_limits<double>::infinity());
+    fails(mesh.try_locate(odd), NM_INVALID_ARGUMENT, "points holds 3");
+    fails(mesh.try_locate(point), NM_NON_FINITE, "points[0]");
+    fails(mesh.try_interpolate(NM_INTERPOLATION_LINEAR, 1, odd, point), NM_INVALID_ARGUMENT, "values holds 3");
+    fails(mesh.try_extend_values(2, odd), NM_INVALID_ARGUMENT, "input_values holds 3");
+    netmesh::selection wrong;
+    wrong.domain = 1000;
+    fails(mesh.try_edges(wrong), NM_INVALID_ARGUMENT, "selection.domain is 1000");
+    const netmesh::mesh before(2, generate("uniform", 2, 20).coordinates);
+    fails(before.try_hull(), NM_STATE, "nm_run");
+    fails(before.try_locate({}), NM_STATE, "nm_run");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        return 2;
+    }
+    for (std::uint32_t dim : {2u, 3u, 4u}) {
+        middles_are_in_their_simplices(dim);
+        arrays_fit_together(dim);
+    }
+    selections_are_parts(argv[1]);
+    threads_share_an_index();
+    failures_are_named();
+    return check::result("queries");
+}

@@ -1,0 +1,134 @@
+//! Some of the simplices of a mesh.
+
+use super::domains::{domain_of, is_within};
+use super::{Chosen, Part, Placement};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{TryGrow, collected, copied, filled};
+use crate::mesh::{Inputs, Mesh, NONE, Triangulation};
+use crate::query::check_arrays;
+
+/// The region of a selection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Extent {
+    /// Everywhere.
+    #[default]
+    All,
+    /// The convex hull of the inputs.
+    Hull,
+    /// The least box that holds the inputs, its sides along the axes.
+    Box,
+}
+
+/// Which simplices are wanted: those that fulfil all conditions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Selection {
+    /// The simplices inside this region.
+    pub extent: Extent,
+    /// Those that are partly inside, too.
+    pub across: bool,
+    /// The simplices of this domain and of the domains in it; [`NONE`] for all. A simplex is of the
+    /// innermost domain that holds all its vertices.
+    pub domain: u32,
+}
+
+impl Default for Selection {
+    fn default() -> Self {
+        Self { extent: Extent::All, across: false, domain: NONE }
+    }
+}
+
+impl<'a> Part<'a> {
+    /// The simplices of a selection. `placements` with respect to its extent, which
+    /// [`Extent::All`] does without.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a domain that is not there; a number of placements that is not that of the
+    /// simplices; arrays that do not fit together), `OutOfMemory`.
+    pub fn of(
+        mesh: &'a Triangulation,
+        selection: &Selection,
+        placements: &[Placement],
+    ) -> Result<Self> {
+        check_arrays(mesh)?;
+        let refuse = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
+        let (domain, domains) = (selection.domain, mesh.domains.len());
+        if domain != NONE && domain as usize >= domains {
+            return refuse(message!(
+                "selection.domain is {domain}; the mesh has {domains} domains"
+            ));
+        }
+        let is_everywhere = selection.extent == Extent::All;
+        if is_everywhere && domain == NONE {
+            return Self::whole(mesh);
+        }
+        if !is_everywhere && placements.len() != mesh.simplex_count() {
+            return refuse(message!(
+                "placements has length {}; it must be that of the simplices, {}",
+                placements.len(),
+                mesh.simplex_count()
+            ));
+        }
+        let is_there = |simplex: usize| match placements.get(simplex) {
+            _ if is_everywhere => true,
+            Some(Placement::Inside) => true,
+            Some(Placement::Across) => selection.across,
+            _ => false,
+        };
+        let is_of_domain = |simplex: usize| {
+            domain == NONE || is_within(mesh, domain_of(mesh, mesh.simplex(simplex)), domain)
+        };
+        let mut chosen =
+            Chosen { ids: Vec::new(), is_chosen: filled(mesh.simplex_count(), false)? };
+        for simplex in 0..mesh.simplex_count() {
+            if is_there(simplex) && is_of_domain(simplex) {
+                chosen.is_chosen[simplex] = true;
+                chosen.ids.try_push(simplex as u32)?;
+            }
+        }
+        Ok(Self { mesh, chosen: Some(chosen) })
+    }
+
+    /// A mesh of the part's simplices and their vertices, numbered anew in the same order, for a
+    /// writer. Domains keep their numbers; the centre of one may be no vertex any more, and is 0
+    /// then.
+    pub(crate) fn to_mesh(&self, inputs: &Inputs) -> Result<Mesh> {
+        let mesh = self.mesh;
+        let mut new_vertex = filled(mesh.vertex_count(), NONE)?;
+        for simplex in self.simplices() {
+            mesh.simplex(simplex as usize).iter().for_each(|&v| new_vertex[v as usize] = 0);
+        }
+        let is_kept = |vertex: &u32| new_vertex[*vertex as usize] != NONE;
+        let kept = collected((0..mesh.vertex_count() as u32).filter(is_kept))?;
+        kept.iter().enumerate().for_each(|(new, &old)| new_vertex[old as usize] = new as u32);
+        let ids = collected(self.simplices())?;
+        let mut new_simplex = filled(mesh.simplex_count(), NONE)?;
+        ids.iter().enumerate().for_each(|(new, &old)| new_simplex[old as usize] = new as u32);
+        let mut part = Triangulation {
+            dim: mesh.dim,
+            points: Vec::new(),
+            simplices: Vec::new(),
+            neighbors: Vec::new(),
+            kinds: collected(kept.iter().map(|&v| mesh.kinds[v as usize]))?,
+            vertex_domains: collected(kept.iter().map(|&v| mesh.vertex_domains[v as usize]))?,
+            cage_of: collected(kept.iter().map(|&v| mesh.cage_of[v as usize]))?,
+            domains: copied(&mesh.domains)?,
+            precision_limited: collected(kept.iter().map(|&v| mesh.precision_limited[v as usize]))?,
+            parameters: mesh.parameters.clone(),
+            stats: mesh.stats.clone(),
+        };
+        for domain in &mut part.domains {
+            let center = new_vertex[domain.center as usize];
+            domain.center = if center == NONE { 0 } else { center };
+        }
+        kept.iter().try_for_each(|&v| part.points.try_extend(mesh.point(v)))?;
+        for &simplex in &ids {
+            for (i, &vertex) in mesh.simplex(simplex as usize).iter().enumerate() {
+                let neighbor = self.neighbor(simplex, i);
+                let neighbor = if neighbor == NONE { NONE } else { new_simplex[neighbor as usize] };
+                part.simplices.try_push(new_vertex[vertex as usize])?;
+                part.neighbors.try_push(neighbor)?;
+            }
+        }
+        Ok(Mesh::from_parts(inputs.of_vertices(&kept)?, part))
+    }
+}

@@ -1,0 +1,175 @@
+//! What queries need beside a mesh, made once and kept as long as its result: the one place between
+//! the queries, which know a result's arrays alone, and the algorithm, which triangulates the inputs
+//! for them.
+
+mod hull;
+#[cfg(test)]
+mod tests;
+
+use crate::arrays::{ConvexHull, Extent, Part, Placement, Selection, placements_in_box};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::{Mesh, Triangulation};
+use crate::netmesh;
+use crate::options::{Algorithm, Options};
+use crate::query::{self, Among, Index, Method, Values};
+use std::sync::{Mutex, OnceLock, PoisonError};
+
+/// What is made at the first query of a result that needs it. It belongs to one mesh; after a run of
+/// that, a new one is needed. Threads may share it.
+#[derive(Default)]
+pub struct Prepared {
+    index: Once<Index>,
+    in_hull: Once<Vec<Placement>>,
+    in_box: Once<Vec<Placement>>,
+}
+
+/// A value that the first one who needs it makes, while others wait.
+struct Once<T> {
+    value: OnceLock<T>,
+    making: Mutex<()>,
+}
+
+impl<T> Default for Once<T> {
+    fn default() -> Self {
+        Self { value: OnceLock::new(), making: Mutex::new(()) }
+    }
+}
+
+impl<T> Once<T> {
+    fn get_or_make(&self, make: impl FnOnce() -> Result<T>) -> Result<&T> {
+        if let Some(value) = self.value.get() {
+            return Ok(value);
+        }
+        let _guard = self.making.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(value) = self.value.get() {
+            return Ok(value);
+        }
+        let made = make()?;
+        Ok(self.value.get_or_init(|| made))
+    }
+}
+
+fn result(mesh: &Mesh) -> Result<&Triangulation> {
+    let error = || Error::new(ErrorKind::State, "the mesh has no result yet; run it first");
+    mesh.triangulation().ok_or_else(error)
+}
+
+impl Prepared {
+    /// The index of the mesh. O(simplices + vertices log vertices) the first time.
+    ///
+    /// # Errors
+    /// `State` before a run, `OutOfMemory`.
+    pub fn index(&self, mesh: &Mesh) -> Result<&Index> {
+        let result = result(mesh)?;
+        self.index.get_or_make(|| Index::new(result))
+    }
+
+    /// As [`Index::locate`].
+    ///
+    /// # Errors
+    /// `State`, and those of [`Index::locate`].
+    pub fn locate(
+        &self,
+        mesh: &Mesh,
+        points: &[f64],
+        threads: u32,
+        simplices: &mut [u32],
+    ) -> Result<()> {
+        self.index(mesh)?.locate(result(mesh)?, points, threads, simplices)
+    }
+
+    /// As [`Index::nearest`].
+    ///
+    /// # Errors
+    /// `State`, and those of [`Index::nearest`].
+    pub fn nearest(
+        &self,
+        mesh: &Mesh,
+        among: Among,
+        points: &[f64],
+        threads: u32,
+        vertices: &mut [u32],
+        distances: &mut [f64],
+    ) -> Result<()> {
+        self.index(mesh)?.nearest(result(mesh)?, among, points, threads, vertices, distances)
+    }
+
+    /// As [`Index::interpolate`].
+    ///
+    /// # Errors
+    /// `State`, and those of [`Index::interpolate`].
+    pub fn interpolate(
+        &self,
+        mesh: &Mesh,
+        method: Method,
+        values: Values<'_>,
+        points: &[f64],
+        threads: u32,
+        out: &mut [f64],
+    ) -> Result<()> {
+        self.index(mesh)?.interpolate(result(mesh)?, method, values, points, threads, out)
+    }
+
+    /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty for
+    /// [`Extent::All`]. The first time the hull takes a Delaunay triangulation of the inputs that
+    /// may be on it.
+    ///
+    /// # Errors
+    /// `State` before a run, `OutOfMemory`.
+    pub fn placements(&self, mesh: &Mesh, extent: Extent) -> Result<&[Placement]> {
+        let (result, inputs) = (result(mesh)?, mesh.inputs());
+        match extent {
+            Extent::All => Ok(&[]),
+            Extent::Box => Ok(self.in_box.get_or_make(|| {
+                let points = &result.points[..inputs.distinct() * inputs.dim()];
+                placements_in_box(result, points)
+            })?),
+            Extent::Hull => Ok(self.in_hull.get_or_make(|| {
+                if result.vertex_count() == inputs.distinct() {
+                    return Ok(crate::memory::filled(result.simplex_count(), Placement::Inside)?);
+                }
+                let points = &result.points[..inputs.distinct() * inputs.dim()];
+                let hull: ConvexHull = hull::of_points(inputs.dim(), points)?;
+                hull.placements(result, result.parameters.threads)
+            })?),
+        }
+    }
+
+    /// The simplices of a selection.
+    ///
+    /// # Errors
+    /// `State` before a run, `InvalidArgument` (a domain that is not there), `OutOfMemory`.
+    pub fn part<'a>(&self, mesh: &'a Mesh, selection: &Selection) -> Result<Part<'a>> {
+        let placements = self.placements(mesh, selection.extent)?;
+        Part::of(result(mesh)?, selection, placements)
+    }
+}
+
+/// Values at all vertices of a mesh (`vertices x components`) that agree with `values` at the inputs
+/// (`inputs x components`, in the caller's order; of equal inputs the first counts): linear in the
+/// Delaunay triangulation of the inputs, which is made for it, and those of the nearest input beyond
+/// its hull; those of the nearest input everywhere if the inputs lie in a hyperplane.
+///
+/// # Errors
+/// `State` before a run, `InvalidArgument` (a length), `OutOfMemory`.
+pub fn extend_values(mesh: &Mesh, values: Values<'_>, out: &mut [f64]) -> Result<()> {
+    let (result, inputs) = (result(mesh)?, mesh.inputs());
+    let threads = result.parameters.threads;
+    let extend = |delaunay: Option<&Triangulation>, out: &mut [f64]| {
+        query::extend_values(inputs, delaunay, result, values, threads, out)
+    };
+    if result.vertex_count() == inputs.distinct() {
+        return extend(Some(result), out);
+    }
+    query::check_extension(inputs, result, values, out)?;
+    match netmesh::run(inputs, &plain(), None) {
+        Ok(delaunay) => extend(Some(&delaunay), out),
+        Err(error) if error.kind() == ErrorKind::DegenerateInput => extend(None, out),
+        Err(error) => Err(error),
+    }
+}
+
+/// Options for the Delaunay triangulation of the inputs alone.
+fn plain() -> Options {
+    Options { algorithm: Algorithm::Delaunay, ..Options::default() }
+}

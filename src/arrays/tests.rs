@@ -243,8 +243,7 @@ fn cells_in_the_plane_are_polygons_in_counterclockwise_order() {
     for options in [Options::default(), delaunay()] {
         let mesh = meshed(&points, &options).unwrap();
         let (voronoi, centers) = (mesh.voronoi().unwrap(), mesh.circumcenters().unwrap().centers);
-        let cells =
-            voronoi.regions.iter().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
+        let cells = voronoi.regions.iter().zip(&voronoi.volumes).zip(&voronoi.is_bounded);
         for ((region, volume), bounded) in cells {
             let corners = corners::<2>(&centers, region);
             let next = corners.iter().cycle().skip(1);

@@ -5,11 +5,7 @@ use crate::mesh::NONE;
 
 /// Ids in the order in which they came, and an open hash table of them, at most half full.
 #[derive(Default)]
-<<<<<<<< HEAD:src/query/marked_ids.rs
 pub(super) struct MarkedIds {
-========
-pub(super) struct MarkedSet {
->>>>>>>> efb3ebf (Queries, arrays and selections in C and C++; simplices placed with respect to the inputs' hull and box):src/query/marked_set.rs
     members: Vec<Member>,
     /// Places in `members`, or [`NONE`].
     table: Vec<u32>,
@@ -22,11 +18,7 @@ pub(super) struct Member {
     slot: u32,
 }
 
-<<<<<<<< HEAD:src/query/marked_ids.rs
 impl MarkedIds {
-========
-impl MarkedSet {
->>>>>>>> efb3ebf (Queries, arrays and selections in C and C++; simplices placed with respect to the inputs' hull and box):src/query/marked_set.rs
     pub fn clear(&mut self) {
         self.members.iter().for_each(|member| self.table[member.slot as usize] = NONE);
         self.members.clear();
@@ -89,11 +81,7 @@ mod tests {
 
     #[test]
     fn a_set_holds_what_was_added_since_it_was_emptied() {
-<<<<<<<< HEAD:src/query/marked_ids.rs
         let mut set = MarkedIds::default();
-========
-        let mut set = MarkedSet::default();
->>>>>>>> efb3ebf (Queries, arrays and selections in C and C++; simplices placed with respect to the inputs' hull and box):src/query/marked_set.rs
         for round in 0..3u32 {
             assert_eq!(set.mark(round), None);
             for i in 0..500 {

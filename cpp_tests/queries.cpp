@@ -152,6 +152,21 @@ void selections_are_parts(const std::string& directory) {
     CHECK(back.counts().inputs < mesh.counts().vertices && back.counts().inputs >= 300);
 }
 
+void attributes_reach_all_vertices() {
+    netmesh::mesh mesh = meshed(2, 100);
+    std::vector<double> heat(100, 2.5);
+    mesh.set_attributes("heat", 1, heat);
+    mesh.set_attributes("given", 1, heat, false);
+    const auto vertices = static_cast<std::size_t>(mesh.counts().vertices);
+    CHECK(mesh.attributes("heat") == std::vector<double>(vertices, 2.5));
+    const auto given = mesh.attributes("given");
+    CHECK(given.size() == vertices && given[99] == 2.5 && std::isnan(given.back()));
+    CHECK(mesh.to_string(NM_FORMAT_VTU).find("Name=\"heat\"") != std::string::npos);
+    mesh.set_attributes("heat", 1, {});
+    CHECK(mesh.try_attributes("heat").status() == NM_INVALID_ARGUMENT);
+    CHECK(mesh.try_set_attributes("heat", 2, heat).status() == NM_INVALID_ARGUMENT);
+}
+
 // Many threads ask a mesh that has no index yet.
 void threads_share_an_index() {
     const netmesh::mesh mesh = meshed(3, 500);
@@ -199,6 +214,7 @@ int main(int argc, char** argv) {
         arrays_fit_together(dim);
     }
     selections_are_parts(argv[1]);
+    attributes_reach_all_vertices();
     threads_share_an_index();
     failures_are_named();
     return check::result("queries");

@@ -11,7 +11,7 @@ function(netmesh_page_example language name)
   netmesh_test(page.${language}.${name} page_${language}_${name} ${ARGN})
 endfunction()
 
-foreach(name first_mesh options arrays quality domains recipes)
+foreach(name first_mesh options arrays queries quality domains recipes)
   netmesh_page_example(c ${name})
 endforeach()
 netmesh_page_example(c exports "${scratch_dir}")
@@ -23,7 +23,7 @@ add_test(NAME page.python.mesh_array COMMAND "${CMAKE_COMMAND}"
          -P "${CMAKE_CURRENT_LIST_DIR}/python.cmake")
 set_tests_properties(page.python.mesh_array PROPERTIES SKIP_REGULAR_EXPRESSION "SKIP: " TIMEOUT 300)
 
-foreach(name first_mesh control)
+foreach(name first_mesh control queries)
   netmesh_page_example(cpp ${name})
 endforeach()
 netmesh_page_example(cpp results "${scratch_dir}")

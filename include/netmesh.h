@@ -1824,6 +1824,57 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
+ * Gives the inputs values under a name. Exports to VTU, Gmsh, PLY and CSV have them, at all
+ * vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
+ * after this call or after nm_run. Values of the same name are replaced.
+ *
+ * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something else:
+ * x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
+ * radius_edge. components: numbers an input; 0 removes the values of that name, and values may be
+ * NULL then. values: inputs x components numbers, duplicates included, which are copied; of equal
+ * inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on are
+ * the components. Gmsh has vectors of two and three components as vectors.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
+ * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ *
+ * O(inputs x components). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_attributes(struct nm_mesh *mesh,
+                                 const char *name,
+                                 uint32_t components,
+                                 const double *values);
+
+/**
+ * As nm_mesh_set_attributes, but vertices that are no inputs get NaN.
+ *
+ * Errors: as nm_mesh_set_attributes.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_input_attributes(struct nm_mesh *mesh,
+                                       const char *name,
+                                       uint32_t components,
+                                       const double *values);
+
+/**
+ * Writes the values of a name at the vertices, as exports have them: vertices x components numbers.
+ *
+ * name: as given to nm_mesh_set_attributes.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh, name), NM_INVALID_ARGUMENT
+ * (a name without values, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (nm_run at work,
+ * poisoned). The first call after attributes are set or after nm_run makes all of them, as an export
+ * does.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
+                                 const char *name,
+                                 double *buf,
+                                 uint64_t capacity,
+                                 uint64_t *needed);
+
+/**
  * Measures the quality of the mesh. O(vertices + simplices).
  *
  * quality: the caller sets struct_size.

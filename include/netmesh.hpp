@@ -349,6 +349,31 @@ public:
         });
     }
 
+    // Gives the inputs values under a name, components each, which files get at all vertices: as by
+    // extend_values() where extended, else NaN at vertices that are no inputs. Empty values remove.
+    result<void> try_set_attributes(const std::string &name, std::uint32_t components,
+                                    span<const double> values, bool extended = true) {
+        result<nm_counts> counted = try_counts();
+        if (!counted) {
+            return failure{counted.status(), counted.message()};
+        }
+        if (values.size() != counted->inputs * components && !values.empty()) {
+            return wrong_size("values", values.size(), "inputs x components",
+                              counted->inputs * components);
+        }
+        auto set = extended ? nm_mesh_set_attributes : nm_mesh_set_input_attributes;
+        return detail::outcome(
+            set(handle_, name.c_str(), values.empty() ? 0 : components, values.data()));
+    }
+
+    // The values of a name at all vertices, as files get them: vertices x components.
+    result<std::vector<double>> try_attributes(const std::string &name) const {
+        return fetched<double>(
+            [this, &name](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
+                return nm_mesh_get_attributes(handle_, name.c_str(), buf, capacity, needed);
+            });
+    }
+
     // Values at all vertices, components each, of those at the inputs.
     result<table<double>> try_extend_values(std::uint32_t components,
                                             span<const double> input_values) const {
@@ -502,6 +527,13 @@ public:
     }
     table<double> extend_values(std::uint32_t components, span<const double> input_values) const {
         return try_extend_values(components, input_values).value();
+    }
+    void set_attributes(const std::string &name, std::uint32_t components,
+                        span<const double> values, bool extended = true) {
+        try_set_attributes(name, components, values, extended).value();
+    }
+    std::vector<double> attributes(const std::string &name) const {
+        return try_attributes(name).value();
     }
     nm_quality quality() const { return try_quality().value(); }
     nm_stats stats() const { return try_stats().value(); }

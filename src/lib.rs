@@ -24,7 +24,7 @@ pub(crate) mod complex;
 pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
-pub use mesh::{Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
+pub use mesh::{Attribute, Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
 pub use options::{
     Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
 };

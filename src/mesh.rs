@@ -342,26 +342,126 @@ fn hash(point: &[f64]) -> usize {
     point.iter().fold(0x9e37_79b9_7f4a_7c15, mix) as usize
 }
 
+/// Values that belong to points, under a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attribute {
+    /// See [`Mesh::set_attribute`].
+    pub name: String,
+    pub components: usize,
+    /// `points x components`.
+    pub values: Vec<f64>,
+    /// Whether other vertices than the inputs get values too; else NaN.
+    pub is_extended: bool,
+}
+
+impl Attribute {
+    /// The values of a point.
+    pub fn of(&self, point: usize) -> &[f64] {
+        &self.values[point * self.components..][..self.components]
+    }
+}
+
+/// The longest name of an attribute.
+const NAME_BYTES: usize = 64;
+
+/// Names that files have for something else, beside `x0`, `x1` and so on.
+const RESERVED: [&str; 10] = [
+    "x",
+    "y",
+    "z",
+    "kind",
+    "domain",
+    "input",
+    "precision_limited",
+    "aspect",
+    "cell_domain",
+    "radius_edge",
+];
+
+fn check_name(name: &str) -> Result<()> {
+    let refuse = |rule: &str| {
+        let message = message!("name is '{name}'; {rule}");
+        Err(Error::new(ErrorKind::InvalidArgument, message))
+    };
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte);
+    if name.is_empty() || name.len() > NAME_BYTES || !name.bytes().all(is_plain) {
+        return refuse("it must be 1 to 64 ASCII letters, digits, '_', '-' and '.'");
+    }
+    let is_axis = name.strip_prefix('x').is_some_and(|rest| rest.parse::<u32>().is_ok());
+    if is_axis || RESERVED.contains(&name) {
+        return refuse("files have that name for something else");
+    }
+    Ok(())
+}
+
 /// Points, and after [`Mesh::run`] their mesh.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     inputs: Inputs,
     triangulation: Option<Triangulation>,
+    attributes: Vec<Attribute>,
 }
 
 impl Mesh {
     /// See [`Inputs::new`].
     pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
-        Ok(Self { inputs: Inputs::new(dim, n, points, stride)?, triangulation: None })
+        let inputs = Inputs::new(dim, n, points, stride)?;
+        Ok(Self { inputs, triangulation: None, attributes: Vec::new() })
     }
 
     /// A mesh with a result that no run made.
     pub(crate) fn from_parts(inputs: Inputs, triangulation: Triangulation) -> Self {
-        Self { inputs, triangulation: Some(triangulation) }
+        Self { inputs, triangulation: Some(triangulation), attributes: Vec::new() }
     }
 
     pub fn inputs(&self) -> &Inputs {
         &self.inputs
+    }
+
+    /// Values of the inputs (`inputs x components`, in the caller's order; of equal inputs the first
+    /// counts), which files get as columns of that name. They replace those of the same name; no
+    /// values at all (`components` 0) remove them. `is_extended`: other vertices get values by
+    /// [`extend_values`](crate::prepared::extend_values), else NaN.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (`name`: 1 to 64 ASCII letters, digits, `_`, `-` and `.`, and none that files
+    /// have for something else; a length), `OutOfMemory`.
+    pub fn set_attribute(
+        &mut self,
+        name: &str,
+        components: usize,
+        values: &[f64],
+        is_extended: bool,
+    ) -> Result<()> {
+        check_name(name)?;
+        let count = self.inputs.count();
+        if Some(values.len()) != count.checked_mul(components) {
+            let message = message!(
+                "values has length {}; it must be inputs x components = {count} x {components}",
+                values.len()
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        let known = self.attributes.iter().position(|attribute| attribute.name == name);
+        if components == 0 {
+            known.map(|at| self.attributes.remove(at));
+            return Ok(());
+        }
+        let mut own = String::new();
+        own.try_reserve(name.len()).map_err(AllocError::from)?;
+        own.push_str(name);
+        let values = copied(values)?;
+        let attribute = Attribute { name: own, components, values, is_extended };
+        match known {
+            Some(at) => self.attributes[at] = attribute,
+            None => self.attributes.try_push(attribute)?,
+        }
+        Ok(())
+    }
+
+    /// The values of the inputs, in the order in which their names were set first.
+    pub fn attributes(&self) -> &[Attribute] {
+        &self.attributes
     }
 
     /// Replaces the result.

@@ -3,8 +3,8 @@
 use super::domains::{domain_of, is_within};
 use super::{Chosen, Part, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{TryGrow, collected, copied, filled};
-use crate::mesh::{Inputs, Mesh, NONE, Triangulation};
+use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
+use crate::mesh::{Attribute, Inputs, Mesh, NONE, Triangulation};
 use crate::query::check_arrays;
 
 /// The region of a selection.
@@ -91,7 +91,12 @@ impl<'a> Part<'a> {
     /// A mesh of the part's simplices and their vertices, numbered anew in the same order, for a
     /// writer. Domains keep their numbers; the centre of one may be no vertex any more, and is 0
     /// then.
-    pub(crate) fn to_mesh(&self, inputs: &Inputs) -> Result<Mesh> {
+    /// Attributes at the vertices go with them.
+    pub(crate) fn to_mesh(
+        &self,
+        inputs: &Inputs,
+        attributes: &[Attribute],
+    ) -> Result<(Mesh, Vec<Attribute>)> {
         let mesh = self.mesh;
         let mut new_vertex = filled(mesh.vertex_count(), NONE)?;
         for simplex in self.simplices() {
@@ -99,6 +104,12 @@ impl<'a> Part<'a> {
         }
         let is_kept = |vertex: &u32| new_vertex[*vertex as usize] != NONE;
         let kept = collected((0..mesh.vertex_count() as u32).filter(is_kept))?;
+        let mut kept_attributes = with_capacity(attributes.len())?;
+        for attribute in attributes {
+            let values = kept.iter().flat_map(|&vertex| attribute.of(vertex as usize)).copied();
+            let (name, values) = (attribute.name.clone(), collected(values)?);
+            kept_attributes.push(Attribute { name, values, ..*attribute });
+        }
         kept.iter().enumerate().for_each(|(new, &old)| new_vertex[old as usize] = new as u32);
         let ids = collected(self.simplices())?;
         let mut new_simplex = filled(mesh.simplex_count(), NONE)?;
@@ -129,6 +140,6 @@ impl<'a> Part<'a> {
                 part.neighbors.try_push(neighbor)?;
             }
         }
-        Ok(Mesh::from_parts(inputs.of_vertices(&kept)?, part))
+        Ok((Mesh::from_parts(inputs.of_vertices(&kept)?, part), kept_attributes))
     }
 }

@@ -4,16 +4,17 @@ use super::arrays::read_selection;
 use super::enums::{decode_format, nm_format, nm_status};
 use super::error::null_argument;
 use super::getters::result;
-use super::handle::{nm_mesh, with_mesh, with_prepared};
+use super::handle::{nm_mesh, with_prepared};
 use super::memory::utf8_path;
 use super::structs::nm_selection;
 use crate::arrays::Selection;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::{self, Buffered, Format};
-use crate::mesh::Mesh;
+use crate::mesh::{Attribute, Mesh};
 use std::ffi::{c_char, c_void};
 use std::io::Write;
 use std::mem::MaybeUninit;
+use std::ptr::null;
 
 /// The most bytes that a write callback gets at once is about this.
 const CHUNK: usize = 1 << 16;
@@ -44,13 +45,13 @@ pub unsafe extern "C" fn nm_export(
     path_utf8: *const c_char,
     format: MaybeUninit<nm_format>,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
+    let body = |mesh: &Mesh, attributes: &[Attribute]| {
         // SAFETY: the caller gave NULL or a C string.
         let path = unsafe { utf8_path(path_utf8)? };
-        io::write_file(mesh, path, decode_format(format)?)
+        io::write_file_with(mesh, attributes, path, decode_format(format)?)
     };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's promises are those of `with_selected`.
+    unsafe { with_selected(mesh, null(), format, body) }
 }
 
 /// Writes the mesh to a callback instead of a file; for NM_FORMAT_TETGEN_NODE the .node part, then
@@ -70,16 +71,19 @@ pub unsafe extern "C" fn nm_export_write(
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
-    // SAFETY: the caller's function, with the caller's `user_data`.
-    let body = |mesh: &Mesh| unsafe { write_to_callback(mesh, format, write, user_data) };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    let body = |mesh: &Mesh, attributes: &[Attribute]| {
+        // SAFETY: the caller's function, with the caller's `user_data`.
+        unsafe { write_to_callback(mesh, attributes, format, write, user_data) }
+    };
+    // SAFETY: the caller's promises are those of `with_selected`.
+    unsafe { with_selected(mesh, null(), format, body) }
 }
 
 /// # Safety
 /// `write` may be called with `user_data`.
 unsafe fn write_to_callback(
     mesh: &Mesh,
+    attributes: &[Attribute],
     format: MaybeUninit<nm_format>,
     write: nm_write_fn,
     user_data: *mut c_void,
@@ -90,7 +94,7 @@ unsafe fn write_to_callback(
         // SAFETY: the caller's promise.
         unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
     };
-    write_through(send, |out| io::write(mesh, format, out))
+    write_through(send, |out| io::write_with(mesh, attributes, format, out))
 }
 
 /// As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
@@ -106,10 +110,10 @@ pub unsafe extern "C" fn nm_export_selected(
     path_utf8: *const c_char,
     format: MaybeUninit<nm_format>,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
+    let body = |mesh: &Mesh, attributes: &[Attribute]| {
         // SAFETY: the caller gave NULL or a C string.
         let path = unsafe { utf8_path(path_utf8)? };
-        io::write_file(mesh, path, decode_format(format)?)
+        io::write_file_with(mesh, attributes, path, decode_format(format)?)
     };
     // SAFETY: the caller's promises are those of `with_selected`.
     unsafe { with_selected(mesh, selection, format, body) }
@@ -127,13 +131,15 @@ pub unsafe extern "C" fn nm_export_write_selected(
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
-    // SAFETY: the caller's function, with the caller's `user_data`.
-    let body = |mesh: &Mesh| unsafe { write_to_callback(mesh, format, write, user_data) };
+    let body = |mesh: &Mesh, attributes: &[Attribute]| {
+        // SAFETY: the caller's function, with the caller's `user_data`.
+        unsafe { write_to_callback(mesh, attributes, format, write, user_data) }
+    };
     // SAFETY: the caller's promises are those of `with_selected`.
     unsafe { with_selected(mesh, selection, format, body) }
 }
 
-/// Runs `body` on the mesh of a selection.
+/// Runs `body` on the mesh of a selection, with the attributes at its vertices.
 ///
 /// # Safety
 /// `mesh` is NULL or a live handle, `selection` NULL or as long as its `struct_size` says.
@@ -141,21 +147,24 @@ unsafe fn with_selected(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
     format: MaybeUninit<nm_format>,
-    body: impl FnOnce(&Mesh) -> Result<()>,
+    body: impl FnOnce(&Mesh, &[Attribute]) -> Result<()>,
 ) -> nm_status {
     // SAFETY: the caller's promise.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
             let selection = read_selection(selection)?;
             if selection == Selection::default() {
-                return body(mesh);
+                return body(mesh, prepared.vertex_attributes(mesh)?);
             }
             if decode_format(format)? == Format::DomainsJson {
                 let rule = "format is NM_FORMAT_DOMAINS_JSON, which takes no selection";
                 return Err(Error::new(ErrorKind::InvalidArgument, rule));
             }
             result(mesh)?;
-            body(&prepared.part(mesh, &selection)?.to_mesh(mesh.inputs())?)
+            let attributes = prepared.vertex_attributes(mesh)?;
+            let part = prepared.part(mesh, &selection)?;
+            let (mesh, attributes) = part.to_mesh(mesh.inputs(), attributes)?;
+            body(&mesh, &attributes)
         })
     }
 }
@@ -207,7 +216,7 @@ impl<F: FnMut(&[u8]) -> i32> Write for CallbackWriter<F> {
 mod tests {
     use super::*;
     use crate::capi::test_support::{from_c, last_message, square};
-    use std::ptr::{null, null_mut};
+    use std::ptr::null_mut;
 
     fn failure() -> Error {
         Error::new(ErrorKind::State, "the export's own")

@@ -124,6 +124,26 @@ pub(super) unsafe fn with_mesh_mut(
     }
 }
 
+/// As [`with_mesh_mut`], for bodies that set attributes: only those that queries have made are
+/// dropped.
+///
+/// # Safety
+/// As [`with_mesh`].
+pub(super) unsafe fn with_attributes_mut(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&mut Mesh) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with_handle(mesh, |handle| {
+            let mut held = handle.write()?;
+            body(&mut held.mesh)?;
+            held.prepared.forget_attributes();
+            Ok(())
+        })
+    }
+}
+
 /// # Safety
 /// As [`with_mesh`].
 unsafe fn with_handle(

@@ -37,6 +37,8 @@ mod queries;
 
 mod arrays;
 
+mod attributes;
+
 mod measures;
 
 mod export;
@@ -49,6 +51,9 @@ pub use arrays::{
     nm_mesh_get_ridge_corners, nm_mesh_get_ridge_starts, nm_mesh_get_selected,
     nm_mesh_get_vertex_neighbor_starts, nm_mesh_get_vertex_neighbors,
     nm_mesh_get_vertex_simplex_starts, nm_mesh_get_vertex_simplices, nm_mesh_get_volumes,
+};
+pub use attributes::{
+    nm_mesh_get_attributes, nm_mesh_set_attributes, nm_mesh_set_input_attributes,
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{

@@ -2,12 +2,13 @@
 //! columns are the coordinates.
 
 use super::PointCloud;
+use super::attributes::Scalar;
 use super::columns::{Columns, Layout};
-use super::text::{Line, Lines, Points, quoted, write_point};
+use super::text::{Line, Lines, Points, quoted, write_number, write_point};
 use super::xyz::for_each_vertex;
 use crate::error::Result;
 use crate::memory::collected;
-use crate::mesh::{MAX_DIM, Mesh};
+use crate::mesh::{Attribute, MAX_DIM, Mesh};
 use std::io::{self, Write};
 
 /// The header of the column that [`write`] adds to the coordinates.
@@ -90,14 +91,27 @@ fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
     line.text.split(',').map(str::trim_ascii)
 }
 
-pub(super) fn write(mesh: &Mesh, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) -> io::Result<()> {
     for axis in 0..mesh.inputs().dim() {
         write!(out, "x{axis},")?;
     }
-    writeln!(out, "{KIND}")?;
+    write!(out, "{KIND}")?;
+    for attribute in attributes {
+        (0..attribute.components).try_for_each(|k| write!(out, ",{}", Scalar(attribute, k)))?;
+    }
+    out.write_all(b"\n")?;
+    let mut vertex = 0;
     for_each_vertex(mesh, |kind, point| {
         write_point(out, point, ",")?;
-        writeln!(out, ",{kind}")
+        write!(out, ",{kind}")?;
+        for attribute in attributes {
+            for &value in attribute.of(vertex) {
+                out.write_all(b",")?;
+                write_number(out, value)?;
+            }
+        }
+        vertex += 1;
+        out.write_all(b"\n")
     })
 }
 

@@ -2,10 +2,11 @@
 //! saves so if not told otherwise, and programs beside Gmsh often read nothing else.
 
 use super::PointCloud;
+use super::attributes::Scalar;
 use super::text::{Line, Lines, Points, quoted, write_number, write_point};
 use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::Triangulation;
+use crate::mesh::{Attribute, Triangulation};
 use std::io::{self, Write};
 
 pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
@@ -187,12 +188,19 @@ fn in_the_plane(mut cloud: PointCloud) -> PointCloud {
 }
 
 /// The section names, entities and the mesh; then what is known of nodes and elements.
-pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    triangulation: &Triangulation,
+    attributes: &[Attribute],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     write_entity(triangulation, out)?;
     write_nodes(triangulation, out)?;
     write_elements(triangulation, out)?;
     let kinds = triangulation.kinds.iter().map(|kind| *kind as u32);
     write_data(out, "Node", "kind", triangulation.vertex_count(), kinds)?;
+    for attribute in attributes {
+        write_attribute(attribute, out)?;
+    }
     let domains = simplices(triangulation).map(|(_, domain)| domain);
     write_data(out, "Element", "domain", triangulation.simplex_count(), domains)
 }
@@ -236,6 +244,32 @@ fn write_elements(triangulation: &Triangulation, out: &mut dyn Write) -> io::Res
         out.write_all(b"\n")?;
     }
     out.write_all(b"$EndElements\n")
+}
+
+/// Values at the nodes: Gmsh has scalars, and vectors of three components, which two are padded to.
+fn write_attribute(attribute: &Attribute, out: &mut dyn Write) -> io::Result<()> {
+    let Attribute { name, components, values, .. } = attribute;
+    let nodes = values.len() / components;
+    if !(2..=3).contains(components) {
+        for k in 0..*components {
+            let name = Scalar(attribute, k);
+            write!(out, "$NodeData\n1\n\"{name}\"\n1\n0\n3\n0\n1\n{nodes}\n")?;
+            for node in 0..nodes {
+                write!(out, "{} ", node + 1)?;
+                write_number(out, attribute.of(node)[k])?;
+                out.write_all(b"\n")?;
+            }
+            out.write_all(b"$EndNodeData\n")?;
+        }
+        return Ok(());
+    }
+    write!(out, "$NodeData\n1\n\"{name}\"\n1\n0\n3\n0\n3\n{nodes}\n")?;
+    for node in 0..nodes {
+        write!(out, "{} ", node + 1)?;
+        write_point(out, attribute.of(node), " ")?;
+        out.write_all(if *components == 2 { b" 0\n" } else { b"\n" })?;
+    }
+    out.write_all(b"$EndNodeData\n")
 }
 
 /// A number for each node or element, which Gmsh shows as a view.

@@ -23,6 +23,7 @@
 //! **Text that is written** carries the shortest decimal that reads back as the same double, bit by
 //! bit, -0.0 and subnormals included. The same mesh makes the same bytes.
 
+mod attributes;
 mod binary;
 mod buffered;
 mod columns;
@@ -53,7 +54,7 @@ pub use format::Format;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocError;
-use crate::mesh::{Mesh, Triangulation};
+use crate::mesh::{Attribute, Mesh, Triangulation};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -181,8 +182,23 @@ pub fn read_columns(
 /// # Errors
 /// `Io`, and as [`write()`]; `InvalidArgument` for an extension that names no format.
 pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
+    write_file_with(mesh, &[], path, format)
+}
+
+/// As [`write_file`], with attributes at the vertices
+/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)), which `Vtu`, `Gmsh`, `Ply`
+/// and `Csv` hold; the others do without.
+///
+/// # Errors
+/// As [`write_file`]; `InvalidArgument` if the attributes are not those of the vertices.
+pub fn write_file_with(
+    mesh: &Mesh,
+    attributes: &[Attribute],
+    path: &Path,
+    format: Format,
+) -> Result<()> {
     let format = format.resolve(path)?;
-    let content = Content::of(mesh, format)?;
+    let content = Content::of(mesh, attributes, format)?;
     if let Some(mut stream) = replace::open_stream(path)? {
         return content.write(&mut stream);
     }
@@ -211,27 +227,52 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
 ///   is no extension;
 /// - `OutOfMemory`.
 pub fn write(mesh: &Mesh, format: Format, out: &mut dyn Write) -> Result<()> {
-    Content::of(mesh, format)?.write(out)
+    write_with(mesh, &[], format, out)
+}
+
+/// As [`write()`], with attributes at the vertices, as [`write_file_with`] has them.
+///
+/// # Errors
+/// As [`write()`]; `InvalidArgument` if the attributes are not those of the vertices.
+pub fn write_with(
+    mesh: &Mesh,
+    attributes: &[Attribute],
+    format: Format,
+    out: &mut dyn Write,
+) -> Result<()> {
+    Content::of(mesh, attributes, format)?.write(out)
 }
 
 /// What goes into a file: everything that can be refused has been.
 enum Content<'a> {
-    Vtu(&'a Mesh, &'a Triangulation),
+    Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Tetgen(&'a Triangulation),
-    Gmsh(&'a Triangulation),
+    Gmsh(&'a Triangulation, &'a [Attribute]),
     Medit(&'a Triangulation),
     Off(&'a Triangulation),
-    Ply(&'a Triangulation),
+    Ply(&'a Triangulation, &'a [Attribute]),
     Xyz(&'a Mesh),
-    Csv(&'a Mesh),
+    Csv(&'a Mesh, &'a [Attribute]),
     Npy(&'a Mesh),
     Voronoi(&'a Mesh, &'a Triangulation),
     Domains(&'a Triangulation),
 }
 
 impl<'a> Content<'a> {
-    fn of(mesh: &'a Mesh, format: Format) -> Result<Self> {
+    fn of(mesh: &'a Mesh, attributes: &'a [Attribute], format: Format) -> Result<Self> {
         format.check_dimension(mesh.inputs().dim())?;
+        let inputs = mesh.inputs().distinct();
+        let vertices = mesh.triangulation().map_or(inputs, Triangulation::vertex_count);
+        for Attribute { name, components, values, .. } in attributes {
+            if vertices.checked_mul(*components) != Some(values.len()) {
+                let message = message!(
+                    "attribute {name} has {} values; it must have vertices x components = {vertices} x \
+                     {components}",
+                    values.len()
+                );
+                return Err(Error::new(ErrorKind::InvalidArgument, message));
+            }
+        }
         let triangulation = || {
             mesh.triangulation().ok_or_else(|| {
                 let message = message!(
@@ -243,14 +284,14 @@ impl<'a> Content<'a> {
         };
         match format {
             Format::Auto => Err(auto_without_path()),
-            Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?)),
+            Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, attributes)),
             Format::TetgenNode => triangulation().map(Self::Tetgen),
-            Format::Gmsh => triangulation().map(Self::Gmsh),
+            Format::Gmsh => Ok(Self::Gmsh(triangulation()?, attributes)),
             Format::Medit => triangulation().map(Self::Medit),
             Format::Off => triangulation().map(Self::Off),
-            Format::Ply => triangulation().map(Self::Ply),
+            Format::Ply => Ok(Self::Ply(triangulation()?, attributes)),
             Format::Xyz => Ok(Self::Xyz(mesh)),
-            Format::Csv => Ok(Self::Csv(mesh)),
+            Format::Csv => Ok(Self::Csv(mesh, attributes)),
             Format::Npy => Ok(Self::Npy(mesh)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
@@ -266,17 +307,19 @@ impl<'a> Content<'a> {
 
     fn write_unbuffered(&self, out: &mut dyn Write) -> std::io::Result<()> {
         match self {
-            Self::Vtu(mesh, triangulation) => vtu::write(mesh.inputs(), triangulation, out),
+            Self::Vtu(mesh, triangulation, attributes) => {
+                vtu::write(mesh.inputs(), triangulation, attributes, out)
+            }
             Self::Tetgen(triangulation) => {
                 tetgen::write_node(triangulation, out)?;
                 tetgen::write_ele(triangulation, out)
             }
-            Self::Gmsh(triangulation) => gmsh::write(triangulation, out),
+            Self::Gmsh(triangulation, attributes) => gmsh::write(triangulation, attributes, out),
             Self::Medit(triangulation) => medit::write(triangulation, out),
             Self::Off(triangulation) => off::write(triangulation, out),
-            Self::Ply(triangulation) => ply::write(triangulation, out),
+            Self::Ply(triangulation, attributes) => ply::write(triangulation, attributes, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),
-            Self::Csv(mesh) => csv::write(mesh, out),
+            Self::Csv(mesh, attributes) => csv::write(mesh, attributes, out),
             Self::Npy(mesh) => npy::write(mesh, out),
             Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
             Self::Domains(triangulation) => domains::write(triangulation, out),

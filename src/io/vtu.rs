@@ -3,7 +3,7 @@
 use super::allocation_failed;
 use super::measures::Measures;
 use crate::arrays::domains::domain_of;
-use crate::mesh::{Inputs, NONE, Triangulation};
+use crate::mesh::{Attribute, Inputs, NONE, Triangulation};
 use std::fmt;
 use std::io::{self, Write};
 
@@ -23,31 +23,22 @@ struct Source<'a> {
 /// them one after the other, looks each up by its offset and overwrites that with one of its own,
 /// which may be the offset of another: it then finds the first of the two in the XML. In this order
 /// that is always the right one.
-pub(super) fn write(inputs: &Inputs, mesh: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    inputs: &Inputs,
+    mesh: &Triangulation,
+    attributes: &[Attribute],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let measures = match mesh.dim {
         2 => Measures::new::<2>(mesh),
         _ => Measures::new::<3>(mesh),
     };
-    let source = Source { inputs, mesh, measures: measures.map_err(allocation_failed)? };
+    let measures = measures.map_err(allocation_failed)?;
+    let source = Source { inputs, mesh, measures };
     let arrays = arrays(mesh);
-    let mut offset: u64 = arrays.iter().map(Array::size_with_length).sum();
-    let declarations = arrays.each_ref().map(|array| {
-        offset -= array.size_with_length();
-        array.declaration(offset)
-    });
-    let [
-        kind,
-        domain,
-        input,
-        precision_limited,
-        aspect,
-        cell_domain,
-        radius_edge,
-        points,
-        connectivity,
-        offsets,
-        types,
-    ] = declarations;
+    let added = |attribute: &Attribute| 8 + size_of_val(&*attribute.values) as u64;
+    let sizes = arrays.iter().map(Array::size_with_length);
+    let mut offset: u64 = sizes.chain(attributes.iter().map(added)).sum();
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
     write!(
         out,
@@ -56,35 +47,46 @@ pub(super) fn write(inputs: &Inputs, mesh: &Triangulation, out: &mut dyn Write) 
 <UnstructuredGrid>
 <Piece NumberOfPoints="{vertices}" NumberOfCells="{cells}">
 <PointData Scalars="kind">
-{kind}
-{domain}
-{input}
-{precision_limited}
-{aspect}
-</PointData>
-<CellData>
-{cell_domain}
-{radius_edge}
-</CellData>
-<Points>
-{points}
-</Points>
-<Cells>
-{connectivity}
-{offsets}
-{types}
-</Cells>
-</Piece>
-</UnstructuredGrid>
-<AppendedData encoding="raw">
-_"#
+"#
     )?;
-    for array in arrays.iter().rev() {
+    for (at, array) in arrays.iter().enumerate() {
+        match at {
+            OF_CELLS => {
+                for attribute in attributes {
+                    offset -= added(attribute);
+                    let Attribute { name, components, .. } = attribute;
+                    let (scalar, components) = ("Float64", *components as u64);
+                    writeln!(out, "{}", Declaration { name, scalar, components, offset })?;
+                }
+                out.write_all(b"</PointData>\n<CellData>\n")?;
+            }
+            POINTS => out.write_all(b"</CellData>\n<Points>\n")?,
+            CELLS => out.write_all(b"</Points>\n<Cells>\n")?,
+            _ => (),
+        }
+        offset -= array.size_with_length();
+        writeln!(out, "{}", array.declaration(offset))?;
+    }
+    out.write_all(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
+    for (at, array) in arrays.iter().enumerate().rev() {
+        if at + 1 == OF_CELLS {
+            for attribute in attributes.iter().rev() {
+                out.write_all(&(added(attribute) - 8).to_le_bytes())?;
+                attribute.values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?;
+            }
+        }
         out.write_all(&array.bytes().to_le_bytes())?;
         (array.write)(&source, out)?;
     }
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
+
+/// Where the sections of the XML begin among the arrays: data of cells, ...
+const OF_CELLS: usize = 5;
+/// ... the points, ...
+const POINTS: usize = 7;
+/// ... and the cells.
+const CELLS: usize = 8;
 
 struct Array {
     name: &'static str,
@@ -105,21 +107,21 @@ impl Array {
         8 + self.bytes()
     }
 
-    fn declaration(&self, offset: u64) -> Declaration {
+    fn declaration(&self, offset: u64) -> Declaration<'static> {
         let Self { name, scalar, components, .. } = *self;
         Declaration { name, scalar, components, offset }
     }
 }
 
 /// What the XML says of an array; written in place, without a string between.
-struct Declaration {
-    name: &'static str,
+struct Declaration<'a> {
+    name: &'a str,
     scalar: &'static str,
     components: u64,
     offset: u64,
 }
 
-impl fmt::Display for Declaration {
+impl fmt::Display for Declaration<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, scalar, components, offset } = self;
         write!(

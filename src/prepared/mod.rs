@@ -8,7 +8,8 @@ mod tests;
 
 use crate::arrays::{ConvexHull, Extent, Part, Placement, Selection, placements_in_box};
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Mesh, Triangulation};
+use crate::memory::{filled, with_capacity};
+use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{Algorithm, Options};
 use crate::query::{self, Among, Index, Method, Values};
@@ -21,6 +22,7 @@ pub struct Prepared {
     index: Once<Index>,
     in_hull: Once<Vec<Placement>>,
     in_box: Once<Vec<Placement>>,
+    attributes: Once<Vec<Attribute>>,
 }
 
 /// A value that the first one who needs it makes, while others wait.
@@ -126,13 +128,28 @@ impl Prepared {
             })?),
             Extent::Hull => Ok(self.in_hull.get_or_make(|| {
                 if result.vertex_count() == inputs.distinct() {
-                    return Ok(crate::memory::filled(result.simplex_count(), Placement::Inside)?);
+                    return Ok(filled(result.simplex_count(), Placement::Inside)?);
                 }
                 let points = &result.points[..inputs.distinct() * inputs.dim()];
                 let hull: ConvexHull = hull::of_points(inputs.dim(), points)?;
                 hull.placements(result, result.parameters.threads)
             })?),
         }
+    }
+
+    /// The attributes of the mesh at its vertices (before a run at the distinct inputs): those of
+    /// the inputs, and at other vertices as each attribute says. The first time after a run or after
+    /// [`Prepared::forget_attributes`] it triangulates the inputs.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn vertex_attributes(&self, mesh: &Mesh) -> Result<&[Attribute]> {
+        Ok(self.attributes.get_or_make(|| at_vertices(mesh))?)
+    }
+
+    /// Attributes of the mesh have been set.
+    pub fn forget_attributes(&mut self) {
+        self.attributes = Once::default();
     }
 
     /// The simplices of a selection.
@@ -167,6 +184,45 @@ pub fn extend_values(mesh: &Mesh, values: Values<'_>, out: &mut [f64]) -> Result
         Err(error) if error.kind() == ErrorKind::DegenerateInput => extend(None, out),
         Err(error) => Err(error),
     }
+}
+
+/// The attributes of the mesh at its vertices.
+fn at_vertices(mesh: &Mesh) -> Result<Vec<Attribute>> {
+    let inputs = mesh.inputs();
+    let vertices = mesh.triangulation().map_or(inputs.distinct(), Triangulation::vertex_count);
+    let mut found = with_capacity(mesh.attributes().len())?;
+    for attribute in mesh.attributes() {
+        let mut values = filled(vertices * attribute.components, f64::NAN)?;
+        for (vertex, values) in values.chunks_exact_mut(attribute.components).enumerate() {
+            if let Some(input) = inputs.first_input(vertex) {
+                values.copy_from_slice(attribute.of(input as usize));
+            }
+        }
+        let name = attribute.name.clone();
+        found.push(Attribute { name, values, ..*attribute });
+    }
+    let extended = || mesh.attributes().iter().filter(|attribute| attribute.is_extended);
+    let components: usize = extended().map(|attribute| attribute.components).sum();
+    if vertices == inputs.distinct() || components == 0 {
+        return Ok(found);
+    }
+    // All at once: the inputs are triangulated for it.
+    let mut of_inputs = with_capacity(inputs.count() * components)?;
+    for input in 0..inputs.count() {
+        extended().for_each(|attribute| of_inputs.extend_from_slice(attribute.of(input)));
+    }
+    let mut of_vertices = filled(vertices * components, 0.0)?;
+    extend_values(mesh, Values { components, values: &of_inputs }, &mut of_vertices)?;
+    let mut first = 0;
+    for attribute in found.iter_mut().filter(|attribute| attribute.is_extended) {
+        let own = attribute.components;
+        let rows = of_vertices.chunks_exact(components);
+        for (values, row) in attribute.values.chunks_exact_mut(own).zip(rows) {
+            values.copy_from_slice(&row[first..first + own]);
+        }
+        first += own;
+    }
+    Ok(found)
 }
 
 /// Options for the Delaunay triangulation of the inputs alone.

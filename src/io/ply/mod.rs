@@ -4,9 +4,10 @@ mod body;
 mod header;
 
 use super::PointCloud;
+use super::attributes::Scalar;
 use super::text::{Lines, Points};
 use crate::error::Result;
-use crate::mesh::{NONE, Triangulation};
+use crate::mesh::{Attribute, NONE, Triangulation};
 use header::{Encoding, Header};
 use std::io::{self, BufRead, Write};
 
@@ -24,7 +25,11 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<PointCloud> {
     points.finish()
 }
 
-pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    triangulation: &Triangulation,
+    attributes: &[Attribute],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let faces = match triangulation.dim {
         2 => triangulation.simplex_count(),
         _ => triangulation.neighbors.iter().filter(|&&neighbor| neighbor == NONE).count(),
@@ -33,27 +38,38 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
         out,
         "ply\nformat binary_little_endian 1.0\ncomment netmesh: {}\nelement vertex {}\n\
          property double x\nproperty double y\nproperty double z\n\
-         property uchar kind\nproperty uint domain\n\
-         element face {faces}\nproperty list uchar uint vertex_indices\nend_header\n",
+         property uchar kind\nproperty uint domain\n",
         if triangulation.dim == 2 { "all triangles" } else { "the boundary of the tetrahedra" },
         triangulation.vertex_count(),
     )?;
-    write_vertices(triangulation, out)?;
+    for attribute in attributes {
+        for k in 0..attribute.components {
+            writeln!(out, "property double {}", Scalar(attribute, k))?;
+        }
+    }
+    writeln!(out, "element face {faces}\nproperty list uchar uint vertex_indices\nend_header")?;
+    write_vertices(triangulation, attributes, out)?;
     match triangulation.dim {
         2 => triangulation.simplices.chunks_exact(3).try_for_each(|face| write_face(face, out)),
         _ => write_boundary(triangulation, out),
     }
 }
 
-fn write_vertices(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+fn write_vertices(
+    triangulation: &Triangulation,
+    attributes: &[Attribute],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let points = triangulation.points.chunks_exact(triangulation.dim);
     let labels = triangulation.kinds.iter().zip(&triangulation.vertex_domains);
-    for (point, (kind, domain)) in points.zip(labels) {
+    for (vertex, (point, (kind, domain))) in points.zip(labels).enumerate() {
         for axis in 0..3 {
             out.write_all(&point.get(axis).unwrap_or(&0.0).to_le_bytes())?;
         }
         out.write_all(&[*kind as u8])?;
         out.write_all(&domain.to_le_bytes())?;
+        let mut values = attributes.iter().flat_map(|attribute| attribute.of(vertex));
+        values.try_for_each(|value| out.write_all(&value.to_le_bytes()))?;
     }
     Ok(())
 }

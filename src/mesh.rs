@@ -383,11 +383,13 @@ fn check_name(name: &str) -> Result<()> {
         let message = message!("name is '{name}'; {rule}");
         Err(Error::new(ErrorKind::InvalidArgument, message))
     };
-    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"_-.".contains(&byte);
-    if name.is_empty() || name.len() > NAME_BYTES || !name.bytes().all(is_plain) {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-.".contains(letter);
+    if name.is_empty() || name.len() > NAME_BYTES || !name.chars().all(is_plain) {
         return refuse("it must be 1 to 64 ASCII letters, digits, '_', '-' and '.'");
     }
-    let is_axis = name.strip_prefix('x').is_some_and(|rest| rest.parse::<u32>().is_ok());
+    let is_axis = name
+        .strip_prefix('x')
+        .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|digit| digit.is_ascii_digit()));
     if is_axis || RESERVED.contains(&name) {
         return refuse("files have that name for something else");
     }

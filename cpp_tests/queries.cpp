@@ -43,7 +43,7 @@ std::vector<double> middles(const netmesh::mesh& mesh) {
 }
 
 void middles_are_in_their_simplices(std::uint32_t dim) {
-    const netmesh::mesh mesh = meshed(dim, 400);
+    const netmesh::mesh mesh = meshed(dim, dim == 4 ? 12 : 200);
     const std::vector<double> points = middles(mesh);
     const std::vector<std::uint32_t> found = mesh.locate(points, 2);
     std::vector<std::uint32_t> expected(found.size());
@@ -83,7 +83,7 @@ void middles_are_in_their_simplices(std::uint32_t dim) {
 }
 
 void arrays_fit_together(std::uint32_t dim) {
-    const netmesh::mesh mesh = meshed(dim, 200);
+    const netmesh::mesh mesh = meshed(dim, dim == 4 ? 12 : 200);
     const auto simplices = mesh.simplices();
     const auto stars = mesh.vertex_simplices();
     const auto neighbors = mesh.vertex_neighbors();
@@ -158,7 +158,9 @@ void attributes_reach_all_vertices() {
     mesh.set_attributes("heat", 1, heat);
     mesh.set_attributes("given", 1, heat, false);
     const auto vertices = static_cast<std::size_t>(mesh.counts().vertices);
-    CHECK(mesh.attributes("heat") == std::vector<double>(vertices, 2.5));
+    const auto found = mesh.attributes("heat");
+    CHECK(found.size() == vertices);
+    CHECK(std::all_of(found.begin(), found.end(), [](double x) { return std::abs(x - 2.5) < 1e-12; }));
     const auto given = mesh.attributes("given");
     CHECK(given.size() == vertices && given[99] == 2.5 && std::isnan(given.back()));
     CHECK(mesh.to_string(NM_FORMAT_VTU).find("Name=\"heat\"") != std::string::npos);

@@ -82,7 +82,9 @@ int main(int count, char** arguments) {
 
     PointSet points;
     if (input.find('.') == std::string::npos) {
-        points = generate(input, dim, dim == 4 ? 1000 : 10000);
+        // Lines in space fill up with Steiner points, many to an input.
+        const bool is_line = dim > 2 && (input == "collinear" || input == "two_skew_lines");
+        points = generate(input, dim, (dim == 4 ? 1000 : 10000) / (is_line ? 3 : 1));
     } else if (auto read = read_data_file(input, dim)) {
         points = *read;
     } else {

@@ -259,19 +259,19 @@ static void scatter(double *points, uint32_t dim, size_t n, double scale) {
 }
 
 int main(void) {
-  static double plane[2 * 60], space[3 * 24], lattice[2 * 25];
+  static double plane[2 * 36], space[3 * 16], lattice[2 * 25];
   static double huge_plane[2 * 24], huge_space[3 * 12], huge_4d[4 * 8];
-  scatter(plane, 2, 60, 1.0);
-  scatter(space, 3, 24, 1.0);
+  scatter(plane, 2, 36, 1.0);
+  scatter(space, 3, 16, 1.0);
   /* Outside the window of the adaptive signs: all that the filters leave open goes to integers. */
   scatter(huge_plane, 2, 24, 1e200);
   scatter(huge_space, 3, 12, 1e200);
   scatter(huge_4d, 4, 8, 1e200);
   for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
   const struct job jobs[] = {
-      {"2D", 2, 60, NM_FORMAT_VTU, plane},
+      {"2D", 2, 36, NM_FORMAT_VTU, plane},
       {"2D lattice", 2, 25, NM_FORMAT_VTU, lattice},
-      {"3D", 3, 24, NM_FORMAT_VTU, space},
+      {"3D", 3, 16, NM_FORMAT_VTU, space},
       {"2D at 1e200 (big integers)", 2, 24, NM_FORMAT_VTU, huge_plane},
       {"3D at 1e200 (big integers)", 3, 12, NM_FORMAT_VTU, huge_space},
       {"4D at 1e200 (big integers)", 4, 8, NM_FORMAT_OFF, huge_4d},

@@ -43,10 +43,8 @@ fn assert_same_bytes(a: &Triangulation, b: &Triangulation, condition: &str) {
 fn a_large_mesh_does_not_depend_on_the_threads_that_made_it() {
     let points = points(2, 530_000);
     let one = run(2, &points, &Options::default());
-    for threads in [2, 5] {
-        let many = run(2, &points, &Options { threads, ..Options::default() });
-        assert_same_bytes(&one, &many, &format!("{threads} threads"));
-    }
+    let many = run(2, &points, &Options { threads: 5, ..Options::default() });
+    assert_same_bytes(&one, &many, "5 threads");
     let inputs = Inputs::new(2, 530_000, &points, 0).unwrap();
     assert_eq!(validate(&inputs, &one, 3).unwrap().level, 3);
 }

@@ -41,14 +41,12 @@ fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
 }
 
-/// The mesh is the same on one, two and three threads, has a certificate, and is about as large as
+/// The mesh is the same on one thread and on three, has a certificate, and is about as large as
 /// that made as one, but another: so it was made in partitions.
 fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     let inputs = inputs(points);
     let one = run::<D>(&inputs, options, 1);
-    for threads in [2, 3] {
-        assert_same(&one, &run::<D>(&inputs, options, threads));
-    }
+    assert_same(&one, &run::<D>(&inputs, options, 3));
     let report = validate(&inputs, &one, 3).unwrap();
     assert_eq!(report.level, 3, "{report:?}");
     assert_eq!(one.stats.input_vertices as usize, points.len());
@@ -118,8 +116,8 @@ fn uniform_points() {
 
 #[test]
 fn a_cage_to_every_pair() {
-    check::<2>(&pairs(4000), &Options::default());
-    check::<3>(&pairs(3000), &Options::default());
+    check::<2>(&pairs(2400), &Options::default());
+    check::<3>(&pairs(2000), &Options::default());
 }
 
 #[test]
@@ -191,7 +189,7 @@ fn the_limit_is_that_of_the_global_mesh() {
 /// What the caller is told goes up, and it can end the run at any time.
 #[test]
 fn runs_in_partitions_are_watched() {
-    let inputs = inputs(&scattered::<3>(30_000, 7));
+    let inputs = inputs(&scattered::<3>(15_000, 7));
     for threads in [1, 2] {
         let mut calls: Vec<Progress> = Vec::new();
         let mut watch = |progress: &Progress| {
@@ -205,10 +203,10 @@ fn runs_in_partitions_are_watched() {
             assert!(pair[0].inputs_inserted <= pair[1].inputs_inserted);
         }
         let last = calls.last().unwrap();
-        assert_eq!(last.inputs_inserted, 30_000);
+        assert_eq!(last.inputs_inserted, 15_000);
         assert_eq!(last.vertices as usize, mesh_of.vertex_count());
         // Some of them are in the coarse mesh and at interfaces, which are made before partitions.
-        for most in [5_000, 12_000, 25_000] {
+        for most in [2_500, 6_000, 12_500] {
             let mut stop = |progress: &Progress| progress.inputs_inserted < most;
             let error = mesh::<3>(&inputs, options.clone(), Some(&mut stop)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Cancelled);

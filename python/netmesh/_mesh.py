@@ -132,11 +132,8 @@ class Mesh:
     @classmethod
     def _run(cls, points: Any, options: dict, progress: Any = None) -> Mesh:
         made = cls.__new__(cls)
-        report = _reporter(progress)
-        made._core = Core(point_rows(points), report, options)
+        made._core = Core(point_rows(points), _reporter(progress), options)
         made._options = options
-        if report is not None and report is not progress:
-            progress.update((progress.total or 1) - progress.n)
         return made
 
     def __repr__(self) -> str:

@@ -49,6 +49,15 @@ def test_the_transform_gives_barycentric_coordinates(random):
     assert np.allclose(np.einsum("si,sij->sj", b, corners), x, atol=1e-12)
 
 
+def test_a_simplex_too_flat_for_doubles_has_no_transform():
+    points = np.array([[0, 0], [1, 0], [0.5, 1e-17], [0.5, 1]])
+    tri = netmesh.Delaunay(points)
+    flat = np.isnan(tri.transform).all(axis=(1, 2))
+    assert sets(tri.simplices[flat]) == {(0, 1, 2)} and len(flat) == 3
+    assert np.isfinite(tri.transform[~flat]).all()
+    assert tri.find_simplex(points.mean(axis=0)) >= 0
+
+
 def test_hull_facets_are_oriented_outwards(random):
     for dim in range(2, 6):
         points = random.random((50, dim)) - 0.5
@@ -60,15 +69,18 @@ def test_hull_facets_are_oriented_outwards(random):
 
 def test_equal_points_are_coplanar(random):
     points = random.random((20, 3))
-    points = np.concatenate([points, points[[3, 5]], points[[3]]])
+    points = np.concatenate([points[:10], points[[3, 5]], points[10:], points[[3]]])
     tri = netmesh.Delaunay(points)
-    assert tri.coplanar[:, [0, 2]].tolist() == [[20, 3], [21, 5], [22, 3]]
+    assert tri.coplanar[:, [0, 2]].tolist() == [[10, 3], [11, 5], [22, 3]]
     assert (tri.points == points).all() and tri.npoints == 23
-    own = np.append(np.arange(20), [3, 5, 3])
+    own = np.arange(23)
+    own[[10, 11, 22]] = 3, 5, 3
     assert all(own[i] in tri.simplices[s] for i, s in enumerate(tri.vertex_to_simplex))
-    ptr, _ = tri.vertex_neighbor_vertices
-    assert (np.diff(ptr)[:20] > 0).all() and (np.diff(ptr)[20:] == 0).all()
-    assert sets(tri.simplices) == sets(netmesh.Delaunay(points[:20]).simplices)
+    assert set(tri.simplices.ravel()) == set(tri.convex_hull.ravel()) | set(own) == set(own)
+    ptr, ids = tri.vertex_neighbor_vertices
+    for i in range(23):
+        around = tri.simplices[(tri.simplices == i).any(axis=1)]
+        assert set(ids[ptr[i] : ptr[i + 1]]) == set(around.ravel()) - {i}
 
 
 def test_points_are_added(random):

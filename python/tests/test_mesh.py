@@ -75,6 +75,7 @@ def layouts(points):
         "backwards": points[::-1].copy()[::-1],
         "every other": sparse[::2, ::2],
         "not aligned": unaligned["x"],
+        "not aligned, contiguous": np.frombuffer(b"." + points.tobytes(), offset=1).reshape(n, dim),
         "swapped bytes": points.astype(">f8"),
         "lists": points.tolist(),
         "objects": points.astype(object),

@@ -22,9 +22,10 @@ from ._errors import (
     StateError,
 )
 from ._interpolator import LinearNDInterpolator
-from ._mesh import Mesh, VertexKind, mesh
+from ._mesh import Mesh, Placement, VertexKind, mesh
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
+from ._part import Part
 from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
 from ._voronoi import Voronoi
 
@@ -46,6 +47,8 @@ __all__ = [
     "Mesh",
     "NonFiniteError",
     "OutOfMemoryError",
+    "Part",
+    "Placement",
     "Progress",
     "Quality",
     "Report",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import functools
 import os
 from typing import Any, Callable, Optional, Union
 
@@ -12,7 +11,8 @@ import numpy as np
 from . import _views
 from ._arrays import point_rows, query_points, shaped_values, value_columns
 from ._netmesh import Core, Progress
-from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
+from ._part import Arrays, Part
+from ._results import Quality, Report, Stats, Violation
 
 
 class VertexKind(enum.IntEnum):
@@ -21,6 +21,14 @@ class VertexKind(enum.IntEnum):
     INPUT = 0
     STEINER = 1
     CAGE = 2
+
+
+class Placement(enum.IntEnum):
+    """Where a simplex lies with respect to a region: the values of `Mesh.placements`."""
+
+    INSIDE = 0
+    ACROSS = 1
+    OUTSIDE = 2
 
 
 #: One element of `Mesh.domains`.
@@ -107,7 +115,7 @@ def mesh(
     return Mesh._run(points, given, progress)
 
 
-class Mesh:
+class Mesh(Arrays):
     """A mesh. `netmesh.mesh` makes it; nothing changes it.
 
     Its arrays share the library's memory, which they keep alive, and are read-only. An id of -1
@@ -123,7 +131,6 @@ class Mesh:
     ((2, 3), (2, 3))
     """
 
-    _core: Core
     _options: dict
 
     def __init__(self) -> None:
@@ -209,60 +216,43 @@ class Mesh:
         domains["center"], domains["parent"], domains["radius"] = centers, parents, radii
         return domains
 
-    @functools.cached_property
-    def edges(self) -> np.ndarray:
-        """Edges, int32, shape (edges, 2): the less vertex first, in lexicographic order."""
-        return _fixed(self._core.edges())
+    def placements(self, extent: str = "hull") -> np.ndarray:
+        """Where simplices lie with respect to the inputs' hull or box, exactly.
 
-    @functools.cached_property
-    def facets(self) -> Facets:
-        """Facets, and the two simplices of each; -1 on the hull."""
-        return Facets(*map(_fixed, self._core.facets()))
+        Parameters
+        ----------
+        extent : {'hull', 'box'}
+            The convex hull of the inputs, or the least box along the axes that holds them.
 
-    @functools.cached_property
-    def hull(self) -> Facets:
-        """Facets of the convex hull, oriented outwards, and the simplex of each."""
-        return Facets(*map(_fixed, self._core.hull()))
+        Returns
+        -------
+        ndarray of uint8, shape (simplices,)
+            `Placement`.
+        """
+        return self._core.placements(extent)
 
-    @functools.cached_property
-    def vertex_simplices(self) -> CSR:
-        """The simplices of each vertex, ascending."""
-        indptr, indices = self._core.vertex_simplices()
-        return CSR(_fixed(indptr), _fixed(indices))
+    def part(
+        self, extent: str = "all", *, across: bool = False, domain: Optional[int] = None
+    ) -> Part:
+        """Some of the simplices.
 
-    @functools.cached_property
-    def vertex_neighbors(self) -> CSR:
-        """The vertices that have an edge with each vertex, ascending."""
-        indptr, indices = self._core.vertex_neighbors()
-        return CSR(_fixed(indptr), _fixed(indices))
+        Parameters
+        ----------
+        extent : {'all', 'hull', 'box'}
+            Those inside the inputs' convex hull, or inside their box.
+        across : bool
+            Those that are partly inside, too.
+        domain : int, optional
+            Those of this domain and of the domains in it.
 
-    @functools.cached_property
-    def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
-        centers, radii = self._core.circumcenters()
-        return _fixed(centers), _fixed(radii)
-
-    @property
-    def circumcenters(self) -> np.ndarray:
-        """Circumcentres of simplices, float64, shape (simplices, dim)."""
-        return self._circumballs[0]
-
-    @property
-    def circumradii(self) -> np.ndarray:
-        """Circumradii of simplices, float64, shape (simplices,)."""
-        return self._circumballs[1]
-
-    @functools.cached_property
-    def volumes(self) -> np.ndarray:
-        """Volumes (2D: areas) of simplices, float64, shape (simplices,)."""
-        return _fixed(self._core.volumes())
-
-    @functools.cached_property
-    def voronoi(self) -> VoronoiCells:
-        """The Voronoi diagram of the vertices."""
-        parts = self._core.voronoi()
-        for name, part in parts.items():
-            parts[name] = CSR(*map(_fixed, part)) if isinstance(part, tuple) else _fixed(part)
-        return VoronoiCells(**parts)
+        Examples
+        --------
+        >>> import itertools, numpy as np, netmesh
+        >>> m = netmesh.mesh(list(itertools.product([0, 1], repeat=3)))
+        >>> bool(m.volumes.sum() > 30), bool(np.isclose(m.part("hull").volumes.sum(), 1))
+        (True, True)
+        """
+        return Part(self._core, (extent, bool(across), domain))
 
     @property
     def stats(self) -> Stats:
@@ -295,7 +285,13 @@ class Mesh:
             first = Violation(kind, number, *ids, message)
         return Report(level, violations, checked, first)
 
-    def export(self, path: Union[str, os.PathLike], format: str = "auto") -> None:
+    def export(
+        self,
+        path: Union[str, os.PathLike],
+        format: str = "auto",
+        *,
+        attributes: Optional[dict] = None,
+    ) -> None:
         """Write the mesh to a file, which appears complete or not at all.
 
         Parameters
@@ -304,8 +300,11 @@ class Mesh:
         format : str
             'auto' goes by the extension; or 'vtu', 'tetgen_node', 'gmsh', 'medit', 'off', 'ply',
             'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
+        attributes : dict of str to array_like of float, shape (vertices, ...), optional
+            Values at the vertices by name, for 'vtu', 'gmsh', 'ply' and 'csv'; `extend_values` makes
+            them of values at the inputs. Names have 1 to 64 ASCII letters, digits, and ``_-.``.
         """
-        self._core.export(path, format)
+        self._export(path, format, attributes)
 
     def locate(self, points: Any, *, threads: int = 1) -> np.ndarray:
         """Find the simplices that hold points, by exact signs.
@@ -469,12 +468,6 @@ class Mesh:
         matplotlib.axes.Axes
         """
         return _views.plot(self, ax, arguments)
-
-
-def _fixed(array: np.ndarray) -> np.ndarray:
-    """An array that is kept, so that nobody changes it."""
-    array.flags.writeable = False
-    return array
 
 
 def _reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:

@@ -4,10 +4,11 @@ use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
 use crate::errors::{detached, exception, invalid, raised};
 use crate::options::options;
 use crate::progress::Reporter;
-use netmesh::io::Format;
+use crate::selection::{Given, selected};
+use netmesh::io::{Format, write_file_with};
 use netmesh::mesh::{MAX_DIM, MIN_DIM};
-use netmesh::query::Index;
-use netmesh::{ErrorKind, Mesh, Triangulation};
+use netmesh::prepared::Prepared;
+use netmesh::{Attribute, ErrorKind, Mesh, Triangulation};
 use numpy::ndarray::ArrayView;
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
@@ -20,8 +21,7 @@ use std::sync::{Arc, Mutex};
 #[pyclass(frozen, module = "netmesh._netmesh")]
 pub struct Core {
     pub mesh: Mesh,
-    /// Made at the first query.
-    pub index: Mutex<Option<Arc<Index>>>,
+    pub prepared: Prepared,
     /// The Delaunay triangulation of the inputs, if they have one; made when it is needed first.
     pub delaunay: Mutex<Option<Arc<Option<Mesh>>>>,
 }
@@ -60,9 +60,11 @@ impl Core {
             detached(py, || mesh.run(&options, Some(&mut |progress| reporter.report(progress))));
         match reporter.exception {
             Some(exception) => Err(exception),
-            None => {
-                done.map(|()| Self { mesh, index: Mutex::default(), delaunay: Mutex::default() })
-            }
+            None => done.map(|()| Self {
+                mesh,
+                prepared: Prepared::default(),
+                delaunay: Mutex::default(),
+            }),
         }
     }
 
@@ -142,7 +144,14 @@ impl Core {
         Ok(array)
     }
 
-    fn export(&self, py: Python<'_>, path: PathBuf, format: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn export(
+        &self,
+        py: Python<'_>,
+        path: PathBuf,
+        format: &Bound<'_, PyAny>,
+        selection: Given<'_>,
+        attributes: Vec<(String, PyReadonlyArray2<'_, f64>)>,
+    ) -> PyResult<()> {
         let formats = [
             ("auto", Format::Auto),
             ("vtu", Format::Vtu),
@@ -158,6 +167,31 @@ impl Core {
             ("domains_json", Format::DomainsJson),
         ];
         let format = crate::options::choice("format", format, &formats)?;
-        detached(py, || netmesh::io::write_file(&self.mesh, &path, format))
+        let attributes = vertex_attributes(py, &attributes)?;
+        let Some(selection) = selected(selection)? else {
+            return detached(py, || write_file_with(&self.mesh, &attributes, &path, format));
+        };
+        detached(py, || {
+            let part = self.prepared.part(&self.mesh, &selection)?;
+            let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
+            write_file_with(&mesh, &attributes, &path, format)
+        })
     }
+}
+
+/// Values at the vertices, under names that the library allows.
+fn vertex_attributes(
+    py: Python<'_>,
+    given: &[(String, PyReadonlyArray2<'_, f64>)],
+) -> PyResult<Vec<Attribute>> {
+    let attribute = |(name, values): &(String, PyReadonlyArray2<'_, f64>)| {
+        let components = values.as_array().dim().1;
+        let values = values.as_slice()?.to_vec();
+        // Any mesh knows which names it takes.
+        let known = Mesh::new(2, 2, &[0.0, 0.0, 1.0, 0.0], 0)
+            .and_then(|mut mesh| mesh.set_attribute(name, 1, &[0.0; 2], false));
+        known.map_err(|error| exception(py, &error))?;
+        Ok(Attribute { name: name.clone(), components, values, is_extended: false })
+    };
+    given.iter().map(attribute).collect()
 }

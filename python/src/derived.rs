@@ -5,8 +5,9 @@ use crate::core::Core;
 use crate::errors::detached;
 use crate::options::whole;
 use crate::progress::Reporter;
+use crate::selection::Given;
 use netmesh::query::{Values, extend_values};
-use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result, arrays};
+use netmesh::{Algorithm, ErrorKind, Mesh, Options, arrays};
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -58,28 +59,33 @@ impl Core {
         *self.delaunay.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&made));
         Ok(made)
     }
-
-    fn rows<'py>(
-        &self,
-        py: Python<'py>,
-        columns: usize,
-        count: usize,
-        make: impl FnOnce(&Mesh) -> Result<Vec<u32>> + Send,
-    ) -> PyResult<Bound<'py, PyArray2<i32>>> {
-        let values = ids(py, detached(py, || make(&self.mesh))?, count)?;
-        values.reshape([values.len() / columns, columns])
-    }
 }
 
 #[pymethods]
 impl Core {
-    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i32>>> {
-        self.rows(py, 2, self.count_of_vertices(), Mesh::edges)
+    /// Ids of simplices.
+    fn part_simplices<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let chosen = self.of_part(py, selection, |part| Ok(part.simplices().collect()))?;
+        ids(py, chosen, self.count_of_simplices())
+    }
+
+    fn edges<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let edges =
+            ids(py, self.of_part(py, selection, |part| part.edges())?, self.count_of_vertices())?;
+        edges.reshape([edges.len() / 2, 2])
     }
 
     /// Vertices of facets, and their two simplices.
-    fn facets<'py>(&self, py: Python<'py>) -> PyResult<FacetArrays<'py>> {
-        let facets = detached(py, || self.mesh.facets())?;
+    fn facets<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<FacetArrays<'py>> {
+        let facets = self.of_part(py, selection, |part| part.facets())?;
         let dim = self.triangulation().dim;
         let vertices = ids(py, facets.vertices, self.count_of_vertices())?;
         let simplices = ids(py, facets.simplices, self.count_of_simplices())?;
@@ -88,35 +94,54 @@ impl Core {
     }
 
     /// Vertices of the hull's facets, and their simplices.
-    fn hull<'py>(&self, py: Python<'py>) -> PyResult<HullArrays<'py>> {
-        let hull = detached(py, || self.mesh.hull())?;
+    fn hull<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<HullArrays<'py>> {
+        let hull = self.of_part(py, selection, |part| part.hull())?;
         let dim = self.triangulation().dim;
         let vertices = ids(py, hull.vertices, self.count_of_vertices())?;
         let count = vertices.len() / dim;
         Ok((vertices.reshape([count, dim])?, ids(py, hull.simplices, self.count_of_simplices())?))
     }
 
-    fn vertex_simplices<'py>(&self, py: Python<'py>) -> PyResult<Lists<'py>> {
-        lists(py, detached(py, || self.mesh.vertex_simplices())?, self.count_of_simplices())
+    fn vertex_simplices<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<Lists<'py>> {
+        let stars = self.of_part(py, selection, |part| part.vertex_simplices())?;
+        lists(py, stars, self.count_of_simplices())
     }
 
-    fn vertex_neighbors<'py>(&self, py: Python<'py>) -> PyResult<Lists<'py>> {
-        lists(py, detached(py, || self.mesh.vertex_neighbors())?, self.count_of_vertices())
+    fn vertex_neighbors<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<Lists<'py>> {
+        let neighbors = self.of_part(py, selection, |part| part.vertex_neighbors())?;
+        lists(py, neighbors, self.count_of_vertices())
     }
 
     /// Centres and radii.
-    fn circumcenters<'py>(&self, py: Python<'py>) -> PyResult<BallArrays<'py>> {
-        let arrays::Circumcenters { centers, radii } = detached(py, || self.mesh.circumcenters())?;
+    fn circumcenters<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<BallArrays<'py>> {
+        let arrays::Circumcenters { centers, radii } =
+            self.of_part(py, selection, |part| part.circumcenters())?;
         let shape = [radii.len(), self.triangulation().dim];
         Ok((PyArray1::from_vec(py, centers).reshape(shape)?, PyArray1::from_vec(py, radii)))
     }
 
-    fn volumes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(PyArray1::from_vec(py, detached(py, || self.mesh.volumes())?))
+    fn volumes<'py>(
+        &self,
+        py: Python<'py>,
+        selection: Given<'py>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(PyArray1::from_vec(py, self.of_part(py, selection, |part| part.volumes())?))
     }
 
     /// The Voronoi diagram by the names of its parts.
-    fn voronoi<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    fn voronoi<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arrays::Voronoi {
             regions,
             is_bounded,
@@ -125,15 +150,16 @@ impl Core {
             ridges,
             ridge_corners,
             is_ridge_bounded,
-        } = detached(py, || self.mesh.voronoi())?;
+        } = self.of_part(py, selection, |part| part.voronoi())?;
         let parts = PyDict::new(py);
-        let ridges = ids(py, ridges, self.count_of_vertices())?;
-        parts.set_item("regions", lists(py, regions, self.count_of_simplices())?)?;
+        let (vertices, simplices) = (self.count_of_vertices(), self.count_of_simplices());
+        let ridges = ids(py, ridges, vertices)?;
+        parts.set_item("regions", lists(py, regions, simplices)?)?;
         parts.set_item("is_bounded", PyArray1::from_vec(py, is_bounded))?;
         parts.set_item("volumes", PyArray1::from_vec(py, volumes))?;
         parts.set_item("shares", PyArray1::from_vec(py, shares))?;
         parts.set_item("ridges", ridges.reshape([ridges.len() / 2, 2])?)?;
-        parts.set_item("ridge_corners", lists(py, ridge_corners, self.count_of_simplices())?)?;
+        parts.set_item("ridge_corners", lists(py, ridge_corners, simplices)?)?;
         parts.set_item("is_ridge_bounded", PyArray1::from_vec(py, is_ridge_bounded))?;
         Ok(parts)
     }

@@ -23,9 +23,11 @@ fn class(kind: ErrorKind) -> &'static str {
     }
 }
 
-/// The exception for an error. Its message names options as Python's callers do.
+/// The exception for an error. Its message names options and what selects as Python's callers do.
 pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
-    let message = error.message().strip_prefix("options.").unwrap_or(error.message());
+    let structs = ["options.", "selection."];
+    let name = structs.iter().find_map(|name| error.message().strip_prefix(name));
+    let message = name.unwrap_or(error.message());
     raised(py, error.kind(), message.to_owned())
 }
 

@@ -8,6 +8,7 @@ mod errors;
 mod options;
 mod progress;
 mod queries;
+mod selection;
 mod voronoi;
 
 #[pyo3::pymodule]

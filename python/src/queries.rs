@@ -10,23 +10,11 @@ use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::sync::{Arc, PoisonError};
 
 /// Points between two looks for signals.
 const PORTION: usize = 1 << 18;
 
 impl Core {
-    /// Called while Python's lock is let go.
-    fn index(&self) -> Result<Arc<Index>> {
-        let mut made = self.index.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(index) = &*made {
-            return Ok(Arc::clone(index));
-        }
-        let index = Arc::new(Index::new(self.triangulation())?);
-        *made = Some(Arc::clone(&index));
-        Ok(index)
-    }
-
     fn count(&self, points: &PyReadonlyArray2<'_, f64>) -> PyResult<usize> {
         let (count, dim) = points.as_array().dim();
         if dim != self.triangulation().dim {
@@ -46,13 +34,13 @@ impl Core {
         count: usize,
         mut ask: impl FnMut(&Triangulation, &Index, std::ops::Range<usize>) -> Result<()> + Send,
     ) -> PyResult<()> {
-        let index = detached(py, || self.index())?;
+        let index = detached(py, || self.prepared.index(&self.mesh))?;
         for start in (0..count).step_by(PORTION) {
             let range = start..count.min(start + PORTION);
-            detached(py, || match ask(self.triangulation(), &index, range) {
+            detached(py, || match ask(self.triangulation(), index, range) {
                 // So that the message counts from the first point.
                 Err(error) if error.kind() == ErrorKind::NonFinite && start > 0 => {
-                    ask(self.triangulation(), &index, 0..count)
+                    ask(self.triangulation(), index, 0..count)
                 }
                 done => done,
             })?;
@@ -150,7 +138,7 @@ impl Core {
 
     /// Bytes that the index takes, which is made if there is none yet.
     fn index_bytes(&self, py: Python<'_>) -> PyResult<usize> {
-        detached(py, || Ok(self.index()?.bytes()))
+        detached(py, || Ok(self.prepared.index(&self.mesh)?.bytes()))
     }
 
     /// Level, violations, checked, and of the first violation: its number, simplex, vertex,

@@ -29,15 +29,18 @@ impl Core {
     fn merged_voronoi<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
         let Diagram { simplices, ridges, ridge_corners, region_corners } = detached(py, || {
             let mesh = self.triangulation();
-            let voronoi = self.mesh.voronoi()?;
+            let part = self.mesh.whole()?;
+            let (regions, ridges) = (part.regions()?, part.ridges()?);
+            let mut is_bounded = vec![true; mesh.vertex_count()];
+            part.hull()?.vertices.iter().for_each(|&vertex| is_bounded[vertex as usize] = false);
             Ok(match mesh.dim {
-                2 => diagram::<2>(mesh, &voronoi),
-                3 => diagram::<3>(mesh, &voronoi),
-                4 => diagram::<4>(mesh, &voronoi),
-                5 => diagram::<5>(mesh, &voronoi),
-                6 => diagram::<6>(mesh, &voronoi),
-                7 => diagram::<7>(mesh, &voronoi),
-                _ => diagram::<8>(mesh, &voronoi),
+                2 => diagram::<2>(mesh, &ridges, &regions, &is_bounded),
+                3 => diagram::<3>(mesh, &ridges, &regions, &is_bounded),
+                4 => diagram::<4>(mesh, &ridges, &regions, &is_bounded),
+                5 => diagram::<5>(mesh, &ridges, &regions, &is_bounded),
+                6 => diagram::<6>(mesh, &ridges, &regions, &is_bounded),
+                7 => diagram::<7>(mesh, &ridges, &regions, &is_bounded),
+                _ => diagram::<8>(mesh, &ridges, &regions, &is_bounded),
             })
         })?;
         let ridges = ids(py, ridges, self.count_of_vertices())?;
@@ -50,19 +53,24 @@ impl Core {
     }
 }
 
-fn diagram<const D: usize>(mesh: &Triangulation, voronoi: &arrays::Voronoi) -> Diagram {
+fn diagram<const D: usize>(
+    mesh: &Triangulation,
+    all: &arrays::Ridges,
+    regions: &arrays::Lists,
+    is_bounded: &[bool],
+) -> Diagram {
     let corners = Corners::<D>::new(mesh);
     let mut ridges = Vec::new();
     let mut ridge_corners = arrays::Lists { starts: vec![0], ids: Vec::new() };
-    let of_ridges = voronoi.ridge_corners.iter().zip(&voronoi.is_ridge_bounded);
-    for (ends, (star, &is_bounded)) in voronoi.ridges.chunks_exact(2).zip(of_ridges) {
+    let of_ridges = all.corners.iter().zip(&all.is_bounded);
+    for (ends, (star, &is_bounded)) in all.vertices.chunks_exact(2).zip(of_ridges) {
         if corners.are_apart(star) || corners.is_ridge(ends, star) {
             ridges.extend_from_slice(ends);
             corners.add(star, is_bounded, &mut ridge_corners);
         }
     }
     let mut region_corners = arrays::Lists { starts: vec![0], ids: Vec::new() };
-    for (star, &is_bounded) in voronoi.regions.iter().zip(&voronoi.is_bounded) {
+    for (star, &is_bounded) in regions.iter().zip(is_bounded) {
         corners.add(star, is_bounded, &mut region_corners);
     }
     Diagram { simplices: corners.simplices, ridges, ridge_corners, region_corners }

@@ -96,3 +96,51 @@ def test_values_of_inputs_on_a_line():
     m = netmesh.mesh(np.outer(np.arange(5.0), [1, 2]))
     found = m.extend_values(np.arange(5))
     assert (found == m.nearest(m.points, among="inputs")[0]).all() and len(found) > 5
+
+
+def test_parts_of_a_mesh(random, tmp_path):
+    corners = np.array(list(itertools.product([0.0, 1], repeat=3)))
+    m = netmesh.mesh(np.concatenate([corners, random.random((300, 3))]))
+    assert m.volumes.sum() > 10
+    assert np.isclose(m.voronoi.shares.sum(), m.volumes.sum(), rtol=1e-12)
+    # The hull of the inputs is their box.
+    for extent in ("hull", "box"):
+        placements, part = m.placements(extent), m.part(extent)
+        inside = placements == netmesh.Placement.INSIDE
+        assert (part.simplices == np.flatnonzero(inside)).all()
+        corners = m.points[m.simplices]
+        in_box = ((corners >= 0) & (corners <= 1)).all(axis=(1, 2))
+        assert (inside == in_box).all() and 0 < part.volumes.sum() < 1
+        wide = m.part(extent, across=True)
+        assert wide.volumes.sum() > 1
+        across = placements == netmesh.Placement.ACROSS
+        assert (wide.simplices == np.flatnonzero(inside | across)).all()
+        assert (part.volumes == m.volumes[inside]).all()
+        assert (part.circumcenters == m.circumcenters[inside]).all()
+        assert set(part.hull.simplices) <= set(part.simplices) and len(part.edges) < len(m.edges)
+        assert len(part.vertex_simplices.indptr) == len(m.points) + 1
+        assert rows(part.hull.vertices) <= rows(part.facets.vertices)
+        assert np.isclose(part.voronoi.shares.sum(), part.volumes.sum(), rtol=1e-9)
+    part.export(tmp_path / "part.npy")
+    assert rows(np.load(tmp_path / "part.npy")) == rows(m.points[np.unique(m.simplices[inside])])
+    with pytest.raises(ValueError, match="^extent is 'ball'; it must be 'all' or 'hull' or 'box'"):
+        m.part("ball")
+    with pytest.raises(ValueError, match="^extent is 'all'; it must be 'hull' or 'box'"):
+        m.placements("all")
+
+
+def test_domains_of_a_mesh():
+    random = np.random.default_rng(3)
+    points = np.concatenate([random.random((20, 2)), 0.5 + 1e-6 * random.random((20, 2))])
+    m = netmesh.mesh(points)
+    assert len(m.domains) > 1
+    whole, inner = m.part(domain=0), m.part(domain=1)
+    assert (whole.simplices == np.arange(len(m.simplices))).all()
+    assert 0 < len(inner.simplices) < len(m.simplices)
+    vertices = np.unique(m.simplices[inner.simplices])
+    lengths = np.linalg.norm(m.points[vertices] - m.points[m.domains[1]["center"]], axis=1)
+    assert (lengths <= m.domains[1]["radius"]).all()
+    with pytest.raises(netmesh.InvalidArgumentError, match=f"^domain is {len(m.domains)}; the mesh"):
+        m.part(domain=len(m.domains))
+    with pytest.raises(netmesh.InvalidArgumentError, match="^domain is -1; it must be 0 to"):
+        m.part(domain=-1)

@@ -248,3 +248,24 @@ def test_export(tmp_path, random):
     with pytest.raises(OSError, match="No such file"):
         m.export(tmp_path / "nowhere" / "mesh.vtu")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["mesh.any", "mesh.any.ele", "mesh.npy"]
+
+
+def test_attributes_are_exported(tmp_path, random):
+    m = netmesh.mesh(random.random((40, 2)))
+    values = random.random((len(m.points), 3))
+    m.export(tmp_path / "mesh.csv", attributes={"height": values[:, 0], "v": values})
+    header, *lines = (tmp_path / "mesh.csv").read_text().split()
+    names, table = header.split(","), [line.split(",") for line in lines]
+    columns = {name: [row[at] for row in table] for at, name in enumerate(names)}
+    assert [float(x) for x in columns["height"]] == values[:, 0].tolist()
+    assert len(names) == 3 + 1 + 3 and len(lines) == len(values)
+    part = m.part("hull")
+    part.export(tmp_path / "part.csv", attributes={"height": values[:, 0]})
+    lines = (tmp_path / "part.csv").read_text().split()[1:]
+    vertices = np.unique(m.simplices[part.simplices])
+    assert [float(line.split(",")[-1]) for line in lines] == values[vertices, 0].tolist()
+    with pytest.raises(ValueError, match=r"^attribute height has shape \(40,\); it must be"):
+        m.export(tmp_path / "mesh.csv", attributes={"height": values[:40, 0]})
+    for name in ("", "a b", "kind", 65 * "a"):
+        with pytest.raises(netmesh.InvalidArgumentError, match="name"):
+            m.export(tmp_path / "mesh.csv", attributes={name: values})

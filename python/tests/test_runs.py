@@ -150,10 +150,12 @@ def resident():
     status = pathlib.Path("/proc/self/status").read_text().split()
     return int(status[status.index("VmRSS:") + 1]) * 1024
 
-def use():
+def use(rare):
     m = netmesh.mesh(points, progress=lambda report: None)
     m.locate(x), m.nearest(x), m.interpolate(m.points, x), m.domains, m.stats, m.quality()
-    m.edges, m.voronoi, m.validate(), m.extend_values(points)
+    if rare:
+        m.edges, m.voronoi, m.validate(), m.extend_values(points), m.part("hull").volumes
+        netmesh.Voronoi(points)
     tri = netmesh.Delaunay(points)
     tri.transform, tri.simplices, netmesh.LinearNDInterpolator(tri, points)(x)
     try:
@@ -163,8 +165,8 @@ def use():
 
 sizes = []
 for _ in range(10):
-    for _ in range(1000):
-        use()
+    for i in range(1000):
+        use(i % 10 == 0)
     sizes.append(resident())
 print(sizes[-1] - sizes[0])
 """

@@ -92,7 +92,10 @@ impl<'a> Part<'a> {
     /// writer. Domains keep their numbers; the centre of one may be no vertex any more, and is 0
     /// then.
     /// Attributes at the vertices go with them.
-    pub(crate) fn to_mesh(
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn to_mesh(
         &self,
         inputs: &Inputs,
         attributes: &[Attribute],

@@ -1,0 +1,122 @@
+"""Arrays that are made of a mesh's on request, of all of it or of a part."""
+
+from __future__ import annotations
+
+import functools
+import os
+from typing import Optional, Union
+
+import numpy as np
+
+from ._arrays import value_columns
+from ._netmesh import Core
+from ._results import CSR, Facets, VoronoiCells
+
+
+class Arrays:
+    """Arrays that are made when they are asked for, and kept. They are read-only."""
+
+    _core: Core
+    #: The extent, whether what is across belongs to it, and the domain; None for all.
+    _selection: Optional[tuple[str, bool, Optional[int]]] = None
+
+    def _export(
+        self, path: Union[str, os.PathLike], format: str, attributes: Optional[dict]
+    ) -> None:
+        count = len(self._core.kinds)
+        columns = [
+            (name, value_columns(values, count, "vertex", f"attribute {name}"))
+            for name, values in (attributes or {}).items()
+        ]
+        self._core.export(path, format, self._selection, columns)
+
+    @functools.cached_property
+    def edges(self) -> np.ndarray:
+        """Edges, int32, shape (edges, 2): the less vertex first, in lexicographic order."""
+        return _fixed(self._core.edges(self._selection))
+
+    @functools.cached_property
+    def facets(self) -> Facets:
+        """Facets, and the two simplices of each; -1 on the hull."""
+        return Facets(*map(_fixed, self._core.facets(self._selection)))
+
+    @functools.cached_property
+    def hull(self) -> Facets:
+        """Facets of the convex hull, oriented outwards, and the simplex of each."""
+        return Facets(*map(_fixed, self._core.hull(self._selection)))
+
+    @functools.cached_property
+    def vertex_simplices(self) -> CSR:
+        """The simplices of each vertex, ascending."""
+        indptr, indices = self._core.vertex_simplices(self._selection)
+        return CSR(_fixed(indptr), _fixed(indices))
+
+    @functools.cached_property
+    def vertex_neighbors(self) -> CSR:
+        """The vertices that have an edge with each vertex, ascending."""
+        indptr, indices = self._core.vertex_neighbors(self._selection)
+        return CSR(_fixed(indptr), _fixed(indices))
+
+    @functools.cached_property
+    def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
+        centers, radii = self._core.circumcenters(self._selection)
+        return _fixed(centers), _fixed(radii)
+
+    @property
+    def circumcenters(self) -> np.ndarray:
+        """Circumcentres of simplices, float64, shape (simplices, dim)."""
+        return self._circumballs[0]
+
+    @property
+    def circumradii(self) -> np.ndarray:
+        """Circumradii of simplices, float64, shape (simplices,)."""
+        return self._circumballs[1]
+
+    @functools.cached_property
+    def volumes(self) -> np.ndarray:
+        """Volumes (2D: areas) of simplices, float64, shape (simplices,)."""
+        return _fixed(self._core.volumes(self._selection))
+
+    @functools.cached_property
+    def voronoi(self) -> VoronoiCells:
+        """The Voronoi diagram of the vertices."""
+        parts = self._core.voronoi(self._selection)
+        for name, part in parts.items():
+            parts[name] = CSR(*map(_fixed, part)) if isinstance(part, tuple) else _fixed(part)
+        return VoronoiCells(**parts)
+
+
+class Part(Arrays):
+    """Some of a mesh's simplices: `Mesh.part` picks them.
+
+    A part is a mesh of its own: its hull is its boundary. Ids are those of the whole mesh all the
+    same. Arrays have a row for each simplex of the part, but lists for all vertices of the mesh.
+    """
+
+    def __init__(self, core: Core, selection: tuple[str, bool, Optional[int]]) -> None:
+        self._core = core
+        self._selection = selection
+        #: Ids of the part's simplices, int32, ascending.
+        self.simplices = _fixed(core.part_simplices(selection))
+
+    def __repr__(self) -> str:
+        return f"<netmesh.Part: {len(self.simplices)} simplices>"
+
+    def export(
+        self,
+        path: Union[str, os.PathLike],
+        format: str = "auto",
+        *,
+        attributes: Optional[dict] = None,
+    ) -> None:
+        """Write the part to a file, as `Mesh.export`: its vertices alone, numbered anew.
+
+        Attributes are of all vertices of the mesh.
+        """
+        self._export(path, format, attributes)
+
+
+def _fixed(array: np.ndarray) -> np.ndarray:
+    """An array that is kept, so that nobody changes it."""
+    array.flags.writeable = False
+    return array

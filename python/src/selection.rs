@@ -1,0 +1,53 @@
+//! Some of the simplices of a mesh.
+
+use crate::core::Core;
+use crate::errors::detached;
+use crate::options::{choice, whole};
+use netmesh::Result;
+use netmesh::arrays::{Extent, Part, Selection};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+
+/// The extent by name, whether simplices across its boundary belong to it, and the domain. None for
+/// all simplices.
+pub type Given<'py> = Option<(Bound<'py, PyAny>, bool, Option<Bound<'py, PyAny>>)>;
+
+const EXTENTS: [(&str, Extent); 3] =
+    [("all", Extent::All), ("hull", Extent::Hull), ("box", Extent::Box)];
+
+pub fn selected(given: Given<'_>) -> PyResult<Option<Selection>> {
+    let Some((extent, across, domain)) = given else { return Ok(None) };
+    let extent = choice("extent", &extent, &EXTENTS)?;
+    let domain = match domain {
+        Some(domain) => whole("domain", &domain, netmesh::NONE - 1)?,
+        None => netmesh::NONE,
+    };
+    Ok(Some(Selection { extent, across, domain }))
+}
+
+impl Core {
+    /// What `make` makes of some of the simplices.
+    pub fn of_part<T: Send>(
+        &self,
+        py: Python<'_>,
+        given: Given<'_>,
+        make: impl FnOnce(&Part<'_>) -> Result<T> + Send,
+    ) -> PyResult<T> {
+        let selection = selected(given)?.unwrap_or_default();
+        detached(py, || make(&self.prepared.part(&self.mesh, &selection)?))
+    }
+}
+
+#[pymethods]
+impl Core {
+    /// Where each simplex lies: 0 inside, 1 across, 2 outside.
+    fn placements<'py>(
+        &self,
+        py: Python<'py>,
+        extent: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<u8>>> {
+        let extent = choice("extent", extent, &EXTENTS[1..])?;
+        let placements = detached(py, || self.prepared.placements(&self.mesh, extent))?;
+        Ok(PyArray1::from_iter(py, placements.iter().map(|&placement| placement as u8)))
+    }
+}

@@ -181,11 +181,12 @@ impl<const D: usize> Body<D> {
         Ok(Self { corners, low, high })
     }
 
-    fn place(&self, mesh: &Triangulation, spots: &[Spot]) -> AllocResult<Vec<Placement>> {
+    fn place(self, mesh: &Triangulation, spots: &[Spot]) -> AllocResult<Vec<Placement>> {
         let view = View::<D> { mesh };
         let known = (0..mesh.simplex_count() as u32).map(|s| self.at_once(view, s, spots));
         let mut placements = collected(known)?;
-        let mut walk = Walk { body: self, view, planes: Vec::new(), queue: VecDeque::new() };
+        let (points, planes, queue) = (self.corners, Vec::new(), VecDeque::new());
+        let mut walk = Walk { points, view, planes, queue, used: Vec::new() };
         walk.settle(&mut placements)?;
         Ok(placements.into_iter().map(|placement| placement.unwrap_or(Placement::Across)).collect())
     }
@@ -211,11 +212,17 @@ impl<const D: usize> Body<D> {
 
 /// Goes from simplex to neighbour: what separates one often separates the next.
 struct Walk<'a, const D: usize> {
-    body: &'a Body<D>,
+    /// Those of the hull: first those that decided last, which are near.
+    points: Vec<[f64; D]>,
     view: View<'a, D>,
     planes: Vec<Plane<D>>,
     queue: VecDeque<u32>,
+    /// Places of points that decide.
+    used: Vec<usize>,
 }
+
+/// As many of the planes that were found last are tried at a simplex.
+const RECENT: usize = 16;
 
 impl<const D: usize> Walk<'_, D> {
     /// Finds the placements that are not known.
@@ -252,9 +259,23 @@ impl<const D: usize> Walk<'_, D> {
                 return Ok(plane);
             }
         }
-        let pair = Pair { simplex: points, points: &self.body.corners };
-        let Some(plane) = pair.separation() else { return Ok(NONE) };
+        let recent = self.planes.len().saturating_sub(RECENT)..self.planes.len();
+        if let Some(plane) = recent.rev().find(|&plane| self.planes[plane].separates(points)) {
+            return Ok(plane as u32);
+        }
+        self.used.clear();
+        let pair = Pair { simplex: points, points: &self.points };
+        let plane = pair.separation(&mut self.used)?;
+        self.bring_to_front();
+        let Some(plane) = plane else { return Ok(NONE) };
         self.planes.try_push(plane)?;
         Ok(self.planes.len() as u32 - 1)
+    }
+
+    /// Brings the points that were used before the others: the next simplex is near this one.
+    fn bring_to_front(&mut self) {
+        self.used.sort_unstable();
+        self.used.dedup();
+        self.used.iter().enumerate().for_each(|(front, &at)| self.points.swap(front, at));
     }
 }

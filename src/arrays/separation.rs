@@ -7,6 +7,7 @@
 //! but signs of determinants, which are orientations, and by the rule of the least index (R. G. Bland,
 //! "New finite pivoting rules for the simplex method", 1977) it ends.
 
+use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::MAX_DIM;
 use crate::numerics::{Sign, orientation};
 
@@ -53,24 +54,33 @@ struct Basis<'a, const D: usize> {
 
 impl<'a, const D: usize> Pair<'a, D> {
     /// A plane that separates the interior of the simplex from the hull of the points; `None` if they
-    /// have a point in common.
-    pub fn separation(&self) -> Option<Plane<D>> {
-        (0..=D).find_map(|i| self.separation_at(i))
+    /// have a point in common. Adds the points that came into a basis to `used`.
+    pub fn separation(&self, used: &mut Vec<usize>) -> AllocResult<Option<Plane<D>>> {
+        for i in 0..=D {
+            if let Some(plane) = self.separation_at(i, used)? {
+                return Ok(Some(plane));
+            }
+        }
+        Ok(None)
     }
 
     /// The same as far as it is decided by whether v_i is such a sum.
-    fn separation_at(&self, i: usize) -> Option<Plane<D>> {
+    fn separation_at(&self, i: usize, used: &mut Vec<usize>) -> AllocResult<Option<Plane<D>>> {
         let Some(first) = self.beyond_facet(i) else {
-            return Some(self.facet(i));
+            return Ok(Some(self.facet(i)));
         };
+        used.try_push(first)?;
         let mut basis = self.first_basis(i, first);
         while let Some(row) = self.negative_row(&mut basis, i) {
             let Some(column) = self.entering(&mut basis, row, i) else {
-                return Some(basis.plane(row));
+                return Ok(Some(basis.plane(row)));
             };
+            if let Column::Point(at) = column {
+                used.try_push(at)?;
+            }
             basis.exchange(row, column, self.point(column));
         }
-        None
+        Ok(None)
     }
 
     /// The first of the points on the side of vertex `i` of the opposite facet.

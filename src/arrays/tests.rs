@@ -280,6 +280,9 @@ fn ridges_in_space_are_polygons_in_order() {
         let (voronoi, centers) = (mesh.voronoi().unwrap(), mesh.circumcenters().unwrap().centers);
         let mut sums = vec![0.0; triangulation.vertex_count()];
         for (at, ends) in voronoi.ridges.chunks_exact(2).enumerate() {
+            for pair in voronoi.ridge_corners.of(at).windows(2) {
+                assert!(triangulation.neighbors_of(pair[0] as usize).contains(&pair[1]));
+            }
             if !voronoi.is_ridge_bounded[at] {
                 sums[ends[0] as usize] = f64::INFINITY;
                 sums[ends[1] as usize] = f64::INFINITY;

@@ -162,18 +162,23 @@ mod tests {
         let statuses = unsafe {
             [
                 nm_mesh_set_attributes(&mut mesh, c"heat".as_ptr(), 1, heat.as_ptr()),
+                nm_mesh_set_attributes(&mut mesh, c"wind".as_ptr(), 1, flow.as_ptr()),
                 nm_mesh_set_input_attributes(&mut mesh, c"flow".as_ptr(), 2, flow.as_ptr()),
             ]
         };
-        assert_eq!(statuses, [nm_status::NM_OK; 2]);
+        assert_eq!(statuses, [nm_status::NM_OK; 3]);
         assert_eq!(get(&mesh, c"heat"), [1.0, 2.0, 3.0, 2.0]);
         let csv = export(&mesh, nm_format::NM_FORMAT_CSV);
-        assert!(csv.starts_with("x0,x1,kind,heat,flow_0,flow_1\n0,0,0,1,0.5,0.5\n"), "{csv}");
+        assert!(
+            csv.starts_with("x0,x1,kind,heat,wind,flow_0,flow_1\n0,0,0,1,0.5,0.5,0.5\n"),
+            "{csv}"
+        );
         // SAFETY: a live handle.
         let status = unsafe { with_mesh_mut(&mesh, |mesh| mesh.run(&Options::default(), None)) };
         assert_eq!(status, nm_status::NM_OK);
         let (heat, flow) = (get(&mesh, c"heat"), get(&mesh, c"flow"));
         assert_eq!((&heat[..4], 2 * heat.len()), (&[1.0, 2.0, 3.0, 2.0][..], flow.len()));
+        assert!(get(&mesh, c"wind").iter().all(|wind| (wind - 0.5).abs() < 1e-12));
         assert!(heat.len() > 4 && heat.iter().all(|value| (1.0..=3.0).contains(value)));
         assert!(flow[..8].iter().all(|&x| x == 0.5) && flow[8..].iter().all(|x| x.is_nan()));
         let vtu = export(&mesh, nm_format::NM_FORMAT_VTU);

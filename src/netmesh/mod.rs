@@ -24,7 +24,7 @@ mod state;
 mod watch;
 
 use crate::delaunay::Cavity;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::Result;
 use crate::mesh::{Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
 use crate::parameters::Parameters;
@@ -80,10 +80,4 @@ fn mesh<const D: usize>(
     }
     drop(cavity);
     mesher.into_triangulation(begun)
-}
-
-fn limit(max_vertices: u64, needed: usize) -> Error {
-    let message =
-        message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
-    Error::new(ErrorKind::Limit, message)
 }

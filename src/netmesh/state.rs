@@ -2,23 +2,22 @@
 //! only the run itself needs.
 
 use super::cages::domains::Hierarchy;
-use super::instruments::Instruments;
-use super::limit;
+use super::instruments::observations::Instruments;
 use super::partitions::interface::Interface;
 use super::refinement::refine_list::RefineList;
 use super::rounds::conflict_lists::ConflictLists;
 use super::rounds::order::{InputId, by_locality};
-use super::rounds::svr::Crowded;
 use super::watch::Watch;
 use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::delaunay::Delaunay;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, Stats};
 use crate::options::{Algorithm, Output, Phase};
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 use std::cmp::Reverse;
+use std::collections::VecDeque;
 
 /// Inputs from which on growing arrays take more time than a progress callback may wait.
 const MANY: usize = 1 << 16;
@@ -79,8 +78,9 @@ pub(super) struct Mesher<'a, 'b, const D: usize> {
     pub watch: Watch<'a, 'b>,
     /// Vertex -> distinct input. Empty in a partition.
     pub order: Vec<InputId>,
-    /// Used by Sparse Voronoi Refinement only.
-    pub crowded: Crowded,
+    /// Simplices that had inputs when they were queued, oldest first: the coarse ones come before
+    /// those that replace them. Used by Sparse Voronoi Refinement only.
+    pub crowded: VecDeque<SimplexId>,
     /// What a partition reported last.
     pub reported: [u64; 3],
     pub instruments: Instruments,
@@ -114,6 +114,12 @@ pub(super) struct Scratch {
     /// Simplices, and their inputs' distances, near a cage that is wanted.
     pub near: Vec<SimplexId>,
     pub distances: Vec<Reverse<u64>>,
+}
+
+pub(super) fn limit(max_vertices: u64, needed: usize) -> Error {
+    let message =
+        message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    Error::new(ErrorKind::Limit, message)
 }
 
 impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
@@ -168,7 +174,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             state,
             watch,
             order: Vec::new(),
-            crowded: Crowded::default(),
+            crowded: VecDeque::new(),
             reported: [0; 3],
             instruments: Instruments::default(),
             scratch: Scratch::default(),

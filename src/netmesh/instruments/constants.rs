@@ -1,6 +1,7 @@
 //! K of the feature size invariant (Definition 7) and of the insertion radius invariant (Definition
 //! 8): the largest ratios that were observed.
 
+use super::observations::Pending;
 use super::stride;
 use crate::complex::VertexId;
 use crate::error::Result;
@@ -22,12 +23,6 @@ const WORK: u64 = 1 << 26;
 /// The number of sweeps over the vertices that take the probes. Where work is cut off early, the
 /// probes taken are still inputs, Steiner points and vertices of cages alike.
 const SWEEPS: usize = 16;
-
-/// A vertex of a cage whose domain has one input yet, its centre.
-pub(super) struct Pending {
-    vertex: VertexId,
-    insertion_radius: f64,
-}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.

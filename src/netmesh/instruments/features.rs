@@ -9,14 +9,13 @@
 //! neighbour outside is followed only when the search comes to it from there.) Vertices outside
 //! Omega are followed, and do not count; none is wanted beyond the diameter of Omega's ball.
 
-use crate::complex::{IdSet, SimplexId, VertexId, VertexSet};
+use super::observations::Search;
+use crate::complex::{IdSet, VertexId};
 use crate::error::Result;
-use crate::memory::{AllocResult, Array, Id};
+use crate::memory::{AllocResult, Id};
 use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, OfDomain, ROOT};
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::numerics::distance;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// A search that visits this number of vertices ends without an answer.
 const MOST_VISITED: usize = 4096;
@@ -26,39 +25,6 @@ const MOST_VISITED: usize = 4096;
 pub(super) struct FeatureSizes {
     pub mesh: Option<f64>,
     pub inputs: Option<f64>,
-}
-
-/// The buffers of a search.
-#[derive(Default)]
-pub(super) struct Search {
-    /// Distances, as bits, of vertices to go on from, and of children's centres (`true`).
-    queue: BinaryHeap<Reverse<(u64, VertexId, bool)>>,
-    seen: VertexSet,
-    children: IdSet<OfDomain>,
-    star: Array<SimplexId>,
-    /// Simplices visited in all searches.
-    pub work: u64,
-}
-
-impl Search {
-    fn restart(&mut self, vertices: usize, domains: usize) -> AllocResult<()> {
-        self.queue.clear();
-        self.seen.restart(vertices)?;
-        self.children.restart(domains)
-    }
-
-    fn push(&mut self, distance: f64, vertex: VertexId, is_center: bool) -> AllocResult<()> {
-        if self.queue.len() == self.queue.capacity() {
-            self.queue.try_reserve(1)?;
-        }
-        self.queue.push(Reverse((distance.to_bits(), vertex, is_center)));
-        Ok(())
-    }
-
-    fn pop(&mut self) -> Option<(f64, VertexId, bool)> {
-        let Reverse((bits, vertex, is_center)) = self.queue.pop()?;
-        Some((f64::from_bits(bits), vertex, is_center))
-    }
 }
 
 /// Whether `id` was not in `set`, where it is now.

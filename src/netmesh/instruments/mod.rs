@@ -5,25 +5,14 @@
 mod balls;
 mod constants;
 mod features;
+pub(super) mod observations;
 #[cfg(test)]
 mod tests;
 
 use super::Mesher;
 use crate::error::Result;
 use crate::options::Algorithm;
-use constants::Pending;
-use features::Search;
 use std::time::{Duration, Instant};
-
-/// What the instruments remember during a run.
-#[derive(Default)]
-pub(super) struct Instruments {
-    search: Search,
-    /// Cage vertices to which only one input counts so far.
-    pending: Vec<Pending>,
-    /// The time that they took, which is not the run's.
-    spent: Duration,
-}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Measures the complete mesh, if that is asked for. Returns the time that all instruments

@@ -5,7 +5,8 @@ use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
-use crate::netmesh::{Cell, Mesher, limit};
+use crate::netmesh::state::limit;
+use crate::netmesh::{Cell, Mesher};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Joins `partition`. `moved`: simplex that became one of a partition -> its new id.

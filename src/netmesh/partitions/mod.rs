@@ -3,8 +3,8 @@
 //! The rounds (§6.5) begin as always. Once they have made a coarse mesh, the inputs at the
 //! interfaces between partitions are inserted (`interfaces`) and the mesh is cut there (`cut`).
 //! Each partition goes through the rest of the rounds and of the refinement as a mesh of its own.
-//! It defers whatever would change a simplex at its interface (`interface`). Then the partitions
-//! join (`join`), and the global mesh does what they deferred.
+//! It defers whatever would change a simplex at its interface (`interface`, `permission`). Then the
+//! partitions join (`join`), and the global mesh does what they deferred.
 //!
 //! The paper inserts the inputs of a round, and refines, in any order (§6.3, §6.4). This is one of
 //! the orders that it allows, except for the bound on rounds: a deferred input waits for the rounds
@@ -20,6 +20,7 @@ mod cut;
 pub(super) mod interface;
 mod interfaces;
 mod join;
+mod permission;
 mod reserves;
 mod schedule;
 #[cfg(test)]

@@ -5,9 +5,10 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{collected, with_capacity};
+use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::template::{cage_points, cage_template};
-use crate::netmesh::{Mesher, limit};
+use crate::netmesh::state::limit;
 use crate::numerics::{affine_basis, distance};
 
 /// A cage's vertices are representable where they are this many times the spacing of doubles apart.

@@ -9,14 +9,6 @@ use crate::error::Result;
 use crate::memory::{AllocResult, enqueue};
 use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::ROOT;
-use std::collections::VecDeque;
-
-/// Simplices that had inputs when they were queued, oldest first: the coarse ones come before those
-/// that replace them.
-#[derive(Default)]
-pub(in crate::netmesh) struct Crowded {
-    queue: VecDeque<SimplexId>,
-}
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Breaks D-balls until none holds an input.
@@ -24,7 +16,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for simplex in self.state.delaunay.complex().simplices() {
             self.queue_if_crowded(simplex)?;
         }
-        while let Some(simplex) = self.crowded.queue.pop_front() {
+        while let Some(simplex) = self.crowded.pop_front() {
             if self.is_crowded(simplex) {
                 self.break_ball(simplex, cavity)?;
                 self.clean(cavity)?;
@@ -45,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     fn queue_if_crowded(&mut self, simplex: SimplexId) -> AllocResult<()> {
-        if self.is_crowded(simplex) { enqueue(&mut self.crowded.queue, simplex) } else { Ok(()) }
+        if self.is_crowded(simplex) { enqueue(&mut self.crowded, simplex) } else { Ok(()) }
     }
 
     fn is_crowded(&self, simplex: SimplexId) -> bool {

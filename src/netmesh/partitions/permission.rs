@@ -1,0 +1,146 @@
+//! What an operation asks before it begins in a partition: whether the interface allows it.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::cages::site::CageSite;
+
+/// The number of simplices that are examined around a wanted cage. A cage that meets more is left
+/// to the global mesh.
+const MOST_ROUND_CAGE: usize = 1 << 13;
+
+/// How much farther than the cage sphere a partition must extend: cage vertices and D-balls are
+/// rounded.
+const MARGIN: f64 = 1.0 + 1e-6;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Locks the simplices that must stay as they are. Cells are not refined at the corners of such
+    /// simplices.
+    pub(in crate::netmesh) fn lock(&mut self) -> Result<()> {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.refine_list.forget(&[], bound)?;
+        for simplex in SimplexId::below(bound) {
+            self.watch.poll_after(1)?;
+            let is_locked = (0..=D)
+                .any(|index| self.state.delaunay.complex().is_interface(simplex, index))
+                || self.spans_non_owned_domain(simplex);
+            self.state.interface.locked.try_push(is_locked)?;
+            if is_locked {
+                self.state.refine_list.limit(simplex);
+                self.state.interface.skip(simplex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Defers `input`, in a partition, and the others of its simplex.
+    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
+        if self.state.interface.is_some() {
+            self.state.interface.skip(self.state.conflict_lists.simplex_of(input))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Locks the simplices that still have inputs: these are not redistributed any more.
+    pub(in crate::netmesh) fn lock_crowded(&mut self) -> Result<()> {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.interface.locked.cover(bound, false)?;
+        for simplex in SimplexId::below(bound) {
+            self.watch.poll_after(1)?;
+            if self.state.conflict_lists.count(simplex) > 0 {
+                self.state.interface.locked[simplex] = true;
+                self.state.refine_list.limit(simplex);
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether `simplex` has vertices inside and outside of a non-owned domain. The clearance of
+    /// that domain would change with them.
+    fn spans_non_owned_domain(&mut self, simplex: SimplexId) -> bool {
+        !self.state.delaunay.complex().is_infinite(simplex)
+            && self
+                .spanned_domain(simplex, |mesher, domain, _| {
+                    mesher.state.interface.is_non_owned(domain)
+                })
+                .is_some()
+    }
+
+    /// Whether no simplex of `cavity` is locked.
+    pub(in crate::netmesh) fn may_replace_cavity(&self, cavity: &Cavity) -> bool {
+        !self.state.interface.is_some()
+            || !cavity.simplices.iter().any(|&simplex| self.state.interface.is_locked(simplex))
+    }
+
+    /// Whether `x`, whose cavity is given, may be inserted, and the cages that it encroaches from
+    /// outside released.
+    pub(in crate::netmesh) fn may_insert(&mut self, x: &[f64; D], cavity: &Cavity) -> bool {
+        if !self.state.interface.is_some() {
+            return true;
+        }
+        if !self.may_replace_cavity(cavity) {
+            return false;
+        }
+        if let Some(domain) = self.common_domain(cavity) {
+            if self.state.hierarchy.contains(domain, x) {
+                return true;
+            }
+        }
+        for at in 0..cavity.vertices.ids.len() {
+            let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
+            while !self.state.hierarchy.contains(domain, x) {
+                if self.state.interface.is_non_owned(domain) {
+                    return false;
+                }
+                domain = self.state.hierarchy.parent(domain);
+            }
+        }
+        true
+    }
+
+    /// Whether a cage may be made at `site`: no locked simplex is in conflict with a point of its
+    /// sphere, and the partition owns all domains between there and the parent.
+    pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
+        if !self.state.interface.is_some() {
+            return Ok(true);
+        }
+        let max_distance = MARGIN * self.state.parameters.cage_scale * site.radius;
+        let mut near = std::mem::take(&mut self.scratch.near);
+        let is_all = self.state.delaunay.meeting_ball(
+            site.center,
+            max_distance,
+            MOST_ROUND_CAGE,
+            &mut near,
+        )?;
+        let is_free = is_all
+            && near.iter().all(|&simplex| {
+                !self.state.interface.is_locked(simplex)
+                    && (0..=D).all(|index| {
+                        let vertex = self.state.delaunay.complex().vertices(simplex)[index];
+                        vertex.is_valid() && self.is_own_below(site.parent, vertex)
+                    })
+            });
+        self.scratch.near = near;
+        Ok(is_free)
+    }
+
+    /// Whether the partition owns all domains from that of `vertex` up to `parent`, or to one as
+    /// large.
+    fn is_own_below(&mut self, parent: DomainId, vertex: VertexId) -> bool {
+        let mut domain = self.state.hierarchy.domain_of(vertex);
+        while domain != ROOT
+            && domain != parent
+            && self.state.hierarchy.node(domain).radius < self.state.hierarchy.node(parent).radius
+        {
+            if self.state.interface.is_non_owned(domain) {
+                return false;
+            }
+            domain = self.state.hierarchy.parent(domain);
+        }
+        true
+    }
+}

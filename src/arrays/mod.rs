@@ -24,6 +24,7 @@
 mod circumcenters;
 pub(crate) mod domains;
 mod faces;
+mod part;
 mod placement;
 mod selection;
 mod separation;
@@ -35,62 +36,14 @@ mod voronoi;
 
 pub use circumcenters::Circumcenters;
 pub use faces::{Facets, Hull};
+pub use part::Part;
 pub use placement::{ConvexHull, Placement, placements_in_box};
 pub use selection::{Extent, Selection};
 pub use stars::Lists;
 pub use voronoi::{Cells, Ridges, Voronoi};
 
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Mesh, NONE, Triangulation};
-use crate::query::check_arrays;
-
-/// A result, or some of its simplices.
-#[derive(Clone, Debug)]
-pub struct Part<'a> {
-    mesh: &'a Triangulation,
-    chosen: Option<Chosen>,
-}
-
-/// Simplices that are picked.
-#[derive(Clone, Debug)]
-struct Chosen {
-    /// Ascending.
-    ids: Vec<u32>,
-    /// Simplex -> whether it is picked.
-    is_chosen: Vec<bool>,
-}
-
-impl<'a> Part<'a> {
-    /// All simplices.
-    ///
-    /// # Errors
-    /// `InvalidArgument`: arrays that do not fit together, or ids out of range.
-    pub fn whole(mesh: &'a Triangulation) -> Result<Self> {
-        check_arrays(mesh)?;
-        Ok(Self { mesh, chosen: None })
-    }
-
-    /// How many simplices there are.
-    pub fn simplex_count(&self) -> usize {
-        self.chosen.as_ref().map_or(self.mesh.simplex_count(), |chosen| chosen.ids.len())
-    }
-
-    /// The ids of the simplices, ascending.
-    pub fn simplices(&self) -> impl ExactSizeIterator<Item = u32> + Clone + '_ {
-        let chosen = self.chosen.as_ref();
-        let id = move |at| chosen.map_or(at as u32, |chosen| chosen.ids[at]);
-        (0..self.simplex_count()).map(id)
-    }
-
-    /// The neighbour across facet `i` of a simplex; [`NONE`] also if it is not in the part.
-    fn neighbor(&self, simplex: u32, i: usize) -> u32 {
-        let neighbor = self.mesh.neighbors_of(simplex as usize)[i];
-        match &self.chosen {
-            Some(chosen) if neighbor != NONE && !chosen.is_chosen[neighbor as usize] => NONE,
-            _ => neighbor,
-        }
-    }
-}
+use crate::mesh::Mesh;
 
 /// The arrays of the whole result. All fail with `State` before a run, with `OutOfMemory` where
 /// memory is refused.

@@ -1,7 +1,8 @@
 //! Some of the simplices of a mesh.
 
 use super::domains::{domain_of, is_within};
-use super::{Chosen, Part, Placement};
+use super::part::Chosen;
+use super::{Part, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Attribute, Inputs, Mesh, NONE, Triangulation};

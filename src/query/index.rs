@@ -1,12 +1,8 @@
-//! What is made once for a result, and the questions that it answers.
+//! What is made once for a result.
 
-use super::interpolate::{Method, Values, interpolate_in};
-use super::locate::{Locator, Place, Scratch};
-use super::nearest::{Among, nearest};
-use super::threads::{on_threads, piece, threads};
-use super::tree::{Tree, sort_by_leaf};
-use super::view::{View, coordinates};
-use crate::error::{Error, ErrorKind, Result, message};
+use super::nearest::Among;
+use super::tree::Tree;
+use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
 
@@ -15,9 +11,9 @@ use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimensio
 /// It takes 8 `dim` + 8 bytes a vertex and about 3 more, and as much but for 4 bytes again an
 /// input of a result with other vertices; [`Index::bytes`] tells it exactly.
 pub struct Index {
-    dim: usize,
-    simplices: usize,
-    vertices: usize,
+    pub(super) dim: usize,
+    pub(super) simplices: usize,
+    pub(super) vertices: usize,
     /// Of all vertices.
     pub(super) all: Tree,
     /// Of the inputs, if there are other vertices.
@@ -42,145 +38,11 @@ impl Index {
         trees + size_of_val(&*self.least_simplex)
     }
 
-    /// Writes for each of the points (`count x dim`) the simplex that holds it, [`NONE`] outside.
-    /// On a face that several share it is the least of them. `threads` as in the options,
-    /// 0 for all cores.
-    ///
-    /// # Errors
-    /// `InvalidArgument` (a length; a mesh other than that of the index), `NonFinite` (names point
-    /// and coordinate), `OutOfMemory`. What `simplices` holds then is unspecified.
-    pub fn locate(
-        &self,
-        mesh: &Triangulation,
-        points: &[f64],
-        threads: u32,
-        simplices: &mut [u32],
-    ) -> Result<()> {
-        self.check(mesh, points, simplices.len(), "simplices")?;
-        let found = in_dimension!(
-            self.dim,
-            D => locate_in::<D>(self, mesh, points, threads, simplices),
-            _ => return no_dimension()
-        );
-        Ok(found?)
-    }
-
-    /// As [`Index::locate`], with the face of the simplex that was hit.
-    ///
-    /// # Errors
-    /// As those of [`Index::locate`].
-    pub fn places(
-        &self,
-        mesh: &Triangulation,
-        points: &[f64],
-        threads: u32,
-        places: &mut [Place],
-    ) -> Result<()> {
-        self.check(mesh, points, places.len(), "places")?;
-        let found = in_dimension!(
-            self.dim,
-            D => locate_in::<D>(self, mesh, points, threads, places),
-            _ => return no_dimension()
-        );
-        Ok(found?)
-    }
-
-    /// Writes for each of the points the nearest vertex and its distance: the least of those at the
-    /// same exact distance. Distances are rounded, with a relative error of at most dim + 4 units
-    /// of 2^-53, and infinite only beyond the doubles.
-    ///
-    /// # Errors
-    /// As those of [`Index::locate`].
-    pub fn nearest(
-        &self,
-        mesh: &Triangulation,
-        among: Among,
-        points: &[f64],
-        threads: u32,
-        vertices: &mut [u32],
-        distances: &mut [f64],
-    ) -> Result<()> {
-        self.check(mesh, points, vertices.len(), "vertices")?;
-        self.check(mesh, points, distances.len(), "distances")?;
-        let tree = self.tree(among);
-        let found = in_dimension!(
-            self.dim,
-            D => nearest_in::<D>(tree, points, threads, vertices, distances),
-            _ => return no_dimension()
-        );
-        Ok(found?)
-    }
-
-    /// Writes for each of the points (`count x dim`) the values there (`count x components`).
-    ///
-    /// # Errors
-    /// As those of [`Index::locate`]; `InvalidArgument` if `values` is not `vertices x components`.
-    pub fn interpolate(
-        &self,
-        mesh: &Triangulation,
-        method: Method,
-        values: Values<'_>,
-        points: &[f64],
-        threads: u32,
-        out: &mut [f64],
-    ) -> Result<()> {
-        values.check("values", self.vertices, "vertices")?;
-        let rule = "components is 0; it must be at least 1";
-        let count = out.len().checked_div(values.components);
-        let count = count.ok_or_else(|| Error::new(ErrorKind::InvalidArgument, rule))?;
-        if count * values.components != out.len() {
-            let message = message!(
-                "out has length {}; it must be points x components, components = {}",
-                out.len(),
-                values.components
-            );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
-        }
-        self.check(mesh, points, count, "out")?;
-        let made = in_dimension!(
-            self.dim,
-            D => interpolate_in::<D>(self, mesh, method, values, points, threads, out),
-            _ => return no_dimension()
-        );
-        Ok(made?)
-    }
-
     pub(super) fn tree(&self, among: Among) -> &Tree {
         match among {
             Among::Vertices => &self.all,
             Among::Inputs => self.inputs.as_ref().unwrap_or(&self.all),
         }
-    }
-
-    /// Checks the mesh and the points, for which there are `count` results in the array `name`.
-    fn check(&self, mesh: &Triangulation, points: &[f64], count: usize, name: &str) -> Result<()> {
-        let is_same = mesh.dim == self.dim
-            && mesh.simplices.len() == self.simplices * (self.dim + 1)
-            && mesh.neighbors.len() == mesh.simplices.len()
-            && mesh.vertex_count() == self.vertices
-            && mesh.points.len() == self.vertices * self.dim;
-        if !is_same {
-            let rule = "the index was made for another mesh";
-            return Err(Error::new(ErrorKind::InvalidArgument, rule));
-        }
-        let dim = self.dim;
-        if points.len() != count.saturating_mul(dim) {
-            let message = message!(
-                "points has length {}; {name} has room for {count} points of dim = {dim}",
-                points.len()
-            );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
-        }
-        if let Some(at) = points.iter().position(|x| !x.is_finite()) {
-            let message = message!(
-                "points[{}] has a non-finite coordinate {}: {}; every coordinate must be finite",
-                at / dim,
-                at % dim,
-                points[at]
-            );
-            return Err(Error::new(ErrorKind::NonFinite, message));
-        }
-        Ok(())
     }
 }
 
@@ -209,7 +71,7 @@ pub(crate) fn check_arrays(mesh: &Triangulation) -> Result<()> {
     Ok(())
 }
 
-fn no_dimension<T>() -> Result<T> {
+pub(super) fn no_dimension<T>() -> Result<T> {
     Err(Error::new(ErrorKind::InvalidArgument, "the mesh's dim is out of range"))
 }
 
@@ -231,45 +93,5 @@ fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {
         all: Tree::of_all::<D>(mesh)?,
         inputs,
         least_simplex,
-    })
-}
-
-fn locate_in<const D: usize>(
-    index: &Index,
-    mesh: &Triangulation,
-    points: &[f64],
-    wanted: u32,
-    out: &mut [impl From<Place> + Send],
-) -> AllocResult<()> {
-    let threads = threads(wanted);
-    let piece = piece(out.len(), threads);
-    let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece));
-    on_threads(threads, pieces, |scratch: &mut Scratch, (points, out)| {
-        let mut locator = Locator::new(View::<D> { mesh }, index);
-        locator.each(points, scratch, |_, _, at, place| {
-            out[at] = place.into();
-            Ok(())
-        })
-    })
-}
-
-fn nearest_in<const D: usize>(
-    tree: &Tree,
-    points: &[f64],
-    wanted: u32,
-    vertices: &mut [u32],
-    distances: &mut [f64],
-) -> AllocResult<()> {
-    let threads = threads(wanted);
-    let piece = piece(vertices.len(), threads);
-    let out = vertices.chunks_mut(piece).zip(distances.chunks_mut(piece));
-    let pieces = points.chunks(piece * D).zip(out);
-    on_threads(threads, pieces, |keys: &mut Vec<u64>, (points, (vertices, distances))| {
-        sort_by_leaf::<D>(tree, points, keys)?;
-        for key in keys.iter() {
-            let at = *key as u32 as usize;
-            (vertices[at], distances[at]) = nearest(tree, coordinates::<D>(points, at));
-        }
-        Ok(())
     })
 }

@@ -27,6 +27,7 @@ mod locate;
 mod marked_ids;
 mod natural;
 mod nearest;
+mod questions;
 #[cfg(test)]
 mod tests;
 mod threads;

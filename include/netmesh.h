@@ -153,8 +153,8 @@ enum nm_algorithm
     NM_ALGORITHM_SVR = 1,
     /**
      * The plain Delaunay triangulation of the input, without Steiner points and without a bound on
-     * quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine subspace
-     * answer NM_DEGENERATE_INPUT.
+     * quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine
+     * subspace answer NM_DEGENERATE_INPUT.
      */
     NM_ALGORITHM_DELAUNAY = 2,
 };
@@ -177,8 +177,8 @@ enum nm_criterion
      */
     NM_CRITERION_VORONOI_ASPECT = 0,
     /**
-     * A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in 2D
-     * is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
+     * A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in
+     * 2D is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
      */
     NM_CRITERION_RADIUS_EDGE = 1,
 };
@@ -212,9 +212,10 @@ typedef int32_t nm_extent;
 #endif // __cplusplus
 
 /**
- * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
- * before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
- * NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the points are read.
+ * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
+ * written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
+ * answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
+ * points are read.
  */
 enum nm_format
 #ifdef __cplusplus
@@ -222,8 +223,8 @@ enum nm_format
 #endif // __cplusplus
  {
     /**
-     * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt, .xy,
-     * .pts), .csv, .npy, .voronoi.json, .domains.json.
+     * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
+     * .xy, .pts), .csv, .npy, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -248,7 +249,8 @@ enum nm_format
      */
     NM_FORMAT_OFF = 5,
     /**
-     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension 3.
+     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
+     * 3.
      */
     NM_FORMAT_PLY = 6,
     /**
@@ -328,7 +330,8 @@ enum nm_ordering
 #endif // __cplusplus
  {
     /**
-     * A sample driven by nm_options.seed, whose success is verified: the time bound is expected time.
+     * A sample driven by nm_options.seed, whose success is verified: the time bound is expected
+     * time.
      */
     NM_ORDERING_SAMPLED_NET = 0,
     /**
@@ -438,7 +441,8 @@ enum nm_status
      */
     NM_NULL_ARGUMENT = 1,
     /**
-     * A value is out of its range; the message names the argument or field, the value and the range.
+     * A value is out of its range; the message names the argument or field, the value and the
+     * range.
      */
     NM_INVALID_ARGUMENT = 2,
     /**
@@ -476,8 +480,8 @@ enum nm_status
      */
     NM_FORMAT_ERROR = 10,
     /**
-     * The mesh is in no state for the call: it has no result yet, another call is changing it, or an
-     * earlier NM_PANIC poisoned it.
+     * The mesh is in no state for the call: it has no result yet, another call is changing it, or
+     * an earlier NM_PANIC poisoned it.
      */
     NM_STATE = 11,
     /**
@@ -485,8 +489,8 @@ enum nm_status
      */
     NM_OUT_OF_MEMORY = 12,
     /**
-     * A defect of the library: an internal check failed and was caught. The handle answers NM_STATE
-     * from then on and can only be freed.
+     * A defect of the library: an internal check failed and was caught. The handle answers
+     * NM_STATE from then on and can only be freed.
      */
     NM_PANIC = 13,
 };
@@ -520,9 +524,9 @@ typedef int32_t nm_vertex_kind;
 #endif // __cplusplus
 
 /**
- * nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1 (topology),
- * 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later versions may append
- * kinds.
+ * nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
+ * (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later
+ * versions may append kinds.
  */
 enum nm_violation
 #ifdef __cplusplus
@@ -634,8 +638,8 @@ enum nm_violation
      */
     NM_VIOLATION_INPUT_BITS = 202,
     /**
-     * A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs are
-     * inputs, and no others are.
+     * A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs
+     * are inputs, and no others are.
      */
     NM_VIOLATION_VERTEX_KIND = 203,
     /**
@@ -663,8 +667,8 @@ enum nm_violation
      */
     NM_VIOLATION_DOMAINS_OVERLAP = 209,
     /**
-     * A vertex is labelled with a domain that does not exist, that does not contain it, or that has a
-     * child which contains it.
+     * A vertex is labelled with a domain that does not exist, that does not contain it, or that
+     * has a child which contains it.
      */
     NM_VIOLATION_VERTEX_DOMAIN = 210,
     /**
@@ -717,10 +721,10 @@ typedef int32_t nm_violation;
 #endif // __cplusplus
 
 /**
- * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed by
- * nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time from
- * any threads; nm_run needs the handle for itself, which is checked: the call that comes too early
- * (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
+ * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed
+ * by nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time
+ * from any threads; nm_run needs the handle for itself, which is checked: the call that comes too
+ * early (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
  */
 typedef struct nm_mesh nm_mesh;
 
@@ -755,9 +759,9 @@ typedef struct nm_progress {
 } nm_progress;
 
 /**
- * Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a stage
- * ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the run,
- * which then answers NM_CANCELLED and leaves the mesh as it was.
+ * Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a
+ * stage ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels
+ * the run, which then answers NM_CANCELLED and leaves the mesh as it was.
  *
  * It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
  * being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -794,8 +798,8 @@ typedef struct nm_options {
      */
     nm_criterion criterion;
     /**
-     * Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and 3D
-     * with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
+     * Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and
+     * 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
      */
     uint32_t threads;
     /**
@@ -806,14 +810,14 @@ typedef struct nm_options {
      */
     double quality_bound;
     /**
-     * How far apart a cluster must stand to become a domain of its own: a pair at distance x gets one
-     * of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2. Smaller
-     * makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
+     * How far apart a cluster must stand to become a domain of its own: a pair at distance x gets
+     * one of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2.
+     * Smaller makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
      */
     double epsilon;
     /**
-     * Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-     * at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
+     * Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better
+     * cells at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
      */
     double delta;
     /**
@@ -822,13 +826,13 @@ typedef struct nm_options {
      */
     double gamma;
     /**
-     * Refinement yield: a Steiner point yields to an input within this fraction of the radius of its
-     * empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
+     * Refinement yield: a Steiner point yields to an input within this fraction of the radius of
+     * its empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
      */
     double yield_radius;
     /**
-     * How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1, 4],
-     * default 1.
+     * How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1,
+     * 4], default 1.
      */
     double encroachment;
     /**
@@ -860,8 +864,8 @@ typedef struct nm_options {
      */
     void *user_data;
     /**
-     * 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again as
-     * the run, in 4D and more several times as long. The mesh is the same. Default 0.
+     * 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again
+     * as the run, in 4D and more several times as long. The mesh is the same. Default 0.
      */
     uint32_t instruments;
     /**
@@ -891,8 +895,8 @@ typedef struct nm_counts {
      */
     uint64_t duplicates;
     /**
-     * Vertices: 0..inputs-duplicates-1 are the distinct inputs in input order, then Steiner and cage
-     * vertices.
+     * Vertices: 0..inputs-duplicates-1 are the distinct inputs in input order, then Steiner and
+     * cage vertices.
      */
     uint64_t vertices;
     /**
@@ -950,8 +954,9 @@ typedef struct nm_selection {
 
 /**
  * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
- * distance from its vertex to its farthest corner over half the distance to the nearest other vertex;
- * it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles.
+ * distance from its vertex to its farthest corner over half the distance to the nearest other
+ * vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
+ * the doubles.
  */
 typedef struct nm_quality {
     /**
@@ -964,16 +969,18 @@ typedef struct nm_quality {
     uint32_t max_degree;
     /**
      * Worst aspect of the cells of vertices that are in no cage, not on the hull and not
-     * precision-limited, over the corners well inside the hull of their domain's cage: within min(0.85,
-     * 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are no domains).
+     * precision-limited, over the corners well inside the hull of their domain's cage: within
+     * min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are
+     * no domains).
      */
     double worst_aspect;
     /**
-     * Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of the
-     * cells of cages (see worst_cage_aspect), precision-limited ones included.
+     * Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of
+     * the cells of cages (see worst_cage_aspect), precision-limited ones included.
      * NM_CRITERION_VORONOI_ASPECT bounds it, but for precision-limited cells. If epsilon > 0.8
-     * cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a single
-     * vertex of a cage has no bound: it reaches across the empty space that the cage stands for.
+     * cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a
+     * single vertex of a cage has no bound: it reaches across the empty space that the cage stands
+     * for.
      */
     double worst_aspect_anywhere;
     /**
@@ -981,14 +988,15 @@ typedef struct nm_quality {
      */
     double mean_aspect;
     /**
-     * Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
-     * domain's centre, over the corners well inside the parent's cage.
+     * Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from
+     * the domain's centre, over the corners well inside the parent's cage.
      */
     double worst_cage_aspect;
     /**
      * Worst circumradius over shortest edge of the simplices without a vertex on the hull.
-     * NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at the
-     * hull included, and in a hierarchical mesh for the simplices with all vertices in one domain.
+     * NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
+     * the hull included, and in a hierarchical mesh for the simplices with all vertices in one
+     * domain.
      */
     double worst_radius_edge;
     /**
@@ -1061,19 +1069,19 @@ typedef struct nm_stats {
      */
     uint64_t precision_limited;
     /**
-     * Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
-     * that differs between equal runs.
+     * Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
+     * field that differs between equal runs.
      */
     double seconds;
     /**
-     * Nets or samples taken in all rounds. A round takes one, and another each time that the last one
-     * has not halved every conflict list. (The conflict list of a simplex holds the inputs assigned to
-     * it that are no vertices yet.)
+     * Nets or samples taken in all rounds. A round takes one, and another each time that the last
+     * one has not halved every conflict list. (The conflict list of a simplex holds the inputs
+     * assigned to it that are no vertices yet.)
      */
     uint64_t passes;
     /**
-     * The length of the longest conflict list after a round over that before the round, largest over
-     * all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
+     * The length of the longest conflict list after a round over that before the round, largest
+     * over all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
      */
     double worst_halving;
     /**
@@ -1098,14 +1106,14 @@ typedef struct nm_stats {
      */
     uint64_t closing_points;
     /**
-     * Points at which the ply was counted: Voronoi corners, all of them if they are few. This field
-     * and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
+     * Points at which the ply was counted: Voronoi corners, all of them if they are few. This
+     * field and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
      * (docs/limitations.md).
      */
     uint64_t ply_probes;
     /**
-     * The largest number of D-balls (circumballs of simplices) that have one of these points strictly
-     * inside: k of Definition 1.
+     * The largest number of D-balls (circumballs of simplices) that have one of these points
+     * strictly inside: k of Definition 1.
      */
     uint64_t max_ply;
     /**
@@ -1128,9 +1136,9 @@ typedef struct nm_stats {
      */
     double feature_size_constant;
     /**
-     * K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the mesh,
-     * at a vertex that has just been inserted and with the inputs and the mesh of that moment. 0 for
-     * NM_ALGORITHM_DELAUNAY.
+     * K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the
+     * mesh, at a vertex that has just been inserted and with the inputs and the mesh of that
+     * moment. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_input;
     /**
@@ -1138,9 +1146,9 @@ typedef struct nm_stats {
      */
     double insertion_constant_corner;
     /**
-     * K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded to
-     * included. While a domain has no other vertex than its centre, the input that its cage is made
-     * for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
+     * K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded
+     * to included. While a domain has no other vertex than its centre, the input that its cage is
+     * made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_cage;
 } nm_stats;
@@ -1182,7 +1190,8 @@ typedef struct nm_report {
      */
     uint32_t domain;
     /**
-     * The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is none.
+     * The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
+     * none.
      */
     char message[160];
 } nm_report;
@@ -1192,8 +1201,8 @@ typedef struct nm_report {
  * data: size bytes, at least 1, valid during the call. user_data: as given. Nonzero stops the
  * export, which then answers NM_IO and does not call again.
  *
- * It must return: no exception, longjmp or thread exit may leave it. It may read the mesh; nm_run on
- * it answers NM_STATE, and it must not be freed.
+ * It must return: no exception, longjmp or thread exit may leave it. It may read the mesh; nm_run
+ * on it answers NM_STATE, and it must not be freed.
  */
 typedef int32_t (*nm_write_fn)(const void *data, size_t size, void *user_data);
 
@@ -1215,10 +1224,10 @@ NM_API const char *nm_version(void);
 NM_API uint32_t nm_abi_version(void);
 
 /**
- * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not know.
- * Static; never NULL; do not free. O(1); any thread.
+ * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
+ * know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
  */
-NM_API const char *nm_status_name(nm_status status);
+NM_NODISCARD NM_API const char *nm_status_name(nm_status status);
 
 /**
  * Copies the calling thread's last message into buf: one sentence about the last call on this
@@ -1237,17 +1246,17 @@ NM_API size_t nm_last_error(char *buf, size_t cap);
  * them.
  *
  * dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
- * points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
- * 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's cage
- * reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run answer
- * NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one vertex;
- * two must be distinct.
+ * points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least
+ * dim; 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's
+ * cage reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run
+ * answer NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one
+ * vertex; two must be distinct.
  *
  * out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
  *
- * Errors: NM_NULL_ARGUMENT (out, or points while n > 0), NM_DIMENSION, NM_INVALID_ARGUMENT (stride,
- * or a size beyond the address space, or points not aligned to a double), NM_CAPACITY (n),
- * NM_NON_FINITE, NM_DEGENERATE_INPUT (fewer than two distinct points), NM_OUT_OF_MEMORY.
+ * Errors: NM_NULL_ARGUMENT (out, or points while n > 0), NM_DIMENSION, NM_INVALID_ARGUMENT
+ * (stride, or a size beyond the address space, or points not aligned to a double), NM_CAPACITY
+ * (n), NM_NON_FINITE, NM_DEGENERATE_INPUT (fewer than two distinct points), NM_OUT_OF_MEMORY.
  *
  * O(n dim) expected time and memory. Any thread.
  */
@@ -1302,11 +1311,11 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
  * options: read during the call only; NULL means the defaults.
  *
  * The result is a Delaunay triangulation of the inputs and O(n) further vertices
- * (NM_OUTPUT_HIERARCHICAL), every cell within options->quality_bound. It depends only on the inputs
- * and the options, not on threads, time or machine.
+ * (NM_OUTPUT_HIERARCHICAL), every cell within options->quality_bound. It depends only on the
+ * inputs and the options, not on threads, time or machine.
  *
- * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
- * value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field,
+ * its value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
  * affine rank), NM_LIMIT (too many vertices, or coordinates above 3e306), NM_CANCELLED,
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
  *
@@ -1365,8 +1374,8 @@ nm_status nm_mesh_get_neighbors(const struct nm_mesh *mesh,
                                 uint64_t *needed);
 
 /**
- * Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all are
- * NM_VERTEX_INPUT.
+ * Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all
+ * are NM_VERTEX_INPUT.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
@@ -1377,8 +1386,8 @@ nm_status nm_mesh_get_vertex_kinds(const struct nm_mesh *mesh,
                                    uint64_t *needed);
 
 /**
- * Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id per
- * vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
+ * Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id
+ * per vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
@@ -1389,8 +1398,8 @@ nm_status nm_mesh_get_vertex_domains(const struct nm_mesh *mesh,
                                      uint64_t *needed);
 
 /**
- * Writes 1 for each vertex whose cell is outside the promised quality because doubles are too coarse
- * there, 0 for the others: one byte per vertex. Before nm_run all are 0.
+ * Writes 1 for each vertex whose cell is outside the promised quality because doubles are too
+ * coarse there, 0 for the others: one byte per vertex. Before nm_run all are 0.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
@@ -1430,8 +1439,8 @@ nm_status nm_mesh_get_domains(const struct nm_mesh *mesh,
  * Makes the index that queries need, unless it is there, and tells its size. Queries make it
  * themselves; with this call the first of them takes no longer than the others. nm_run drops it.
  *
- * bytes: receives the size of the index, about 8 dim + 11 bytes a vertex, and as much again but for
- * 4 bytes an input if there are other vertices; may be NULL.
+ * bytes: receives the size of the index, about 8 dim + 11 bytes a vertex, and as much again but
+ * for 4 bytes an input if there are other vertices; may be NULL.
  *
  * Errors: NM_NULL_ARGUMENT (mesh), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
  * poisoned).
@@ -1443,15 +1452,15 @@ NM_NODISCARD NM_API nm_status nm_mesh_index(const struct nm_mesh *mesh, uint64_t
 /**
  * Finds the simplex that holds each of count points, by exact signs.
  *
- * points: count x dim coordinates, which must be finite. They may come in any order: they are sorted
- * inside. threads: threads to use, 0 = all cores; no answer depends on it. simplices: receives count
- * ids, NM_NONE for a point outside the hull; on a face that several simplices share, the least of
- * them. points and simplices may be NULL if count is 0, and must not overlap.
+ * points: count x dim coordinates, which must be finite. They may come in any order: they are
+ * sorted inside. threads: threads to use, 0 = all cores; no answer depends on it. simplices:
+ * receives count ids, NM_NONE for a point outside the hull; on a face that several simplices
+ * share, the least of them. points and simplices may be NULL if count is 0, and must not overlap.
  *
  * The first query of a result makes an index (nm_mesh_index).
  *
- * Errors: NM_NULL_ARGUMENT (mesh, points, simplices), NM_NON_FINITE (the message names the point and
- * the coordinate), NM_INVALID_ARGUMENT (count beyond the address space, an array not aligned),
+ * Errors: NM_NULL_ARGUMENT (mesh, points, simplices), NM_NON_FINITE (the message names the point
+ * and the coordinate), NM_INVALID_ARGUMENT (count beyond the address space, an array not aligned),
  * NM_OUT_OF_MEMORY (what simplices holds then is unspecified), NM_STATE (no result yet, nm_run at
  * work, poisoned).
  *
@@ -1466,7 +1475,8 @@ nm_status nm_mesh_locate(const struct nm_mesh *mesh,
                          uint32_t *simplices);
 
 /**
- * Finds the vertex nearest to each of count points; of several at the same exact distance the least.
+ * Finds the vertex nearest to each of count points; of several at the same exact distance the
+ * least.
  *
  * points, threads: as for nm_mesh_locate. vertices: receives count ids. distances: receives count
  * distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
@@ -1499,13 +1509,14 @@ nm_status nm_mesh_nearest_input(const struct nm_mesh *mesh,
 /**
  * Interpolates values that are given at the vertices.
  *
- * components: numbers a vertex, at least 1. values: vertices x components numbers (nm_mesh_counts);
- * they need not be finite, and one counts only where its vertex has a weight. points, threads: as
- * for nm_mesh_locate. out: receives count x components numbers. The arrays must not overlap.
+ * components: numbers a vertex, at least 1. values: vertices x components numbers
+ * (nm_mesh_counts); they need not be finite, and one counts only where its vertex has a weight.
+ * points, threads: as for nm_mesh_locate. out: receives count x components numbers. The arrays
+ * must not overlap.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, values, points, out), NM_INVALID_ARGUMENT (interpolation,
- * components, a size beyond the address space, an array not aligned), and as nm_mesh_locate with out
- * in place of simplices.
+ * components, a size beyond the address space, an array not aligned), and as nm_mesh_locate with
+ * out in place of simplices.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_interpolate(const struct nm_mesh *mesh,
@@ -1518,19 +1529,20 @@ nm_status nm_mesh_interpolate(const struct nm_mesh *mesh,
                               double *out);
 
 /**
- * Extends values at the inputs to all vertices: linear in the Delaunay triangulation of the inputs,
- * those of the nearest input beyond its hull, and everywhere if the inputs lie in a hyperplane.
+ * Extends values at the inputs to all vertices: linear in the Delaunay triangulation of the
+ * inputs, those of the nearest input beyond its hull, and everywhere if the inputs lie in a
+ * hyperplane.
  *
  * components: numbers an input, at least 1. input_values: inputs x components numbers, duplicates
- * included; of equal inputs the first counts. vertex_values: receives vertices x components numbers,
- * those of an input's vertex unchanged. The arrays must not overlap.
+ * included; of equal inputs the first counts. vertex_values: receives vertices x components
+ * numbers, those of an input's vertex unchanged. The arrays must not overlap.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, input_values, vertex_values), NM_INVALID_ARGUMENT (components, an
- * array not aligned), NM_OUT_OF_MEMORY (what vertex_values holds then is unspecified), NM_STATE (no
- * result yet, nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, input_values, vertex_values), NM_INVALID_ARGUMENT (components,
+ * an array not aligned), NM_OUT_OF_MEMORY (what vertex_values holds then is unspecified), NM_STATE
+ * (no result yet, nm_run at work, poisoned).
  *
- * Each call triangulates the inputs, which may take time and memory of order n^ceil(dim/2): pass all
- * components at once. As many threads as nm_options.threads of the run allowed.
+ * Each call triangulates the inputs, which may take time and memory of order n^ceil(dim/2): pass
+ * all components at once. As many threads as nm_options.threads of the run allowed.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_extend_values(const struct nm_mesh *mesh,
@@ -1543,8 +1555,8 @@ nm_status nm_mesh_extend_values(const struct nm_mesh *mesh,
  * NM_EXTENT_ALL: all are inside.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
- * (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
- * poisoned).
+ * (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at
+ * work, poisoned).
  *
  * The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their hull.
  * Each simplex that its vertices do not place then takes time of the order of the inputs on the
@@ -1559,12 +1571,12 @@ nm_status nm_mesh_get_placements(const struct nm_mesh *mesh,
                                  uint64_t *needed);
 
 /**
- * Writes the ids of the simplices of a selection, ascending. Arrays with a row for each simplex of a
- * selection have them in this order.
+ * Writes the ids of the simplices of a selection, ascending. Arrays with a row for each simplex of
+ * a selection have them in this order.
  *
  * Array getter of a selection, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh),
- * NM_INVALID_ARGUMENT (a field of the selection; the message names it; buf not aligned), NM_CAPACITY,
- * NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ * NM_INVALID_ARGUMENT (a field of the selection; the message names it; buf not aligned),
+ * NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_selected(const struct nm_mesh *mesh,
@@ -1587,8 +1599,8 @@ nm_status nm_mesh_get_edges(const struct nm_mesh *mesh,
 
 /**
  * Writes the facets: facets x dim vertex ids. They are ordered by their first simplex
- * (nm_mesh_get_facet_simplices) and by the place of the vertex opposite in it, and oriented as on the
- * boundary of that simplex: outwards, as the hull is.
+ * (nm_mesh_get_facet_simplices) and by the place of the vertex opposite in it, and oriented as on
+ * the boundary of that simplex: outwards, as the hull is.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1600,8 +1612,8 @@ nm_status nm_mesh_get_facets(const struct nm_mesh *mesh,
                              uint64_t *needed);
 
 /**
- * Writes the simplices of each facet: facets x 2 simplex ids, the less first; NM_NONE in place of the
- * second on the hull of the selection.
+ * Writes the simplices of each facet: facets x 2 simplex ids, the less first; NM_NONE in place of
+ * the second on the hull of the selection.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1614,9 +1626,9 @@ nm_status nm_mesh_get_facet_simplices(const struct nm_mesh *mesh,
 
 /**
  * Writes the hull, the facets that only one simplex of the selection has: facets x dim vertex ids,
- * oriented outwards. They go counterclockwise round the mesh in 2D, and counterclockwise for who looks
- * at them from outside in 3D; in any dimension a point inside before them makes a positively oriented
- * simplex.
+ * oriented outwards. They go counterclockwise round the mesh in 2D, and counterclockwise for who
+ * looks at them from outside in 3D; in any dimension a point inside before them makes a positively
+ * oriented simplex.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1640,8 +1652,8 @@ nm_status nm_mesh_get_hull_simplices(const struct nm_mesh *mesh,
                                      uint64_t *needed);
 
 /**
- * Writes the simplices of each vertex, one vertex after the other, each time ascending; where the lists
- * begin tells nm_mesh_get_vertex_simplex_starts.
+ * Writes the simplices of each vertex, one vertex after the other, each time ascending; where the
+ * lists begin tells nm_mesh_get_vertex_simplex_starts.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1692,8 +1704,8 @@ nm_status nm_mesh_get_vertex_neighbor_starts(const struct nm_mesh *mesh,
                                              uint64_t *needed);
 
 /**
- * Writes the circumcentres: simplices x dim coordinates, exact up to 1e-12 of the circumradius and a
- * rounding. Infinite where a coordinate exceeds the doubles.
+ * Writes the circumcentres: simplices x dim coordinates, exact up to 1e-12 of the circumradius and
+ * a rounding. Infinite where a coordinate exceeds the doubles.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1731,9 +1743,9 @@ nm_status nm_mesh_get_volumes(const struct nm_mesh *mesh,
                               uint64_t *needed);
 
 /**
- * Writes the Voronoi cells: the simplices whose circumcentres are the corners of each vertex's cell, one
- * vertex after the other. In 2D counterclockwise, from one end to the other where the cell is unbounded;
- * else ascending. Where the lists begin tells nm_mesh_get_region_starts.
+ * Writes the Voronoi cells: the simplices whose circumcentres are the corners of each vertex's
+ * cell, one vertex after the other. In 2D counterclockwise, from one end to the other where the
+ * cell is unbounded; else ascending. Where the lists begin tells nm_mesh_get_region_starts.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1758,8 +1770,9 @@ nm_status nm_mesh_get_region_starts(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the volume of each vertex's Voronoi cell, infinite where the cell is unbounded: the vertex is
- * on the hull of the selection, or in no simplex of it. Computed in doubles from circumcentres.
+ * Writes the volume of each vertex's Voronoi cell, infinite where the cell is unbounded: the
+ * vertex is on the hull of the selection, or in no simplex of it. Computed in doubles from
+ * circumcentres.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1771,9 +1784,9 @@ nm_status nm_mesh_get_region_volumes(const struct nm_mesh *mesh,
                                      uint64_t *needed);
 
 /**
- * Writes what each vertex's Voronoi cell adds to the volume of the mesh: its volume if it is bounded;
- * else what the simplices at the vertex have of it, which may be negative next to obtuse simplices. The
- * shares of all vertices add up to the volume of the simplices.
+ * Writes what each vertex's Voronoi cell adds to the volume of the mesh: its volume if it is
+ * bounded; else what the simplices at the vertex have of it, which may be negative next to obtuse
+ * simplices. The shares of all vertices add up to the volume of the simplices.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1785,10 +1798,10 @@ nm_status nm_mesh_get_region_shares(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the ridges, the facets of Voronoi cells: one for each edge, in the order of nm_mesh_get_edges,
- * between the cells of its ends. A ridge is the list of simplices whose circumcentres are its corners, in
- * 3D in their order round it, from one end to the other where it is unbounded; else ascending. Where the
- * lists begin tells nm_mesh_get_ridge_starts.
+ * Writes the ridges, the facets of Voronoi cells: one for each edge, in the order of
+ * nm_mesh_get_edges, between the cells of its ends. A ridge is the list of simplices whose
+ * circumcentres are its corners, in 3D in their order round it, from one end to the other where it
+ * is unbounded; else ascending. Where the lists begin tells nm_mesh_get_ridge_starts.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1800,8 +1813,8 @@ nm_status nm_mesh_get_ridge_corners(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes where the list of each ridge begins in nm_mesh_get_ridge_corners, and at the end its length:
- * edges + 1 numbers.
+ * Writes where the list of each ridge begins in nm_mesh_get_ridge_corners, and at the end its
+ * length: edges + 1 numbers.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1813,8 +1826,8 @@ nm_status nm_mesh_get_ridge_starts(const struct nm_mesh *mesh,
                                    uint64_t *needed);
 
 /**
- * Writes 1 for each ridge that is bounded, 0 for those whose edge is on the hull of the selection: one
- * byte per edge.
+ * Writes 1 for each ridge that is bounded, 0 for those whose edge is on the hull of the selection:
+ * one byte per edge.
  *
  * Array getter of a selection, see the top of this file. Errors: as nm_mesh_get_selected.
  */
@@ -1830,12 +1843,12 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
  * vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
  * after this call or after nm_run. Values of the same name are replaced.
  *
- * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something else:
- * x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
+ * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
+ * else: x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
  * radius_edge. components: numbers an input; 0 removes the values of that name, and values may be
  * NULL then. values: inputs x components numbers, duplicates included, which are copied; of equal
- * inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on are
- * the components. Gmsh has vectors of two and three components as vectors.
+ * inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on
+ * are the components. Gmsh has vectors of two and three components as vectors.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
@@ -1860,14 +1873,15 @@ nm_status nm_mesh_set_input_attributes(struct nm_mesh *mesh,
                                        const double *values);
 
 /**
- * Writes the values of a name at the vertices, as exports have them: vertices x components numbers.
+ * Writes the values of a name at the vertices, as exports have them: vertices x components
+ * numbers.
  *
  * name: as given to nm_mesh_set_attributes.
  *
- * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh, name), NM_INVALID_ARGUMENT
- * (a name without values, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (nm_run at work,
- * poisoned). The first call after attributes are set or after nm_run makes all of them, as an export
- * does.
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh, name),
+ * NM_INVALID_ARGUMENT (a name without values, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY,
+ * NM_STATE (nm_run at work, poisoned). The first call after attributes are set or after nm_run
+ * makes all of them, as an export does.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
@@ -1881,8 +1895,8 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
  *
  * quality: the caller sets struct_size.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, quality), NM_INVALID_ARGUMENT (quality->struct_size), NM_STATE (no
- * result yet, nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, quality), NM_INVALID_ARGUMENT (quality->struct_size), NM_STATE
+ * (no result yet, nm_run at work, poisoned).
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_quality(const struct nm_mesh *mesh,
@@ -1899,8 +1913,8 @@ nm_status nm_mesh_quality(const struct nm_mesh *mesh,
 NM_NODISCARD NM_API nm_status nm_mesh_stats(const struct nm_mesh *mesh, struct nm_stats *stats);
 
 /**
- * Checks the mesh from its coordinates and simplices alone, independently of the code that built it
- * and with exact arithmetic. NM_OK means that the check ran; what it found is in report.
+ * Checks the mesh from its coordinates and simplices alone, independently of the code that built
+ * it and with exact arithmetic. NM_OK means that the check ran; what it found is in report.
  *
  * level: 1 topology (ids, adjacency, facets, Euler characteristic, links); 2 also geometry
  * (orientations, convex hull, Delaunay on every facet); 3 also the promises (inputs kept bit for
@@ -1925,9 +1939,10 @@ nm_status nm_mesh_validate(const struct nm_mesh *mesh,
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
- * unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format before
- * nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason), NM_OUT_OF_MEMORY.
+ * Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8,
+ * an unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format
+ * before nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason),
+ * NM_OUT_OF_MEMORY.
  *
  * O(vertices + simplices).
  */

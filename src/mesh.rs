@@ -81,7 +81,8 @@ pub struct Stats {
     pub passes: u64,
     /// The largest, over the rounds, of the longest conflict list after over before.
     pub worst_halving: f64,
-    /// Points inserted over the whole run, those included whose cage was released later: of cages, ...
+    /// Points inserted over the whole run, those included whose cage was released later: of cages,
+    /// ...
     pub cage_points: u64,
     /// ... Voronoi corners of bad cells or long conflict lists, ...
     pub far_corners: u64,
@@ -91,8 +92,8 @@ pub struct Stats {
     pub yields: u64,
     /// Those of `cage_points` that the final refinement inserted in cage gaps.
     pub closing_points: u64,
-    /// What follows is measured if [`crate::Options::instruments`] asks for it, and 0 if not. Probe points:
-    /// Voronoi corners.
+    /// What follows is measured if [`crate::Options::instruments`] asks for it, and 0 if not. Probe
+    /// points: Voronoi corners.
     pub ply_probes: u64,
     /// D-balls that hold one probe point (Definition 1).
     pub max_ply: u64,
@@ -106,8 +107,8 @@ pub struct Stats {
     pub insertion_constant_input: f64,
     pub insertion_constant_corner: f64,
     pub insertion_constant_cage: f64,
-    /// Simplices made in the whole run, those that joined the hull to infinity included, whether or not a
-    /// later point destroyed them. Measured always.
+    /// Simplices made in the whole run, those that joined the hull to infinity included, whether or
+    /// not a later point destroyed them. Measured always.
     pub simplices_created: u64,
 }
 
@@ -225,7 +226,8 @@ impl Inputs {
         Ok(Self { dim, coordinates, vertices, first_input })
     }
 
-    /// The inputs of a mesh that has only some of the vertices, ascending: the others have no vertex.
+    /// The inputs of a mesh that has only some of the vertices, ascending: the others have no
+    /// vertex.
     pub(crate) fn of_vertices(&self, kept: &[u32]) -> AllocResult<Self> {
         let mut vertices = filled(self.count(), NONE)?;
         let mut first_input = Vec::new();
@@ -296,8 +298,8 @@ fn no_memory(n: usize, dim: usize) -> Error {
     Error::new(ErrorKind::OutOfMemory, message)
 }
 
-/// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are equal.
-/// Expected O(n): an open hash table of ids, at most half full.
+/// Fills `vertices`; returns the first input of each distinct point. Zeros of either sign are
+/// equal. Expected O(n): an open hash table of ids, at most half full.
 fn identify_duplicates(
     dim: usize,
     coordinates: &[f64],
@@ -330,8 +332,8 @@ fn identify_duplicates(
     Ok(first_input)
 }
 
-/// The hash of a point, all its bits mixed as by Steele, Lea and Flood, "Fast splittable pseudorandom
-/// number generators", 2014. Adding zero makes a negative zero positive.
+/// The hash of a point, all its bits mixed as by Steele, Lea and Flood, "Fast splittable
+/// pseudorandom number generators", 2014. Adding zero makes a negative zero positive.
 fn hash(point: &[f64]) -> usize {
     let mix = |hash: u64, x: &f64| {
         let mixed = hash ^ (x + 0.0).to_bits();
@@ -420,14 +422,14 @@ impl Mesh {
         &self.inputs
     }
 
-    /// Values of the inputs (`inputs x components`, in the caller's order; of equal inputs the first
-    /// counts), which files get as columns of that name. They replace those of the same name; no
-    /// values at all (`components` 0) remove them. `is_extended`: other vertices get values by
+    /// Values of the inputs (`inputs x components`, in the caller's order; of equal inputs the
+    /// first counts), which files get as columns of that name. They replace those of the same name;
+    /// no values at all (`components` 0) remove them. `is_extended`: other vertices get values by
     /// [`extend_values`](crate::prepared::extend_values), else NaN.
     ///
     /// # Errors
-    /// `InvalidArgument` (`name`: 1 to 64 ASCII letters, digits, `_`, `-` and `.`, and none that files
-    /// have for something else; a length), `OutOfMemory`.
+    /// `InvalidArgument` (`name`: 1 to 64 ASCII letters, digits, `_`, `-` and `.`, and none that
+    /// files have for something else; a length), `OutOfMemory`.
     pub fn set_attribute(
         &mut self,
         name: &str,
@@ -483,7 +485,8 @@ mod tests {
     use crate::numerics::testing::Random;
     use std::collections::HashMap;
 
-    /// Points of a lattice with a few values an axis, both zeros and neighbouring doubles among them.
+    /// Points of a lattice with a few values an axis, both zeros and neighbouring doubles among
+    /// them.
     #[test]
     fn duplicates_are_those_that_compare_equal() {
         let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), -1.0, 5e-324, 1e308];
@@ -504,7 +507,8 @@ mod tests {
         }
     }
 
-    /// Regular inputs fill as many slots of a table as random ones: half full, (1 - exp(-1/2)) of it.
+    /// Regular inputs fill as many slots of a table as random ones: half full, (1 - exp(-1/2)) of
+    /// it.
     #[test]
     fn hashes_of_lattices_are_spread() {
         for scale in [1.0, 2f64.powi(-1000), 0.1, 2f64.powi(900)] {

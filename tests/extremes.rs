@@ -145,7 +145,7 @@ fn two_points() {
 #[test]
 fn raw_bit_patterns() {
     let mut meshed = 0;
-    for seed in 0..24 {
+    for seed in 0..16 {
         let mut random = Random::new(2 * seed + 1);
         for dim in 2..=4 {
             let n = 3 + (seed as usize * 7) % 20;
@@ -162,5 +162,5 @@ fn raw_bit_patterns() {
             }
         }
     }
-    assert!(meshed > 10, "only {meshed} of 72 sets were meshed");
+    assert!(meshed > 10, "only {meshed} of 48 sets were meshed");
 }

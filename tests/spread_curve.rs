@@ -109,7 +109,7 @@ fn nested_clusters_in_3d() {
 
 #[test]
 fn nested_clusters_in_4d() {
-    check_nested(4, &[(2.0, 1.3), (2.5, 1.3), (3.0, 1.3), (4.0, 1.15)]);
+    check_nested(4, &[(2.0, 1.3), (3.0, 1.3), (4.0, 1.15)]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Arrays ready to use, made of a result's arrays: edges, facets, hull, the simplices and the
-//! neighbours of each vertex, circumcentres, volumes, Voronoi cells, and where each simplex lies with
-//! respect to the inputs.
+//! neighbours of each vertex, circumcentres, volumes, Voronoi cells, and where each simplex lies
+//! with respect to the inputs.
 //!
 //! Each is made of a [`Part`]: the whole result ([`Part::whole`], or directly a function of
 //! [`Mesh`]), or the simplices that a [`Selection`] picks. A part is a mesh of its own: its hull is

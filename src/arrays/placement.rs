@@ -8,8 +8,8 @@ use crate::query::view::{View, coordinates};
 use crate::query::{Index, Place, check_arrays};
 use std::collections::VecDeque;
 
-/// Where a simplex lies with respect to a convex body, exactly. A body in a hyperplane has no simplex
-/// inside.
+/// Where a simplex lies with respect to a convex body, exactly. A body in a hyperplane has no
+/// simplex inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Placement {

@@ -43,8 +43,8 @@ impl<'a> Part<'a> {
     /// [`Extent::All`] does without.
     ///
     /// # Errors
-    /// `InvalidArgument` (a domain that is not there; a number of placements that is not that of the
-    /// simplices; arrays that do not fit together), `OutOfMemory`.
+    /// `InvalidArgument` (a domain that is not there; a number of placements that is not that of
+    /// the simplices; arrays that do not fit together), `OutOfMemory`.
     pub fn of(
         mesh: &'a Triangulation,
         selection: &Selection,

@@ -1,11 +1,11 @@
 //! Whether the interior of a simplex meets the hull of some points, by exact signs.
 //!
-//! The simplex has the vertices v. Its interior meets the hull of the points a just if for each vertex
-//! v_i there are factors, none negative, with v_i + sum of s_j v_j (j other than i) = sum of t a, where
-//! v and a stand for vectors with a one beside the coordinates: all these equations together have
-//! positive factors at all v. Each is a linear program. The dual simplex method solves it with nothing
-//! but signs of determinants, which are orientations, and by the rule of the least index (R. G. Bland,
-//! "New finite pivoting rules for the simplex method", 1977) it ends.
+//! The simplex has the vertices v. Its interior meets the hull of the points a just if for each
+//! vertex v_i there are factors, none negative, with v_i + sum of s_j v_j (j other than i) = sum of
+//! t a, where v and a stand for vectors with a one beside the coordinates: all these equations
+//! together have positive factors at all v. Each is a linear program. The dual simplex method
+//! solves it with nothing but signs of determinants, which are orientations, and by the rule of the
+//! least index (R. G. Bland, "New finite pivoting rules for the simplex method", 1977) it ends.
 
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::MAX_DIM;
@@ -53,8 +53,8 @@ struct Basis<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Pair<'a, D> {
-    /// A plane that separates the interior of the simplex from the hull of the points; `None` if they
-    /// have a point in common. Adds the points that came into a basis to `used`.
+    /// A plane that separates the interior of the simplex from the hull of the points; `None` if
+    /// they have a point in common. Adds the points that came into a basis to `used`.
     pub fn separation(&self, used: &mut Vec<usize>) -> AllocResult<Option<Plane<D>>> {
         for i in 0..=D {
             if let Some(plane) = self.separation_at(i, used)? {
@@ -167,8 +167,8 @@ impl<'a, const D: usize> Basis<'a, D> {
         self.orientation = orientation(&self.points[..=D]);
     }
 
-    /// The plane through all but the vector in `row`, with the points of the hull, whose coordinates
-    /// there are not negative, on its negative side or in it.
+    /// The plane through all but the vector in `row`, with the points of the hull, whose
+    /// coordinates there are not negative, on its negative side or in it.
     fn plane(&self, row: usize) -> Plane<D> {
         let points = std::array::from_fn(|k| *self.points[k + usize::from(k >= row)]);
         // The point in `row` passes D - row others on its way to the end.

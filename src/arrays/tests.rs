@@ -23,12 +23,14 @@ pub fn delaunay() -> Options {
 /// Meshes of every family of points, with cages and plain.
 pub fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, Family)) {
     let mut made = 0;
+    // Meshes with Steiner points are too large in 5D.
+    let max_vertices = if D < 5 { 600 } else { 100 };
     for family in FAMILIES {
         // Their meshes are too large for brute force.
         let is_spread = matches!(family, Family::RawBits | Family::PowersOfTwo);
         let mut random = Random(family as u64 * 13 + D as u64);
         let points = points::<D>(family, if is_spread { 8 } else { count }, &mut random);
-        for options in [Options { max_vertices: 600, ..Options::default() }, delaunay()] {
+        for options in [Options { max_vertices, ..Options::default() }, delaunay()] {
             if let Some(mesh) = meshed(&points, &options) {
                 made += 1;
                 act(&mesh, family);
@@ -204,9 +206,9 @@ fn shares_add_up<const D: usize>(count: usize) {
 
 #[test]
 fn shares_of_the_mesh_add_up_to_its_volume() {
-    shares_add_up::<2>(60);
-    shares_add_up::<3>(30);
-    shares_add_up::<4>(10);
+    shares_add_up::<2>(40);
+    shares_add_up::<3>(20);
+    shares_add_up::<4>(8);
     shares_add_up::<5>(8);
 }
 

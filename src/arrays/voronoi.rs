@@ -32,8 +32,8 @@ pub struct Cells {
     pub is_bounded: Vec<bool>,
     /// The volume of the cell, infinite if that is unbounded.
     pub volumes: Vec<f64>,
-    /// What the cell adds to the volume of the mesh: that of the cell if it is bounded; else what the
-    /// simplices at the vertex have of it, which may be negative next to obtuse simplices. All
+    /// What the cell adds to the volume of the mesh: that of the cell if it is bounded; else what
+    /// the simplices at the vertex have of it, which may be negative next to obtuse simplices. All
     /// together are the volume of the mesh.
     pub shares: Vec<f64>,
 }
@@ -44,8 +44,8 @@ pub struct Cells {
 pub struct Ridges {
     /// `ridges x 2` vertices: the edges.
     pub vertices: Vec<u32>,
-    /// For each ridge the simplices whose corners it has: in 3D in their order round the ridge, from
-    /// one end to the other where it is unbounded; else ascending.
+    /// For each ridge the simplices whose corners it has: in 3D in their order round the ridge,
+    /// from one end to the other where it is unbounded; else ascending.
     pub corners: Lists,
     /// For each ridge whether it is bounded: its edge is not on the hull.
     pub is_bounded: Vec<bool>,
@@ -72,8 +72,8 @@ impl Part<'_> {
         })
     }
 
-    /// For each vertex the simplices whose corners its Voronoi cell has: counterclockwise in 2D, from
-    /// one end to the other where the cell is unbounded; else ascending. O(simplices).
+    /// For each vertex the simplices whose corners its Voronoi cell has: counterclockwise in 2D,
+    /// from one end to the other where the cell is unbounded; else ascending. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -85,10 +85,10 @@ impl Part<'_> {
     /// Which cells are bounded, and their volumes. Of a part that is not all of the mesh, a cell is
     /// bounded if all simplices at its vertex are in the part.
     ///
-    /// Volumes are computed in doubles from circumcentres, in a unit of each cell: no step overflows
-    /// or underflows where the cell's volume does not. Shares of unbounded cells are sums that may
-    /// cancel: next to needles 2^60 times as long as wide no digit is left. O(2^dim dim) for each simplex and vertex of
-    /// it.
+    /// Volumes are computed in doubles from circumcentres, in a unit of each cell: no step
+    /// overflows or underflows where the cell's volume does not. Shares of unbounded cells are sums
+    /// that may cancel: next to needles 2^60 times as long as wide no digit is left. O(2^dim dim)
+    /// for each simplex and vertex of it.
     ///
     /// # Errors
     /// `OutOfMemory`.

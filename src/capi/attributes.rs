@@ -11,12 +11,12 @@ use std::ffi::{CStr, c_char};
 /// vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
 /// after this call or after nm_run. Values of the same name are replaced.
 ///
-/// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something else:
-/// x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
+/// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
+/// else: x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
 /// radius_edge. components: numbers an input; 0 removes the values of that name, and values may be
 /// NULL then. values: inputs x components numbers, duplicates included, which are copied; of equal
-/// inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on are
-/// the components. Gmsh has vectors of two and three components as vectors.
+/// inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on
+/// are the components. Gmsh has vectors of two and three components as vectors.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
 /// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
@@ -67,14 +67,15 @@ unsafe fn set(
     }
 }
 
-/// Writes the values of a name at the vertices, as exports have them: vertices x components numbers.
+/// Writes the values of a name at the vertices, as exports have them: vertices x components
+/// numbers.
 ///
 /// name: as given to nm_mesh_set_attributes.
 ///
-/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh, name), NM_INVALID_ARGUMENT
-/// (a name without values, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (nm_run at work,
-/// poisoned). The first call after attributes are set or after nm_run makes all of them, as an export
-/// does.
+/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh, name),
+/// NM_INVALID_ARGUMENT (a name without values, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY,
+/// NM_STATE (nm_run at work, poisoned). The first call after attributes are set or after nm_run
+/// makes all of them, as an export does.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_attributes(
     mesh: *const nm_mesh,

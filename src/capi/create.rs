@@ -16,17 +16,17 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// them.
 ///
 /// dim: NM_MIN_DIM..NM_MAX_DIM. n: at least 2, at most 2^32 - 2. points: coordinate k of point i is
-/// points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least dim;
-/// 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's cage
-/// reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run answer
-/// NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one vertex;
-/// two must be distinct.
+/// points[i * stride + k]; (n - 1) * stride + dim doubles are read. stride: in doubles, at least
+/// dim; 0 means dim. Every finite double is accepted, subnormals and 1e308 included. The root's
+/// cage reaches several times as far as the inputs, so coordinates above 3e306 may make nm_run
+/// answer NM_LIMIT. Points that are equal as numbers (-0.0 equals 0.0) are duplicates and share one
+/// vertex; two must be distinct.
 ///
 /// out: receives the handle, which the caller frees with nm_mesh_free; NULL after a failure.
 ///
-/// Errors: NM_NULL_ARGUMENT (out, or points while n > 0), NM_DIMENSION, NM_INVALID_ARGUMENT (stride,
-/// or a size beyond the address space, or points not aligned to a double), NM_CAPACITY (n),
-/// NM_NON_FINITE, NM_DEGENERATE_INPUT (fewer than two distinct points), NM_OUT_OF_MEMORY.
+/// Errors: NM_NULL_ARGUMENT (out, or points while n > 0), NM_DIMENSION, NM_INVALID_ARGUMENT
+/// (stride, or a size beyond the address space, or points not aligned to a double), NM_CAPACITY
+/// (n), NM_NON_FINITE, NM_DEGENERATE_INPUT (fewer than two distinct points), NM_OUT_OF_MEMORY.
 ///
 /// O(n dim) expected time and memory. Any thread.
 #[unsafe(no_mangle)]
@@ -117,10 +117,12 @@ fn boxed<T>(value: T) -> Result<Box<T>> {
     Ok(unsafe { Box::from_raw(slice.cast::<T>()) })
 }
 
-/// The caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by themselves.
+/// The caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by
+/// themselves.
 ///
 /// # Safety
-/// `points` is NULL or has `(n - 1) * stride + dim` readable doubles that stay while the slice lives.
+/// `points` is NULL or has `(n - 1) * stride + dim` readable doubles that stay while the slice
+/// lives.
 unsafe fn read_points<'a>(
     dim: usize,
     n: usize,

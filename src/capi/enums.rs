@@ -20,7 +20,8 @@ pub enum nm_status {
     NM_OK = 0,
     /// A pointer that must not be NULL is NULL; the message names the argument.
     NM_NULL_ARGUMENT = 1,
-    /// A value is out of its range; the message names the argument or field, the value and the range.
+    /// A value is out of its range; the message names the argument or field, the value and the
+    /// range.
     NM_INVALID_ARGUMENT = 2,
     /// A coordinate is infinite or NaN; the message names the point and the coordinate.
     NM_NON_FINITE = 3,
@@ -40,13 +41,13 @@ pub enum nm_status {
     NM_IO = 9,
     /// A file is not in its format; the message names the place.
     NM_FORMAT_ERROR = 10,
-    /// The mesh is in no state for the call: it has no result yet, another call is changing it, or an
-    /// earlier NM_PANIC poisoned it.
+    /// The mesh is in no state for the call: it has no result yet, another call is changing it, or
+    /// an earlier NM_PANIC poisoned it.
     NM_STATE = 11,
     /// An allocation failed.
     NM_OUT_OF_MEMORY = 12,
-    /// A defect of the library: an internal check failed and was caught. The handle answers NM_STATE
-    /// from then on and can only be freed.
+    /// A defect of the library: an internal check failed and was caught. The handle answers
+    /// NM_STATE from then on and can only be freed.
     NM_PANIC = 13,
 }
 
@@ -94,8 +95,8 @@ pub enum nm_algorithm {
     /// O(n log spread + m). The baseline for comparisons.
     NM_ALGORITHM_SVR = 1,
     /// The plain Delaunay triangulation of the input, without Steiner points and without a bound on
-    /// quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine subspace
-    /// answer NM_DEGENERATE_INPUT.
+    /// quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine
+    /// subspace answer NM_DEGENERATE_INPUT.
     NM_ALGORITHM_DELAUNAY = 2,
 }
 
@@ -104,7 +105,8 @@ pub enum nm_algorithm {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_ordering {
-    /// A sample driven by nm_options.seed, whose success is verified: the time bound is expected time.
+    /// A sample driven by nm_options.seed, whose success is verified: the time bound is expected
+    /// time.
     NM_ORDERING_SAMPLED_NET = 0,
     /// A deterministic net: the time bound is worst-case time. No random number is used, so
     /// nm_options.seed has no effect.
@@ -120,8 +122,8 @@ pub enum nm_criterion {
     /// in-radius (half the distance to the nearest neighbour). The stronger measure: it bounds
     /// circumradius over shortest edge by tau/2.
     NM_CRITERION_VORONOI_ASPECT = 0,
-    /// A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in 2D
-    /// is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
+    /// A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in
+    /// 2D is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
     NM_CRITERION_RADIUS_EDGE = 1,
 }
 
@@ -226,15 +228,16 @@ pub enum nm_placement {
     NM_PLACEMENT_OUTSIDE = 2,
 }
 
-/// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be written
-/// before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension answers
-/// NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the points are read.
+/// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
+/// written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
+/// answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
+/// points are read.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
-    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt, .xy,
-    /// .pts), .csv, .npy, .voronoi.json, .domains.json.
+    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
+    /// .xy, .pts), .csv, .npy, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
     /// Dimensions 2 and 3.
@@ -247,7 +250,8 @@ pub enum nm_format {
     NM_FORMAT_MEDIT = 4,
     /// Object file format (.off), nOFF from dimension 3 on.
     NM_FORMAT_OFF = 5,
-    /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension 3.
+    /// Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
+    /// 3.
     NM_FORMAT_PLY = 6,
     /// Points as text, one per line, separated by spaces (.xyz).
     NM_FORMAT_XYZ = 7,

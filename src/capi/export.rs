@@ -23,8 +23,8 @@ const CHUNK: usize = 1 << 16;
 /// data: size bytes, at least 1, valid during the call. user_data: as given. Nonzero stops the
 /// export, which then answers NM_IO and does not call again.
 ///
-/// It must return: no exception, longjmp or thread exit may leave it. It may read the mesh; nm_run on
-/// it answers NM_STATE, and it must not be freed.
+/// It must return: no exception, longjmp or thread exit may leave it. It may read the mesh; nm_run
+/// on it answers NM_STATE, and it must not be freed.
 #[allow(non_camel_case_types)]
 pub type nm_write_fn =
     Option<unsafe extern "C" fn(data: *const c_void, size: usize, user_data: *mut c_void) -> i32>;
@@ -34,9 +34,10 @@ pub type nm_write_fn =
 ///
 /// path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8, an
-/// unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format before
-/// nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason), NM_OUT_OF_MEMORY.
+/// Errors: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8 empty or not UTF-8,
+/// an unknown format or extension, a format that cannot hold the mesh), NM_STATE (a mesh format
+/// before nm_run; nm_run at work, poisoned), NM_IO (the message has the system's reason),
+/// NM_OUT_OF_MEMORY.
 ///
 /// O(vertices + simplices).
 #[unsafe(no_mangle)]

@@ -117,8 +117,8 @@ pub unsafe extern "C" fn nm_mesh_get_neighbors(
     unsafe { with_mesh(mesh, body) }
 }
 
-/// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all are
-/// NM_VERTEX_INPUT.
+/// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all
+/// are NM_VERTEX_INPUT.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
 #[unsafe(no_mangle)]
@@ -134,8 +134,8 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_kinds(
     unsafe { get_per_vertex(mesh, buf, capacity, needed, before, of) }
 }
 
-/// Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id per
-/// vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
+/// Writes the index of the innermost domain that contains each vertex (nm_mesh_get_domains): one id
+/// per vertex, NM_NONE where there are no domains (before nm_run, NM_ALGORITHM_DELAUNAY).
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
 #[unsafe(no_mangle)]
@@ -150,8 +150,8 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_domains(
     unsafe { get_per_vertex(mesh, buf, capacity, needed, NONE, of) }
 }
 
-/// Writes 1 for each vertex whose cell is outside the promised quality because doubles are too coarse
-/// there, 0 for the others: one byte per vertex. Before nm_run all are 0.
+/// Writes 1 for each vertex whose cell is outside the promised quality because doubles are too
+/// coarse there, 0 for the others: one byte per vertex. Before nm_run all are 0.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
 #[unsafe(no_mangle)]

@@ -16,8 +16,8 @@ use std::ffi::c_char;
 ///
 /// quality: the caller sets struct_size.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, quality), NM_INVALID_ARGUMENT (quality->struct_size), NM_STATE (no
-/// result yet, nm_run at work, poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, quality), NM_INVALID_ARGUMENT (quality->struct_size), NM_STATE
+/// (no result yet, nm_run at work, poisoned).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_quality(
     mesh: *const nm_mesh,
@@ -51,8 +51,8 @@ pub unsafe extern "C" fn nm_mesh_stats(mesh: *const nm_mesh, stats: *mut nm_stat
     unsafe { with_mesh(mesh, body) }
 }
 
-/// Checks the mesh from its coordinates and simplices alone, independently of the code that built it
-/// and with exact arithmetic. NM_OK means that the check ran; what it found is in report.
+/// Checks the mesh from its coordinates and simplices alone, independently of the code that built
+/// it and with exact arithmetic. NM_OK means that the check ran; what it found is in report.
 ///
 /// level: 1 topology (ids, adjacency, facets, Euler characteristic, links); 2 also geometry
 /// (orientations, convex hull, Delaunay on every facet); 3 also the promises (inputs kept bit for

@@ -146,8 +146,8 @@ impl<T: Versioned> OutStruct<T> {
 /// Copies `count` values to the caller's buffer, or only says how many there are.
 ///
 /// # Errors
-/// `Capacity` if `buf` is given and too small; `InvalidArgument` if it is not aligned. The buffer is
-/// then untouched.
+/// `Capacity` if `buf` is given and too small; `InvalidArgument` if it is not aligned. The buffer
+/// is then untouched.
 ///
 /// # Safety
 /// `buf` is NULL or has room for `capacity` values; `needed` is NULL or writable.

@@ -37,6 +37,11 @@ mod queries;
 
 mod arrays;
 
+mod voronoi;
+
+#[cfg(test)]
+mod array_tests;
+
 mod attributes;
 
 mod measures;
@@ -46,11 +51,9 @@ mod export;
 pub use arrays::{
     nm_mesh_get_circumcenters, nm_mesh_get_circumradii, nm_mesh_get_edges,
     nm_mesh_get_facet_simplices, nm_mesh_get_facets, nm_mesh_get_hull, nm_mesh_get_hull_simplices,
-    nm_mesh_get_placements, nm_mesh_get_region_shares, nm_mesh_get_region_starts,
-    nm_mesh_get_region_volumes, nm_mesh_get_regions, nm_mesh_get_ridge_bounded,
-    nm_mesh_get_ridge_corners, nm_mesh_get_ridge_starts, nm_mesh_get_selected,
-    nm_mesh_get_vertex_neighbor_starts, nm_mesh_get_vertex_neighbors,
-    nm_mesh_get_vertex_simplex_starts, nm_mesh_get_vertex_simplices, nm_mesh_get_volumes,
+    nm_mesh_get_placements, nm_mesh_get_selected, nm_mesh_get_vertex_neighbor_starts,
+    nm_mesh_get_vertex_neighbors, nm_mesh_get_vertex_simplex_starts, nm_mesh_get_vertex_simplices,
+    nm_mesh_get_volumes,
 };
 pub use attributes::{
     nm_mesh_get_attributes, nm_mesh_set_attributes, nm_mesh_set_input_attributes,
@@ -83,3 +86,8 @@ pub use structs::{
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
 pub use violations::nm_violation;
+pub use voronoi::{
+    nm_mesh_get_region_shares, nm_mesh_get_region_starts, nm_mesh_get_region_volumes,
+    nm_mesh_get_regions, nm_mesh_get_ridge_bounded, nm_mesh_get_ridge_corners,
+    nm_mesh_get_ridge_starts,
+};

@@ -13,8 +13,8 @@ use std::mem::MaybeUninit;
 /// Makes the index that queries need, unless it is there, and tells its size. Queries make it
 /// themselves; with this call the first of them takes no longer than the others. nm_run drops it.
 ///
-/// bytes: receives the size of the index, about 8 dim + 11 bytes a vertex, and as much again but for
-/// 4 bytes an input if there are other vertices; may be NULL.
+/// bytes: receives the size of the index, about 8 dim + 11 bytes a vertex, and as much again but
+/// for 4 bytes an input if there are other vertices; may be NULL.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work,
 /// poisoned).
@@ -37,15 +37,15 @@ pub unsafe extern "C" fn nm_mesh_index(mesh: *const nm_mesh, bytes: *mut u64) ->
 
 /// Finds the simplex that holds each of count points, by exact signs.
 ///
-/// points: count x dim coordinates, which must be finite. They may come in any order: they are sorted
-/// inside. threads: threads to use, 0 = all cores; no answer depends on it. simplices: receives count
-/// ids, NM_NONE for a point outside the hull; on a face that several simplices share, the least of
-/// them. points and simplices may be NULL if count is 0, and must not overlap.
+/// points: count x dim coordinates, which must be finite. They may come in any order: they are
+/// sorted inside. threads: threads to use, 0 = all cores; no answer depends on it. simplices:
+/// receives count ids, NM_NONE for a point outside the hull; on a face that several simplices
+/// share, the least of them. points and simplices may be NULL if count is 0, and must not overlap.
 ///
 /// The first query of a result makes an index (nm_mesh_index).
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, points, simplices), NM_NON_FINITE (the message names the point and
-/// the coordinate), NM_INVALID_ARGUMENT (count beyond the address space, an array not aligned),
+/// Errors: NM_NULL_ARGUMENT (mesh, points, simplices), NM_NON_FINITE (the message names the point
+/// and the coordinate), NM_INVALID_ARGUMENT (count beyond the address space, an array not aligned),
 /// NM_OUT_OF_MEMORY (what simplices holds then is unspecified), NM_STATE (no result yet, nm_run at
 /// work, poisoned).
 ///
@@ -70,7 +70,8 @@ pub unsafe extern "C" fn nm_mesh_locate(
     }
 }
 
-/// Finds the vertex nearest to each of count points; of several at the same exact distance the least.
+/// Finds the vertex nearest to each of count points; of several at the same exact distance the
+/// least.
 ///
 /// points, threads: as for nm_mesh_locate. vertices: receives count ids. distances: receives count
 /// distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
@@ -132,13 +133,14 @@ unsafe fn nearest(
 
 /// Interpolates values that are given at the vertices.
 ///
-/// components: numbers a vertex, at least 1. values: vertices x components numbers (nm_mesh_counts);
-/// they need not be finite, and one counts only where its vertex has a weight. points, threads: as
-/// for nm_mesh_locate. out: receives count x components numbers. The arrays must not overlap.
+/// components: numbers a vertex, at least 1. values: vertices x components numbers
+/// (nm_mesh_counts); they need not be finite, and one counts only where its vertex has a weight.
+/// points, threads: as for nm_mesh_locate. out: receives count x components numbers. The arrays
+/// must not overlap.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, values, points, out), NM_INVALID_ARGUMENT (interpolation,
-/// components, a size beyond the address space, an array not aligned), and as nm_mesh_locate with out
-/// in place of simplices.
+/// components, a size beyond the address space, an array not aligned), and as nm_mesh_locate with
+/// out in place of simplices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_interpolate(
     mesh: *const nm_mesh,
@@ -165,19 +167,20 @@ pub unsafe extern "C" fn nm_mesh_interpolate(
     }
 }
 
-/// Extends values at the inputs to all vertices: linear in the Delaunay triangulation of the inputs,
-/// those of the nearest input beyond its hull, and everywhere if the inputs lie in a hyperplane.
+/// Extends values at the inputs to all vertices: linear in the Delaunay triangulation of the
+/// inputs, those of the nearest input beyond its hull, and everywhere if the inputs lie in a
+/// hyperplane.
 ///
 /// components: numbers an input, at least 1. input_values: inputs x components numbers, duplicates
-/// included; of equal inputs the first counts. vertex_values: receives vertices x components numbers,
-/// those of an input's vertex unchanged. The arrays must not overlap.
+/// included; of equal inputs the first counts. vertex_values: receives vertices x components
+/// numbers, those of an input's vertex unchanged. The arrays must not overlap.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, input_values, vertex_values), NM_INVALID_ARGUMENT (components, an
-/// array not aligned), NM_OUT_OF_MEMORY (what vertex_values holds then is unspecified), NM_STATE (no
-/// result yet, nm_run at work, poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, input_values, vertex_values), NM_INVALID_ARGUMENT (components,
+/// an array not aligned), NM_OUT_OF_MEMORY (what vertex_values holds then is unspecified), NM_STATE
+/// (no result yet, nm_run at work, poisoned).
 ///
-/// Each call triangulates the inputs, which may take time and memory of order n^ceil(dim/2): pass all
-/// components at once. As many threads as nm_options.threads of the run allowed.
+/// Each call triangulates the inputs, which may take time and memory of order n^ceil(dim/2): pass
+/// all components at once. As many threads as nm_options.threads of the run allowed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_extend_values(
     mesh: *const nm_mesh,

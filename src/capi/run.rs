@@ -13,11 +13,11 @@ use crate::options::{Options, Progress};
 /// options: read during the call only; NULL means the defaults.
 ///
 /// The result is a Delaunay triangulation of the inputs and O(n) further vertices
-/// (NM_OUTPUT_HIERARCHICAL), every cell within options->quality_bound. It depends only on the inputs
-/// and the options, not on threads, time or machine.
+/// (NM_OUTPUT_HIERARCHICAL), every cell within options->quality_bound. It depends only on the
+/// inputs and the options, not on threads, time or machine.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field, its
-/// value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
+/// Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field,
+/// its value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
 /// affine rank), NM_LIMIT (too many vertices, or coordinates above 3e306), NM_CANCELLED,
 /// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
 ///

@@ -54,9 +54,9 @@ pub struct nm_progress {
     pub simplices: u64,
 }
 
-/// Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a stage
-/// ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels the run,
-/// which then answers NM_CANCELLED and leaves the mesh as it was.
+/// Called by nm_run on the thread that called nm_run, about every 30 ms and where a round or a
+/// stage ends. progress: valid during the call. user_data: nm_options.user_data. Nonzero cancels
+/// the run, which then answers NM_CANCELLED and leaves the mesh as it was.
 ///
 /// It must return: no exception, longjmp or thread exit may leave it. Any call on the mesh that is
 /// being run answers NM_STATE; other meshes may be used, and this one must not be freed.
@@ -84,29 +84,29 @@ pub struct nm_options {
     pub ordering: MaybeUninit<nm_ordering>,
     /// The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
     pub criterion: MaybeUninit<nm_criterion>,
-    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and 3D
-    /// with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
+    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and
+    /// 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
     pub threads: u32,
     /// The promised quality, smaller is better and costs more vertices; a ratio without unit.
     /// NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
     /// [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
     /// [1.1, 50], [1.25, 50], [1.75, 50], [2.25, 50].
     pub quality_bound: f64,
-    /// How far apart a cluster must stand to become a domain of its own: a pair at distance x gets one
-    /// of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2. Smaller
-    /// makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
+    /// How far apart a cluster must stand to become a domain of its own: a pair at distance x gets
+    /// one of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2.
+    /// Smaller makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
     pub epsilon: f64,
-    /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better cells
-    /// at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
+    /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better
+    /// cells at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
     pub delta: f64,
     /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
     /// nearest vertex. In [0.01, 0.25], default 0.1.
     pub gamma: f64,
-    /// Refinement yield: a Steiner point yields to an input within this fraction of the radius of its
-    /// empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
+    /// Refinement yield: a Steiner point yields to an input within this fraction of the radius of
+    /// its empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
     pub yield_radius: f64,
-    /// How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1, 4],
-    /// default 1.
+    /// How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1,
+    /// 4], default 1.
     pub encroachment: f64,
     /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
     pub cage_scale: f64,
@@ -124,8 +124,8 @@ pub struct nm_options {
     pub progress: nm_progress_fn,
     /// Handed to progress as it is; the library never looks at it. Default NULL.
     pub user_data: *mut c_void,
-    /// 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again as
-    /// the run, in 4D and more several times as long. The mesh is the same. Default 0.
+    /// 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again
+    /// as the run, in 4D and more several times as long. The mesh is the same. Default 0.
     pub instruments: u32,
     /// Zero.
     pub reserved: u32,
@@ -165,8 +165,8 @@ pub struct nm_counts {
     pub inputs: u64,
     /// Points that equal an earlier one.
     pub duplicates: u64,
-    /// Vertices: 0..inputs-duplicates-1 are the distinct inputs in input order, then Steiner and cage
-    /// vertices.
+    /// Vertices: 0..inputs-duplicates-1 are the distinct inputs in input order, then Steiner and
+    /// cage vertices.
     pub vertices: u64,
     /// Simplices (triangles, tetrahedra, ...).
     pub simplices: u64,
@@ -196,8 +196,9 @@ pub struct nm_domain {
 }
 
 /// How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
-/// distance from its vertex to its farthest corner over half the distance to the nearest other vertex;
-/// it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond the doubles.
+/// distance from its vertex to its farthest corner over half the distance to the nearest other
+/// vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
+/// the doubles.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -207,23 +208,26 @@ pub struct nm_quality {
     /// Largest number of vertices that share an edge with one vertex.
     pub max_degree: u32,
     /// Worst aspect of the cells of vertices that are in no cage, not on the hull and not
-    /// precision-limited, over the corners well inside the hull of their domain's cage: within min(0.85,
-    /// 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are no domains).
+    /// precision-limited, over the corners well inside the hull of their domain's cage: within
+    /// min(0.85, 1 - delta^2 / 2) of the radius of the cage's sphere (all corners where there are
+    /// no domains).
     pub worst_aspect: f64,
-    /// Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of the
-    /// cells of cages (see worst_cage_aspect), precision-limited ones included.
+    /// Worst aspect, over all corners, of the cells of vertices in no cage and off the hull and of
+    /// the cells of cages (see worst_cage_aspect), precision-limited ones included.
     /// NM_CRITERION_VORONOI_ASPECT bounds it, but for precision-limited cells. If epsilon > 0.8
-    /// cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a single
-    /// vertex of a cage has no bound: it reaches across the empty space that the cage stands for.
+    /// cage_scale, it bounds worst_aspect instead for the cells in inner domains. The cell of a
+    /// single vertex of a cage has no bound: it reaches across the empty space that the cage stands
+    /// for.
     pub worst_aspect_anywhere: f64,
     /// Mean of the aspects of which worst_aspect is the largest.
     pub mean_aspect: f64,
-    /// Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from the
-    /// domain's centre, over the corners well inside the parent's cage.
+    /// Worst aspect of a cage other than the root's: the union of its vertices' cells, seen from
+    /// the domain's centre, over the corners well inside the parent's cage.
     pub worst_cage_aspect: f64,
     /// Worst circumradius over shortest edge of the simplices without a vertex on the hull.
-    /// NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at the
-    /// hull included, and in a hierarchical mesh for the simplices with all vertices in one domain.
+    /// NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
+    /// the hull included, and in a hierarchical mesh for the simplices with all vertices in one
+    /// domain.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and more), in degrees, of the simplices without a
     /// vertex on the hull.
@@ -272,15 +276,15 @@ pub struct nm_stats {
     pub exact_fallbacks: u64,
     /// Vertices that are precision-limited, as nm_quality.precision_limited.
     pub precision_limited: u64,
-    /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only field
-    /// that differs between equal runs.
+    /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
+    /// field that differs between equal runs.
     pub seconds: f64,
-    /// Nets or samples taken in all rounds. A round takes one, and another each time that the last one
-    /// has not halved every conflict list. (The conflict list of a simplex holds the inputs assigned to
-    /// it that are no vertices yet.)
+    /// Nets or samples taken in all rounds. A round takes one, and another each time that the last
+    /// one has not halved every conflict list. (The conflict list of a simplex holds the inputs
+    /// assigned to it that are no vertices yet.)
     pub passes: u64,
-    /// The length of the longest conflict list after a round over that before the round, largest over
-    /// all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
+    /// The length of the longest conflict list after a round over that before the round, largest
+    /// over all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
     pub worst_halving: f64,
     /// Points inserted for cages during the run, those of cages released later included.
     /// input_vertices, cage_points, far_corners and off_centers add up to the vertices.
@@ -293,12 +297,12 @@ pub struct nm_stats {
     pub yields: u64,
     /// Points inserted in cage gaps by the final refinement. cage_points includes them.
     pub closing_points: u64,
-    /// Points at which the ply was counted: Voronoi corners, all of them if they are few. This field
-    /// and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
+    /// Points at which the ply was counted: Voronoi corners, all of them if they are few. This
+    /// field and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
     /// (docs/limitations.md).
     pub ply_probes: u64,
-    /// The largest number of D-balls (circumballs of simplices) that have one of these points strictly
-    /// inside: k of Definition 1.
+    /// The largest number of D-balls (circumballs of simplices) that have one of these points
+    /// strictly inside: k of Definition 1.
     pub max_ply: u64,
     /// The mean number of D-balls that have one of these points strictly inside.
     pub mean_ply: f64,
@@ -311,15 +315,15 @@ pub struct nm_stats {
     /// distance to its second nearest member. Domains with fewer than two inputs do not count.
     /// 0 for NM_ALGORITHM_DELAUNAY.
     pub feature_size_constant: f64,
-    /// K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the mesh,
-    /// at a vertex that has just been inserted and with the inputs and the mesh of that moment. 0 for
-    /// NM_ALGORITHM_DELAUNAY.
+    /// K'_I of Definition 8, for inputs: the largest feature size of the inputs over that of the
+    /// mesh, at a vertex that has just been inserted and with the inputs and the mesh of that
+    /// moment. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_input: f64,
     /// K'_S of Definition 8: the same ratio for Steiner points. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_corner: f64,
-    /// K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded to
-    /// included. While a domain has no other vertex than its centre, the input that its cage is made
-    /// for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
+    /// K'_C of Definition 8: the same ratio for vertices of cages, inputs that a cage point yielded
+    /// to included. While a domain has no other vertex than its centre, the input that its cage is
+    /// made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_cage: f64,
 }
 
@@ -351,12 +355,13 @@ pub struct nm_report {
     pub vertex: u32,
     /// The first violation's domain; NM_NONE if it concerns none.
     pub domain: u32,
-    /// The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is none.
+    /// The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
+    /// none.
     pub message: [c_char; 160],
 }
 
-// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers and an enum of four bytes that
-// the library only writes.
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers and an enum of four bytes
+// that the library only writes.
 unsafe impl Versioned for nm_report {
     const TYPE: &'static str = "nm_report";
 }

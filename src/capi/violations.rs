@@ -2,9 +2,9 @@
 
 use crate::validate::ViolationKind;
 
-/// nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1 (topology),
-/// 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later versions may append
-/// kinds.
+/// nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
+/// (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later
+/// versions may append kinds.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,8 +61,8 @@ pub enum nm_violation {
     NM_VIOLATION_INPUT_VERTEX = 201,
     /// The vertex of a distinct input does not have that input's bits.
     NM_VIOLATION_INPUT_BITS = 202,
-    /// A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs are
-    /// inputs, and no others are.
+    /// A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs
+    /// are inputs, and no others are.
     NM_VIOLATION_VERTEX_KIND = 203,
     /// A plain Delaunay triangulation has domains, labels or vertices that are no inputs.
     NM_VIOLATION_PLAIN_DELAUNAY = 204,
@@ -76,8 +76,8 @@ pub enum nm_violation {
     NM_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
     /// The balls of two siblings overlap.
     NM_VIOLATION_DOMAINS_OVERLAP = 209,
-    /// A vertex is labelled with a domain that does not exist, that does not contain it, or that has a
-    /// child which contains it.
+    /// A vertex is labelled with a domain that does not exist, that does not contain it, or that
+    /// has a child which contains it.
     NM_VIOLATION_VERTEX_DOMAIN = 210,
     /// A cage vertex's kind contradicts the domain that it is labelled with.
     NM_VIOLATION_CAGE_OF = 211,

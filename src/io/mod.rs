@@ -186,8 +186,8 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
 }
 
 /// As [`write_file`], with attributes at the vertices
-/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)), which `Vtu`, `Gmsh`, `Ply`
-/// and `Csv` hold; the others do without.
+/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)), which `Vtu`, `Gmsh`,
+/// `Ply` and `Csv` hold; the others do without.
 ///
 /// # Errors
 /// As [`write_file`]; `InvalidArgument` if the attributes are not those of the vertices.

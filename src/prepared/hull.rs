@@ -1,5 +1,6 @@
-//! The convex hull of points, from the Delaunay triangulation of those that may be on it. That keeps
-//! the triangulation small where that of all points is large, as it is for points on two lines.
+//! The convex hull of points, from the Delaunay triangulation of those that may be on it. That
+//! keeps the triangulation small where that of all points is large, as it is for points on two
+//! lines.
 
 use super::plain;
 use crate::arrays::ConvexHull;
@@ -128,8 +129,8 @@ fn triangulate(dim: usize, points: &[f64]) -> Result<Triangulation> {
     netmesh::run(&Inputs::new(dim, points.len() / dim, points, 0)?, &plain(), None)
 }
 
-/// Those of the points that are not inside the hull of some that are far out; `None` if those lie in
-/// a hyperplane.
+/// Those of the points that are not inside the hull of some that are far out; `None` if those lie
+/// in a hyperplane.
 fn without_inner(
     dim: usize,
     points: &[f64],

@@ -1,6 +1,6 @@
 //! What queries need beside a mesh, made once and kept as long as its result: the one place between
-//! the queries, which know a result's arrays alone, and the algorithm, which triangulates the inputs
-//! for them.
+//! the queries, which know a result's arrays alone, and the algorithm, which triangulates the
+//! inputs for them.
 
 mod hull;
 #[cfg(test)]
@@ -13,10 +13,11 @@ use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{Algorithm, Options};
 use crate::query::{self, Among, Index, Method, Values};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// What is made at the first query of a result that needs it. It belongs to one mesh; after a run of
-/// that, a new one is needed. Threads may share it.
+/// What is made at the first query of a result that needs it. It belongs to one mesh; after a run
+/// of that, a new one is needed. Threads may share it.
 #[derive(Default)]
 pub struct Prepared {
     index: Once<Index>,
@@ -28,26 +29,35 @@ pub struct Prepared {
 /// A value that the first one who needs it makes, while others wait.
 struct Once<T> {
     value: OnceLock<T>,
+    /// Whether there is a value. `value` knows, but the thread sanitizer does not see how: that is
+    /// in the compiled part of the standard library.
+    is_made: AtomicBool,
     making: Mutex<()>,
 }
 
 impl<T> Default for Once<T> {
     fn default() -> Self {
-        Self { value: OnceLock::new(), making: Mutex::new(()) }
+        Self { value: OnceLock::new(), is_made: AtomicBool::new(false), making: Mutex::new(()) }
     }
 }
 
 impl<T> Once<T> {
     fn get_or_make(&self, make: impl FnOnce() -> Result<T>) -> Result<&T> {
-        if let Some(value) = self.value.get() {
+        if let Some(value) = self.get() {
             return Ok(value);
         }
         let _guard = self.making.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(value) = self.value.get() {
+        if let Some(value) = self.get() {
             return Ok(value);
         }
         let made = make()?;
-        Ok(self.value.get_or_init(|| made))
+        let value = self.value.get_or_init(|| made);
+        self.is_made.store(true, Ordering::Release);
+        Ok(value)
+    }
+
+    fn get(&self) -> Option<&T> {
+        self.is_made.load(Ordering::Acquire).then(|| self.value.get()).flatten()
     }
 }
 
@@ -112,10 +122,10 @@ impl Prepared {
         self.index(mesh)?.interpolate(result(mesh)?, method, values, points, threads, out)
     }
 
-    /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty for
-    /// [`Extent::All`]. The first time the hull takes a Delaunay triangulation of the inputs that
-    /// may be on it, and each simplex that its vertices do not place time of the order of the inputs
-    /// on it.
+    /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty
+    /// for [`Extent::All`]. The first time the hull takes a Delaunay triangulation of the inputs
+    /// that may be on it, and each simplex that its vertices do not place time of the order of the
+    /// inputs on it.
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
@@ -139,8 +149,8 @@ impl Prepared {
     }
 
     /// The attributes of the mesh at its vertices (before a run at the distinct inputs): those of
-    /// the inputs, and at other vertices as each attribute says. The first time after a run or after
-    /// [`Prepared::forget_attributes`] it triangulates the inputs.
+    /// the inputs, and at other vertices as each attribute says. The first time after a run or
+    /// after [`Prepared::forget_attributes`] it triangulates the inputs.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -163,10 +173,10 @@ impl Prepared {
     }
 }
 
-/// Values at all vertices of a mesh (`vertices x components`) that agree with `values` at the inputs
-/// (`inputs x components`, in the caller's order; of equal inputs the first counts): linear in the
-/// Delaunay triangulation of the inputs, which is made for it, and those of the nearest input beyond
-/// its hull; those of the nearest input everywhere if the inputs lie in a hyperplane.
+/// Values at all vertices of a mesh (`vertices x components`) that agree with `values` at the
+/// inputs (`inputs x components`, in the caller's order; of equal inputs the first counts): linear
+/// in the Delaunay triangulation of the inputs, which is made for it, and those of the nearest
+/// input beyond its hull; those of the nearest input everywhere if the inputs lie in a hyperplane.
 ///
 /// # Errors
 /// `State` before a run, `InvalidArgument` (a length), `OutOfMemory`.

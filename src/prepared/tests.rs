@@ -40,8 +40,8 @@ fn is_in_hull<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> bool {
     })
 }
 
-/// Whether a plane through some of all points has a simplex on one side and the points on the other.
-/// If any plane does, one of these does.
+/// Whether a plane through some of all points has a simplex on one side and the points on the
+/// other. If any plane does, one of these does.
 fn is_separated<const D: usize>(simplex: &[[f64; D]], points: &[[f64; D]]) -> bool {
     let all: Vec<&[f64; D]> = simplex.iter().chain(points).collect();
     any_set(all.len(), D, |set| {
@@ -96,7 +96,9 @@ fn placements_are_right<const D: usize>(count: usize, step: usize) {
             let vertices = result.simplex(simplex).iter();
             let vertices: Vec<[f64; D]> =
                 vertices.map(|&v| result.point(v).try_into().unwrap()).collect();
-            for (found, body) in [(hull, &inputs), (within, &corners)] {
+            // Brute force over the 16 corners of a box in 4D takes too long.
+            let bodies = [(hull, &inputs), (within, &corners)];
+            for (found, body) in bodies.into_iter().take(if D < 4 { 2 } else { 1 }) {
                 let expected = brute_placement(&vertices, body);
                 assert_eq!(found[simplex], expected, "{family:?} {vertices:?} {body:?}");
                 let mut counts = seen.get();
@@ -109,10 +111,18 @@ fn placements_are_right<const D: usize>(count: usize, step: usize) {
 }
 
 #[test]
-fn placements_are_those_of_brute_force() {
+fn placements_in_the_plane_are_those_of_brute_force() {
     placements_are_right::<2>(9, 3);
-    placements_are_right::<3>(7, 23);
-    placements_are_right::<4>(6, 401);
+}
+
+#[test]
+fn placements_in_space_are_those_of_brute_force() {
+    placements_are_right::<3>(7, 61);
+}
+
+#[test]
+fn placements_in_4d_are_those_of_brute_force() {
+    placements_are_right::<4>(6, 97);
 }
 
 #[test]

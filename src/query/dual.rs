@@ -123,9 +123,9 @@ impl Chains {
 }
 
 impl<const D: usize> Seen<'_, D> {
-    /// The shortest edge to vertex `w`, of those other than the base, from the base or a vertex of the
-    /// set: what is left of it without its part in the face is the same for all, and loses the least.
-    /// First where it starts.
+    /// The shortest edge to vertex `w`, of those other than the base, from the base or a vertex of
+    /// the set: what is left of it without its part in the face is the same for all, and loses the
+    /// least. First where it starts.
     fn shortest_edge(&self, set: usize, w: usize) -> ([f64; D], [f64; D]) {
         let point = |k: usize| self.points[k + usize::from(k >= self.base)];
         let mut shortest = ([0.0; D], self.edges[w]);

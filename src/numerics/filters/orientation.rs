@@ -33,8 +33,8 @@ pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sig
     })
 }
 
-/// det[p1 - p0, ..., pD - p0] as m * 2^e, if floating-point arithmetic can tell it with a relative error
-/// of at most `accepted`.
+/// det[p1 - p0, ..., pD - p0] as m * 2^e, if floating-point arithmetic can tell it with a relative
+/// error of at most `accepted`.
 pub fn determinant_filtered<const D: usize>(
     simplex: &[&[f64; D]],
     accepted: f64,

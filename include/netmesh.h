@@ -1225,9 +1225,9 @@ NM_API uint32_t nm_abi_version(void);
 
 /**
  * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
- * know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
+ * know. Static; never NULL; do not free. O(1); any thread.
  */
-NM_NODISCARD NM_API const char *nm_status_name(nm_status status);
+NM_API const char *nm_status_name(nm_status status);
 
 /**
  * Copies the calling thread's last message into buf: one sentence about the last call on this

@@ -49,7 +49,8 @@ pub extern "C" fn nm_abi_version() -> u32 {
 }
 
 /// The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
-/// know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
+/// know. Static; never NULL; do not free. O(1); any thread.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_status_name(status: MaybeUninit<nm_status>) -> *const c_char {
     let index = usize::try_from(bits(status)).unwrap_or(usize::MAX);

@@ -3,20 +3,24 @@
 #
 #   ./test.sh [--without TOOL]... [LANE...]
 #
-# Lanes: format clippy rust cpp python sanitizers miri. Without a tool its tests are skipped; the tools that
+# Lanes: format clippy cpp rust python sanitizers miri. Without a tool its tests are skipped; the tools that
 # may be absent so are `readers` (the Python packages that read in tests what netmesh has written),
 # `python` (those that the Python package is built and tested with) and `miri`.
-# NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes.
+# NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes of a lane.
+# Two lanes run at a time, and what a lane says is printed when it ends; the first that fails ends all.
 # The end tells the seconds of every lane, and what was skipped and why.
 set -euo pipefail
 cd "$(dirname "$0")"
 exec </dev/null
 
-readonly all_lanes=(format clippy rust cpp python sanitizers miri)
+# In the order in which they begin. Clippy and the Rust tests would wait for each other's lock.
+readonly all_lanes=(format clippy cpp rust python sanitizers miri)
 readonly jobs="${NETMESH_JOBS:-$(nproc)}"
 readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 # shellcheck source=scripts/common.sh
 . scripts/common.sh
+# shellcheck source=scripts/lanes.sh
+. scripts/lanes.sh
 # shellcheck source=scripts/report.sh
 . scripts/report.sh
 # shellcheck source=scripts/tools.sh
@@ -30,7 +34,7 @@ usage() {
   fail "usage: ./test.sh [--without readers|python|miri]... [LANE...]; lanes: ${all_lanes[*]}"
 }
 
-lanes=() without=" ${NETMESH_WITHOUT:-} "
+lanes=() wanted=() without=" ${NETMESH_WITHOUT:-} "
 while [ $# -gt 0 ]; do
   case "$1" in
     --without)
@@ -63,6 +67,7 @@ tools_lane() {
     need_packages g++ bsdutils python3
     need_readers
   fi
+  if has_lane python && ! is_without python; then need_packages python3-venv libgl1; fi
 }
 
 format_lane() {
@@ -111,14 +116,14 @@ miri_lane() {
 export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0 CARGO_PROFILE_DEV_LTO=off
 export PATH="$venv/bin:$tools/bin:$PATH" CARGO_BUILD_JOBS="$jobs"
 
-mkdir -p target
+mkdir -p "$logs"
+: >"$skips"
 trap report EXIT
-timed tools
+step "tools"
+tools_lane
+took tools $SECONDS
 for lane in "${all_lanes[@]}"; do
-  if has_lane "$lane"; then
-    timed "$lane"
-  else
-    skipped "$lane" "other lanes were asked for"
-  fi
+  if has_lane "$lane"; then wanted+=("$lane"); else skipped "$lane" "other lanes were asked for"; fi
 done
+run_lanes "${wanted[@]}"
 step "all tests passed"

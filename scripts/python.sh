@@ -37,7 +37,6 @@ python_lane() {
 }
 
 need_python_tools() {
-  need_packages python3-venv libgl1
   local place="$PWD/target/python/tools"
   if [ "$(cat "$place/wanted" 2>/dev/null)" != "${PYTHON_PACKAGES[*]}" ]; then
     python3 -m venv --clear "$place"

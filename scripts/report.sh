@@ -1,27 +1,18 @@
-# Sourced by test.sh: lanes, what they took, and what was skipped.
+# Sourced by test.sh: what lanes took, and what was skipped.
 
-timings=() skips=()
+timings=()
+# A file: lanes are processes of their own.
+readonly skips="$logs/skips"
 
-has_lane() {
-  [[ " ${lanes[*]} " == *" $1 "* ]]
-}
-
-is_without() {
-  [[ "$without" == *" $1 "* ]]
-}
-
-# timed LANE: runs the function of that lane.
-timed() {
-  local start=$SECONDS
-  step "$1"
-  "${1}_lane"
-  timings+=("$1 $((SECONDS - start))")
+# took LANE SECONDS
+took() {
+  timings+=("$(printf '%6s  %s' "$2" "$1")")
 }
 
 # skipped WHAT WHY
 skipped() {
   echo "skipped: $1: $2"
-  skips+=("$1: $2")
+  echo "$1: $2" >>"$skips"
 }
 
 # skips_of_cargo LOG: adds the lines `skipped: REASON` that Rust tests print. What test.sh installs
@@ -29,7 +20,7 @@ skipped() {
 skips_of_cargo() {
   local line
   while read -r line; do
-    skips+=("Rust tests: ${line#skipped: }")
+    echo "Rust tests: ${line#skipped: }" >>"$skips"
     case "$line" in
       *"cannot import"*) is_without readers || fail "$line; ./test.sh --without readers allows that" ;;
     esac
@@ -38,25 +29,22 @@ skips_of_cargo() {
 
 # skips_of_ctest DIRECTORY: adds the tests that its last run of ctest skipped, a line for each reason.
 skips_of_ctest() {
-  local line
-  while read -r line; do
-    skips+=("$line")
-  done < <(awk '
+  awk '
     sub(/^[0-9]+\/[0-9]+ Testing: /, "") { name = $0 }
     sub(/^SKIP: /, "") { names[$0] = names[$0] " " name }
     END { for (reason in names) print "ctest:" names[reason] ": " reason }' \
-    "$1/Testing/Temporary/LastTest.log" | sort)
+    "$1/Testing/Temporary/LastTest.log" | sort >>"$skips"
 }
 
 # What a run says at its end, also where it failed.
 report() {
-  local status=$? line
+  local status=$?
+  stop_lanes
   printf '\n== seconds\n'
-  for line in "${timings[@]}"; do printf '%6s  %s\n' "${line##* }" "${line% *}"; done
+  printf '%s\n' "${timings[@]}"
   printf '%6s  %s\n' "$SECONDS" "all"
   printf '\n== skipped\n'
-  if [ ${#skips[@]} -eq 0 ]; then echo "nothing"; fi
-  for line in "${skips[@]}"; do echo "$line"; done
+  if [ -s "$skips" ]; then cat "$skips"; else echo "nothing"; fi
   [ $status -eq 0 ] || printf '\nfailed\n' >&2
   exit $status
 }

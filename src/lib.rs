@@ -16,6 +16,7 @@ pub mod prepared;
 pub mod quality;
 pub mod query;
 mod run;
+pub mod topology;
 pub mod validate;
 
 #[allow(unsafe_code)]

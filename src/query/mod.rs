@@ -30,7 +30,7 @@ mod nearest;
 mod questions;
 #[cfg(test)]
 mod tests;
-mod threads;
+pub(crate) mod threads;
 mod tree;
 pub(crate) mod unit;
 pub(crate) mod view;

@@ -11,7 +11,7 @@ const LARGEST: usize = 1 << 15;
 const SMALLEST: usize = 1 << 10;
 
 /// Threads to use: what the caller allows (0: all cores), and no more than there are cores.
-pub(super) fn threads(wanted: u32) -> usize {
+pub(crate) fn threads(wanted: u32) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, |count| count.get());
     match wanted {
         0 => cores(),
@@ -26,7 +26,7 @@ pub(super) fn piece(count: usize, threads: usize) -> usize {
 }
 
 /// Does each of the pieces, in any order, with scratch memory of each thread.
-pub(super) fn on_threads<W: Send, S: Default>(
+pub(crate) fn on_threads<W: Send, S: Default>(
     threads: usize,
     pieces: impl Iterator<Item = W> + Send,
     act: impl Fn(&mut S, W) -> AllocResult<()> + Sync,

@@ -43,7 +43,7 @@ pub(crate) fn largest<const D: usize>(vector: &[f64; D]) -> f64 {
 }
 
 /// The exponent of a finite number that is not negative; 0 for zero.
-pub(super) fn exponent(x: f64) -> i32 {
+pub(crate) fn exponent(x: f64) -> i32 {
     match x.to_bits() >> 52 {
         0 if x == 0.0 => 0,
         0 => x.to_bits().ilog2() as i32 - 1074,

@@ -71,7 +71,7 @@ pub(crate) fn solve<const D: usize>(
 }
 
 /// Numbers of any size are refused by memory only.
-fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
+pub(crate) fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
     result.map_err(|refusal| match refusal {
         Refusal::Memory(error) => error,
         Refusal::TooLarge => unreachable!("integers have any size"),
@@ -79,7 +79,7 @@ fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
 }
 
 /// The exponent of the largest power of two that divides all coordinates.
-fn unit<const D: usize>(origin: &[f64; D], ends: &[&[f64; D]]) -> i32 {
+pub(crate) fn unit<const D: usize>(origin: &[f64; D], ends: &[&[f64; D]]) -> i32 {
     let coordinates = ends.iter().copied().chain([origin]).flatten();
     coordinates.filter(|x| **x != 0.0).map(|&x| parts(x).1).min().unwrap_or(0)
 }
@@ -108,21 +108,41 @@ fn determinant_sign<N: Number, const D: usize>(
     Matrix::<N>::edges(origin, ends, unit, sides)?.eliminate(false)
 }
 
-fn squared_length<N: Number>(edge: &[N]) -> Result<N, Refusal> {
+fn product<N: Number>(edge: &[N], other: &[N]) -> Result<N, Refusal> {
     let mut sum = N::shifted(0, 0)?;
-    for component in edge {
-        sum = sum.plus(&component.times(component)?)?;
+    for (component, factor) in edge.iter().zip(other) {
+        sum = sum.plus(&component.times(factor)?)?;
     }
     Ok(sum)
 }
 
-struct Matrix<N> {
+/// Rows of equal width.
+pub(crate) struct Matrix<N> {
     entries: Vec<N>,
     height: usize,
     width: usize,
 }
 
 impl<N: Number> Matrix<N> {
+    /// The products of the edges from `origin` to `ends` with each other, and in a last column with
+    /// themselves, in units of `2^(2 unit)`.
+    pub fn products<const D: usize>(
+        origin: &[f64; D],
+        ends: &[&[f64; D]],
+        unit: i32,
+    ) -> Result<Self, Refusal> {
+        let edges = Self::edges(origin, ends, unit, &[])?;
+        let (height, width) = (ends.len(), ends.len() + 1);
+        let edge = |i: usize| &edges.entries[i * D..][..D];
+        let mut entries = with_capacity(height * width)?;
+        for i in 0..height {
+            for j in (0..height).chain([i]) {
+                entries.push(product(edge(i), edge(j))?);
+            }
+        }
+        Ok(Self { entries, height, width })
+    }
+
     /// A row for each of `ends`: its edge in units of `2^unit`, then its `sides`.
     fn edges<const D: usize>(
         origin: &[f64; D],
@@ -146,7 +166,10 @@ impl<N: Number> Matrix<N> {
             }
             for side in sides {
                 let entry = match *side {
-                    Side::Square => squared_length(&entries[row * width..][..D])?,
+                    Side::Square => {
+                        let edge = &entries[row * width..][..D];
+                        product(edge, edge)?
+                    }
                     Side::Ones => N::shifted(1, 0)?,
                     Side::Unit(at) => N::shifted(i64::from(at == row), 0)?,
                 };
@@ -156,14 +179,14 @@ impl<N: Number> Matrix<N> {
         Ok(Self { entries, height: ends.len(), width })
     }
 
-    fn at(&self, row: usize, column: usize) -> &N {
+    pub fn at(&self, row: usize, column: usize) -> &N {
         &self.entries[row * self.width + column]
     }
 
     /// Eliminates below the diagonal, or if `fully` above it too; returns the determinant's sign.
     /// Each entry is a minor at every step, so that the division by the pivot before leaves no
     /// remainder.
-    fn eliminate(&mut self, fully: bool) -> Result<Ordering, Refusal> {
+    pub fn eliminate(&mut self, fully: bool) -> Result<Ordering, Refusal> {
         let mut swapped = false;
         for k in 0..self.height {
             let is_pivot = |&row: &usize| self.at(row, k).sign() != Ordering::Equal;

@@ -1,13 +1,14 @@
-//! Integers of any size and determinants in them, for the measures and the certificate alone:
+//! Integers of any size and determinants in them, for those that measure a result or ask it:
 //! nothing that builds comes in here. Fraction-free elimination (Bareiss) in 128 bits where they
 //! suffice, else in as many words as it takes. Memory may be refused.
 
 mod elimination;
 mod integer;
 
-pub(crate) use elimination::{Lift, Side, Solution, lifted_determinant_sign, solve};
-use integer::Integer;
-pub(crate) use integer::ratio;
+pub(crate) use elimination::{
+    Lift, Matrix, Side, Solution, lifted_determinant_sign, solve, unbounded, unit,
+};
+pub(crate) use integer::{Integer, ratio};
 
 use crate::memory::AllocError;
 

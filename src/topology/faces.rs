@@ -1,0 +1,240 @@
+//! All faces of the simplices, each once.
+
+use super::keys::{Entry, Key, bits_of_ids, sort};
+use crate::error::Result;
+use crate::memory::{
+    AllocError, AllocResult, Incidence, collected, copied, filled, reserve, with_capacity,
+};
+use crate::mesh::{MAX_DIM, Triangulation};
+use crate::query::check_arrays;
+use crate::query::threads::{on_threads, threads as threads_of};
+
+/// The faces of all dimensions from some on up to that of the simplices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Faces {
+    /// The least dimension that is there.
+    lowest: usize,
+    /// From the lowest dimension.
+    levels: Vec<Level>,
+}
+
+/// The faces of one dimension `k`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Level {
+    k: usize,
+    /// `faces x (k + 1)` vertex ids, ascending within a face; the faces in lexicographic order.
+    pub vertices: Vec<u32>,
+    /// `faces x (k + 1)` ids of faces of dimension `k - 1`: entry `i` is the face without vertex
+    /// `i`. Empty where those are not there.
+    pub boundary: Vec<u32>,
+}
+
+impl Level {
+    /// The number of faces.
+    pub fn count(&self) -> usize {
+        self.vertices.len() / (self.k + 1)
+    }
+
+    /// The vertices of a face.
+    pub fn face(&self, at: usize) -> &[u32] {
+        &self.vertices[at * (self.k + 1)..][..self.k + 1]
+    }
+
+    /// For each of `below` faces of dimension `k - 1` the faces that have it as a facet, ascending.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn coboundary(&self, below: usize) -> Result<(Vec<usize>, Vec<u32>)> {
+        let facets = || self.boundary.chunks_exact(self.k + 1).enumerate();
+        let pairs = || {
+            facets().flat_map(|(at, facets)| facets.iter().map(move |&facet| (facet, at as u32)))
+        };
+        Ok(Incidence::new(below, pairs)?.into_parts())
+    }
+
+    /// The facets of a face.
+    pub fn facets(&self, at: usize) -> &[u32] {
+        &self.boundary[at * (self.k + 1)..][..self.k + 1]
+    }
+}
+
+impl Faces {
+    /// The faces of dimension `lowest` and more. Those of dimension 0 are all vertices of the mesh,
+    /// so that the id of each is its own. `threads` as in the options. O(faces x dim log(faces at a vertex)).
+    ///
+    /// # Errors
+    /// `InvalidArgument` (arrays that do not fit together), `Limit` (more faces of a dimension, or
+    /// of facets of them, than 32-bit ids can name), `OutOfMemory`.
+    pub fn new(mesh: &Triangulation, lowest: usize, threads: u32) -> Result<Self> {
+        check_arrays(mesh)?;
+        Ok(Self::of_simplices(mesh, lowest.min(mesh.dim), threads_of(threads))?)
+    }
+
+    fn of_simplices(mesh: &Triangulation, lowest: usize, threads: usize) -> AllocResult<Self> {
+        let (dim, count) = (mesh.dim, mesh.vertex_count());
+        let mut levels = with_capacity(dim + 1 - lowest)?;
+        levels.push(simplices(mesh, threads)?);
+        for k in (lowest..dim).rev() {
+            let above = &mut levels[dim - k - 1];
+            let (vertices, boundary) = facets(count, above, threads)?;
+            above.boundary = boundary;
+            levels.push(Level { k, vertices, boundary: Vec::new() });
+        }
+        levels.reverse();
+        Ok(Self { lowest, levels })
+    }
+
+    /// The faces of dimension `k`, which must be there.
+    pub fn of_dimension(&self, k: usize) -> &Level {
+        &self.levels[k - self.lowest]
+    }
+
+    /// The dimension of the simplices.
+    pub fn dim(&self) -> usize {
+        self.lowest + self.levels.len() - 1
+    }
+
+    /// The least dimension that is there.
+    pub fn lowest(&self) -> usize {
+        self.lowest
+    }
+}
+
+/// `body` with the type of keys of `k` vertices.
+macro_rules! with_key {
+    ($k:expr, $bits:expr, $K:ident => $body:expr) => {
+        match $k as u32 * $bits {
+            ..=64 => {
+                type $K = u64;
+                $body
+            }
+            ..=128 => {
+                type $K = u128;
+                $body
+            }
+            _ => {
+                type $K = [u32; MAX_DIM];
+                $body
+            }
+        }
+    };
+}
+
+/// The simplices, their vertices ascending.
+fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<Level> {
+    let (dim, count) = (mesh.dim, mesh.vertex_count());
+    let mut sorted = copied(&mesh.simplices)?;
+    sorted.chunks_exact_mut(dim + 1).for_each(<[u32]>::sort_unstable);
+    let bits = bits_of_ids(count);
+    let (vertices, _) = with_key!(dim, bits, K => {
+        let simplices = || sorted.chunks_exact(dim + 1);
+        let mut lists = Lists::<K>::new(count, dim, simplices().map(|simplex| (simplex[0], 1)))?;
+        for (at, simplex) in simplices().enumerate() {
+            lists.push(simplex[0], K::pack(&simplex[1..], bits), at as u32);
+        }
+        lists.distinct(threads)?
+    });
+    Ok(Level { k: dim, vertices, boundary: Vec::new() })
+}
+
+/// The facets of the faces of a dimension, and its boundary.
+fn facets(count: usize, above: &Level, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
+    let k = above.k - 1;
+    u32::try_from(above.vertices.len()).map_err(|_| AllocError::Ids)?;
+    let faces = || above.vertices.chunks_exact(k + 2);
+    if k == 0 {
+        // Without its first vertex an edge is its second.
+        let boundary = collected(faces().flat_map(|ends| [ends[1], ends[0]]))?;
+        return Ok((collected(0..count as u32)?, boundary));
+    }
+    let bits = bits_of_ids(count);
+    with_key!(k + 1, bits, K => {
+        // One facet of each face lacks its first vertex.
+        let firsts = faces().flat_map(|face| [(face[0], k + 1), (face[1], 1)]);
+        let mut lists = Lists::<K>::new(count, k, firsts)?;
+        for (at, face) in faces().enumerate() {
+            let (others, place) = (K::pack(&face[1..], bits), (at * (k + 2)) as u32);
+            lists.push(face[1], others.without(0, k + 1, bits), place);
+            for i in 0..=k {
+                lists.push(face[0], others.without(i, k + 1, bits), place + i as u32 + 1);
+            }
+        }
+        lists.distinct(threads)
+    })
+}
+
+/// Faces of one dimension, some of them more than once: for each vertex those of which it is the
+/// first, as keys of the other vertices.
+struct Lists<K> {
+    /// The dimension of the faces.
+    k: usize,
+    bits: u32,
+    /// Where the next entry of each vertex goes; in the end, where its list ends.
+    ends: Vec<usize>,
+    entries: Vec<Entry<K>>,
+}
+
+impl<K: Key> Lists<K> {
+    /// Lists of the lengths that `firsts` says: pairs of a vertex and a number of faces.
+    fn new(
+        count: usize,
+        k: usize,
+        firsts: impl Iterator<Item = (u32, usize)>,
+    ) -> AllocResult<Self> {
+        let mut starts = filled(count + 1, 0usize)?;
+        firsts.for_each(|(vertex, faces)| starts[vertex as usize + 1] += faces);
+        (0..count).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
+        let entries = filled(starts[count], (K::default(), 0))?;
+        starts.truncate(count);
+        Ok(Self { k, bits: bits_of_ids(count), ends: starts, entries })
+    }
+
+    /// Adds a face by its first vertex and the key of the others. It is number `place` of all.
+    #[inline]
+    fn push(&mut self, first: u32, others: K, place: u32) {
+        let end = &mut self.ends[first as usize];
+        self.entries[*end] = (others, place);
+        *end += 1;
+    }
+
+    /// The vertices of the distinct faces in lexicographic order, and the id of each that was added.
+    fn distinct(mut self, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
+        self.sort(threads)?;
+        let (mut faces, mut ids) = (Vec::new(), filled(self.entries.len(), 0u32)?);
+        let (mut start, mut id) = (0, 0);
+        for (vertex, &end) in self.ends.iter().enumerate() {
+            for same in self.entries[start..end].chunk_by(|a, b| a.0 == b.0) {
+                same.iter().for_each(|&(_, place)| ids[place as usize] = id);
+                id = id.checked_add(1).ok_or(AllocError::Ids)?;
+                reserve(&mut faces, self.k + 1)?;
+                faces.push(vertex as u32);
+                same[0].0.unpack(self.k, self.bits, &mut faces);
+            }
+            start = end;
+        }
+        Ok((faces, ids))
+    }
+
+    /// Sorts each list.
+    fn sort(&mut self, threads: usize) -> AllocResult<()> {
+        let bits = self.k as u32 * self.bits;
+        let (mut rest, mut start) = (&mut self.entries[..], 0);
+        let pieces = self.ends.chunks(PIECE).map(|ends| {
+            let end = ends[ends.len() - 1];
+            let (piece, others) = std::mem::take(&mut rest).split_at_mut(end - start);
+            rest = others;
+            (std::mem::replace(&mut start, end), ends, piece)
+        });
+        on_threads(threads, pieces, |spare, (mut start, ends, piece)| {
+            let first = start;
+            for &end in ends {
+                sort(&mut piece[start - first..end - first], bits, spare)?;
+                start = end;
+            }
+            Ok(())
+        })
+    }
+}
+
+/// The lists of as many vertices make a piece of work.
+const PIECE: usize = 64;

@@ -1,0 +1,25 @@
+//! Faces and filtrations of a result, from its arrays alone.
+//!
+//! | | |
+//! |---|---|
+//! | [`Faces`] | all faces of the simplices, each once, with boundary and coboundary |
+//! | [`alpha`] | the alpha value of each face of a Delaunay triangulation |
+//! | [`distances`] | the filtration of a mesh by the distance to its inputs |
+//!
+//! docs/topology.md has definitions and proofs.
+
+mod alpha;
+#[cfg(test)]
+mod ball_tests;
+mod circumscribed;
+mod distance;
+mod double_double;
+mod exact;
+mod faces;
+mod keys;
+#[cfg(test)]
+mod tests;
+
+pub use alpha::{Filtration, alpha};
+pub use distance::distances;
+pub use faces::{Faces, Level};

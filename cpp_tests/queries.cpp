@@ -1,4 +1,4 @@
-// Queries, arrays ready to use and selections, through netmesh.hpp: each answer against what the
+// Queries, arrays ready to use, selections and filtrations, through netmesh.hpp: each answer against what the
 // mesh's own arrays say.
 #include <netmesh.hpp>
 
@@ -186,6 +186,41 @@ void threads_share_an_index() {
     }
 }
 
+// Faces, and the values of a plain triangulation, whose whole is a ball.
+void filtrations_have_values() {
+    netmesh::mesh mesh(3, generate("uniform", 3, 200).coordinates);
+    netmesh::options plain;
+    plain.algorithm = NM_ALGORITHM_DELAUNAY;
+    mesh.run(plain);
+    mesh.make_filtration(NM_FILTRATION_ALPHA, 2);
+    CHECK(mesh.filtration_factor(NM_FILTRATION_ALPHA) == 1);
+    long euler = 0;
+    for (std::uint32_t k = 0; k <= 3; ++k) {
+        const auto faces = mesh.faces(k);
+        const auto values = mesh.filtration(NM_FILTRATION_ALPHA, k);
+        CHECK(faces.width() == k + 1 && values.size() == faces.size());
+        euler += (k % 2 == 0 ? 1 : -1) * static_cast<long>(faces.size());
+        if (k == 0) {
+            continue;
+        }
+        const auto below = mesh.filtration(NM_FILTRATION_ALPHA, k - 1);
+        const auto facets = mesh.face_facets(k);
+        const auto cofaces = mesh.cofaces(k - 1);
+        for (std::size_t face = 0; face < faces.size(); ++face) {
+            for (std::uint32_t facet : facets[face]) {
+                CHECK(below[facet] <= values[face]);
+                const auto above = cofaces[facet];
+                CHECK(std::find(above.begin(), above.end(), face) != above.end());
+            }
+        }
+    }
+    CHECK(euler == 1);
+    mesh.run();
+    CHECK(mesh.filtration(NM_FILTRATION_MESH, 3).size() == mesh.simplices().size());
+    const auto refused = mesh.try_filtration(NM_FILTRATION_ALPHA, 1);
+    CHECK(!refused && refused.message().find("NM_ALGORITHM_DELAUNAY") != std::string::npos);
+}
+
 void failures_are_named() {
     const netmesh::mesh mesh = meshed(2, 20);
     const auto fails = [](const auto& result, nm_status status, const char* word) {
@@ -218,6 +253,7 @@ int main(int argc, char** argv) {
     selections_are_parts(argv[1]);
     attributes_reach_all_vertices();
     threads_share_an_index();
+    filtrations_have_values();
     failures_are_named();
     return check::result("queries");
 }

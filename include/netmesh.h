@@ -212,6 +212,31 @@ typedef int32_t nm_extent;
 #endif // __cplusplus
 
 /**
+ * Values of the faces of a mesh, which nm_mesh_filtration writes.
+ */
+enum nm_filtration
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Alpha values: of each face of a Delaunay triangulation of the inputs alone the squared
+     * radius of its smallest circumscribing ball if no vertex is strictly in that, else the least
+     * value of the faces that have it as a facet. Squared radii, each the double nearest to the
+     * exact one.
+     */
+    NM_FILTRATION_ALPHA = 0,
+    /**
+     * Of a mesh with other vertices: when its Voronoi cells come near the inputs. Radii, not
+     * squared.
+     */
+    NM_FILTRATION_MESH = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_filtration;
+#endif // __cplusplus
+
+/**
  * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
  * written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
  * answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
@@ -1837,6 +1862,119 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
                                     uint8_t *buf,
                                     uint64_t capacity,
                                     uint64_t *needed);
+
+/**
+ * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids, ascending
+ * within a face; the faces in lexicographic order. The id of a face is its place there. k: 0 (all
+ * vertices, so that ids are those of vertices) to dim (the simplices, in this order another one than
+ * that of nm_mesh_get_simplices).
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (k,
+ * buf not aligned), NM_LIMIT (more faces, or facets of faces, of one dimension than 32-bit ids can
+ * name), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at work, poisoned).
+ *
+ * The first call for a result makes the faces of all dimensions, which are kept until the next
+ * nm_run: 8 (k + 1) bytes a face of dimension k. O(faces x dim log(faces at a vertex)).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_faces(const struct nm_mesh *mesh,
+                            uint32_t k,
+                            uint32_t *buf,
+                            uint64_t capacity,
+                            uint64_t *needed);
+
+/**
+ * Writes the facets of each face of dimension k, its boundary: faces x (k + 1) ids of faces of
+ * dimension k - 1, entry i the face without vertex i, whose sign in the boundary is (-1)^i.
+ * k: 1 to dim.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_get_faces.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_face_facets(const struct nm_mesh *mesh,
+                                  uint32_t k,
+                                  uint32_t *buf,
+                                  uint64_t capacity,
+                                  uint64_t *needed);
+
+/**
+ * Writes the cofaces of each face of dimension k, its coboundary: the ids of the faces of dimension
+ * k + 1 that have it as a facet, ascending, one face after the other. Where the lists begin tells
+ * nm_mesh_get_coface_starts. k: 0 to dim - 1.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_get_faces. Made anew in each call.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_cofaces(const struct nm_mesh *mesh,
+                              uint32_t k,
+                              uint32_t *buf,
+                              uint64_t capacity,
+                              uint64_t *needed);
+
+/**
+ * Writes where the list of each face begins in nm_mesh_get_cofaces, and at the end its length:
+ * faces + 1 numbers.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_get_faces. Made anew in each call.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_coface_starts(const struct nm_mesh *mesh,
+                                    uint32_t k,
+                                    uint64_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
+
+/**
+ * Makes a filtration on some threads, unless it is there. nm_mesh_filtration makes it itself, on
+ * those of the run.
+ *
+ * threads: threads to use, 0 = all cores; no value depends on it.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (filtration; NM_FILTRATION_ALPHA where a
+ * vertex is no input), NM_LIMIT (as nm_mesh_get_faces), NM_OUT_OF_MEMORY, NM_STATE (no result yet,
+ * nm_run at work, poisoned).
+ *
+ * Kept until the next nm_run: 8 bytes a face, and what nm_mesh_get_faces keeps.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_make_filtration(const struct nm_mesh *mesh,
+                                  nm_filtration filtration,
+                                  uint32_t threads);
+
+/**
+ * Writes the values of the faces of dimension k in a filtration, in the order of
+ * nm_mesh_get_faces. No face has less than one of its facets. docs/topology.md has the definitions.
+ *
+ * k: 0 to dim.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
+ * (filtration; NM_FILTRATION_ALPHA where a vertex is no input: the message says what to do; k; buf
+ * not aligned), NM_LIMIT (as nm_mesh_get_faces), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result
+ * yet, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_filtration(const struct nm_mesh *mesh,
+                             nm_filtration filtration,
+                             uint32_t k,
+                             double *buf,
+                             uint64_t capacity,
+                             uint64_t *needed);
+
+/**
+ * Writes how near the diagrams of a filtration are to those of the balls round the inputs: a feature
+ * of either, from birth to death, both lengths, with death / birth > factor * factor has its own in
+ * the other, and births and deaths differ by no more than this factor. 1 for NM_FILTRATION_ALPHA,
+ * whose values are squares of such lengths.
+ *
+ * factor: receives a number of at least 1, infinite where nothing can be said. It is small for
+ * NM_OUTPUT_WELL_SPACED and large where cages are.
+ *
+ * Errors: as nm_mesh_make_filtration; NM_NULL_ARGUMENT (factor).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_filtration_factor(const struct nm_mesh *mesh,
+                                    nm_filtration filtration,
+                                    double *factor);
 
 /**
  * Gives the inputs values under a name. Exports to VTU, Gmsh, PLY and CSV have them, at all

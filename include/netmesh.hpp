@@ -276,6 +276,42 @@ public:
         return array<std::uint8_t>(nm_mesh_get_ridge_bounded, wanted);
     }
 
+    // faces x (k + 1) vertices: the faces of dimension k, each once.
+    result<table<std::uint32_t>> try_faces(std::uint32_t k) const {
+        return of_faces(nm_mesh_get_faces, k);
+    }
+
+    // faces x (k + 1) faces of dimension k - 1: the boundary of the faces of dimension k.
+    result<table<std::uint32_t>> try_face_facets(std::uint32_t k) const {
+        return of_faces(nm_mesh_get_face_facets, k);
+    }
+
+    // For each face of dimension k those of dimension k + 1 that have it as a facet.
+    result<lists<std::uint32_t>> try_cofaces(std::uint32_t k) const {
+        return lists_of(nm_mesh_get_cofaces, nm_mesh_get_coface_starts, k);
+    }
+
+    // Makes a filtration on some threads, which the first call that needs it does otherwise.
+    result<void> try_make_filtration(nm_filtration filtration, std::uint32_t threads) const {
+        nm_status status = nm_mesh_make_filtration(handle_, filtration, threads);
+        return status == NM_OK ? result<void>() : detail::failed(status);
+    }
+
+    // The values of the faces of dimension k.
+    result<std::vector<double>> try_filtration(nm_filtration filtration, std::uint32_t k) const {
+        return fetched<double>(
+            [this, filtration, k](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
+                return nm_mesh_filtration(handle_, filtration, k, buf, capacity, needed);
+            });
+    }
+
+    // How near a filtration is to the balls round the inputs.
+    result<double> try_filtration_factor(nm_filtration filtration) const {
+        double factor = 0;
+        nm_status status = nm_mesh_filtration_factor(handle_, filtration, &factor);
+        return status == NM_OK ? result<double>(factor) : detail::failed(status);
+    }
+
     // An nm_placement per simplex.
     result<std::vector<std::uint8_t>> try_placements(nm_extent extent) const {
         return fetched<std::uint8_t>(
@@ -507,6 +543,18 @@ public:
     std::vector<std::uint8_t> ridge_bounded(const selection &wanted = {}) const {
         return try_ridge_bounded(wanted).value();
     }
+    table<std::uint32_t> faces(std::uint32_t k) const { return try_faces(k).value(); }
+    table<std::uint32_t> face_facets(std::uint32_t k) const { return try_face_facets(k).value(); }
+    lists<std::uint32_t> cofaces(std::uint32_t k) const { return try_cofaces(k).value(); }
+    void make_filtration(nm_filtration filtration, std::uint32_t threads) const {
+        try_make_filtration(filtration, threads).value();
+    }
+    std::vector<double> filtration(nm_filtration filtration, std::uint32_t k) const {
+        return try_filtration(filtration, k).value();
+    }
+    double filtration_factor(nm_filtration filtration) const {
+        return try_filtration_factor(filtration).value();
+    }
     std::vector<std::uint8_t> placements(nm_extent extent) const {
         return try_placements(extent).value();
     }
@@ -629,6 +677,10 @@ private:
     using selected_getter = nm_status (*)(const nm_mesh *, const nm_selection *, Element *,
                                           std::uint64_t, std::uint64_t *);
 
+    template <typename Element>
+    using face_getter = nm_status (*)(const nm_mesh *, std::uint32_t, Element *, std::uint64_t,
+                                      std::uint64_t *);
+
     // An array by whatever has the last three arguments of a getter.
     template <typename Element, typename Fetch>
     static result<std::vector<Element>> fetched(Fetch fetch) {
@@ -664,6 +716,14 @@ private:
         });
     }
 
+    template <typename Element>
+    result<std::vector<Element>> array(face_getter<Element> fetch, std::uint32_t k) const {
+        return fetched<Element>([this, fetch, k](Element *buf, std::uint64_t capacity,
+                                                 std::uint64_t *needed) {
+            return fetch(handle_, k, buf, capacity, needed);
+        });
+    }
+
     static nm_selection raw(const selection &wanted) noexcept {
         nm_selection which = NM_SELECTION_INIT;
         which.extent = wanted.extent;
@@ -692,6 +752,12 @@ private:
         return in_rows(array<Element>(fetch), counted->dim + more);
     }
 
+    // An array of the faces of dimension k in rows of k + 1 ids.
+    result<table<std::uint32_t>> of_faces(face_getter<std::uint32_t> fetch,
+                                          std::uint32_t k) const {
+        return in_rows(array<std::uint32_t>(fetch, k), std::size_t{k} + 1);
+    }
+
     // An array of a selection in rows of dim elements.
     template <typename Element>
     result<table<Element>> points_of(selected_getter<Element> fetch,
@@ -718,9 +784,10 @@ private:
         return facet_tables{*std::move(first), *std::move(second)};
     }
 
-    result<lists<std::uint32_t>> lists_of(selected_getter<std::uint32_t> elements,
-                                          selected_getter<std::uint64_t> starts,
-                                          const selection &wanted) const {
+    // Lists of a selection, or of the faces of a dimension.
+    template <typename Elements, typename Starts, typename Wanted>
+    result<lists<std::uint32_t>> lists_of(Elements elements, Starts starts,
+                                          const Wanted &wanted) const {
         result<std::vector<std::uint64_t>> begins = array<std::uint64_t>(starts, wanted);
         if (!begins) {
             return failure{begins.status(), begins.message()};

@@ -214,6 +214,21 @@ pub enum nm_extent {
     NM_EXTENT_BOX = 2,
 }
 
+/// Values of the faces of a mesh, which nm_mesh_filtration writes.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_filtration {
+    /// Alpha values: of each face of a Delaunay triangulation of the inputs alone the squared
+    /// radius of its smallest circumscribing ball if no vertex is strictly in that, else the least
+    /// value of the faces that have it as a facet. Squared radii, each the double nearest to the
+    /// exact one.
+    NM_FILTRATION_ALPHA = 0,
+    /// Of a mesh with other vertices: when its Voronoi cells come near the inputs. Radii, not
+    /// squared.
+    NM_FILTRATION_MESH = 1,
+}
+
 /// Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
@@ -304,6 +319,11 @@ pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criteri
 
 pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Result<Extent> {
     decode(argument, raw, [Extent::All, Extent::Hull, Extent::Box])
+}
+
+/// Whether it is [`nm_filtration::NM_FILTRATION_MESH`].
+pub(super) fn decode_filtration(raw: MaybeUninit<nm_filtration>) -> Result<bool> {
+    decode("filtration", raw, [false, true])
 }
 
 pub(super) fn decode_interpolation(raw: MaybeUninit<nm_interpolation>) -> Result<Method> {

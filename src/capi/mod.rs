@@ -39,8 +39,12 @@ mod arrays;
 
 mod voronoi;
 
+mod topology;
+
 #[cfg(test)]
 mod array_tests;
+#[cfg(test)]
+mod topology_tests;
 
 mod attributes;
 
@@ -60,8 +64,8 @@ pub use attributes::{
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
-    nm_algorithm, nm_criterion, nm_extent, nm_format, nm_interpolation, nm_ordering, nm_output,
-    nm_phase, nm_placement, nm_status, nm_vertex_kind,
+    nm_algorithm, nm_criterion, nm_extent, nm_filtration, nm_format, nm_interpolation, nm_ordering,
+    nm_output, nm_phase, nm_placement, nm_status, nm_vertex_kind,
 };
 pub use error::nm_last_error;
 pub use export::{
@@ -83,6 +87,10 @@ pub use run::nm_run;
 pub use structs::{
     nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report,
     nm_selection, nm_stats,
+};
+pub use topology::{
+    nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts, nm_mesh_get_cofaces,
+    nm_mesh_get_face_facets, nm_mesh_get_faces, nm_mesh_make_filtration,
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
 pub use violations::nm_violation;

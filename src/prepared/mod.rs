@@ -13,6 +13,7 @@ use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{Algorithm, Options};
 use crate::query::{self, Among, Index, Method, Values};
+use crate::topology::{self, Faces, Filtration};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -24,6 +25,9 @@ pub struct Prepared {
     in_hull: Once<Vec<Placement>>,
     in_box: Once<Vec<Placement>>,
     attributes: Once<Vec<Attribute>>,
+    faces: Once<Faces>,
+    alpha: Once<Filtration>,
+    distances: Once<Filtration>,
 }
 
 /// A value that the first one who needs it makes, while others wait.
@@ -146,6 +150,34 @@ impl Prepared {
                 hull.placements(result, result.parameters.threads)
             })?),
         }
+    }
+
+    /// All faces of the mesh, from the vertices on. `threads` as in the options.
+    ///
+    /// # Errors
+    /// `State` before a run, and those of [`Faces::new`].
+    pub fn faces(&self, mesh: &Mesh, threads: u32) -> Result<&Faces> {
+        let result = result(mesh)?;
+        self.faces.get_or_make(|| Faces::new(result, 0, threads))
+    }
+
+    /// The alpha values of all faces.
+    ///
+    /// # Errors
+    /// `State` before a run, and those of [`topology::alpha`].
+    pub fn alpha(&self, mesh: &Mesh, threads: u32) -> Result<&Filtration> {
+        let (result, faces) = (result(mesh)?, self.faces(mesh, threads)?);
+        self.alpha.get_or_make(|| topology::alpha(result, faces, threads))
+    }
+
+    /// The filtration of the mesh by the distance to its inputs.
+    ///
+    /// # Errors
+    /// `State` before a run, and those of [`topology::distances`].
+    pub fn distances(&self, mesh: &Mesh, threads: u32) -> Result<&Filtration> {
+        let (result, faces) = (result(mesh)?, self.faces(mesh, threads)?);
+        let index = self.index(mesh)?;
+        self.distances.get_or_make(|| topology::distances(result, faces, index, threads))
     }
 
     /// The attributes of the mesh at its vertices (before a run at the distinct inputs): those of

@@ -21,6 +21,7 @@ from ._errors import (
     OutOfMemoryError,
     StateError,
 )
+from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
 from ._mesh import Mesh, Placement, VertexKind, mesh
 from ._netmesh import VERSION as __version__
@@ -39,6 +40,7 @@ __all__ = [
     "Error",
     "Facets",
     "FileError",
+    "Filtration",
     "FormatError",
     "InternalError",
     "InvalidArgumentError",

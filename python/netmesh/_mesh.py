@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _views
 from ._arrays import point_rows, query_points, shaped_values, value_columns
+from ._filtration import Filtration
 from ._netmesh import Core, Progress
 from ._part import Arrays, Part
 from ._results import Quality, Report, Stats, Violation
@@ -253,6 +254,41 @@ class Mesh(Arrays):
         (True, True)
         """
         return Part(self._core, (extent, bool(across), domain))
+
+    def filtration(self, kind: str = "alpha", *, threads: int = 1) -> Filtration:
+        """Make the faces of all dimensions, with the values of a filtration.
+
+        Parameters
+        ----------
+        kind : {'alpha', 'mesh'}
+            'alpha': alpha values, for a mesh made with ``algorithm='delaunay'``. Of each face the
+            squared radius of its smallest circumscribing ball if no vertex is strictly in that, else
+            the least value of the faces that have it as a facet. Each is the double nearest to the
+            exact one. 'mesh': for a mesh with other vertices, best with ``output='well_spaced'``:
+            when its Voronoi cells come near the inputs, as radii. `Filtration.factor` says how near
+            the two are.
+        threads : int
+            0 for all cores. No value depends on it.
+
+        Raises
+        ------
+        Error
+            `InvalidArgumentError` ('alpha' of a mesh that has other vertices), `LimitError`,
+            `OutOfMemoryError`.
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+        >>> circle = np.c_[np.cos(angle), np.sin(angle)]
+        >>> alpha = netmesh.mesh(circle, algorithm="delaunay").filtration("alpha")
+        >>> bool(np.isclose(alpha.values(2).max(), 1)), float(alpha.values(0).max())
+        (True, 0.0)
+        >>> near = netmesh.mesh(circle, output="well_spaced").filtration("mesh")
+        >>> 1 < near.factor < 3
+        True
+        """
+        return Filtration(self._core.filtration(kind, threads), kind)
 
     @property
     def stats(self) -> Stats:

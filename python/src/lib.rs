@@ -9,6 +9,7 @@ mod options;
 mod progress;
 mod queries;
 mod selection;
+mod topology;
 mod voronoi;
 
 #[pyo3::pymodule]
@@ -17,6 +18,8 @@ mod _netmesh {
     use crate::core::Core;
     #[pymodule_export]
     use crate::progress::Progress;
+    #[pymodule_export]
+    use crate::topology::FiltrationCore;
 
     /// The version of the library.
     #[pymodule_export]

@@ -1,0 +1,83 @@
+"""Faces of a mesh with the values of a filtration."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._netmesh import FiltrationCore
+from ._results import CSR
+
+
+class Filtration:
+    """The faces of a mesh, each with a value. `Mesh.filtration` makes it; nothing changes it.
+
+    Vertices are numbered as those of the mesh: the distinct inputs first, in their order. A face is
+    named by its dimension and its place in `faces`.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+    >>> alpha = m.filtration("alpha")
+    >>> alpha.faces(1)
+    array([[0, 1],
+           [0, 2],
+           [1, 2]], dtype=int32)
+    >>> alpha.values(1), alpha.values(2)
+    (array([4.  , 2.25, 6.25]), array([6.25]))
+    """
+
+    def __init__(self, core: FiltrationCore, kind: str) -> None:
+        self._core = core
+        #: 'alpha' or 'mesh'.
+        self.kind = kind
+
+    @property
+    def dim(self) -> int:
+        """The dimension of the simplices."""
+        return self._core.dim
+
+    @property
+    def factor(self) -> float:
+        """How near the diagrams are to those of the balls round the inputs, at least 1.
+
+        A feature of either, from birth to death (both lengths: the roots of the values of 'alpha'),
+        with ``death / birth > factor**2`` has its own in the other, and births and deaths differ by
+        no more than this factor. Infinite where nothing can be said.
+        """
+        return self._core.factor
+
+    def faces(self, k: int) -> np.ndarray:
+        """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted."""
+        return self._core.faces(k)
+
+    def values(self, k: int) -> np.ndarray:
+        """Return the values of the faces of dimension k: float64, shape (faces,)."""
+        return self._core.values(k)
+
+    def facets(self, k: int) -> np.ndarray:
+        """Return the boundary of the faces of dimension k, from 1 on.
+
+        int32, shape (faces, k + 1): entry i is the face of dimension k - 1 without vertex i, whose
+        sign in the boundary is ``(-1)**i``.
+        """
+        return self._core.facets(k)
+
+    def cofaces(self, k: int) -> CSR:
+        """Return for each face of dimension k those of dimension k + 1 that have it as a facet."""
+        return CSR(*self._core.cofaces(k))
+
+    def to_gudhi(self) -> Any:
+        """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi."""
+        import gudhi
+
+        tree = gudhi.SimplexTree()
+        for k in range(self.dim + 1):
+            tree.insert_batch(self.faces(k).T, self.values(k))
+        return tree
+
+    def __repr__(self) -> str:
+        counts = ", ".join(str(len(self.values(k))) for k in range(self.dim + 1))
+        return f"<netmesh.Filtration '{self.kind}': {counts} faces of dimension 0 to {self.dim}>"

@@ -1,0 +1,114 @@
+//! Faces and filtrations.
+
+use crate::arrays::{shared, shared_ids};
+use crate::core::Core;
+use crate::derived::{Lists, lists};
+use crate::errors::{detached, invalid};
+use crate::options::{choice, whole};
+use netmesh::VertexKind;
+use netmesh::arrays;
+use netmesh::topology::{Faces, Filtration, alpha, distances};
+use numpy::ndarray::ArrayView;
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+
+/// The faces of a mesh, and their values. Nothing changes it.
+#[pyclass(frozen, module = "netmesh._netmesh")]
+pub struct FiltrationCore {
+    faces: Faces,
+    filtration: Filtration,
+}
+
+#[pymethods]
+impl Core {
+    fn filtration(
+        &self,
+        py: Python<'_>,
+        kind: &Bound<'_, PyAny>,
+        threads: &Bound<'_, PyAny>,
+    ) -> PyResult<FiltrationCore> {
+        let is_of_mesh = choice("kind", kind, &[("alpha", false), ("mesh", true)])?;
+        let threads = whole("threads", threads, u32::MAX)?;
+        let mesh = self.triangulation();
+        if !is_of_mesh && mesh.kinds.iter().any(|&kind| kind != VertexKind::Input) {
+            let message = "kind is 'alpha', but the mesh has vertices that are no inputs; make it \
+                           with algorithm='delaunay', or ask for kind='mesh'";
+            return Err(invalid(py, message.into()));
+        }
+        let faces = detached(py, || Faces::new(mesh, 0, threads))?;
+        py.check_signals()?;
+        let filtration = detached(py, || {
+            if is_of_mesh {
+                distances(mesh, &faces, self.prepared.index(&self.mesh)?, threads)
+            } else {
+                alpha(mesh, &faces, threads)
+            }
+        })?;
+        Ok(FiltrationCore { faces, filtration })
+    }
+}
+
+impl FiltrationCore {
+    /// The dimension `k`, which is in `first..=last`.
+    fn dimension(&self, k: &Bound<'_, PyAny>, first: u32, last: usize) -> PyResult<usize> {
+        let given: u32 = whole("k", k, u32::MAX)?;
+        if (first..=last as u32).contains(&given) {
+            return Ok(given as usize);
+        }
+        Err(invalid(k.py(), format!("k is {given}; it must be {first} to {last}")))
+    }
+}
+
+#[pymethods]
+impl FiltrationCore {
+    #[getter]
+    fn dim(&self) -> usize {
+        self.faces.dim()
+    }
+
+    #[getter]
+    fn factor(&self) -> f64 {
+        self.filtration.factor
+    }
+
+    fn faces<'py>(
+        this: &Bound<'py, Self>,
+        k: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let faces = &this.get().faces;
+        let k = this.get().dimension(k, 0, faces.dim())?;
+        let vertices = &faces.of_dimension(k).vertices;
+        // SAFETY: nothing changes a filtration.
+        unsafe { shared_ids(this.as_any(), vertices, k + 1, faces.of_dimension(0).count()) }
+    }
+
+    fn facets<'py>(
+        this: &Bound<'py, Self>,
+        k: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let faces = &this.get().faces;
+        let k = this.get().dimension(k, 1, faces.dim())?;
+        let (boundary, count) =
+            (&faces.of_dimension(k).boundary, faces.of_dimension(k - 1).count());
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), boundary, k + 1, count) }
+    }
+
+    fn cofaces<'py>(&self, k: &Bound<'py, PyAny>) -> PyResult<Lists<'py>> {
+        let py = k.py();
+        let k = self.dimension(k, 0, self.faces.dim() - 1)?;
+        let above = self.faces.of_dimension(k + 1);
+        let count = self.faces.of_dimension(k).count();
+        let (starts, ids) = detached(py, || above.coboundary(count))?;
+        lists(py, arrays::Lists { starts, ids }, above.count())
+    }
+
+    fn values<'py>(
+        this: &Bound<'py, Self>,
+        k: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let k = this.get().dimension(k, 0, this.get().faces.dim())?;
+        // SAFETY: as above.
+        unsafe { shared(this.as_any(), &ArrayView::from(&this.get().filtration.values[k])) }
+    }
+}

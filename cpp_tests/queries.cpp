@@ -215,6 +215,8 @@ void filtrations_have_values() {
         }
     }
     CHECK(euler == 1);
+    const auto nowhere = mesh.try_save_filtration("/no/such/directory/a.dipha", NM_FILTRATION_ALPHA);
+    CHECK(!nowhere && nowhere.status() == NM_IO);
     mesh.run();
     CHECK(mesh.filtration(NM_FILTRATION_MESH, 3).size() == mesh.simplices().size());
     const auto refused = mesh.try_filtration(NM_FILTRATION_ALPHA, 1);

@@ -1977,6 +1977,21 @@ nm_status nm_mesh_filtration_factor(const struct nm_mesh *mesh,
                                     double *factor);
 
 /**
+ * Writes all faces and their values in a filtration to a file, which appears complete or not at
+ * all, for programs that compute persistent homology (docs/topology.md).
+ *
+ * path_utf8: UTF-8 on every system; it ends with .filtration (text, as GUDHI's simplex trees write
+ * and read it) or .dipha (DIPHA's binary boundary matrix).
+ *
+ * Errors: as nm_mesh_make_filtration; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8
+ * empty, not UTF-8, or with another extension), NM_IO (the message has the system's reason).
+ */
+NM_NODISCARD NM_API
+nm_status nm_export_filtration(const struct nm_mesh *mesh,
+                               nm_filtration filtration,
+                               const char *path_utf8);
+
+/**
  * Gives the inputs values under a name. Exports to VTU, Gmsh, PLY and CSV have them, at all
  * vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
  * after this call or after nm_run. Values of the same name are replaced.

@@ -305,6 +305,13 @@ public:
             });
     }
 
+    // To a file that ends with .filtration or .dipha.
+    result<void> try_save_filtration(const std::string &path_utf8,
+                                     nm_filtration filtration) const {
+        nm_status status = nm_export_filtration(handle_, filtration, path_utf8.c_str());
+        return status == NM_OK ? result<void>() : detail::failed(status);
+    }
+
     // How near a filtration is to the balls round the inputs.
     result<double> try_filtration_factor(nm_filtration filtration) const {
         double factor = 0;
@@ -551,6 +558,9 @@ public:
     }
     std::vector<double> filtration(nm_filtration filtration, std::uint32_t k) const {
         return try_filtration(filtration, k).value();
+    }
+    void save_filtration(const std::string &path_utf8, nm_filtration filtration) const {
+        try_save_filtration(path_utf8, filtration).value();
     }
     double filtration_factor(nm_filtration filtration) const {
         return try_filtration_factor(filtration).value();

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any
+import os
+from typing import Any, Union
 
 import numpy as np
 
@@ -68,6 +69,17 @@ class Filtration:
     def cofaces(self, k: int) -> CSR:
         """Return for each face of dimension k those of dimension k + 1 that have it as a facet."""
         return CSR(*self._core.cofaces(k))
+
+    def export(self, path: Union[str, os.PathLike]) -> None:
+        """Write a file, which appears complete or not at all.
+
+        Parameters
+        ----------
+        path : str or path
+            ``.filtration``: text as GUDHI's simplex trees write and read it. ``.dipha``: DIPHA's
+            binary boundary matrix with weights.
+        """
+        self._core.export(os.fspath(path))
 
     def to_gudhi(self) -> Any:
         """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi."""

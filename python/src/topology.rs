@@ -7,10 +7,12 @@ use crate::errors::{detached, invalid};
 use crate::options::{choice, whole};
 use netmesh::VertexKind;
 use netmesh::arrays;
+use netmesh::io::{FiltrationFormat, write_filtration_file};
 use netmesh::topology::{Faces, Filtration, alpha, distances};
 use numpy::ndarray::ArrayView;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
+use std::path::PathBuf;
 
 /// The faces of a mesh, and their values. Nothing changes it.
 #[pyclass(frozen, module = "netmesh._netmesh")]
@@ -101,6 +103,14 @@ impl FiltrationCore {
         let count = self.faces.of_dimension(k).count();
         let (starts, ids) = detached(py, || above.coboundary(count))?;
         lists(py, arrays::Lists { starts, ids }, above.count())
+    }
+
+    /// The format goes by the extension.
+    fn export(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        detached(py, || {
+            let format = FiltrationFormat::from_path(&path)?;
+            write_filtration_file(&self.faces, &self.filtration, format, &path)
+        })
     }
 
     fn values<'py>(

@@ -124,6 +124,35 @@ def test_a_filtration_has_boundary_and_coboundary(random):
     assert "faces of dimension 0 to 3" in repr(alpha)
 
 
+def test_files_hold_the_filtration(random, tmp_path):
+    alpha = alpha_of(random.random((60, 3)))
+    alpha.export(tmp_path / "a.filtration")
+    lines = [line.split() for line in (tmp_path / "a.filtration").read_text().splitlines()]
+    found = {tuple(sorted(map(int, line[1:-1]))): float(line[-1]) for line in lines}
+    assert found == faces_of(alpha) and len(lines) == len(found)
+    seen, last = set(), 0.0
+    for dim, *vertices, value in lines:
+        face = sorted(map(int, vertices))
+        assert len(face) == int(dim) + 1 and float(value) >= last
+        assert int(dim) == 0 or seen.issuperset(itertools.combinations(face, int(dim)))
+        seen.add(tuple(face))
+        last = float(value)
+    alpha.export(str(tmp_path / "a.dipha"))
+    numbers = np.fromfile(tmp_path / "a.dipha", "<i8")
+    magic, kind, transposed, n, dim = numbers[:5]
+    assert (magic, kind, transposed, n, dim) == (8067171840, 0, 0, len(found), 3)
+    dims, values = numbers[5 : 5 + n], numbers[5 + n : 5 + 2 * n].view("<f8")
+    starts, entries = numbers[5 + 2 * n : 5 + 3 * n], numbers[6 + 3 * n :]
+    assert numbers[5 + 3 * n] == len(entries)
+    faces = [tuple(face) for k in range(4) for face in alpha.faces(k).tolist()]
+    for cell, (face, boundary) in enumerate(zip(faces, np.split(entries, starts[1:]))):
+        assert found[face] == values[cell] and dims[cell] == len(face) - 1
+        expected = itertools.combinations(face, len(face) - 1) if len(face) > 1 else []
+        assert {faces[facet] for facet in boundary} == set(expected)
+    with pytest.raises(netmesh.InvalidArgumentError, match="use .filtration or .dipha"):
+        alpha.export(tmp_path / "a.vtu")
+
+
 def test_threads_do_not_matter(random):
     points = random.random((3000, 3))
     one, two = alpha_of(points), alpha_of(points, threads=2)

@@ -89,8 +89,8 @@ pub use structs::{
     nm_selection, nm_stats,
 };
 pub use topology::{
-    nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts, nm_mesh_get_cofaces,
-    nm_mesh_get_face_facets, nm_mesh_get_faces, nm_mesh_make_filtration,
+    nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,
+    nm_mesh_get_cofaces, nm_mesh_get_face_facets, nm_mesh_get_faces, nm_mesh_make_filtration,
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
 pub use violations::nm_violation;

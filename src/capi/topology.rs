@@ -4,11 +4,13 @@ use super::enums::{decode_filtration, nm_filtration, nm_status};
 use super::error::null_argument;
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
-use super::memory::copy_out;
+use super::memory::{copy_out, utf8_path};
 use crate::error::{Error, ErrorKind, Result, message};
+use crate::io::{FiltrationFormat, write_filtration_file};
 use crate::mesh::{Mesh, VertexKind};
 use crate::prepared::Prepared;
 use crate::topology::{Faces, Filtration};
+use std::ffi::c_char;
 use std::mem::MaybeUninit;
 
 /// The faces, made on the threads of the run.
@@ -227,6 +229,32 @@ pub unsafe extern "C" fn nm_mesh_filtration_factor(
             let found = self::filtration(mesh, prepared, filtration, threads)?.factor;
             factor.write_unaligned(found);
             Ok(())
+        })
+    }
+}
+
+/// Writes all faces and their values in a filtration to a file, which appears complete or not at
+/// all, for programs that compute persistent homology (docs/topology.md).
+///
+/// path_utf8: UTF-8 on every system; it ends with .filtration (text, as GUDHI's simplex trees write
+/// and read it) or .dipha (DIPHA's binary boundary matrix).
+///
+/// Errors: as nm_mesh_make_filtration; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8
+/// empty, not UTF-8, or with another extension), NM_IO (the message has the system's reason).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_export_filtration(
+    mesh: *const nm_mesh,
+    filtration: MaybeUninit<nm_filtration>,
+    path_utf8: *const c_char,
+) -> nm_status {
+    // SAFETY: the caller gave NULL or a live handle, and NULL or a C string.
+    unsafe {
+        with_prepared(mesh, |mesh, prepared| {
+            let threads = result(mesh)?.parameters.threads;
+            let path = utf8_path(path_utf8)?;
+            let format = FiltrationFormat::from_path(path)?;
+            let found = self::filtration(mesh, prepared, filtration, threads)?;
+            write_filtration_file(faces(mesh, prepared)?, found, format, path)
         })
     }
 }

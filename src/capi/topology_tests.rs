@@ -6,6 +6,7 @@ use super::test_support::{from_c, last_message, square};
 use super::topology::*;
 use crate::mesh::Mesh;
 use crate::options::{Algorithm, Options};
+use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
 /// A right triangle and a point beyond its hypotenuse.
@@ -89,6 +90,26 @@ fn a_mesh_has_a_factor() {
         factor
     };
     assert_eq!(factor_of_delaunay, 1.0);
+}
+
+#[test]
+fn a_filtration_goes_to_a_file() {
+    let path = std::env::temp_dir().join(format!("netmesh-{}.filtration", std::process::id()));
+    let name = CString::new(path.to_str().unwrap()).unwrap();
+    let mesh = delaunay();
+    // SAFETY: a live handle and C strings, or NULL.
+    unsafe {
+        let export = |filtration, name| nm_export_filtration(&mesh, from_c(filtration), name);
+        assert_eq!(export(0, name.as_ptr()), nm_status::NM_OK, "{}", last_message());
+        let lines = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(lines.lines().nth(4), Some("1 2 0 2.25"));
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(export(0, null()), nm_status::NM_NULL_ARGUMENT);
+        assert_eq!(export(0, c"a.vtu".as_ptr()), nm_status::NM_INVALID_ARGUMENT);
+        assert!(last_message().contains(".filtration or .dipha"), "{}", last_message());
+        assert_eq!(export(7, name.as_ptr()), nm_status::NM_INVALID_ARGUMENT);
+        assert_eq!(export(1, c"/no/such/directory/a.dipha".as_ptr()), nm_status::NM_IO);
+    }
 }
 
 #[test]

@@ -29,6 +29,7 @@ mod buffered;
 mod columns;
 mod csv;
 mod domains;
+mod filtration;
 mod format;
 mod gmsh;
 #[cfg(test)]
@@ -50,6 +51,7 @@ mod xyz;
 
 pub(crate) use buffered::Buffered;
 pub use columns::Columns;
+pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
 
 use crate::error::{Error, ErrorKind, Result, message};

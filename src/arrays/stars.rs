@@ -15,7 +15,7 @@ pub struct Lists {
 }
 
 impl Lists {
-    /// No list, with room for so many.
+    /// No list yet, with a reserve for `lists` of them.
     pub(super) fn with_capacity(lists: usize) -> AllocResult<Self> {
         let mut starts = with_capacity(lists + 1)?;
         starts.push(0);

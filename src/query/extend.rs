@@ -47,7 +47,7 @@ pub fn extend_values(
     Ok(())
 }
 
-/// Fails unless the values are those of the inputs and there is room for those of the vertices.
+/// Fails unless `values` has the length of those of the inputs, and `out` that of the vertices'.
 pub(crate) fn check_extension(
     inputs: &Inputs,
     mesh: &Triangulation,

@@ -79,8 +79,9 @@ impl<'a> Values<'a> {
     }
 }
 
+/// Memory that a thread uses again.
 #[derive(Default)]
-struct Rooms {
+struct Buffers {
     scratch: Scratch,
     natural: Natural,
 }
@@ -97,8 +98,8 @@ pub(super) fn interpolate_in<const D: usize>(
     let threads = threads(wanted);
     let piece = piece(points.len() / D, threads);
     let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece * values.components));
-    on_threads(threads, pieces, |rooms: &mut Rooms, (points, out)| {
-        let Rooms { scratch, natural } = rooms;
+    on_threads(threads, pieces, |buffers: &mut Buffers, (points, out)| {
+        let Buffers { scratch, natural } = buffers;
         let mut locator = Locator::new(View::<D> { mesh }, index);
         locator.each(points, scratch, |locator, scratch, at, place| {
             let q = coordinates::<D>(points, at);

@@ -27,13 +27,7 @@ impl Index {
         threads: u32,
         simplices: &mut [u32],
     ) -> Result<()> {
-        self.check(mesh, points, simplices.len(), "simplices")?;
-        let found = in_dimension!(
-            self.dim,
-            D => locate_in::<D>(self, mesh, points, threads, simplices),
-            _ => return no_dimension()
-        );
-        Ok(found?)
+        self.locate_each(mesh, points, threads, simplices, "simplices")
     }
 
     /// As [`Index::locate`], with the face of the simplex that was hit.
@@ -47,10 +41,22 @@ impl Index {
         threads: u32,
         places: &mut [Place],
     ) -> Result<()> {
-        self.check(mesh, points, places.len(), "places")?;
+        self.locate_each(mesh, points, threads, places, "places")
+    }
+
+    /// Writes what is wanted of the place of each of the points to the array `name`.
+    fn locate_each(
+        &self,
+        mesh: &Triangulation,
+        points: &[f64],
+        threads: u32,
+        out: &mut [impl From<Place> + Send],
+        name: &str,
+    ) -> Result<()> {
+        self.check(mesh, points, out.len(), name)?;
         let found = in_dimension!(
             self.dim,
-            D => locate_in::<D>(self, mesh, points, threads, places),
+            D => locate_in::<D>(self, mesh, points, threads, out),
             _ => return no_dimension()
         );
         Ok(found?)
@@ -130,7 +136,8 @@ impl Index {
         let dim = self.dim;
         if points.len() != count.saturating_mul(dim) {
             let message = message!(
-                "points has length {}; {name} has room for {count} points of dim = {dim}",
+                "points has length {}; it must be points x dim = {count} x {dim}, as {name} has \
+                 {count} results",
                 points.len()
             );
             return Err(Error::new(ErrorKind::InvalidArgument, message));

@@ -152,7 +152,7 @@ void selections_are_parts(const std::string& directory) {
     CHECK(back.counts().inputs < mesh.counts().vertices && back.counts().inputs >= 300);
 }
 
-void attributes_reach_all_vertices() {
+void attributes_reach_all_vertices(const std::string &directory) {
     netmesh::mesh mesh = meshed(2, 100);
     std::vector<double> heat(100, 2.5);
     mesh.set_attributes("heat", 1, heat);
@@ -164,6 +164,11 @@ void attributes_reach_all_vertices() {
     const auto given = mesh.attributes("given");
     CHECK(given.size() == vertices && given[99] == 2.5 && std::isnan(given.back()));
     CHECK(mesh.to_string(NM_FORMAT_VTU).find("Name=\"heat\"") != std::string::npos);
+    const std::string path = directory + "/heat.csv";
+    mesh.save(path);
+    const netmesh::mesh back = netmesh::mesh::from_columns(path, "x0,x1", "warmth=heat");
+    CHECK(back.attributes("warmth") == found);
+    CHECK(netmesh::mesh::try_from_columns(path, "", "cold").status() == NM_INVALID_ARGUMENT);
     mesh.set_attributes("heat", 1, {});
     CHECK(mesh.try_attributes("heat").status() == NM_INVALID_ARGUMENT);
     CHECK(mesh.try_set_attributes("heat", 2, heat).status() == NM_INVALID_ARGUMENT);
@@ -253,7 +258,7 @@ int main(int argc, char** argv) {
         arrays_fit_together(dim);
     }
     selections_are_parts(argv[1]);
-    attributes_reach_all_vertices();
+    attributes_reach_all_vertices(argv[1]);
     threads_share_an_index();
     filtrations_have_values();
     failures_are_named();

@@ -26,8 +26,8 @@
  * about it to the standard error stream. Otherwise the library prints nothing, reads no environment
  * variables, installs no signal handlers and has no global state.
  *
- * MEMORY. Everything handed in is copied or used during the call only. nm_mesh_create and
- * nm_mesh_create_from_file make handles, nm_mesh_free frees them; nothing else is for the caller to
+ * MEMORY. Everything handed in is copied or used during the call only. nm_mesh_create and its like
+ * (nm_mesh_create_from_...) make handles, nm_mesh_free frees them; nothing else is for the caller to
  * free. A pointer must be NULL or point to what the description says, aligned for its type.
  *
  * THREADS. Functions may be called from any thread. Functions with a const nm_mesh * may run on one
@@ -746,10 +746,10 @@ typedef int32_t nm_violation;
 #endif // __cplusplus
 
 /**
- * Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed
- * by nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time
- * from any threads; nm_run needs the handle for itself, which is checked: the call that comes too
- * early (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
+ * Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
+ * Functions that take a `const nm_mesh *` may run on one handle at the same time from any threads;
+ * nm_run needs the handle for itself, which is checked: the call that comes too early (a getter
+ * during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
  */
 typedef struct nm_mesh nm_mesh;
 
@@ -1310,6 +1310,30 @@ NM_NODISCARD NM_API
 nm_status nm_mesh_create_from_file(const char *path_utf8,
                                    nm_format format,
                                    struct nm_mesh **out);
+
+/**
+ * As nm_mesh_create_from_file, with the columns of the file that are coordinates, and those that
+ * become attributes of the points as by nm_mesh_set_attributes.
+ *
+ * columns: of XYZ, CSV and NumPy files, in the order of the coordinates: numbers from 1 ("1,2,5"),
+ * a range ("1-3"), or the file's names for its columns, in either case ("x,y,z"). NULL for the
+ * format's own rule, by which columns that are attributes are no coordinates. attributes: of
+ * TetGen, PLY, XYZ, CSV and NumPy files: names, numbers and ranges ("intensity,5-7"), NAME=COLUMN
+ * for another name than the file's ("height=z"), or "all" but the coordinates and what exports
+ * have for themselves (kind, domain). NULL for none. Without names in the file they are column_5
+ * and so on, in a .node file attribute_1 and so on, with marker after them.
+ *
+ * Errors: those of nm_mesh_create_from_file, and NM_INVALID_ARGUMENT (columns, attributes: not
+ * UTF-8, a column that is not there, a name that no attribute can have, a format without them).
+ *
+ * O(size of the file) expected time and memory. Any thread.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_create_from_columns(const char *path_utf8,
+                                      nm_format format,
+                                      const char *columns,
+                                      const char *attributes,
+                                      struct nm_mesh **out);
 
 /**
  * Frees a mesh; NULL is fine. The handle is gone afterwards, and no other call may be using it: to
@@ -1992,16 +2016,17 @@ nm_status nm_export_filtration(const struct nm_mesh *mesh,
                                const char *path_utf8);
 
 /**
- * Gives the inputs values under a name. Exports to VTU, Gmsh, PLY and CSV have them, at all
- * vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
- * after this call or after nm_run. Values of the same name are replaced.
+ * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
+ * them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the
+ * first export after this call or after nm_run. Values of the same name are replaced.
  *
  * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
- * else: x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
- * radius_edge. components: numbers an input; 0 removes the values of that name, and values may be
- * NULL then. values: inputs x components numbers, duplicates included, which are copied; of equal
- * inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on
- * are the components. Gmsh has vectors of two and three components as vectors.
+ * else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
+ * cell_domain, radius_edge. components: numbers an input; 0 removes the values of that name, and
+ * values may be NULL then. values: inputs x components numbers, duplicates included, which are
+ * copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
+ * name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
+ * .node file has no names: its attributes are in the order in which their names were set first.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).

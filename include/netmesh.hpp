@@ -153,6 +153,18 @@ public:
         return made(status, handle);
     }
 
+    // The same with columns that are coordinates, and columns that become attributes of the points,
+    // chosen as by nm_mesh_create_from_columns; an empty choice is the format's own, or none.
+    static result<mesh> try_from_columns(const std::string &path_utf8, const std::string &columns,
+                                         const std::string &attributes,
+                                         nm_format format = NM_FORMAT_AUTO) {
+        nm_mesh *handle = nullptr;
+        nm_status status = nm_mesh_create_from_columns(
+            path_utf8.c_str(), format, columns.empty() ? nullptr : columns.c_str(),
+            attributes.empty() ? nullptr : attributes.c_str(), &handle);
+        return made(status, handle);
+    }
+
     // Meshes the points. A second run replaces the first one's result.
     result<void> try_run(const options &wanted = {}) {
         progress_call call{wanted.progress, nullptr};
@@ -500,6 +512,10 @@ public:
     mesh(std::uint32_t dim, span<const double> points) : mesh(try_create(dim, points).value()) {}
     static mesh from_file(const std::string &path_utf8, nm_format format = NM_FORMAT_AUTO) {
         return try_from_file(path_utf8, format).value();
+    }
+    static mesh from_columns(const std::string &path_utf8, const std::string &columns,
+                             const std::string &attributes, nm_format format = NM_FORMAT_AUTO) {
+        return try_from_columns(path_utf8, columns, attributes, format).value();
     }
     void run(const options &wanted = {}) { try_run(wanted).value(); }
     nm_counts counts() const { return try_counts().value(); }

@@ -2,6 +2,10 @@
 //! dimension as a type. Plain data: whoever holds a [`Triangulation`] may read (and in tests
 //! corrupt) every part of it.
 
+pub(crate) mod attribute;
+
+pub use attribute::Attribute;
+
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
 use crate::parameters::Parameters;
@@ -344,60 +348,6 @@ fn hash(point: &[f64]) -> usize {
     point.iter().fold(0x9e37_79b9_7f4a_7c15, mix) as usize
 }
 
-/// Values that belong to points, under a name.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Attribute {
-    /// See [`Mesh::set_attribute`].
-    pub name: String,
-    pub components: usize,
-    /// `points x components`.
-    pub values: Vec<f64>,
-    /// Whether other vertices than the inputs get values too; else NaN.
-    pub is_extended: bool,
-}
-
-impl Attribute {
-    /// The values of a point.
-    pub fn of(&self, point: usize) -> &[f64] {
-        &self.values[point * self.components..][..self.components]
-    }
-}
-
-/// The longest name of an attribute.
-const NAME_BYTES: usize = 64;
-
-/// Names that files have for something else, beside `x0`, `x1` and so on.
-const RESERVED: [&str; 10] = [
-    "x",
-    "y",
-    "z",
-    "kind",
-    "domain",
-    "input",
-    "precision_limited",
-    "aspect",
-    "cell_domain",
-    "radius_edge",
-];
-
-fn check_name(name: &str) -> Result<()> {
-    let refuse = |rule: &str| {
-        let message = message!("name is '{name}'; {rule}");
-        Err(Error::new(ErrorKind::InvalidArgument, message))
-    };
-    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-.".contains(letter);
-    if name.is_empty() || name.len() > NAME_BYTES || !name.chars().all(is_plain) {
-        return refuse("it must be 1 to 64 ASCII letters, digits, '_', '-' and '.'");
-    }
-    let is_axis = name
-        .strip_prefix('x')
-        .is_some_and(|rest| !rest.is_empty() && rest.chars().all(|digit| digit.is_ascii_digit()));
-    if is_axis || RESERVED.contains(&name) {
-        return refuse("files have that name for something else");
-    }
-    Ok(())
-}
-
 /// Points, and after [`Mesh::run`] their mesh.
 #[derive(Clone, Debug)]
 pub struct Mesh {
@@ -437,7 +387,7 @@ impl Mesh {
         values: &[f64],
         is_extended: bool,
     ) -> Result<()> {
-        check_name(name)?;
+        Attribute::check_name(name)?;
         let count = self.inputs.count();
         if Some(values.len()) != count.checked_mul(components) {
             let message = message!(

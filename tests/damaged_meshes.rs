@@ -300,7 +300,20 @@ fn npy_refuses_damaged_headers() {
         (format!("{{'descr': '|O', {rest}"), Broken, "numbers of type \"|O\"; doubles"),
         (format!("{{'descr': '', {rest}"), Broken, "numbers of type \"\"; doubles"),
         (format!("{{'descr': '\u{e9}f8', {rest}"), Broken, "numbers of type \"\u{e9}f8\"; doubles"),
-        (format!("{{'descr': [('x', '<f8')], {rest}"), Broken, "an array of structures"),
+        (
+            format!("{{'descr': [('x', '<f8')], {rest}"),
+            Broken,
+            "a shape of 2 lengths; (points,) is needed",
+        ),
+        (format!("{{'descr': [('x', '|O')], {rest}"), Broken, "the field \"x\" is of type \"|O\""),
+        (format!("{{'descr': [('x', [('y', '<f8')])], {rest}"), Broken, "\"[('y', '<f8')])]"),
+        (format!("{{'descr': [('x', '<f8', 3)], {rest}"), Broken, "\"3)], "),
+        (
+            format!("{{'descr': [('x', '<f8', (9, 2000))], {rest}"),
+            Broken,
+            "fields of more than 10000",
+        ),
+        ("{'descr': [('x', '<f8'".into(), Broken, "\"\" where \")\" is expected"),
         (format!("{{'descr': 1, {rest}"), Broken, "\"1, 'fortran_order': False"),
         ("{'descr: 1}".into(), Broken, "a string without an end"),
         (

@@ -3,7 +3,7 @@
 use crate::exit_code;
 use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
-use netmesh::io::{Columns, Format};
+use netmesh::io::{AttributeColumns, Choice, Columns, Format};
 use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ Examples:
   netmesh points.xyz -o mesh.vtu --validate
   netmesh points.csv -o mesh.off --finish --bound 3.5
   netmesh points.xyz -o delaunay.vtu --algorithm delaunay
-  netmesh scan.csv --columns x,y,z -o scan.vtu
+  netmesh scan.csv --columns x,y,z --attributes intensity -o scan.vtu
   program | netmesh - --input-format xyz -o - --output-format off > mesh.off";
 
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
@@ -40,6 +40,17 @@ pub struct Arguments {
     /// names of a CSV header (x,y,z). For XYZ, CSV and NumPy files, which often have more columns
     #[arg(long, value_name = "LIST", value_parser = parse_columns, allow_hyphen_values = true)]
     pub columns: Option<Columns>,
+
+    /// Columns of the input that the output gets as attributes of the points: names (of a CSV
+    /// header or of PLY's properties), numbers from 1, ranges, NAME=COLUMN for another name, or all.
+    /// From TetGen, PLY, XYZ, CSV and NumPy files to VTU, TetGen, Gmsh, PLY, CSV and NumPy files
+    #[arg(long, value_name = "LIST", value_parser = parse_attributes, requires = "output")]
+    pub attributes: Option<AttributeColumns>,
+
+    /// What attributes are at vertices that are no inputs
+    #[arg(long, value_name = "WORD", value_enum, default_value_t = AddedValues::Linear)]
+    #[arg(requires = "attributes")]
+    pub added_values: AddedValues,
 
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
@@ -141,6 +152,15 @@ pub struct Meshing {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AddedValues {
+    /// Linear in the Delaunay triangulation of the inputs, those of the nearest input beyond its
+    /// hull
+    Linear,
+    /// Not a number
+    Nan,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlgorithmName {
     Netmesh,
     Svr,
@@ -196,6 +216,14 @@ impl Arguments {
         self.output_format.map_or(Format::Auto, FormatName::format)
     }
 
+    /// The columns that are read.
+    pub fn choice(&self) -> Choice {
+        Choice {
+            coordinates: self.columns.clone().unwrap_or_default(),
+            attributes: self.attributes.clone().unwrap_or_default(),
+        }
+    }
+
     pub fn options(&self) -> Options {
         let meshing = &self.meshing;
         Options {
@@ -243,13 +271,18 @@ impl ValueEnum for ReadableFormat {
     }
 }
 
-/// The library begins its message with `columns`, the name of its argument; here clap names the
-/// option.
 fn parse_columns(text: &str) -> Result<Columns, String> {
-    text.parse().map_err(|error: netmesh::Error| {
-        let message = error.message();
-        message.strip_prefix("columns: ").unwrap_or(message).to_owned()
-    })
+    text.parse().map_err(without_name)
+}
+
+fn parse_attributes(text: &str) -> Result<AttributeColumns, String> {
+    text.parse().map_err(without_name)
+}
+
+/// The library begins its message with the name of its argument; here clap names the option.
+fn without_name(error: netmesh::Error) -> String {
+    let message = error.message();
+    message.split_once(": ").map_or(message, |(_, rest)| rest).to_owned()
 }
 
 impl AlgorithmName {

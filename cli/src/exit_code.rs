@@ -90,7 +90,10 @@ fn at_path(path: &str, error: &Error) -> String {
 /// The library's names of arguments as the options of the command line.
 fn in_options(message: &str) -> String {
     let mut parts = message.split("options.");
-    let mut text = parts.next().unwrap_or_default().replace("columns: ", "--columns: ");
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for name in ["columns: ", "attributes: "] {
+        text = text.replace(name, &format!("--{name}"));
+    }
     for part in parts {
         let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
         let (name, rest) = part.split_at(part.find(|c| !is_name(c)).unwrap_or(part.len()));
@@ -129,6 +132,7 @@ mod tests {
             ("options.quality_bound is 1; it must be more", "--bound is 1; it must be more"),
             ("options.max_vertices is 6", "--max-vertices is 6"),
             ("a.csv: columns: there is none", "a.csv: --columns: there is none"),
+            ("a.csv: attributes: there is none", "a.csv: --attributes: there is none"),
             ("a and options.gamma, options.delta.", "a and --gamma, --delta."),
             ("nothing of that", "nothing of that"),
         ] {

@@ -1,31 +1,44 @@
 //! Where the points come from.
 
-use crate::arguments::Arguments;
+use crate::arguments::{AddedValues, Arguments};
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
-use netmesh::io::{self, Columns, Format, PointCloud};
+use netmesh::io::{self, Format, Table};
 use netmesh::{Error, ErrorKind, Mesh, Result};
 
 pub fn read(arguments: &Arguments) -> std::result::Result<Mesh, Failure> {
     let reading = |error: Error| {
         let failure = Failure::reading(&standard::input_name(&arguments.input), &error);
+        let may_need_columns = error.message().ends_with(NO_OTHER_COLUMNS);
         match error.kind() {
             ErrorKind::Dimension => with_hint(failure, arguments),
+            _ if may_need_columns => with_hint(failure, arguments),
             _ => failure,
         }
     };
-    let cloud = points(arguments).map_err(reading)?;
-    let count = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
-    Mesh::new(cloud.dim, count, &cloud.coordinates, 0).map_err(reading)
+    mesh(arguments).map_err(reading)
 }
 
-fn points(arguments: &Arguments) -> Result<PointCloud> {
-    let none = Columns::default();
-    let columns = arguments.columns.as_ref().unwrap_or(&none);
-    let format = arguments.input_format();
+/// How the library's refusal of `--attributes all` ends where there are none.
+const NO_OTHER_COLUMNS: &str = "every column of the file is a coordinate";
+
+/// The points of the input with their attributes.
+fn mesh(arguments: &Arguments) -> Result<Mesh> {
+    let Table { points, attributes } = table(arguments)?;
+    let count = points.coordinates.len().checked_div(points.dim).unwrap_or(0);
+    let mut mesh = Mesh::new(points.dim, count, &points.coordinates, 0)?;
+    let is_extended = arguments.added_values == AddedValues::Linear;
+    for attribute in attributes {
+        mesh.set_attribute(&attribute.name, 1, &attribute.values, is_extended)?;
+    }
+    Ok(mesh)
+}
+
+fn table(arguments: &Arguments) -> Result<Table> {
+    let (choice, format) = (arguments.choice(), arguments.input_format());
     match standard::is_meant(&arguments.input) {
-        true => io::read_columns(&mut std::io::stdin().lock(), format, columns),
-        false => io::read_points_of_columns(&arguments.input, format, columns),
+        true => io::read_table(&mut std::io::stdin().lock(), format, &choice),
+        false => io::read_table_file(&arguments.input, format, &choice),
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::io::{self, Format};
-use netmesh::{Error, ErrorKind, Mesh};
+use netmesh::{Attribute, Error, ErrorKind, Mesh};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
@@ -46,27 +46,49 @@ pub fn require_stream_format(path: &Path, format: Format) -> Result<(), Failure>
     }
 }
 
+/// Refuses a format that holds no attributes.
+pub fn require_attributes(path: &Path, format: Format) -> Result<(), Failure> {
+    let format = resolved(path, format)?;
+    if format.holds_attributes() {
+        return Ok(());
+    }
+    let message = format!(
+        "{}: {} holds no attributes; with --attributes write VTU, TetGen, Gmsh, PLY, CSV or NumPy",
+        standard::output_name(path),
+        format.name()
+    );
+    Err(Failure::new(ExitCode::Usage, message))
+}
+
+fn resolved(path: &Path, format: Format) -> Result<Format, Failure> {
+    match format {
+        Format::Auto => Format::from_path(path).map_err(|error| failure(path, &error)),
+        named => Ok(named),
+    }
+}
+
 /// Refuses a format that cannot hold the mesh that is going to be made of `mesh`.
 pub fn require_format(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
-    let fails = |error: Error| failure(path, &error);
-    let format = match format {
-        Format::Auto => Format::from_path(path).map_err(fails)?,
-        named => named,
-    };
-    match io::write(mesh, format, &mut Shut) {
-        Err(error) if error.kind() == ErrorKind::InvalidArgument => Err(fails(error)),
+    match io::write(mesh, resolved(path, format)?, &mut Shut) {
+        Err(error) if error.kind() == ErrorKind::InvalidArgument => Err(failure(path, &error)),
         // No result yet, or it came to writing: the format is right.
         _ => Ok(()),
     }
 }
 
-pub fn write(mesh: &Mesh, path: &Path, format: Format) -> Result<(), Failure> {
+/// Writes the mesh with attributes at its vertices.
+pub fn write(
+    mesh: &Mesh,
+    attributes: &[Attribute],
+    path: &Path,
+    format: Format,
+) -> Result<(), Failure> {
     let written = match standard::is_meant(path) {
         true => {
             let mut out = std::io::stdout().lock();
-            io::write(mesh, format, &mut out)
+            io::write_with(mesh, attributes, format, &mut out)
         }
-        false => io::write_file(mesh, path, format),
+        false => io::write_file_with(mesh, attributes, path, format),
     };
     written.map_err(|error| failure(path, &error))
 }

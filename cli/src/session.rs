@@ -11,6 +11,7 @@ use crate::record;
 use crate::same_file;
 use crate::standard;
 use crate::summary::{Summary, Times};
+use netmesh::prepared::Prepared;
 use netmesh::{Mesh, Triangulation, quality};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -30,8 +31,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
     if let Some(output) = &arguments.output {
-        let _stage = display.stage("writing");
-        timed(&mut times.write, || output::write(&mesh, output, arguments.output_format()))?;
+        timed(&mut times.write, || write(&mesh, output, arguments, &display))?;
     }
     let report = match arguments.validate {
         true => Some({
@@ -51,6 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),
+            attributes: mesh.attributes(),
             triangulation,
             quality: &quality,
             report: report.as_ref(),
@@ -67,6 +68,9 @@ fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(output) = &arguments.output {
         output::require_place(output)?;
         output::require_stream_format(output, arguments.output_format())?;
+        if arguments.attributes.is_some() {
+            output::require_attributes(output, arguments.output_format())?;
+        }
     }
     if let Some(json) = &arguments.json {
         output::require_place(json)?;
@@ -119,6 +123,21 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
         }),
     );
     Ok(outcome?)
+}
+
+fn write(
+    mesh: &Mesh,
+    output: &Path,
+    arguments: &Arguments,
+    display: &Display,
+) -> Result<(), Failure> {
+    let prepared = Prepared::default();
+    let attributes = {
+        let _stage = (!mesh.attributes().is_empty()).then(|| display.stage("extending"));
+        prepared.vertex_attributes(mesh)?
+    };
+    let _stage = display.stage("writing");
+    output::write(mesh, attributes, output, arguments.output_format())
 }
 
 fn triangulation_of(mesh: &Mesh) -> Result<&Triangulation, Failure> {

@@ -6,7 +6,9 @@ use crate::numbers::{counted, duration, grouped, measure};
 use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
-use netmesh::{Algorithm, Criterion, Inputs, NetOrdering, Output, Triangulation, VertexKind};
+use netmesh::{
+    Algorithm, Attribute, Criterion, Inputs, NetOrdering, Output, Triangulation, VertexKind,
+};
 use std::fmt::Write;
 
 /// Seconds that each step took; 0 for a step that was not asked for.
@@ -23,6 +25,7 @@ pub struct Times {
 pub struct Summary<'a> {
     pub arguments: &'a Arguments,
     pub inputs: &'a Inputs,
+    pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
     pub report: Option<&'a Report>,
@@ -33,6 +36,7 @@ impl Summary<'_> {
     pub fn text(&self) -> String {
         let mut lines = Lines::default();
         self.add_input(&mut lines);
+        self.add_attributes(&mut lines);
         self.add_task(&mut lines);
         self.add_mesh(&mut lines);
         self.add_quality(&mut lines);
@@ -57,6 +61,18 @@ impl Summary<'_> {
                 counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
             ),
         );
+    }
+
+    fn add_attributes(&self, lines: &mut Lines) {
+        if self.attributes.is_empty() {
+            return;
+        }
+        let names: Vec<&str> = self.attributes.iter().map(|attribute| &*attribute.name).collect();
+        let of_equal = match self.inputs.duplicates() {
+            0 => "",
+            _ => "; of equal points those of the first",
+        };
+        lines.add("attributes", names.join(", ") + of_equal);
     }
 
     fn add_task(&self, lines: &mut Lines) {

@@ -121,7 +121,10 @@ fn wrong_columns_name_the_option_the_column_and_the_rule() {
     for (line, words) in [
         ("scan.xyz --columns 1-6", &["scan.xyz: --columns: there is no column 6", "5 columns"][..]),
         ("scan.xyz --columns x,y", &["--columns: \"x\" is a name"]),
-        ("scan.csv --columns x,y", &["--columns: no column is called \"x\"", "e,n,h,r,g"]),
+        (
+            "scan.csv --columns x,y",
+            &["--columns: no column is called \"x\"", "\"e\", \"n\", \"h\""],
+        ),
         ("scan.xyz --columns 0-2", &["--columns", "they count from 1"]),
         ("scan.xyz --columns -3", &["--columns", "no two ends"]),
         ("scan.xyz --columns 1", &["--columns", "2 to 8"]),

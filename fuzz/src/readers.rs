@@ -2,7 +2,7 @@
 
 use super::bytes::Bytes;
 use super::triangulations::bits;
-use netmesh::io::{Format, PointCloud, read, write};
+use netmesh::io::{Choice, Format, PointCloud, read, read_table, write};
 use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result};
 use std::io::BufReader;
 
@@ -36,6 +36,7 @@ pub fn check_text(format: Format, text: &[u8]) -> bool {
     let whole = read(&mut &*text, format);
     let in_pieces = read(&mut BufReader::with_capacity(3, text), format);
     assert_eq!(whole, in_pieces, "the size of the pieces matters");
+    check_attributes(format, text, &whole);
     match whole {
         Ok(cloud) => {
             check_cloud(&cloud);
@@ -46,6 +47,23 @@ pub fn check_text(format: Format, text: &[u8]) -> bool {
             assert!(!error.message().is_empty() && error.message().len() < 400, "{error}");
             false
         }
+    }
+}
+
+/// With all other columns as attributes the points are the same, and each has its values.
+fn check_attributes(format: Format, text: &[u8], points: &Result<PointCloud>) {
+    let attributes = "all".parse().expect("a choice");
+    match read_table(&mut &*text, format, &Choice { attributes, ..Choice::default() }) {
+        Ok(table) => {
+            assert_eq!(points.as_ref(), Ok(&table.points));
+            let count = table.points.coordinates.len() / table.points.dim;
+            assert!(table.attributes.iter().all(|attribute| attribute.values.len() == count));
+        }
+        Err(error) => assert!(
+            REFUSALS.contains(&error.kind()) || error.kind() == ErrorKind::InvalidArgument,
+            "{:?}: {error}",
+            error.kind()
+        ),
     }
 }
 

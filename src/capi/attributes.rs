@@ -1,22 +1,22 @@
 //! Attributes: values of the inputs, under names, which files get as columns.
 
 use super::enums::nm_status;
-use super::error::null_argument;
 use super::handle::{nm_mesh, with_attributes_mut, with_prepared};
-use super::memory::{copy_out, read_rows};
-use crate::error::{Error, ErrorKind, Result, message};
-use std::ffi::{CStr, c_char};
+use super::memory::{copy_out, read_rows, utf8};
+use crate::error::{Error, ErrorKind, message};
+use std::ffi::c_char;
 
-/// Gives the inputs values under a name. Exports to VTU, Gmsh, PLY and CSV have them, at all
-/// vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the first export
-/// after this call or after nm_run. Values of the same name are replaced.
+/// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
+/// them, at all vertices: other vertices than inputs get values as by nm_mesh_extend_values, at the
+/// first export after this call or after nm_run. Values of the same name are replaced.
 ///
 /// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
-/// else: x, y, z, x0, x1 and so on, kind, domain, input, precision_limited, aspect, cell_domain,
-/// radius_edge. components: numbers an input; 0 removes the values of that name, and values may be
-/// NULL then. values: inputs x components numbers, duplicates included, which are copied; of equal
-/// inputs the first counts. In formats whose columns are single numbers, name_0, name_1 and so on
-/// are the components. Gmsh has vectors of two and three components as vectors.
+/// else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
+/// cell_domain, radius_edge. components: numbers an input; 0 removes the values of that name, and
+/// values may be NULL then. values: inputs x components numbers, duplicates included, which are
+/// copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
+/// name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
+/// .node file has no names: its attributes are in the order in which their names were set first.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, name, values), NM_INVALID_ARGUMENT (name, values not aligned),
 /// NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
@@ -59,7 +59,7 @@ unsafe fn set(
     // SAFETY: the caller's promise.
     unsafe {
         with_attributes_mut(mesh, |mesh| {
-            let (name, components) = (read_name(name)?, components as usize);
+            let (name, components) = (utf8("name", name)?, components as usize);
             let count = mesh.inputs().count() as u64;
             let values = read_rows("values", values, count, components)?;
             mesh.set_attribute(name, components, values, is_extended)
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn nm_mesh_get_attributes(
     // SAFETY: the caller gave NULL or a live handle, NULL or a C string, and a buffer by the rules.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let name = read_name(name)?;
+            let name = utf8("name", name)?;
             let mut attributes = prepared.vertex_attributes(mesh)?.iter();
             let found = attributes.find(|attribute| attribute.name == name).ok_or_else(|| {
                 let message = message!("name is '{name}'; no values have that name");
@@ -98,19 +98,6 @@ pub unsafe extern "C" fn nm_mesh_get_attributes(
     }
 }
 
-/// # Safety
-/// `name` is NULL or a C string that stays while the result lives.
-unsafe fn read_name<'a>(name: *const c_char) -> Result<&'a str> {
-    if name.is_null() {
-        return Err(null_argument("name"));
-    }
-    // SAFETY: not NULL, so a C string.
-    unsafe { CStr::from_ptr(name) }.to_str().map_err(|error| {
-        let message = message!("name is not UTF-8 from byte {}", error.valid_up_to());
-        Error::new(ErrorKind::InvalidArgument, message)
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,7 +106,7 @@ mod tests {
     use crate::capi::handle::with_mesh_mut;
     use crate::capi::test_support::{from_c, last_message, square};
     use crate::options::Options;
-    use std::ffi::c_void;
+    use std::ffi::{CStr, c_void};
     use std::ptr::{null, null_mut};
 
     unsafe extern "C" fn append(data: *const c_void, size: usize, text: *mut c_void) -> i32 {
@@ -186,6 +173,10 @@ mod tests {
         assert!(vtu.contains(r#"type="Float64" Name="flow" NumberOfComponents="2""#));
         assert!(export(&mesh, nm_format::NM_FORMAT_GMSH).contains("$NodeData\n1\n\"heat\"\n"));
         assert!(export(&mesh, nm_format::NM_FORMAT_PLY).contains("property double flow_1\n"));
+        let npy = export(&mesh, nm_format::NM_FORMAT_NPY);
+        assert!(npy.contains("('points', '<f8', (2,)), ('kind', '|u1'), ('heat', '<f8')"), "{npy}");
+        let node = export(&mesh, nm_format::NM_FORMAT_TETGEN_NODE);
+        assert!(node.contains(" 2 4 1\n0 0 0 1 0.5 0.5 0.5 0\n"), "{node}");
         // SAFETY: a live handle.
         let status = unsafe { nm_mesh_set_attributes(&mut mesh, c"heat".as_ptr(), 0, null()) };
         assert_eq!(status, nm_status::NM_OK);

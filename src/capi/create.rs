@@ -3,14 +3,15 @@
 use super::enums::{decode_format, nm_format, nm_status};
 use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
-use super::memory::{doubles, utf8_path};
+use super::memory::{doubles, utf8, utf8_path};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::io;
+use crate::io::{self, Choice, PointCloud};
 use crate::memory::with_capacity;
-use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
+use crate::mesh::{Attribute, MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::str::FromStr;
 
 /// Makes a mesh of n points; they are copied, and may be freed when the call returns. nm_run meshes
 /// them.
@@ -68,9 +69,48 @@ pub unsafe extern "C" fn nm_mesh_create_from_file(
     unsafe {
         hand_out(out, || {
             let path = utf8_path(path_utf8)?;
-            let cloud = io::read_points(path, decode_format(format)?)?;
-            let n = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
-            Mesh::new(cloud.dim, n, &cloud.coordinates, 0)
+            mesh_of(&io::read_points(path, decode_format(format)?)?)
+        })
+    }
+}
+
+/// As nm_mesh_create_from_file, with the columns of the file that are coordinates, and those that
+/// become attributes of the points as by nm_mesh_set_attributes.
+///
+/// columns: of XYZ, CSV and NumPy files, in the order of the coordinates: numbers from 1 ("1,2,5"),
+/// a range ("1-3"), or the file's names for its columns, in either case ("x,y,z"). NULL for the
+/// format's own rule, by which columns that are attributes are no coordinates. attributes: of
+/// TetGen, PLY, XYZ, CSV and NumPy files: names, numbers and ranges ("intensity,5-7"), NAME=COLUMN
+/// for another name than the file's ("height=z"), or "all" but the coordinates and what exports
+/// have for themselves (kind, domain). NULL for none. Without names in the file they are column_5
+/// and so on, in a .node file attribute_1 and so on, with marker after them.
+///
+/// Errors: those of nm_mesh_create_from_file, and NM_INVALID_ARGUMENT (columns, attributes: not
+/// UTF-8, a column that is not there, a name that no attribute can have, a format without them).
+///
+/// O(size of the file) expected time and memory. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_create_from_columns(
+    path_utf8: *const c_char,
+    format: MaybeUninit<nm_format>,
+    columns: *const c_char,
+    attributes: *const c_char,
+    out: *mut *mut nm_mesh,
+) -> nm_status {
+    // SAFETY: the caller's promises are those of `hand_out`, `utf8_path` and `parsed`.
+    unsafe {
+        hand_out(out, || {
+            let path = utf8_path(path_utf8)?;
+            let choice = Choice {
+                coordinates: parsed("columns", columns)?,
+                attributes: parsed("attributes", attributes)?,
+            };
+            let table = io::read_table_file(path, decode_format(format)?, &choice)?;
+            let mut mesh = mesh_of(&table.points)?;
+            for Attribute { name, components, values, .. } in &table.attributes {
+                mesh.set_attribute(name, *components, values, true)?;
+            }
+            Ok(mesh)
         })
     }
 }
@@ -87,6 +127,27 @@ pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
         let handle = unsafe { Box::from_raw(mesh) };
         // Dropping plain data does not panic; if it ever did, C could do nothing about it.
         let _ = catch_unwind(AssertUnwindSafe(|| drop(handle)));
+    }
+}
+
+fn mesh_of(cloud: &PointCloud) -> Result<Mesh> {
+    let n = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
+    Mesh::new(cloud.dim, n, &cloud.coordinates, 0)
+}
+
+/// The choice of columns in a C string of the caller's, which names itself in its errors; NULL
+/// chooses none.
+///
+/// # Safety
+/// `text` is NULL or a C string.
+unsafe fn parsed<T>(argument: &'static str, text: *const c_char) -> Result<T>
+where
+    T: Default + FromStr<Err = Error>,
+{
+    match text.is_null() {
+        true => Ok(T::default()),
+        // SAFETY: the caller's promise.
+        false => unsafe { utf8(argument, text)? }.parse(),
     }
 }
 
@@ -149,7 +210,9 @@ unsafe fn read_points<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::capi::attributes::nm_mesh_get_attributes;
     use crate::capi::test_support::{from_c, last_message};
+    use std::ffi::{CStr, CString};
     use std::ptr::{null, null_mut};
 
     /// Creates and frees; answers the status and whether there was a handle.
@@ -229,5 +292,53 @@ mod tests {
         let (status, message) = create(c"points.xyz".as_ptr(), 77);
         assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
         assert!(message.contains("format is 77"), "{message}");
+    }
+
+    #[test]
+    fn columns_of_a_file_are_coordinates_and_attributes() {
+        let name = format!("netmesh-{}-columns.csv", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        std::fs::write(&path, "id,y,x,heat\n7,2,1,5\n8,4,3,6\n9,0,5,7\n8,4,3,9\n").unwrap();
+        let text = CString::new(path.to_str().unwrap()).unwrap();
+        let create = |columns: *const c_char, attributes: *const c_char| {
+            let mut out = std::ptr::dangling_mut();
+            let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+            // SAFETY: C strings or NULL.
+            let status = unsafe {
+                nm_mesh_create_from_columns(text.as_ptr(), format, columns, attributes, &mut out)
+            };
+            (status, out)
+        };
+        let (status, mesh) = create(c"y,x".as_ptr(), c"warmth=heat,1".as_ptr());
+        assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+        let mut values = [0.0; 3];
+        let mut get = |name: &CStr| {
+            let (buf, needed) = (values.as_mut_ptr(), null_mut());
+            // SAFETY: a live handle, a C string and a buffer for three.
+            let status = unsafe { nm_mesh_get_attributes(mesh, name.as_ptr(), buf, 3, needed) };
+            (status, values)
+        };
+        // Before a run the vertices are the distinct inputs.
+        assert_eq!(get(c"warmth"), (nm_status::NM_OK, [5.0, 6.0, 7.0]));
+        assert_eq!(get(c"id"), (nm_status::NM_OK, [7.0, 8.0, 9.0]));
+        // SAFETY: fresh.
+        unsafe { nm_mesh_free(mesh) };
+        for (columns, attributes, message) in [
+            (c"x,z".as_ptr(), null(), "columns: no column is called \"z\""),
+            (c"1-9".as_ptr(), null(), "columns: \"1-9\" chooses 9 columns or more"),
+            (null(), c"h".as_ptr(), "attributes: no column is called \"h\""),
+            (null(), c"x\xff".as_ptr(), "attributes is not UTF-8 from byte 1"),
+            (null(), c"".as_ptr(), "attributes: an entry is empty"),
+        ] {
+            let (status, mesh) = create(columns, attributes);
+            assert!(mesh.is_null());
+            assert_eq!(status, nm_status::NM_INVALID_ARGUMENT);
+            assert!(last_message().contains(message), "{}", last_message());
+        }
+        let (status, mesh) = create(null(), null());
+        // SAFETY: fresh.
+        unsafe { nm_mesh_free(mesh) };
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(status, nm_status::NM_OK, "{}", last_message());
     }
 }

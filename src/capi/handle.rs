@@ -9,10 +9,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
-/// Points, and after nm_run their mesh. Made by nm_mesh_create or nm_mesh_create_from_file, freed
-/// by nm_mesh_free. Functions that take a `const nm_mesh *` may run on one handle at the same time
-/// from any threads; nm_run needs the handle for itself, which is checked: the call that comes too
-/// early (a getter during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
+/// Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
+/// Functions that take a `const nm_mesh *` may run on one handle at the same time from any threads;
+/// nm_run needs the handle for itself, which is checked: the call that comes too early (a getter
+/// during nm_run, nm_run during a getter) answers NM_STATE and does nothing.
 #[allow(non_camel_case_types)]
 pub struct nm_mesh {
     held: RwLock<Held>,

@@ -260,18 +260,27 @@ fn check_room<T>(argument: &str, pointer: *const T, count: usize) -> Result<()> 
 /// # Safety
 /// `path` is NULL or a C string that stays while the result lives.
 pub(super) unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
-    if path.is_null() {
-        return Err(null_argument("path_utf8"));
-    }
-    // SAFETY: not NULL, so a C string.
-    let path = unsafe { CStr::from_ptr(path) }.to_str().map_err(|error| {
-        let message = message!("path_utf8 is not UTF-8 from byte {}", error.valid_up_to());
-        Error::new(ErrorKind::InvalidArgument, message)
-    })?;
+    // SAFETY: the caller's promise.
+    let path = unsafe { utf8("path_utf8", path)? };
     if path.is_empty() {
         return Err(Error::new(ErrorKind::InvalidArgument, "path_utf8 is empty"));
     }
     Ok(Path::new(path))
+}
+
+/// The text of a C string of the caller's.
+///
+/// # Safety
+/// `text` is NULL or a C string that stays while the result lives.
+pub(super) unsafe fn utf8<'a>(argument: &'static str, text: *const c_char) -> Result<&'a str> {
+    if text.is_null() {
+        return Err(null_argument(argument));
+    }
+    // SAFETY: not NULL, so a C string.
+    unsafe { CStr::from_ptr(text) }.to_str().map_err(|error| {
+        let message = message!("{argument} is not UTF-8 from byte {}", error.valid_up_to());
+        Error::new(ErrorKind::InvalidArgument, message)
+    })
 }
 
 fn misaligned<T>(argument: &str) -> Error {

@@ -1,23 +1,25 @@
 //! Which columns of a table are the coordinates.
 
-use super::PointCloud;
-use super::text::{Line, Points, quoted};
+use super::text::quoted;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::str::FromStr;
 
+/// A value, or the rule that is broken.
+pub(super) type OrRule<T> = std::result::Result<T, String>;
+
 /// The columns that a caller chooses as coordinates, in the order of the coordinates. The default
 /// chooses none: the format's own rule applies.
 ///
-/// Parsed from a list such as `1-3`, `1,2,5` or `x,y,z`: numbers count from 1, names are those of a
-/// CSV header, in either case.
+/// Parsed from a list such as `1-3`, `1,2,5` or `x,y,z`: numbers count from 1, names are those that
+/// the file has for its columns, in either case.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Columns {
     chosen: Vec<Column>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Column {
+pub(super) enum Column {
     /// Counted from 1.
     Number(u64),
     Name(String),
@@ -29,7 +31,7 @@ impl FromStr for Columns {
     fn from_str(text: &str) -> Result<Self> {
         let mut chosen = Vec::new();
         for entry in text.split(',') {
-            let (first, last) = parse_entry(entry.trim())?;
+            let (first, last) = parse_entry(entry.trim()).map_err(refused)?;
             chosen.push(first.clone());
             if let (Column::Number(first), Some(last)) = (first, last) {
                 // More than MAX_DIM are refused below; a range of 2^60 must not be built for that.
@@ -54,29 +56,28 @@ impl FromStr for Columns {
     }
 }
 
-/// A column, and the last number of a range.
-fn parse_entry(entry: &str) -> Result<(Column, Option<u64>)> {
+/// A column, and the last number of a range; or the rule that the entry breaks.
+pub(super) fn parse_entry(entry: &str) -> OrRule<(Column, Option<u64>)> {
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let number = |text: &str| match text.parse::<u64>() {
         Ok(number) if number > 0 => Ok(number),
-        _ => Err(refused(message!("{} is no column; they count from 1", quoted(text)))),
+        _ => Err(message!("{} is no column; they count from 1", quoted(text))),
     };
     match entry.split_once('-') {
-        _ if entry.is_empty() => Err(refused(
-            "an entry is empty; give numbers (1,2,5), a range (1-3) or names (x,y,z)".into(),
-        )),
+        _ if entry.is_empty() => {
+            Err("an entry is empty; give numbers (1,2,5), a range (1-3) or names (x,y,z)".into())
+        }
         Some((first, last)) if is_number(first) && is_number(last) => {
             let (first, last) = (number(first)?, number(last)?);
-            if first > last {
-                let message = message!("the range {} runs backwards", quoted(entry));
-                return Err(refused(message));
+            match first <= last {
+                true => Ok((Column::Number(first), Some(last))),
+                false => Err(message!("the range {} runs backwards", quoted(entry))),
             }
-            Ok((Column::Number(first), Some(last)))
         }
         _ if is_number(entry) => Ok((Column::Number(number(entry)?), None)),
         // `1-` and `-3` are ranges without an end, not names.
         Some((first, last)) if is_number(first) && last.is_empty() || first.is_empty() => {
-            Err(refused(message!("the range {} has no two ends", quoted(entry))))
+            Err(message!("the range {} has no two ends", quoted(entry)))
         }
         _ => Ok((Column::Name(entry.to_string()), None)),
     }
@@ -104,18 +105,8 @@ impl Columns {
     }
 
     /// The chosen columns, counted from 0, of a table with `count` columns.
-    pub(super) fn indices(&self, count: u64, header: Option<&[&str]>) -> Result<Vec<u64>> {
-        let index = |column: &Column| match (column, header) {
-            (Column::Number(number), _) if *number <= count => Ok(number - 1),
-            (Column::Number(number), _) => {
-                Err(refused(message!("there is no column {number}; the file has {count} columns")))
-            }
-            (Column::Name(name), Some(header)) => index_of(name, header),
-            (Column::Name(name), None) => Err(refused(message!(
-                "{} is a name, and only CSV files with a header have names; choose by number",
-                quoted(name)
-            ))),
-        };
+    pub(super) fn indices(&self, count: u64, names: Option<&[&str]>) -> Result<Vec<u64>> {
+        let index = |column: &Column| column.index(count, names).map_err(refused);
         let indices = self.chosen.iter().map(index).collect::<Result<Vec<u64>>>()?;
         for (position, index) in indices.iter().enumerate() {
             if indices[..position].contains(index) {
@@ -126,79 +117,98 @@ impl Columns {
     }
 }
 
-fn index_of(name: &str, header: &[&str]) -> Result<u64> {
-    let mut found = header.iter().enumerate().filter(|(_, other)| other.eq_ignore_ascii_case(name));
+impl Column {
+    /// The column, counted from 0, of a table with `count` columns; or the rule that it breaks.
+    pub fn index(&self, count: u64, names: Option<&[&str]>) -> OrRule<u64> {
+        match (self, names) {
+            (Self::Number(number), _) if *number <= count => Ok(number - 1),
+            (Self::Number(number), _) => {
+                Err(message!("there is no column {number}; the file has {count} columns"))
+            }
+            (Self::Name(name), Some(names)) => index_of(name, names),
+            (Self::Name(name), None) => Err(message!(
+                "{} is a name, and the file has none for its columns; choose by number",
+                quoted(name)
+            )),
+        }
+    }
+}
+
+fn index_of(name: &str, names: &[&str]) -> OrRule<u64> {
+    let mut found = names.iter().enumerate().filter(|(_, other)| other.eq_ignore_ascii_case(name));
     match (found.next(), found.next()) {
         (Some((index, _)), None) => Ok(index as u64),
         (Some(_), Some(_)) => {
-            let message = message!("two columns are called {}; choose by number", quoted(name));
-            Err(refused(message))
+            Err(message!("two columns are called {}; choose by number", quoted(name)))
         }
-        (None, _) => Err(refused(message!(
-            "no column is called {}; the header is {}",
-            quoted(name),
-            quoted(&header.join(","))
-        ))),
+        (None, _) => {
+            Err(message!("no column is called {}; there are {}", quoted(name), listed(names)))
+        }
     }
 }
 
-/// Where the coordinates stand in the lines of a text.
-pub(super) struct Layout {
-    /// Columns of every line.
-    all: usize,
-    coordinates: Vec<u64>,
+/// Names as a message shows them.
+fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 200;
+    let mut text = String::new();
+    for (index, name) in names.iter().enumerate() {
+        if text.len() > SHOWN {
+            return message!("{text} and {} more", names.len() - index);
+        }
+        text += if index == 0 { "" } else { ", " };
+        text += &quoted(name);
+    }
+    text
 }
 
-impl Layout {
-    /// `coordinates` are columns counted from 0, in the order of the coordinates.
-    pub fn new(line: &Line<'_>, all: usize, coordinates: Vec<u64>) -> Result<Self> {
-        // Too few are refused with the first point, after its numbers.
-        if coordinates.len() > MAX_DIM {
-            line.check_dimension(coordinates.len() as u64)?;
+/// The columns that are coordinates by their names: `x`, `y` and, where it is there, `z`; otherwise
+/// `x0`, `x1` and so on, or `points_0`, `points_1` and so on. None if the names say nothing; or the
+/// name that two columns have.
+pub(super) fn named_coordinates(names: &[&str]) -> OrRule<Option<Vec<u64>>> {
+    let letters = ["x", "y", "z"].map(str::to_string);
+    let numbered = |prefix| (0..=names.len()).map(move |axis| format!("{prefix}{axis}"));
+    for sought in [
+        leading(letters.into_iter(), names),
+        leading(numbered("x"), names),
+        leading(numbered("points_"), names),
+    ] {
+        if sought.len() < MIN_DIM {
+            continue;
         }
-        Ok(Self { all, coordinates })
-    }
-
-    /// Adds the point of a line with these fields.
-    pub fn add<'f>(
-        &self,
-        points: &mut Points,
-        line: &Line<'_>,
-        fields: impl Iterator<Item = &'f str>,
-    ) -> Result<()> {
-        let mut coordinates = [""; MAX_DIM];
-        let mut count = 0;
-        for field in fields {
-            let axis = self.coordinates.iter().position(|column| *column == count as u64);
-            if let Some(axis) = axis {
-                coordinates[axis] = field;
+        for &column in &sought {
+            let name = names[column as usize];
+            if names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1 {
+                return Err(message!("two columns are called {}", quoted(name)));
             }
-            count += 1;
         }
-        if count != self.all {
-            return Err(line.error(format!("{count} columns; the first line has {}", self.all)));
-        }
-        let columns = self.coordinates.iter().map(|column| *column as usize);
-        points.add(line, columns.zip(coordinates))
+        return Ok(Some(sought));
     }
+    Ok(None)
 }
 
-/// Points whose coordinates stood column by column, in the order of the file's columns, in the
-/// order of `columns`.
-pub(super) fn transposed(cloud: PointCloud, columns: &[u64]) -> Result<PointCloud> {
-    let points = cloud.coordinates.len() / cloud.dim;
+/// The columns of `sought` up to the first name that is not there.
+fn leading(sought: impl Iterator<Item = String>, names: &[&str]) -> Vec<u64> {
+    let column = |name: String| names.iter().position(|other| other.eq_ignore_ascii_case(&name));
+    // One more than there may be, so that the dimension is refused.
+    sought.map_while(column).take(MAX_DIM + 1).map(|column| column as u64).collect()
+}
+
+/// Coordinates that stood column by column, in the order of the file's columns, in the order of
+/// `columns`.
+pub(super) fn transposed(coordinates: &[f64], columns: &[u64]) -> Result<Vec<f64>> {
+    let points = coordinates.len() / columns.len();
     let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();
     let ranks: Vec<usize> = columns.iter().map(rank).collect();
-    let mut coordinates = crate::memory::with_capacity(cloud.coordinates.len())?;
+    let mut by_point = crate::memory::with_capacity(coordinates.len())?;
     for point in 0..points {
-        coordinates.extend(ranks.iter().map(|rank| cloud.coordinates[rank * points + point]));
+        by_point.extend(ranks.iter().map(|rank| coordinates[rank * points + point]));
     }
-    Ok(PointCloud { coordinates, ..cloud })
+    Ok(by_point)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read_columns};
+    use super::super::{Choice, Format, PointCloud, read_table};
     use super::*;
 
     fn numbers(text: &str) -> Vec<u64> {
@@ -236,8 +246,8 @@ mod tests {
     }
 
     fn read(text: &str, format: Format, columns: &str) -> Result<PointCloud> {
-        let columns = columns.parse()?;
-        read_columns(&mut text.as_bytes(), format, &columns)
+        let choice = Choice { coordinates: columns.parse()?, ..Choice::default() };
+        Ok(read_table(&mut text.as_bytes(), format, &choice)?.points)
     }
 
     #[test]
@@ -258,9 +268,9 @@ mod tests {
     fn columns_that_are_not_there_are_named() {
         for (text, format, columns, rule) in [
             ("1 2\n3 4\n", Format::Xyz, "1-3", "there is no column 3; the file has 2 columns"),
-            ("1 2\n3 4\n", Format::Xyz, "x,y", "only CSV files with a header have names"),
-            ("1,2\n3,4\n", Format::Csv, "x,y", "only CSV files with a header have names"),
-            ("x,h\n3,4\n", Format::Csv, "x,y", "no column is called \"y\"; the header is \"x,h\""),
+            ("1 2\n3 4\n", Format::Xyz, "x,y", "the file has none for its columns"),
+            ("1,2\n3,4\n", Format::Csv, "x,y", "the file has none for its columns"),
+            ("x,h\n3,4\n", Format::Csv, "x,y", "no column is called \"y\"; there are \"x\", \"h\""),
             ("x,y,Y\n3,4,5\n", Format::Csv, "x,y", "two columns are called \"y\""),
             ("x,y\n3,4\n", Format::Csv, "x,1", "column 1 is chosen twice"),
             ("OFF\n", Format::Off, "1-2", "OFF files say themselves"),

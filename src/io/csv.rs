@@ -1,34 +1,34 @@
 //! CSV: one point per line, fields between commas, at most one header line, whose names say which
 //! columns are the coordinates.
 
-use super::PointCloud;
 use super::attributes::Scalar;
-use super::columns::{Columns, Layout};
-use super::text::{Line, Lines, Points, quoted, write_number, write_point};
+use super::choice::others;
+use super::layout::Layout;
+use super::text::{Line, Lines, write_number, write_point};
 use super::xyz::for_each_vertex;
-use crate::error::Result;
+use super::{Choice, Table};
+use crate::error::{ErrorKind, Result};
 use crate::memory::collected;
-use crate::mesh::{Attribute, MAX_DIM, Mesh};
+use crate::mesh::{Attribute, Mesh};
 use std::io::{self, Write};
 
 /// The header of the column that [`write`] adds to the coordinates.
 const KIND: &str = "kind";
 
-pub(super) fn read(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
-    let mut points = Points::default();
+pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
     let mut layout: Option<Layout> = None;
     while let Some(line) = lines.next()? {
-        if let Some(layout) = layout.as_ref() {
-            layout.add(&mut points, &line, fields(&line))?;
+        if let Some(layout) = layout.as_mut() {
+            layout.add(&line, fields(&line))?;
             continue;
         }
         let header = header_of(&line)?;
-        let layout = layout.insert(layout_of(&line, header.as_deref(), columns)?);
+        let layout = layout.insert(layout_of(&line, header.as_deref(), choice)?);
         if header.is_none() {
-            layout.add(&mut points, &line, fields(&line))?;
+            layout.add(&line, fields(&line))?;
         }
     }
-    points.finish()
+    Layout::finish(layout)
 }
 
 /// The names in the first line; none if it is a point. A header holds no number at all: a line with
@@ -46,45 +46,19 @@ fn header_of<'a>(line: &Line<'a>) -> Result<Option<Vec<&'a str>>> {
     Ok(Some(collected(names)?))
 }
 
-fn layout_of(line: &Line<'_>, header: Option<&[&str]>, columns: &Columns) -> Result<Layout> {
+fn layout_of(line: &Line<'_>, names: Option<&[&str]>, choice: &Choice) -> Result<Layout> {
     let all = fields(line).count();
-    let coordinates = match header {
-        _ if columns.are_chosen() => columns.indices(all as u64, header)?,
-        Some(names) => named_coordinates(line, names)?,
-        // One more than there may be, so that the dimension is refused.
-        None => (0..all.min(MAX_DIM + 1) as u64).collect(),
+    // All, without a last one called `kind`.
+    let otherwise = |listed: &[u64]| {
+        let with_kind = names.is_some_and(|names| names.last() == Some(&KIND));
+        Ok(others((all - usize::from(with_kind)) as u64, listed))
     };
-    Layout::new(line, all, coordinates)
-}
-
-/// The columns `x`, `y` and, where it is there, `z`; otherwise `x0`, `x1` and so on; otherwise all,
-/// without a last one called `kind`.
-fn named_coordinates(line: &Line<'_>, names: &[&str]) -> Result<Vec<u64>> {
-    let letters = ["x", "y", "z"].map(str::to_string);
-    let numbered = (0..=names.len()).map(|axis| format!("x{axis}"));
-    for sought in [leading(letters.into_iter(), names), leading(numbered, names)] {
-        if sought.len() < 2 {
-            continue;
-        }
-        for &column in &sought {
-            let name = names[column as usize];
-            if names.iter().filter(|other| other.eq_ignore_ascii_case(name)).count() > 1 {
-                let message = format!("two columns are called {}", quoted(name));
-                return Err(line.error(message));
-            }
-        }
-        return Ok(sought);
-    }
-    let with_kind = names.last() == Some(&KIND);
-    let coordinates = names.len() - usize::from(with_kind);
-    Ok((0..coordinates.min(MAX_DIM + 1) as u64).collect())
-}
-
-/// The columns of `sought` up to the first name that is not there.
-fn leading(sought: impl Iterator<Item = String>, names: &[&str]) -> Vec<u64> {
-    let column = |name: String| names.iter().position(|other| other.eq_ignore_ascii_case(&name));
-    // One more than there may be, so that the dimension is refused.
-    sought.map_while(column).take(MAX_DIM + 1).map(|column| column as u64).collect()
+    let found = choice.of_table(all as u64, names, otherwise);
+    let (coordinates, values) = found.map_err(|error| match error.kind() {
+        ErrorKind::Format => line.error(error.message()),
+        _ => error,
+    })?;
+    Layout::new(line, all, coordinates, values)
 }
 
 fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
@@ -117,7 +91,7 @@ pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
+    use super::super::{Format, PointCloud, read, samples, write};
     use super::*;
 
     #[test]

@@ -22,9 +22,9 @@ pub enum Format {
     Vtu = 1,
     /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
     ///
-    /// Written with ids from 0, no attributes and [`crate::VertexKind`] as the boundary marker.
-    /// Read: ids from 0 or 1; attributes and markers are checked and dropped. Where the path ends
-    /// with `.ele` the points are in its `.node` sibling.
+    /// Written with ids from 0 and [`crate::VertexKind`] as the boundary marker. Read: ids from 0
+    /// or 1; attributes and markers are checked, and dropped where they are not asked for. Where
+    /// the path ends with `.ele` the points are in its `.node` sibling.
     TetgenNode = 2,
     /// Gmsh's `.msh`, version 4.1 as text: triangles (z = 0) or tetrahedra in one entity and one
     /// physical group, `kind` as node data and `domain` (VTU's `cell_domain`, 0 without domains) as
@@ -49,8 +49,8 @@ pub enum Format {
     /// boundary, as the format has no tetrahedra. Dimensions 2 and 3.
     ///
     /// Read: `x`, `y` and, where it is there, `z` of the element `vertex` (so a planar mesh reads
-    /// back as points of dimension 3), from text and binary of either byte order; all else is
-    /// checked as far as its size goes and dropped.
+    /// back as points of dimension 3), from text and binary of either byte order; all else that is
+    /// not asked for is checked as far as its size goes and dropped.
     Ply = 6,
     /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
     /// decimal comma would read so). The first point's number of columns is the dimension.
@@ -61,8 +61,11 @@ pub enum Format {
     /// last one called `kind`. Other columns may hold anything. Quotes have no meaning but around a
     /// name.
     Csv = 8,
-    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order.
-    /// Read: versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order.
+    /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order;
+    /// with attributes as a structured array of the fields `points`, `kind` and the attributes.
+    /// Read: versions 1.0 to 3.0, doubles and floats of either byte order, C and Fortran order;
+    /// structured arrays too, whose fields name the coordinates as the header of [`Format::Csv`]
+    /// does, or are called `points`.
     Npy = 9,
     /// The Voronoi diagram of the vertices, dual to the mesh, as JSON (`.voronoi.json`). Any
     /// dimension; cannot be read. `docs/formats.md` has the fields.
@@ -116,6 +119,19 @@ impl Format {
             Self::Npy => "NumPy",
             Self::VoronoiJson => "the Voronoi diagram",
             Self::DomainsJson => "the hierarchy of domains",
+        }
+    }
+
+    /// Whether files of it can hold attributes of points.
+    pub fn holds_attributes(self) -> bool {
+        match self {
+            Self::Vtu | Self::TetgenNode | Self::Gmsh | Self::Ply | Self::Csv | Self::Npy => true,
+            Self::Auto
+            | Self::Medit
+            | Self::Off
+            | Self::Xyz
+            | Self::VoronoiJson
+            | Self::DomainsJson => false,
         }
     }
 

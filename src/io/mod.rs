@@ -14,6 +14,9 @@
 //! | [`Format::VoronoiJson`] | `.voronoi.json` | | Voronoi diagram |
 //! | [`Format::DomainsJson`] | `.domains.json` | | domains and cages |
 //!
+//! [`read_table`] reads columns of a file as attributes of its points, [`write_with`] writes
+//! attributes to the formats that hold them ([`Format::holds_attributes`]).
+//!
 //! **Text that is read** is UTF-8 (a byte order mark is skipped), with lines of at most 1 MiB that
 //! end with LF or CR LF. From `#` to the end of a line is a comment; blank lines are skipped.
 //! Numbers are decimal (`-1.5e-7`), correctly rounded to the nearest double: one too large for a
@@ -26,6 +29,7 @@
 mod attributes;
 mod binary;
 mod buffered;
+mod choice;
 mod columns;
 mod csv;
 mod domains;
@@ -35,6 +39,7 @@ mod gmsh;
 #[cfg(test)]
 mod independent;
 mod json;
+mod layout;
 mod measures;
 mod medit;
 mod npy;
@@ -45,14 +50,17 @@ mod replace;
 pub(crate) mod samples;
 mod tetgen;
 mod text;
+mod values;
 mod voronoi;
 mod vtu;
 mod xyz;
 
 pub(crate) use buffered::Buffered;
+pub use choice::{AttributeColumns, Choice};
 pub use columns::Columns;
 pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
+pub use values::Table;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocError;
@@ -81,26 +89,23 @@ pub struct PointCloud {
 /// - `Dimension`: points of a dimension outside 2 to 8;
 /// - `OutOfMemory`.
 pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
-    read_points_of_columns(path, format, &Columns::default())
+    Ok(read_table_file(path, format, &Choice::default())?.points)
 }
 
-/// As [`read_points`], with the columns that are the coordinates: files often have more.
+/// As [`read_points`], with the columns that are the coordinates, as files often have more, and
+/// with those that become attributes of the points.
 ///
 /// # Errors
-/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file without a
-/// header, a format other than `Xyz`, `Csv` and `Npy`.
-pub fn read_points_of_columns(
-    path: &Path,
-    format: Format,
-    columns: &Columns,
-) -> Result<PointCloud> {
+/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file that has none,
+/// a format without columns to choose, a name that no attribute can have.
+pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<Table> {
     let format = format.resolve_input(path)?;
     let path = input_path(path, format)?;
     let in_file = |error: Error| {
         Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
     };
     let file = File::open(&path).map_err(|error| in_file(io_error("cannot open", &error)))?;
-    read_columns(&mut BufReader::with_capacity(1 << 16, file), format, columns).map_err(in_file)
+    read_table(&mut BufReader::with_capacity(1 << 16, file), format, choice).map_err(in_file)
 }
 
 /// The file that [`read_points`] opens: of TetGen's pair the `.node` part.
@@ -141,33 +146,33 @@ pub fn unfinished_files(path: &Path) -> Vec<PathBuf> {
 /// # Errors
 /// As [`read_points`]; [`Format::Auto`] is refused, as there is no extension.
 pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
-    read_columns(input, format, &Columns::default())
+    Ok(read_table(input, format, &Choice::default())?.points)
 }
 
-/// Reads points from some columns of a stream.
+/// Reads points and attributes from a stream.
 ///
 /// # Errors
-/// As [`read_points_of_columns`]; [`Format::Auto`] is refused, as there is no extension.
-pub fn read_columns(
-    input: &mut dyn BufRead,
-    format: Format,
-    columns: &Columns,
-) -> Result<PointCloud> {
+/// As [`read_table_file`]; [`Format::Auto`] is refused, as there is no extension.
+pub fn read_table(input: &mut dyn BufRead, format: Format, choice: &Choice) -> Result<Table> {
     format.check_readable()?;
     if !matches!(format, Format::Auto | Format::Xyz | Format::Csv | Format::Npy) {
-        columns.require_none(format.name())?;
+        choice.coordinates.require_none(format.name())?;
     }
-    match format {
-        Format::Xyz => xyz::read(text::Lines::new(input), columns),
-        Format::Csv => csv::read(text::Lines::new(input), columns),
-        Format::Npy => npy::read(input, columns),
-        Format::Ply => ply::read(input),
-        Format::TetgenNode => tetgen::read(text::Lines::new(input)),
-        Format::Gmsh => gmsh::read(text::Lines::new(input)),
-        Format::Medit => medit::read(text::Lines::new(input)),
-        Format::Off => off::read(text::Lines::new(input)),
-        _ => Err(auto_without_path()),
+    if matches!(format, Format::Gmsh | Format::Medit | Format::Off) {
+        choice.attributes.require_none(format.name())?;
     }
+    let points = match format {
+        Format::Xyz => return xyz::read(text::Lines::new(input), choice),
+        Format::Csv => return csv::read(text::Lines::new(input), choice),
+        Format::Npy => return npy::read(input, choice),
+        Format::Ply => return ply::read(input, &choice.attributes),
+        Format::TetgenNode => return tetgen::read(text::Lines::new(input), &choice.attributes),
+        Format::Gmsh => gmsh::read(text::Lines::new(input))?,
+        Format::Medit => medit::read(text::Lines::new(input))?,
+        Format::Off => off::read(text::Lines::new(input))?,
+        _ => return Err(auto_without_path()),
+    };
+    Ok(Table { points, attributes: Vec::new() })
 }
 
 /// Writes `mesh` to `path`, all or nothing: to a new file beside it that is flushed, synchronised
@@ -188,8 +193,8 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
 }
 
 /// As [`write_file`], with attributes at the vertices
-/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)), which `Vtu`, `Gmsh`,
-/// `Ply` and `Csv` hold; the others do without.
+/// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)); formats that hold none
+/// ([`Format::holds_attributes`]) do without.
 ///
 /// # Errors
 /// As [`write_file`]; `InvalidArgument` if the attributes are not those of the vertices.
@@ -205,10 +210,10 @@ pub fn write_file_with(
         return content.write(&mut stream);
     }
     match content {
-        Content::Tetgen(triangulation) => {
+        Content::Tetgen(triangulation, attributes) => {
             let (node, ele) = tetgen::paths(path);
             replace::replace(&[
-                (&node, &|out| tetgen::write_node(triangulation, out)),
+                (&node, &|out| tetgen::write_node(triangulation, attributes, out)),
                 (&ele, &|out| tetgen::write_ele(triangulation, out)),
             ])
         }
@@ -248,14 +253,14 @@ pub fn write_with(
 /// What goes into a file: everything that can be refused has been.
 enum Content<'a> {
     Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
-    Tetgen(&'a Triangulation),
+    Tetgen(&'a Triangulation, &'a [Attribute]),
     Gmsh(&'a Triangulation, &'a [Attribute]),
     Medit(&'a Triangulation),
     Off(&'a Triangulation),
     Ply(&'a Triangulation, &'a [Attribute]),
     Xyz(&'a Mesh),
     Csv(&'a Mesh, &'a [Attribute]),
-    Npy(&'a Mesh),
+    Npy(&'a Mesh, &'a [Attribute]),
     Voronoi(&'a Mesh, &'a Triangulation),
     Domains(&'a Triangulation),
 }
@@ -287,14 +292,14 @@ impl<'a> Content<'a> {
         match format {
             Format::Auto => Err(auto_without_path()),
             Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, attributes)),
-            Format::TetgenNode => triangulation().map(Self::Tetgen),
+            Format::TetgenNode => Ok(Self::Tetgen(triangulation()?, attributes)),
             Format::Gmsh => Ok(Self::Gmsh(triangulation()?, attributes)),
             Format::Medit => triangulation().map(Self::Medit),
             Format::Off => triangulation().map(Self::Off),
             Format::Ply => Ok(Self::Ply(triangulation()?, attributes)),
             Format::Xyz => Ok(Self::Xyz(mesh)),
             Format::Csv => Ok(Self::Csv(mesh, attributes)),
-            Format::Npy => Ok(Self::Npy(mesh)),
+            Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
         }
@@ -312,8 +317,8 @@ impl<'a> Content<'a> {
             Self::Vtu(mesh, triangulation, attributes) => {
                 vtu::write(mesh.inputs(), triangulation, attributes, out)
             }
-            Self::Tetgen(triangulation) => {
-                tetgen::write_node(triangulation, out)?;
+            Self::Tetgen(triangulation, attributes) => {
+                tetgen::write_node(triangulation, attributes, out)?;
                 tetgen::write_ele(triangulation, out)
             }
             Self::Gmsh(triangulation, attributes) => gmsh::write(triangulation, attributes, out),
@@ -322,7 +327,7 @@ impl<'a> Content<'a> {
             Self::Ply(triangulation, attributes) => ply::write(triangulation, attributes, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),
             Self::Csv(mesh, attributes) => csv::write(mesh, attributes, out),
-            Self::Npy(mesh) => npy::write(mesh, out),
+            Self::Npy(mesh, attributes) => npy::write(mesh, attributes, out),
             Self::Voronoi(mesh, triangulation) => voronoi::write(mesh.inputs(), triangulation, out),
             Self::Domains(triangulation) => domains::write(triangulation, out),
         }

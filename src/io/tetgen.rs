@@ -1,9 +1,12 @@
 //! TetGen's `.node` and `.ele` (Triangle's in the plane), continued to any dimension.
 
-use super::PointCloud;
-use super::text::{Line, Lines, Points, write_point};
+use super::Table;
+use super::choice::{AttributeColumns, MAX_ATTRIBUTES};
+use super::text::{Line, Lines, Points, write_number, write_point};
+use super::values::Values;
 use crate::error::Result;
-use crate::mesh::Triangulation;
+use crate::memory::collected;
+use crate::mesh::{Attribute, Triangulation};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -25,13 +28,15 @@ pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
     (path.to_path_buf(), PathBuf::from(ele))
 }
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
-    let header = Header::read(&lines.require(|| "a .node file begins with its counts".into())?)?;
+pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Result<Table> {
+    let first = lines.require(|| "a .node file begins with its counts".into())?;
+    let header = Header::read(&first)?;
+    let mut values = header.values(&first, attributes)?;
     let mut points = Points::of_dimension(header.dim);
     let mut first_id = 0;
     for index in 0..header.points {
         let line = lines.require(|| format!("{index} of {} points", header.points))?;
-        let id = header.read_point(&line, &mut points)?;
+        let id = header.read_point(&line, &mut points, &mut values)?;
         if index == 0 && id <= 1 {
             first_id = id;
         }
@@ -44,13 +49,15 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
         }
     }
     lines.require_end(&format!("the {} points of the header", header.points))?;
-    points.finish()
+    Ok(Table { points: points.finish()?, attributes: values.finish() })
 }
 
 /// The first line of a `.node` file: `points dim attributes markers`, the last two optional.
 struct Header {
     points: u64,
     dim: usize,
+    attributes: u64,
+    markers: u64,
     /// Columns of a point's line: id, coordinates, attributes, marker.
     columns: u64,
 }
@@ -75,11 +82,28 @@ impl Header {
             return Err(line.error(format!("{markers} markers per point; there is one or none")));
         }
         let columns = attributes.saturating_add(1 + dim as u64 + markers);
-        Ok(Self { points, dim, columns })
+        Ok(Self { points, dim, attributes, markers, columns })
+    }
+
+    /// Those of the attributes and the marker that are wanted. The file has no names for them.
+    fn values(&self, line: &Line<'_>, wanted: &AttributeColumns) -> Result<Values> {
+        if !wanted.are_chosen() {
+            return Ok(Values::default());
+        }
+        if self.attributes > MAX_ATTRIBUTES as u64 {
+            let message =
+                format!("{} attributes; at most {MAX_ATTRIBUTES} are read", self.attributes);
+            return Err(line.error(message));
+        }
+        let numbered = (1..=self.attributes).map(|number| format!("attribute_{number}"));
+        let names: Vec<String> = collected(numbered)?;
+        let marker = (self.markers > 0).then_some("marker");
+        let names: Vec<&str> = collected(names.iter().map(String::as_str).chain(marker))?;
+        wanted.of(names.len() as u64, Some(&names), &[self.attributes])
     }
 
     /// Adds the line's point; returns its id.
-    fn read_point(&self, line: &Line<'_>, points: &mut Points) -> Result<u64> {
+    fn read_point(&self, line: &Line<'_>, points: &mut Points, values: &mut Values) -> Result<u64> {
         let columns = line.word_count() as u64;
         if columns != self.columns {
             let message = format!("{columns} columns where the header promises {}", self.columns);
@@ -90,20 +114,30 @@ impl Header {
             id = line.integer(column, field, "point id")?;
         }
         points.add(line, line.words().skip(1).take(self.dim))?;
-        for (column, field) in line.words().skip(1 + self.dim) {
-            line.skip_number(column, field)?;
+        for (place, field) in line.words().skip(1 + self.dim) {
+            line.skip_number(place, field)?;
+            values.add(line, place, (place - 1 - self.dim) as u64, field)?;
         }
         Ok(id)
     }
 }
 
-pub(super) fn write_node(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_node(
+    triangulation: &Triangulation,
+    attributes: &[Attribute],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let dim = triangulation.dim;
-    writeln!(out, "{} {dim} 0 1", triangulation.vertex_count())?;
+    let columns: usize = attributes.iter().map(|attribute| attribute.components).sum();
+    writeln!(out, "{} {dim} {columns} 1", triangulation.vertex_count())?;
     let points = triangulation.points.chunks_exact(dim);
     for (id, (point, kind)) in points.zip(&triangulation.kinds).enumerate() {
         write!(out, "{id} ")?;
         write_point(out, point, " ")?;
+        for &value in attributes.iter().flat_map(|attribute| attribute.of(id)) {
+            out.write_all(b" ")?;
+            write_number(out, value)?;
+        }
         writeln!(out, " {}", *kind as u8)?;
     }
     Ok(())
@@ -124,7 +158,7 @@ pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> i
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
+    use super::super::{Format, PointCloud, read, samples, write};
     use super::*;
 
     #[test]
@@ -146,7 +180,7 @@ mod tests {
             let mesh = samples::mesh(dim);
             let triangulation = mesh.triangulation().unwrap();
             let mut text = Vec::new();
-            write_node(triangulation, &mut text).unwrap();
+            write_node(triangulation, &[], &mut text).unwrap();
             let read = read(&mut text.as_slice(), Format::TetgenNode).unwrap();
             assert_eq!(read.dim, dim);
             samples::assert_same_bits(&read.coordinates, &triangulation.points);

@@ -243,6 +243,20 @@ impl<'a> Line<'a> {
         }
     }
 
+    /// The value of an attribute: any double, nan and infinity too. An empty field stands for nan.
+    pub fn value(&self, column: usize, field: &str, name: &str) -> Result<f64> {
+        let rule = match field.parse::<f64>() {
+            _ if field.is_empty() => return Ok(f64::NAN),
+            Ok(value) if value.is_infinite() && field.bytes().any(|b| b.is_ascii_digit()) => {
+                "is too large for a double"
+            }
+            Ok(value) => return Ok(value),
+            Err(_) => "is not a number",
+        };
+        let message = format!("{} {rule}; attribute {name} has numbers", quoted(field));
+        Err(self.field_error(ErrorKind::Format, column, message))
+    }
+
     pub fn not_a_number(&self, column: usize, field: &str) -> Error {
         let message = match field {
             "" => "the field is empty".to_string(),

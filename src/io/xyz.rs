@@ -1,38 +1,43 @@
 //! XYZ: one point per line, nothing else.
 
-use super::PointCloud;
-use super::columns::{Columns, Layout};
+use super::choice::others;
+use super::layout::Layout;
 use super::text::{Line, Lines, Points, write_point};
+use super::{Choice, Table};
 use crate::error::{ErrorKind, Result};
 use crate::mesh::Mesh;
 use std::io::{self, Write};
 
-pub(super) fn read(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
-    if columns.are_chosen() {
-        return read_chosen(lines, columns);
+pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
+    if *choice != Choice::default() {
+        return read_chosen(lines, choice);
     }
     let mut points = Points::default();
     while let Some(line) = lines.next()? {
         refuse_decimal_commas(&line)?;
         points.add(&line, fields(&line).enumerate())?;
     }
-    points.finish()
+    Ok(Table { points: points.finish()?, attributes: Vec::new() })
 }
 
-fn read_chosen(mut lines: Lines<'_>, columns: &Columns) -> Result<PointCloud> {
-    let mut points = Points::default();
+fn read_chosen(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
     let mut layout: Option<Layout> = None;
     while let Some(line) = lines.next()? {
         refuse_decimal_commas(&line)?;
-        if layout.is_none() {
-            let all = fields(&line).count();
-            layout = Some(Layout::new(&line, all, columns.indices(all as u64, None)?)?);
-        }
-        if let Some(layout) = &layout {
-            layout.add(&mut points, &line, fields(&line))?;
-        }
+        let layout = match layout.as_mut() {
+            Some(layout) => layout,
+            None => layout.insert(layout_of(&line, choice)?),
+        };
+        layout.add(&line, fields(&line))?;
     }
-    points.finish()
+    Layout::finish(layout)
+}
+
+fn layout_of(line: &Line<'_>, choice: &Choice) -> Result<Layout> {
+    let all = fields(line).count();
+    let otherwise = |listed: &[u64]| Ok(others(all as u64, listed));
+    let (coordinates, values) = choice.of_table(all as u64, None, otherwise)?;
+    Layout::new(line, all, coordinates, values)
 }
 
 /// The fields of a line: between commas (and blanks around them), or between blanks where there is
@@ -92,7 +97,7 @@ pub(super) fn for_each_vertex(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
+    use super::super::{Format, PointCloud, read, samples, write};
     use super::*;
 
     fn points(text: &str) -> PointCloud {

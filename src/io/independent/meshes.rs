@@ -5,9 +5,9 @@ use super::{as_read_by, bits, python_has};
 use crate::arrays::domains;
 use crate::mesh::{Mesh, NONE, Triangulation};
 
-const MESHIO: &str = include_str!("meshio_mesh.py");
-const VTK: &str = include_str!("vtk_mesh.py");
-const GMSH: &str = include_str!("gmsh_mesh.py");
+pub(super) const MESHIO: &str = include_str!("meshio_mesh.py");
+pub(super) const VTK: &str = include_str!("vtk_mesh.py");
+pub(super) const GMSH: &str = include_str!("gmsh_mesh.py");
 
 /// The points with three coordinates.
 fn in_space(mesh: &Triangulation) -> Vec<f64> {

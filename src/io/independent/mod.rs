@@ -1,12 +1,13 @@
 //! Readers that others wrote, on files that this crate wrote. They need `python3` on the search
 //! path, with `meshio`, `vtk`, `gmsh` and `numpy`; where one is missing its tests say so and pass.
 
+mod attributes;
 mod diagrams;
 mod meshes;
 mod points;
 
-use super::{Format, write_file};
-use crate::mesh::Mesh;
+use super::{Format, write_file_with};
+use crate::mesh::{Attribute, Mesh};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -41,9 +42,20 @@ impl Drop for Directory {
 /// What `script` finds in the file called `name` that `write_file` makes of `mesh`. Each test has
 /// names of its own.
 fn as_read_by(script: &str, mesh: &Mesh, name: &str, arguments: &[&str]) -> String {
+    read_with_attributes(script, mesh, &[], name, arguments)
+}
+
+/// The same of a file with attributes.
+fn read_with_attributes(
+    script: &str,
+    mesh: &Mesh,
+    attributes: &[Attribute],
+    name: &str,
+    arguments: &[&str],
+) -> String {
     let directory = Directory::new(name);
     let path = directory.0.join(name);
-    write_file(mesh, &path, Format::Auto).unwrap();
+    write_file_with(mesh, attributes, &path, Format::Auto).unwrap();
     run(script, &path, arguments)
 }
 

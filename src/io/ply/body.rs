@@ -2,30 +2,35 @@
 
 use super::super::binary::Binary;
 use super::super::text::{Line, Lines, Points, quoted};
+use super::Rows;
 use super::header::{Element, Header, Kind, Scalar};
 use crate::error::{ErrorKind, Result, message};
 use std::io::BufRead;
 
 /// A row per line.
-pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, points: &mut Points) -> Result<()> {
+pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, rows: &mut Rows) -> Result<()> {
     for element in &header.elements {
         for index in 0..element.count {
             let line = lines.require(|| lacks(element, index))?;
             let mut row = TextRow { line: &line, words: line.words() };
             let mut point = [0.0; 3];
-            for property in &element.properties {
+            for (property, column) in element.properties.iter().zip(0..) {
+                let (place, word) = row.next()?;
                 match (property.axis, property.kind) {
-                    (Some(axis), _) => point[axis] = row.coordinate()?,
-                    (None, Kind::Scalar(_)) => row.skip(1)?,
+                    (Some(axis), _) => point[axis] = line.coordinate(place, word)?,
+                    (None, Kind::Scalar(_)) => line.skip_number(place, word)?,
                     (None, Kind::List { .. }) => {
-                        let length = row.length()?;
+                        let length = line.integer(place, word, "length of a list")?;
                         row.skip(length)?;
                     }
+                }
+                if element.holds_points() {
+                    rows.values.add(&line, place, column, word)?;
                 }
             }
             row.require_end()?;
             if element.holds_points() {
-                add(points, &point[..header.dim])
+                add(&mut rows.points, &point[..header.dim])
                     .map_err(|error| line.error_of_kind(error.kind(), error.message()))?;
             }
         }
@@ -51,16 +56,6 @@ impl<'a, W: Iterator<Item = (usize, &'a str)>> TextRow<'a, W> {
         self.words.next().ok_or_else(|| self.line.error("the line ends before its last property"))
     }
 
-    fn coordinate(&mut self) -> Result<f64> {
-        let (column, word) = self.next()?;
-        self.line.coordinate(column, word)
-    }
-
-    fn length(&mut self) -> Result<u64> {
-        let (column, word) = self.next()?;
-        self.line.integer(column, word, "length of a list")
-    }
-
     fn skip(&mut self, count: u64) -> Result<()> {
         for _ in 0..count {
             let (column, word) = self.next()?;
@@ -84,25 +79,25 @@ pub(super) fn read_binary(
     header: &Header,
     input: &mut dyn BufRead,
     big_endian: bool,
-    points: &mut Points,
+    rows: &mut Rows,
 ) -> Result<()> {
-    let mut rows = BinaryRows { binary: Binary::new(input, " after the header"), big_endian };
+    let mut file = BinaryRows { binary: Binary::new(input, " after the header"), big_endian };
     for element in &header.elements {
         match element.row_size() {
             Some(size) if !element.holds_points() => {
                 // At most 1000 properties of 8 bytes: beyond 2^64 bytes is beyond every file.
                 let bytes = element.count.saturating_mul(size);
-                rows.binary
+                file.binary
                     .skip(bytes, || format!("not all elements {}", quoted(&element.name)))?;
             }
             _ => {
                 for index in 0..element.count {
-                    rows.read(element, index, header.dim, points)?;
+                    file.read(element, index, header.dim, rows)?;
                 }
             }
         }
     }
-    rows.binary.require_end("the elements of the header")
+    file.binary.require_end("the elements of the header")
 }
 
 struct BinaryRows<'a> {
@@ -111,31 +106,27 @@ struct BinaryRows<'a> {
 }
 
 impl BinaryRows<'_> {
-    fn read(
-        &mut self,
-        element: &Element,
-        index: u64,
-        dim: usize,
-        points: &mut Points,
-    ) -> Result<()> {
+    fn read(&mut self, element: &Element, index: u64, dim: usize, rows: &mut Rows) -> Result<()> {
         let lacks = || lacks(element, index);
         let mut point = [0.0; 3];
-        for property in &element.properties {
-            match (property.axis, property.kind) {
-                (Some(axis), Kind::Scalar(scalar)) => {
+        for (property, column) in element.properties.iter().zip(0..) {
+            let attribute = match element.holds_points() {
+                true => rows.values.of_column(column),
+                false => None,
+            };
+            match property.kind {
+                Kind::Scalar(scalar) if property.axis.is_some() || attribute.is_some() => {
                     let value = self.scalar(scalar, lacks)?;
-                    if !value.is_finite() {
-                        let message = message!(
-                            "vertex {index}, {}: {value}; every coordinate must be finite",
-                            property.name
-                        );
-                        let size = scalar.size() as u64;
-                        return Err(self.binary.error_at(size, ErrorKind::NonFinite, &message));
+                    if let Some(axis) = property.axis {
+                        self.require_finite(value, scalar, index, &property.name)?;
+                        point[axis] = value;
                     }
-                    point[axis] = value;
+                    if let Some(attribute) = attribute {
+                        rows.values.push(attribute, value)?;
+                    }
                 }
-                (_, Kind::Scalar(scalar)) => self.binary.skip(scalar.size() as u64, lacks)?,
-                (_, Kind::List { length, item }) => {
+                Kind::Scalar(scalar) => self.binary.skip(scalar.size() as u64, lacks)?,
+                Kind::List { length, item } => {
                     let count = self.scalar(length, lacks)?;
                     if count < 0.0 {
                         let message = message!("a list of {count} numbers");
@@ -146,7 +137,15 @@ impl BinaryRows<'_> {
                 }
             }
         }
-        if element.holds_points() { add(points, &point[..dim]) } else { Ok(()) }
+        if element.holds_points() { add(&mut rows.points, &point[..dim]) } else { Ok(()) }
+    }
+
+    fn require_finite(&self, value: f64, scalar: Scalar, index: u64, name: &str) -> Result<()> {
+        if value.is_finite() {
+            return Ok(());
+        }
+        let message = message!("vertex {index}, {name}: {value}; every coordinate must be finite");
+        Err(self.binary.error_at(scalar.size() as u64, ErrorKind::NonFinite, &message))
     }
 
     fn scalar(&mut self, scalar: Scalar, lacks: impl FnOnce() -> String) -> Result<f64> {

@@ -1,7 +1,9 @@
 //! What a `.ply` file says of itself.
 
+use super::super::choice::AttributeColumns;
 use super::super::text::{Line, Lines, quoted};
-use crate::error::Result;
+use super::super::values::Values;
+use crate::error::{Error, ErrorKind, Result, message};
 
 /// The most elements and properties that are read: a header is kept in memory.
 const MAX_DECLARATIONS: usize = 1000;
@@ -85,7 +87,7 @@ impl Header {
     }
 
     fn checked(encoding: Encoding, elements: Vec<Element>, lines: &Lines<'_>) -> Result<Self> {
-        let error = |why: &str| Err(lines.error(crate::error::ErrorKind::Format, why));
+        let error = |why: &str| Err(lines.error(ErrorKind::Format, why));
         // Rows of nothing take no bytes: there could be any number of them.
         if let Some(empty) = elements.iter().find(|element| element.properties.is_empty()) {
             return error(&format!("the element {} has no properties", quoted(&empty.name)));
@@ -99,6 +101,32 @@ impl Header {
         }
         let dim = if has(2) { 3 } else { 2 };
         Ok(Self { encoding, elements, dim })
+    }
+
+    /// Those properties of vertices that are wanted as attributes. Coordinates and lists are not
+    /// among all of them.
+    pub fn values(&self, wanted: &AttributeColumns) -> Result<Values> {
+        let vertices = self.elements.iter().find(|element| element.holds_points());
+        let properties = vertices.map_or(&[][..], |vertices| &vertices.properties);
+        let names: Vec<&str> = properties.iter().map(|property| property.name.as_str()).collect();
+        let columns = || properties.iter().zip(0u64..);
+        let is_list = |property: &Property| matches!(property.kind, Kind::List { .. });
+        let left_out: Vec<u64> = columns()
+            .filter(|(property, _)| property.axis.is_some() || is_list(property))
+            .map(|(_, column)| column)
+            .collect();
+        let values = wanted.of(names.len() as u64, Some(&names), &left_out)?;
+        let mut lists = columns().filter(|(property, _)| is_list(property));
+        match lists.find(|(_, column)| values.of_column(*column).is_some()) {
+            None => Ok(values),
+            Some((property, _)) => Err(Error::new(
+                ErrorKind::InvalidArgument,
+                message!(
+                    "attributes: the property {} is a list; an attribute has one number a point",
+                    quoted(&property.name)
+                ),
+            )),
+        }
     }
 }
 

@@ -3,26 +3,35 @@
 mod body;
 mod header;
 
-use super::PointCloud;
+use super::Table;
 use super::attributes::Scalar;
+use super::choice::AttributeColumns;
 use super::text::{Lines, Points};
+use super::values::Values;
 use crate::error::Result;
 use crate::mesh::{Attribute, NONE, Triangulation};
 use header::{Encoding, Header};
 use std::io::{self, BufRead, Write};
 
-pub(super) fn read(input: &mut dyn BufRead) -> Result<PointCloud> {
+pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Result<Table> {
     let mut lines = Lines::new(input);
     let header = Header::read(&mut lines)?;
-    let mut points = Points::of_dimension(header.dim);
+    let mut rows =
+        Rows { points: Points::of_dimension(header.dim), values: header.values(attributes)? };
     match header.encoding {
-        Encoding::Text => body::read_text(&header, &mut lines, &mut points)?,
+        Encoding::Text => body::read_text(&header, &mut lines, &mut rows)?,
         // `lines` has taken no byte beyond the header's last line.
         Encoding::Binary { big_endian } => {
-            body::read_binary(&header, input, big_endian, &mut points)?;
+            body::read_binary(&header, input, big_endian, &mut rows)?;
         }
     }
-    points.finish()
+    Ok(Table { points: rows.points.finish()?, attributes: rows.values.finish() })
+}
+
+/// What was read of the vertices.
+struct Rows {
+    points: Points,
+    values: Values,
 }
 
 pub(super) fn write(
@@ -95,8 +104,7 @@ fn write_face(vertices: &[u32], out: &mut dyn Write) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
-    use super::*;
+    use super::super::{Format, PointCloud, read, samples, write};
 
     const VERTICES: &str = "property float x\nproperty double y\n";
 

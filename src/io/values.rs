@@ -1,0 +1,71 @@
+//! The values of attributes while a file is read.
+
+use super::PointCloud;
+use super::text::Line;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::TryGrow;
+use crate::mesh::Attribute;
+
+/// What was read: points, and values of attributes at them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    pub points: PointCloud,
+    /// Of one component each, in the order of the choice.
+    pub attributes: Vec<Attribute>,
+}
+
+/// The values of the attributes read so far, for all of them from the same points.
+#[derive(Default)]
+pub(super) struct Values {
+    attributes: Vec<Attribute>,
+    /// Column, counted from 0, and attribute; ascending.
+    of_columns: Vec<(u64, usize)>,
+}
+
+impl Values {
+    /// Of columns with names.
+    pub fn new(columns: impl Iterator<Item = (u64, String)>) -> Result<Self> {
+        let mut values = Self::default();
+        for (column, name) in columns {
+            values.of_columns.try_push((column, values.attributes.len()))?;
+            let attribute =
+                Attribute { name, components: 1, values: Vec::new(), is_extended: true };
+            values.attributes.push(attribute);
+        }
+        values.of_columns.sort_unstable();
+        Ok(values)
+    }
+
+    /// The attribute that a column is.
+    pub fn of_column(&self, column: u64) -> Option<usize> {
+        let at = self.of_columns.binary_search_by_key(&column, |(column, _)| *column).ok()?;
+        Some(self.of_columns[at].1)
+    }
+
+    /// The columns that are attributes, ascending.
+    pub fn columns(&self) -> impl Iterator<Item = u64> + '_ {
+        self.of_columns.iter().map(|(column, _)| *column)
+    }
+
+    /// Adds the value of an attribute at the next point.
+    pub fn push(&mut self, attribute: usize, value: f64) -> Result<()> {
+        let values = &mut self.attributes[attribute].values;
+        values.try_push(value).map_err(|_| {
+            let message =
+                message!("no memory for more than {} values of an attribute", values.len());
+            Error::new(ErrorKind::OutOfMemory, message)
+        })
+    }
+
+    /// Adds the field at `place` (counted from 0) of a line, if `column` is an attribute.
+    pub fn add(&mut self, line: &Line<'_>, place: usize, column: u64, field: &str) -> Result<()> {
+        let Some(attribute) = self.of_column(column) else { return Ok(()) };
+        let value = line.value(place, field, &self.attributes[attribute].name)?;
+        self.push(attribute, value)
+            .map_err(|error| line.error_of_kind(error.kind(), error.message()))
+    }
+
+    pub fn finish(self) -> Vec<Attribute> {
+        self.attributes
+    }
+}

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from ._errors import InvalidArgumentError
+from ._netmesh import Core
 
 
 def point_rows(points: Any, name: str = "points") -> np.ndarray:
@@ -26,8 +27,19 @@ def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:
     return np.ascontiguousarray(array)
 
 
+def vertex_columns(values: Any, core: Core, name: str = "values") -> np.ndarray:
+    """As `value_columns`, of the vertices of a mesh."""
+    shape = np.shape(values)
+    if shape and shape[0] == len(core.input_vertices) != len(core.kinds):
+        things = "vertex; extend_values makes them of values at the inputs"
+    else:
+        things = "vertex"
+    return value_columns(values, len(core.kinds), things, name)
+
+
 def value_columns(values: Any, count: int, things: str, name: str = "values") -> np.ndarray:
     """Values as contiguous doubles of shape (count, components); a complex one is two."""
+    _refuse_masked(values, name)
     array = np.asarray(values)
     array = array.astype(np.complex128, copy=False) if array.dtype.kind == "c" else _doubles(array, name)
     if array.ndim == 0 or array.shape[0] != count:
@@ -45,7 +57,14 @@ def shaped_values(columns: np.ndarray, values: Any, places: tuple) -> np.ndarray
     return columns.reshape(places + values.shape[1:])
 
 
+def _refuse_masked(values: Any, name: str) -> None:
+    # What is under a mask is no number of the caller's.
+    if np.ma.is_masked(values):
+        raise InvalidArgumentError(f"{name} has masked elements; fill or drop them")
+
+
 def _doubles(values: Any, name: str) -> np.ndarray:
+    _refuse_masked(values, name)
     array = np.asarray(values)
     if array.dtype.kind not in "biuf":
         # Objects may be numbers all the same, but complex ones would lose a part.

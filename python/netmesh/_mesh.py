@@ -9,7 +9,7 @@ from typing import Any, Callable, Optional, Union
 import numpy as np
 
 from . import _views
-from ._arrays import point_rows, query_points, shaped_values, value_columns
+from ._arrays import point_rows, query_points, shaped_values, value_columns, vertex_columns
 from ._filtration import Filtration
 from ._netmesh import Core, Progress
 from ._part import Arrays, Part
@@ -337,8 +337,9 @@ class Mesh(Arrays):
             'auto' goes by the extension; or 'vtu', 'tetgen_node', 'gmsh', 'medit', 'off', 'ply',
             'xyz', 'csv', 'npy', 'voronoi_json', 'domains_json'.
         attributes : dict of str to array_like of float, shape (vertices, ...), optional
-            Values at the vertices by name, for 'vtu', 'gmsh', 'ply' and 'csv'; `extend_values` makes
-            them of values at the inputs. Names have 1 to 64 ASCII letters, digits, and ``_-.``.
+            Values at the vertices by name, for 'vtu', 'tetgen_node', 'gmsh', 'ply', 'csv' and 'npy',
+            where they make a structured array; `extend_values` makes them of values at the inputs.
+            Names have 1 to 64 ASCII letters, digits, and ``_-.``.
         """
         self._export(path, format, attributes)
 
@@ -434,7 +435,7 @@ class Mesh(Arrays):
         True
         """
         points = query_points(points, self.dim)
-        columns = value_columns(values, len(self.kinds), "vertex")
+        columns = vertex_columns(values, self._core)
         rows = points.reshape(-1, self.dim)
         found = self._core.interpolate(columns, rows, interpolation, outside, threads)
         return shaped_values(found, values, points.shape[:-1])

@@ -8,7 +8,7 @@ from typing import Optional, Union
 
 import numpy as np
 
-from ._arrays import value_columns
+from ._arrays import vertex_columns
 from ._netmesh import Core
 from ._results import CSR, Facets, VoronoiCells
 
@@ -23,9 +23,8 @@ class Arrays:
     def _export(
         self, path: Union[str, os.PathLike], format: str, attributes: Optional[dict]
     ) -> None:
-        count = len(self._core.kinds)
         columns = [
-            (name, value_columns(values, count, "vertex", f"attribute {name}"))
+            (name, vertex_columns(values, self._core, f"attribute {name}"))
             for name, values in (attributes or {}).items()
         ]
         self._core.export(path, format, self._selection, columns)

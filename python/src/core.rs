@@ -14,21 +14,39 @@ use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::path::PathBuf;
+use std::ops::Deref;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
 /// The result of a run. Nothing changes it.
 #[pyclass(frozen, module = "netmesh._netmesh")]
 pub struct Core {
-    pub mesh: Mesh,
-    pub prepared: Prepared,
+    /// Shared with what works on it still after a signal.
+    pub made: Arc<Made>,
     /// The Delaunay triangulation of the inputs, if they have one; made when it is needed first.
     pub delaunay: Mutex<Option<Arc<Option<Mesh>>>>,
 }
 
-impl Core {
+/// What of it knows nothing of Python.
+pub struct Made {
+    pub mesh: Mesh,
+    pub prepared: Prepared,
+    /// Whether `prepared` has made its index.
+    pub has_index: AtomicBool,
+}
+
+impl Made {
     pub fn triangulation(&self) -> &Triangulation {
         self.mesh.triangulation().expect("a run made it")
+    }
+}
+
+impl Deref for Core {
+    type Target = Made;
+
+    fn deref(&self) -> &Made {
+        &self.made
     }
 }
 
@@ -50,6 +68,11 @@ impl Core {
             );
             return Err(raised(py, ErrorKind::Dimension, message));
         }
+        if n >= netmesh::NONE as usize {
+            let most = netmesh::NONE - 1;
+            let message = format!("points has shape ({n}, {dim}); at most {most} points have ids");
+            return Err(raised(py, ErrorKind::Capacity, message));
+        }
         let Some((coordinates, stride)) = strided(&points) else {
             return Err(invalid(py, "points must stand one after the other in memory".into()));
         };
@@ -60,10 +83,10 @@ impl Core {
             detached(py, || mesh.run(&options, Some(&mut |progress| reporter.report(progress))));
         match reporter.exception {
             Some(exception) => Err(exception),
-            None => done.map(|()| Self {
-                mesh,
-                prepared: Prepared::default(),
-                delaunay: Mutex::default(),
+            None => done.map(|()| {
+                let has_index = AtomicBool::new(false);
+                let made = Made { mesh, prepared: Prepared::default(), has_index };
+                Self { made: Arc::new(made), delaunay: Mutex::default() }
             }),
         }
     }
@@ -167,6 +190,9 @@ impl Core {
             ("domains_json", Format::DomainsJson),
         ];
         let format = crate::options::choice("format", format, &formats)?;
+        if !attributes.is_empty() {
+            require_attributes(py, &path, format)?;
+        }
         let attributes = vertex_attributes(py, &attributes)?;
         let Some(selection) = selected(selection)? else {
             return detached(py, || write_file_with(&self.mesh, &attributes, &path, format));
@@ -179,6 +205,23 @@ impl Core {
     }
 }
 
+/// Refuses a format that would leave the attributes out.
+fn require_attributes(py: Python<'_>, path: &Path, format: Format) -> PyResult<()> {
+    let format = match format {
+        Format::Auto => Format::from_path(path).map_err(|error| exception(py, &error))?,
+        named => named,
+    };
+    if format.holds_attributes() {
+        return Ok(());
+    }
+    let message = format!(
+        "{}: {} holds no attributes; VTU, TetGen, Gmsh, PLY, CSV and NumPy files do",
+        path.display(),
+        format.name()
+    );
+    Err(invalid(py, message))
+}
+
 /// Values at the vertices, under names that the library allows.
 fn vertex_attributes(
     py: Python<'_>,
@@ -187,10 +230,7 @@ fn vertex_attributes(
     let attribute = |(name, values): &(String, PyReadonlyArray2<'_, f64>)| {
         let components = values.as_array().dim().1;
         let values = values.as_slice()?.to_vec();
-        // Any mesh knows which names it takes.
-        let known = Mesh::new(2, 2, &[0.0, 0.0, 1.0, 0.0], 0)
-            .and_then(|mut mesh| mesh.set_attribute(name, 1, &[0.0; 2], false));
-        known.map_err(|error| exception(py, &error))?;
+        Attribute::check_name(name).map_err(|error| exception(py, &error))?;
         Ok(Attribute { name: name.clone(), components, values, is_extended: false })
     };
     given.iter().map(attribute).collect()

@@ -175,8 +175,8 @@ impl Core {
         let components = values.as_array().dim().1;
         let mesh = self.triangulation();
         let found = empty(py, (mesh.vertex_count(), components))?;
-        let mut room = found.readwrite();
-        let (out, values) = (room.as_slice_mut()?, values.as_slice()?);
+        let mut out = found.readwrite();
+        let (out, values) = (out.as_slice_mut()?, values.as_slice()?);
         let is_delaunay = mesh.parameters.algorithm == Algorithm::Delaunay;
         let other = if is_delaunay { None } else { Some(self.delaunay(py)?) };
         let delaunay = match &other {

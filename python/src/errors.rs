@@ -4,6 +4,9 @@ use netmesh::{Error, ErrorKind, Result};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
 
 /// The class in `netmesh._errors` for a kind of error.
 fn class(kind: ErrorKind) -> &'static str {
@@ -46,12 +49,43 @@ pub fn raised(py: Python<'_>, kind: ErrorKind, message: String) -> PyErr {
 /// Does work of the library that other threads of Python need not wait for. A panic, which is a
 /// defect of the library, becomes an exception too.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> PyResult<T> {
-    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
-    let done = done.unwrap_or_else(|panic| {
+    py.detach(|| caught(work)).map_err(|error| exception(py, &error))
+}
+
+/// How long a signal may wait.
+const PATIENCE: Duration = Duration::from_millis(30);
+
+/// As [`detached`], for work that the library cannot stop: a thread of its own does it, and goes on
+/// when a signal ends the wait for it.
+pub fn abandonable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T> + Send + 'static,
+) -> PyResult<T> {
+    let (sender, mut receiver) = mpsc::channel();
+    // Nobody may be left to receive it.
+    let worker = move || drop(sender.send(caught(work)));
+    if let Err(error) = thread::Builder::new().spawn(worker) {
+        return Err(raised(py, ErrorKind::OutOfMemory, format!("cannot start a thread: {error}")));
+    }
+    loop {
+        let received;
+        (received, receiver) = py.detach(move || (receiver.recv_timeout(PATIENCE), receiver));
+        match received {
+            Ok(done) => return done.map_err(|error| exception(py, &error)),
+            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
+            Err(RecvTimeoutError::Disconnected) => {
+                let message = "an internal check failed: a thread has no result";
+                return Err(raised(py, ErrorKind::Panic, message.into()));
+            }
+        }
+    }
+}
+
+fn caught<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<&str>().copied();
         let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));
         let message = format!("an internal check failed: {}", text.unwrap_or("no message"));
         Err(Error::new(ErrorKind::Panic, message))
-    });
-    done.map_err(|error| exception(py, &error))
+    })
 }

@@ -92,5 +92,6 @@ where
 }
 
 fn wrong_type(name: &str, value: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
-    PyTypeError::new_err(format!("{name} is of type {}; it must be {wanted}", value.get_type()))
+    let kind = value.get_type().name().map_or_else(|_| "unknown".into(), |name| name.to_string());
+    PyTypeError::new_err(format!("{name} is of type {kind}; it must be {wanted}"))
 }

@@ -2,7 +2,7 @@
 
 use crate::arrays::{empty, unsigned};
 use crate::core::Core;
-use crate::errors::{detached, invalid};
+use crate::errors::{abandonable, detached, exception, invalid};
 use crate::options::{choice, whole};
 use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values};
 use netmesh::{ErrorKind, Result, Stats, Triangulation, quality, validate};
@@ -10,6 +10,8 @@ use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// Points between two looks for signals.
 const PORTION: usize = 1 << 18;
@@ -27,6 +29,19 @@ impl Core {
         Ok(count)
     }
 
+    /// The index, which the first who needs it makes.
+    fn index(&self, py: Python<'_>) -> PyResult<&Index> {
+        if !self.has_index.load(Ordering::Acquire) {
+            let made = Arc::clone(&self.made);
+            abandonable(py, move || {
+                made.prepared.index(&made.mesh)?;
+                made.has_index.store(true, Ordering::Release);
+                Ok(())
+            })?;
+        }
+        self.prepared.index(&self.mesh).map_err(|error| exception(py, &error))
+    }
+
     /// Calls `ask` for portions of `count` points; a signal stops it.
     fn in_portions(
         &self,
@@ -34,7 +49,7 @@ impl Core {
         count: usize,
         mut ask: impl FnMut(&Triangulation, &Index, std::ops::Range<usize>) -> Result<()> + Send,
     ) -> PyResult<()> {
-        let index = detached(py, || self.prepared.index(&self.mesh))?;
+        let index = self.index(py)?;
         for start in (0..count).step_by(PORTION) {
             let range = start..count.min(start + PORTION);
             detached(py, || match ask(self.triangulation(), index, range) {
@@ -62,8 +77,8 @@ impl Core {
         let threads = whole("threads", threads, u32::MAX)?;
         let (count, dim) = (self.count(&points)?, self.triangulation().dim);
         let found = empty(py, [count])?;
-        let mut room = found.readwrite();
-        let (points, out) = (points.as_slice()?, unsigned(room.as_slice_mut()?));
+        let mut out = found.readwrite();
+        let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
         self.in_portions(py, count, |mesh, index, range| {
             let points = &points[range.start * dim..range.end * dim];
             index.locate(mesh, points, threads, &mut out[range])
@@ -84,8 +99,8 @@ impl Core {
         let threads = whole("threads", threads, u32::MAX)?;
         let (count, dim) = (self.count(&points)?, self.triangulation().dim);
         let (vertices, distances) = (empty(py, [count])?, empty(py, [count])?);
-        let (mut room, mut distance_room) = (vertices.readwrite(), distances.readwrite());
-        let (ids, lengths) = (unsigned(room.as_slice_mut()?), distance_room.as_slice_mut()?);
+        let (mut ids, mut lengths) = (vertices.readwrite(), distances.readwrite());
+        let (ids, lengths) = (unsigned(ids.as_slice_mut()?), lengths.as_slice_mut()?);
         let points = points.as_slice()?;
         self.in_portions(py, count, |mesh, index, range| {
             let points = &points[range.start * dim..range.end * dim];
@@ -125,8 +140,8 @@ impl Core {
         let (count, dim) = (self.count(&points)?, self.triangulation().dim);
         let components = values.as_array().dim().1;
         let found = empty(py, (count, components))?;
-        let mut room = found.readwrite();
-        let (points, out) = (points.as_slice()?, room.as_slice_mut()?);
+        let mut out = found.readwrite();
+        let (points, out) = (points.as_slice()?, out.as_slice_mut()?);
         let values = Values { components, values: values.as_slice()? };
         self.in_portions(py, count, |mesh, index, range| {
             let points = &points[range.start * dim..range.end * dim];
@@ -138,14 +153,16 @@ impl Core {
 
     /// Bytes that the index takes, which is made if there is none yet.
     fn index_bytes(&self, py: Python<'_>) -> PyResult<usize> {
-        detached(py, || Ok(self.prepared.index(&self.mesh)?.bytes()))
+        Ok(self.index(py)?.bytes())
     }
 
     /// Level, violations, checked, and of the first violation: its number, simplex, vertex,
     /// domain and message.
     fn validate(&self, py: Python<'_>, level: u32) -> PyResult<Report> {
-        let mesh = self.triangulation();
-        let report = detached(py, || validate::validate(self.mesh.inputs(), mesh, level))?;
+        let made = Arc::clone(&self.made);
+        let report = abandonable(py, move || {
+            validate::validate(made.mesh.inputs(), made.triangulation(), level)
+        })?;
         let id = |id| (id != netmesh::NONE).then_some(id);
         let first = report.first.map(|first| {
             let ids = (id(first.simplex), id(first.vertex), id(first.domain));
@@ -156,6 +173,7 @@ impl Core {
 
     /// The figures of the quality by name.
     fn quality<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let made = Arc::clone(&self.made);
         let quality::Quality {
             max_degree,
             worst_aspect,
@@ -165,7 +183,7 @@ impl Core {
             worst_radius_edge,
             min_angle_degrees,
             precision_limited,
-        } = detached(py, || quality::measure(self.triangulation()))?;
+        } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
         figures.set_item("worst_aspect", worst_aspect)?;

@@ -1,12 +1,13 @@
 //! Some of the simplices of a mesh.
 
 use crate::core::Core;
-use crate::errors::detached;
+use crate::errors::abandonable;
 use crate::options::{choice, whole};
 use netmesh::Result;
 use netmesh::arrays::{Extent, Part, Selection};
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use std::sync::Arc;
 
 /// The extent by name, whether simplices across its boundary belong to it, and the domain. None for
 /// all simplices.
@@ -27,14 +28,15 @@ pub fn selected(given: Given<'_>) -> PyResult<Option<Selection>> {
 
 impl Core {
     /// What `make` makes of some of the simplices.
-    pub fn of_part<T: Send>(
+    pub fn of_part<T: Send + 'static>(
         &self,
         py: Python<'_>,
         given: Given<'_>,
-        make: impl FnOnce(&Part<'_>) -> Result<T> + Send,
+        make: impl FnOnce(&Part<'_>) -> Result<T> + Send + 'static,
     ) -> PyResult<T> {
         let selection = selected(given)?.unwrap_or_default();
-        detached(py, || make(&self.prepared.part(&self.mesh, &selection)?))
+        let made = Arc::clone(&self.made);
+        abandonable(py, move || make(&made.prepared.part(&made.mesh, &selection)?))
     }
 }
 
@@ -47,7 +49,11 @@ impl Core {
         extent: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray1<u8>>> {
         let extent = choice("extent", extent, &EXTENTS[1..])?;
-        let placements = detached(py, || self.prepared.placements(&self.mesh, extent))?;
-        Ok(PyArray1::from_iter(py, placements.iter().map(|&placement| placement as u8)))
+        let made = Arc::clone(&self.made);
+        let placements = abandonable(py, move || {
+            let placements = made.prepared.placements(&made.mesh, extent)?;
+            Ok(placements.iter().map(|&placement| placement as u8).collect())
+        })?;
+        Ok(PyArray1::from_vec(py, placements))
     }
 }

@@ -3,13 +3,14 @@
 
 use crate::core::Core;
 use crate::derived::{Lists, ids, lists};
-use crate::errors::detached;
+use crate::errors::abandonable;
 use netmesh::arrays;
 use netmesh::numerics::{Sign, in_ball, orientation};
 use netmesh::{NONE, Triangulation};
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
+use std::sync::Arc;
 
 struct Diagram {
     /// Of each corner a simplex that has it.
@@ -27,22 +28,27 @@ type Arrays<'py> = (Bound<'py, PyArray1<i32>>, Bound<'py, PyArray2<i32>>, Lists<
 impl Core {
     /// Of each corner a simplex that has it; the ridges; the corners of ridges and of regions.
     fn merged_voronoi<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
-        let Diagram { simplices, ridges, ridge_corners, region_corners } = detached(py, || {
-            let mesh = self.triangulation();
-            let part = self.mesh.whole()?;
-            let (regions, ridges) = (part.regions()?, part.ridges()?);
-            let mut is_bounded = vec![true; mesh.vertex_count()];
-            part.hull()?.vertices.iter().for_each(|&vertex| is_bounded[vertex as usize] = false);
-            Ok(match mesh.dim {
-                2 => diagram::<2>(mesh, &ridges, &regions, &is_bounded),
-                3 => diagram::<3>(mesh, &ridges, &regions, &is_bounded),
-                4 => diagram::<4>(mesh, &ridges, &regions, &is_bounded),
-                5 => diagram::<5>(mesh, &ridges, &regions, &is_bounded),
-                6 => diagram::<6>(mesh, &ridges, &regions, &is_bounded),
-                7 => diagram::<7>(mesh, &ridges, &regions, &is_bounded),
-                _ => diagram::<8>(mesh, &ridges, &regions, &is_bounded),
-            })
-        })?;
+        let made = Arc::clone(&self.made);
+        let Diagram { simplices, ridges, ridge_corners, region_corners } =
+            abandonable(py, move || {
+                let mesh = made.triangulation();
+                let part = made.mesh.whole()?;
+                let (regions, ridges) = (part.regions()?, part.ridges()?);
+                let mut is_bounded = vec![true; mesh.vertex_count()];
+                part.hull()?
+                    .vertices
+                    .iter()
+                    .for_each(|&vertex| is_bounded[vertex as usize] = false);
+                Ok(match mesh.dim {
+                    2 => diagram::<2>(mesh, &ridges, &regions, &is_bounded),
+                    3 => diagram::<3>(mesh, &ridges, &regions, &is_bounded),
+                    4 => diagram::<4>(mesh, &ridges, &regions, &is_bounded),
+                    5 => diagram::<5>(mesh, &ridges, &regions, &is_bounded),
+                    6 => diagram::<6>(mesh, &ridges, &regions, &is_bounded),
+                    7 => diagram::<7>(mesh, &ridges, &regions, &is_bounded),
+                    _ => diagram::<8>(mesh, &ridges, &regions, &is_bounded),
+                })
+            })?;
         let ridges = ids(py, ridges, self.count_of_vertices())?;
         Ok((
             ids(py, simplices, self.count_of_simplices())?,

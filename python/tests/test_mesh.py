@@ -2,6 +2,7 @@
 
 import copy
 import gc
+import mmap
 import pickle
 import re
 import weakref
@@ -161,11 +162,11 @@ def test_numbers_of_options():
         for number in (-1, 2**64):
             with pytest.raises(ValueError, match=f"^{name} is {number}; it must be 0 to"):
                 netmesh.mesh(points, **{name: number})
-        with pytest.raises(TypeError, match=f"^{name} is of type .*a whole number"):
+        with pytest.raises(TypeError, match=rf"^{name} is of type \w+; it must be a whole number"):
             netmesh.mesh(points, **{name: 1.5})
     with pytest.raises(ValueError, match="^epsilon is NaN"):
         netmesh.mesh(points, epsilon=np.nan)
-    with pytest.raises(TypeError, match="^epsilon is of type .*a number"):
+    with pytest.raises(TypeError, match=r"^epsilon is of type \w+; it must be a number"):
         netmesh.mesh(points, epsilon="half")
     with pytest.raises(TypeError, match="epsilom"):
         netmesh.mesh(points, epsilom=0.5)
@@ -186,9 +187,25 @@ def test_bad_points():
         ([[0, 1j], [1, 0]], netmesh.InvalidArgumentError, "points is an array of complex128"),
         ([["a", "b"]], netmesh.InvalidArgumentError, "points is an array of"),
         ([[0, 0], [1]], ValueError, "homogeneous"),
+        (np.ma.masked_less(np.eye(3), 1), netmesh.InvalidArgumentError, "^points has masked elements"),
     ]:
         with pytest.raises(error, match=text) as raised:
             netmesh.mesh(points)
+        assert isinstance(raised.value, ValueError)
+
+
+def test_more_points_than_ids():
+    # Memory that nobody touches: 64 GiB of addresses.
+    flags = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | getattr(mmap, "MAP_NORESERVE", 0x4000)
+    try:
+        memory = mmap.mmap(-1, 16 * 2**32, flags=flags)
+    except OSError as error:
+        pytest.skip(f"no 64 GiB of addresses: {error}")
+    points = np.frombuffer(memory).reshape(-1, 2)
+    message = r"^points has shape \(4294967295, 2\); at most 4294967294 points have ids"
+    for make in (netmesh.mesh, netmesh.Delaunay):
+        with pytest.raises(netmesh.CapacityError, match=message) as raised:
+            make(points[:-1])
         assert isinstance(raised.value, ValueError)
 
 
@@ -264,8 +281,17 @@ def test_attributes_are_exported(tmp_path, random):
     lines = (tmp_path / "part.csv").read_text().split()[1:]
     vertices = np.unique(m.simplices[part.simplices])
     assert [float(line.split(",")[-1]) for line in lines] == values[vertices, 0].tolist()
-    with pytest.raises(ValueError, match=r"^attribute height has shape \(40,\); it must be"):
+    hint = r"^attribute height has shape \(40,\); it must be .* extend_values makes them"
+    with pytest.raises(ValueError, match=hint):
         m.export(tmp_path / "mesh.csv", attributes={"height": values[:40, 0]})
+    m.export(tmp_path / "mesh.npy", attributes={"height": values[:, 0], "v": values})
+    table = np.load(tmp_path / "mesh.npy")
+    assert table.dtype.names == ("points", "kind", "height", "v")
+    assert (table["points"] == m.points).all() and (table["kind"] == m.kinds).all()
+    assert (table["height"] == values[:, 0]).all() and (table["v"] == values).all()
+    for name, format in [("mesh.off", "auto"), ("mesh.csv", "xyz"), ("mesh.mesh", "auto")]:
+        with pytest.raises(netmesh.InvalidArgumentError, match="holds no attributes; VTU, TetGen"):
+            m.export(tmp_path / name, format, attributes={"height": values[:, 0]})
     for name in ("", "a b", "kind", 65 * "a"):
         with pytest.raises(netmesh.InvalidArgumentError, match="name"):
             m.export(tmp_path / "mesh.csv", attributes={name: values})

@@ -47,6 +47,12 @@ def test_no_points():
 def test_what_is_refused(random):
     m = netmesh.mesh(random.random((10, 2)))
     values = np.zeros(len(m.points))
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"one for each vertex; extend_values makes"):
+        m.interpolate(values[:10], [0, 0])
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"one for each vertex$"):
+        m.interpolate(values[:9], [0, 0])
+    with pytest.raises(netmesh.InvalidArgumentError, match="^values has masked elements"):
+        m.interpolate(np.ma.masked_equal(values, 0), [0, 0])
     for ask in (m.locate, m.nearest, lambda x: m.interpolate(values, x)):
         with pytest.raises(netmesh.NonFiniteError, match=r"points\[1\] .* coordinate 0: NaN"):
             ask([[0, 0], [np.nan, 0]])

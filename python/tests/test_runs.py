@@ -1,5 +1,6 @@
 """Progress, signals, other threads, memory."""
 
+import pathlib
 import signal
 import subprocess
 import sys
@@ -112,6 +113,37 @@ def test_ctrl_c_from_another_process_stops_a_call():
         child.wait()
 
 
+def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random):
+    class Alarm(Exception):
+        pass
+
+    def fail(number, frame):
+        raise Alarm
+
+    points, x = random.random((400_000, 2)), random.random((1000, 2))
+    whole, m = (netmesh.mesh(points, algorithm="delaunay") for _ in range(2))
+    before = signal.signal(signal.SIGALRM, fail)
+    try:
+        for call in [
+            lambda m: m.locate(x),
+            lambda m: m.quality(),
+            lambda m: m.validate(1),
+            lambda m: m.circumcenters,
+        ]:
+            start = time.monotonic()
+            call(whole)
+            needed = time.monotonic() - start
+            signal.setitimer(signal.ITIMER_REAL, needed / 10)
+            start = time.monotonic()
+            with pytest.raises(Alarm):
+                call(m)
+            assert time.monotonic() - start < needed / 2
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    # What another thread had begun is there.
+    assert (m.locate(x) == whole.locate(x)).all()
+
+
 def test_other_threads_of_python_go_on(random):
     points = random.random((40000, 3))
     m = netmesh.mesh(points[:100])
@@ -144,43 +176,12 @@ def test_many_threads_ask_at_once(random):
     assert values == [True] * 8
 
 
-LEAK = """
-import gc, pathlib
-import numpy as np, netmesh
-
-points, x = np.random.default_rng(1).random((2, 12, 2))
-
-def resident():
-    gc.collect()
-    status = pathlib.Path("/proc/self/status").read_text().split()
-    return int(status[status.index("VmRSS:") + 1]) * 1024
-
-def use(rare):
-    m = netmesh.mesh(points, progress=lambda report: None)
-    m.locate(x), m.nearest(x), m.interpolate(m.points, x), m.domains, m.stats, m.quality()
-    if rare:
-        m.edges, m.voronoi, m.validate(), m.extend_values(points), m.part("hull").volumes
-        netmesh.Voronoi(points)
-    tri = netmesh.Delaunay(points)
-    tri.transform, tri.simplices, netmesh.LinearNDInterpolator(tri, points)(x)
-    try:
-        m.locate([np.nan, 0])
-    except netmesh.NonFiniteError:
-        pass
-
-sizes = []
-for _ in range(10):
-    for i in range(1000):
-        use(i % 10 == 0)
-    sizes.append(resident())
-print(sizes[-1] - sizes[0])
-"""
-
-
 def test_ten_thousand_meshes_leave_no_memory_behind():
+    script = pathlib.Path(__file__).parents[1] / "benchmarks" / "leak.py"
+    told = subprocess.run([sys.executable, script], check=True, stdout=subprocess.PIPE, text=True)
+    sizes = [int(line.split()[2]) for line in told.stdout.splitlines()]
     # A mesh of these takes 10 kB: one in a hundred would show.
-    grown = subprocess.run([sys.executable, "-c", LEAK], check=True, stdout=subprocess.PIPE)
-    assert int(grown.stdout) < 1 << 20
+    assert len(sizes) == 10 and sizes[-1] - sizes[0] < 1 << 20
 
 
 def assert_same(one, two):

@@ -52,6 +52,12 @@ pub struct Arguments {
     #[arg(requires = "attributes")]
     pub added_values: AddedValues,
 
+    /// Write the faces and the values of a filtration instead of the mesh, for persistent homology:
+    /// to a file that ends with .filtration (GUDHI's text) or .dipha
+    #[arg(long, value_enum, value_name = "KIND", requires = "output")]
+    #[arg(conflicts_with_all = ["output_format", "attributes"])]
+    pub filtration: Option<FiltrationName>,
+
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
     pub output_format: Option<FormatName>,
@@ -161,6 +167,14 @@ pub enum AddedValues {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FiltrationName {
+    /// Alpha values, of the Delaunay triangulation of the input, which is made instead of a mesh
+    Alpha,
+    /// The distance to the input, followed by the cells of the mesh; best with --finish
+    Mesh,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlgorithmName {
     Netmesh,
     Svr,
@@ -228,7 +242,10 @@ impl Arguments {
         let meshing = &self.meshing;
         Options {
             output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
-            algorithm: meshing.algorithm.algorithm(),
+            algorithm: match self.filtration {
+                Some(FiltrationName::Alpha) => Algorithm::Delaunay,
+                _ => meshing.algorithm.algorithm(),
+            },
             ordering: meshing.ordering.ordering(),
             criterion: meshing.criterion.criterion(),
             threads: meshing.threads,

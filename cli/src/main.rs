@@ -5,6 +5,7 @@
 mod arguments;
 mod certificate;
 mod exit_code;
+mod filtration;
 mod input;
 mod interruption;
 mod json;

@@ -42,7 +42,9 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
 pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     match arguments.output.as_deref() {
         None => Ok(Vec::new()),
-        Some(path) if standard::is_meant(path) => Ok(vec![path.to_path_buf()]),
+        Some(path) if standard::is_meant(path) || arguments.filtration.is_some() => {
+            Ok(vec![path.to_path_buf()])
+        }
         Some(path) => io::output_paths(path, arguments.output_format())
             .map_err(|error| Failure::writing(&path.display().to_string(), &error)),
     }

@@ -3,6 +3,7 @@
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
+use crate::filtration;
 use crate::input;
 use crate::interruption;
 use crate::output;
@@ -26,7 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
-    if let Some(output) = &arguments.output {
+    if let Some(output) = arguments.output.as_ref().filter(|_| arguments.filtration.is_none()) {
         require_output_format(&mesh, output, arguments)?;
     }
     timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
@@ -67,7 +68,10 @@ fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     input::require_format(arguments)?;
     if let Some(output) = &arguments.output {
         output::require_place(output)?;
-        output::require_stream_format(output, arguments.output_format())?;
+        match arguments.filtration {
+            Some(_) => filtration::require(arguments, output)?,
+            None => output::require_stream_format(output, arguments.output_format())?,
+        }
         if arguments.attributes.is_some() {
             output::require_attributes(output, arguments.output_format())?;
         }
@@ -131,6 +135,10 @@ fn write(
     arguments: &Arguments,
     display: &Display,
 ) -> Result<(), Failure> {
+    if let Some(kind) = arguments.filtration {
+        let _stage = display.stage("filtration");
+        return filtration::write(mesh, kind, output, arguments);
+    }
     let prepared = Prepared::default();
     let attributes = {
         let _stage = (!mesh.attributes().is_empty()).then(|| display.stage("extending"));

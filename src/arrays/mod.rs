@@ -39,10 +39,10 @@ pub use faces::{Facets, Hull};
 pub use part::Part;
 pub use placement::{ConvexHull, Placement, placements_in_box};
 pub use selection::{Extent, Selection};
-pub use stars::Lists;
 pub use voronoi::{Cells, Ridges, Voronoi};
 
 use crate::error::{Error, ErrorKind, Result};
+pub use crate::memory::Lists;
 use crate::mesh::Mesh;
 
 /// The arrays of the whole result. All fail with `State` before a run, with `OutOfMemory` where

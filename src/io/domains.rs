@@ -1,17 +1,17 @@
 //! The hierarchy of domains as JSON.
 
 use super::{allocation_failed, json};
-use crate::memory::Incidence;
+use crate::memory::Lists;
 use crate::mesh::Triangulation;
 use std::io::{self, Write};
 
 /// A line for each domain.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let domains = &triangulation.domains;
-    let children = Incidence::new(domains.len(), || {
+    let children = Lists::of_pairs(domains.len(), || {
         domains.iter().enumerate().map(|(index, domain)| (domain.parent, index as u32))
     });
-    let cages = Incidence::new(domains.len(), || {
+    let cages = Lists::of_pairs(domains.len(), || {
         triangulation.cage_of.iter().enumerate().map(|(vertex, &cage)| (cage, vertex as u32))
     });
     let (children, cages) =

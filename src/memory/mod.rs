@@ -3,14 +3,14 @@
 
 mod array;
 mod id;
-mod incidence;
+mod lists;
 mod pages;
 mod prefetch;
 
 use crate::error::{Error, ErrorKind};
 pub use array::Array;
 pub use id::Id;
-pub use incidence::Incidence;
+pub use lists::Lists;
 use pages::prefer_large_pages;
 pub use prefetch::prefetch_at;
 use std::collections::{TryReserveError, VecDeque};

@@ -1,6 +1,6 @@
 //! The domain hierarchy (§4) as a tree that answers "does this domain hold that one" at once.
 
-use crate::memory::{AllocResult, Incidence, collected, filled};
+use crate::memory::{AllocResult, Lists, collected, filled};
 use crate::mesh::{Domain, NONE};
 
 /// Nested intervals of a walk over the tree of domains; child lists.
@@ -8,7 +8,7 @@ pub(crate) struct DomainTree {
     parents: Vec<u32>,
     enter: Vec<u32>,
     leave: Vec<u32>,
-    children: Incidence,
+    children: Lists,
 }
 
 impl DomainTree {
@@ -23,7 +23,7 @@ impl DomainTree {
             sizes[parents[i] as usize] += sizes[i];
         }
         // The root's parent is no domain: it is in no list.
-        let children = Incidence::new(parents.len(), || parents.iter().copied().zip(0u32..))?;
+        let children = Lists::of_pairs(parents.len(), || parents.iter().copied().zip(0u32..))?;
         let mut enter = filled(parents.len(), 0u32)?;
         let mut next = filled(parents.len(), 1u32)?;
         for i in 1..parents.len() {

@@ -1,6 +1,6 @@
 //! A [`Triangulation`] read with its dimension as a type.
 
-use crate::memory::{AllocResult, Incidence, filled};
+use crate::memory::{AllocResult, Lists, filled};
 use crate::mesh::{MAX_DIM, NONE, Triangulation};
 
 #[derive(Clone, Copy)]
@@ -44,8 +44,8 @@ impl<'a, const D: usize> View<'a, D> {
     }
 
     /// Vertex -> the simplices there, ascending. O(simplices).
-    pub fn stars(self) -> AllocResult<Incidence> {
-        Incidence::new(self.vertex_count(), || {
+    pub fn stars(self) -> AllocResult<Lists> {
+        Lists::of_pairs(self.vertex_count(), || {
             let slots = self.mesh.simplices.iter().enumerate();
             slots.map(|(index, &vertex)| (vertex, (index / Self::VERTICES) as u32))
         })

@@ -2,9 +2,7 @@
 
 use super::keys::{Entry, Key, bits_of_ids, sort};
 use crate::error::Result;
-use crate::memory::{
-    AllocError, AllocResult, Incidence, collected, copied, filled, reserve, with_capacity,
-};
+use crate::memory::{AllocError, AllocResult, collected, copied, filled, reserve, with_capacity};
 use crate::mesh::{MAX_DIM, Triangulation};
 use crate::query::check_arrays;
 use crate::query::threads::{on_threads, threads as threads_of};
@@ -49,7 +47,8 @@ impl Level {
         let pairs = || {
             facets().flat_map(|(at, facets)| facets.iter().map(move |&facet| (facet, at as u32)))
         };
-        Ok(Incidence::new(below, pairs)?.into_parts())
+        let lists = crate::memory::Lists::of_pairs(below, pairs)?;
+        Ok((lists.starts, lists.ids))
     }
 
     /// The facets of a face.

@@ -4,7 +4,7 @@ use super::circumcenters::accurate_center;
 use super::{Lists, Part};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
-use crate::mesh::{NONE, Triangulation, in_dimension};
+use crate::mesh::{NONE, in_dimension};
 use crate::query::dual::Chains;
 use crate::query::unit::{Unit, largest, scaled};
 use crate::query::view::View;
@@ -57,10 +57,12 @@ impl Part<'_> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn voronoi(&self) -> Result<Voronoi> {
-        let Cells { is_bounded, volumes, shares } = self.cells()?;
-        let Ridges { vertices: ridges, corners, is_bounded: is_ridge_bounded } = self.ridges()?;
-        let regions = self.regions()?;
-        let ridge_corners = corners;
+        let boundary = self.boundary()?;
+        let stars = self.vertex_simplices()?;
+        let Ridges { vertices: ridges, corners: ridge_corners, is_bounded: is_ridge_bounded } =
+            self.ridges_of(&stars, &boundary)?;
+        let regions = self.regions_of(stars)?;
+        let Cells { is_bounded, volumes, shares } = self.cells_of(boundary)?;
         Ok(Voronoi {
             regions,
             is_bounded,
@@ -78,8 +80,7 @@ impl Part<'_> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn regions(&self) -> Result<Lists> {
-        let stars = self.vertex_simplices()?;
-        Ok(if self.mesh.dim == 2 { self.in_order(&stars)? } else { stars })
+        Ok(self.regions_of(self.vertex_simplices()?)?)
     }
 
     /// Which cells are bounded, and their volumes. Of a part that is not all of the mesh, a cell is
@@ -93,82 +94,90 @@ impl Part<'_> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn cells(&self) -> Result<Cells> {
-        let stars = self.vertex_simplices()?;
-        let (is_bounded, _) = self.bounded_cells()?;
-        let shares =
-            in_dimension!(self.mesh.dim, D => shares::<D>(self, &stars), _ => Ok(Vec::new()))?;
+        Ok(self.cells_of(self.boundary()?)?)
+    }
+
+    /// The facets of the Voronoi cells. O(simplices at a vertex) for each edge.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn ridges(&self) -> Result<Ridges> {
+        Ok(self.ridges_of(&self.vertex_simplices()?, &self.boundary()?)?)
+    }
+
+    fn boundary(&self) -> AllocResult<Boundary> {
+        let mut is_cell_bounded = filled(self.mesh.vertex_count(), false)?;
+        let mut opposite = filled(self.mesh.simplex_count(), 0u16)?;
+        for simplex in self.simplices() {
+            for (i, &vertex) in self.mesh.simplex(simplex as usize).iter().enumerate() {
+                is_cell_bounded[vertex as usize] = true;
+                opposite[simplex as usize] |= u16::from(self.neighbor(simplex, i) == NONE) << i;
+            }
+        }
+        for simplex in self.simplices() {
+            for (i, &vertex) in self.mesh.simplex(simplex as usize).iter().enumerate() {
+                // A facet on the hull that has the vertex: another one is opposite of it.
+                if opposite[simplex as usize] & !(1 << i) != 0 {
+                    is_cell_bounded[vertex as usize] = false;
+                }
+            }
+        }
+        Ok(Boundary { is_cell_bounded, opposite })
+    }
+
+    fn regions_of(&self, stars: Lists) -> AllocResult<Lists> {
+        if self.mesh.dim == 2 { self.in_order(&stars) } else { Ok(stars) }
+    }
+
+    fn cells_of(&self, boundary: Boundary) -> AllocResult<Cells> {
+        let shares = in_dimension!(self.mesh.dim, D => shares::<D>(self), _ => Ok(Vec::new()))?;
+        let is_bounded = boundary.is_cell_bounded;
         let mut volumes = with_capacity(shares.len())?;
         let of_cell = |(&share, &bounded)| if bounded { share } else { f64::INFINITY };
         volumes.extend(shares.iter().zip(&is_bounded).map(of_cell));
         Ok(Cells { is_bounded, volumes, shares })
     }
 
-    /// The facets of the Voronoi cells. O(edges x simplices at a vertex).
-    ///
-    /// # Errors
-    /// `OutOfMemory`.
-    pub fn ridges(&self) -> Result<Ridges> {
-        let (_, hull) = self.bounded_cells()?;
-        let vertices = self.edges()?;
-        let (corners, is_bounded) =
-            self.ridge_corners(&self.vertex_simplices()?, &vertices, &hull)?;
+    fn ridges_of(&self, stars: &Lists, boundary: &Boundary) -> AllocResult<Ridges> {
+        let (mut vertices, mut is_bounded) = (Vec::new(), Vec::new());
+        let mut corners = Lists::with_capacity(0)?;
+        let (mut pairs, mut round, mut fans) = (Vec::new(), Vec::new(), Fans::default());
+        for vertex in 0..stars.count() as u32 {
+            self.edges_up(vertex, stars.of(vertex as usize), &mut pairs)?;
+            for ridge in pairs.chunk_by(|a, b| a.0 == b.0) {
+                let ends = [vertex, ridge[0].0];
+                round.clear();
+                ridge.iter().try_for_each(|&(_, simplex)| round.try_push(simplex))?;
+                match self.mesh.dim {
+                    3 => fans.go_round(self, &ends, &round, &mut corners.ids)?,
+                    _ => corners.ids.try_extend(&round)?,
+                }
+                corners.end_list()?;
+                vertices.try_extend(&ends)?;
+                let on_hull = |&simplex| boundary.has_on_hull(self, simplex, &ends);
+                is_bounded.try_push(!round.iter().any(on_hull))?;
+            }
+        }
         Ok(Ridges { vertices, corners, is_bounded })
     }
 
-    /// Vertex -> whether its cell is bounded; simplex -> the places of its vertices opposite the
-    /// hull, as bits.
-    fn bounded_cells(&self) -> AllocResult<(Vec<bool>, Vec<u16>)> {
-        let mut is_bounded = filled(self.mesh.vertex_count(), false)?;
-        let mut hull = filled(self.mesh.simplex_count(), 0u16)?;
-        for simplex in self.simplices() {
-            for (i, &vertex) in self.mesh.simplex(simplex as usize).iter().enumerate() {
-                is_bounded[vertex as usize] = true;
-                hull[simplex as usize] |= u16::from(self.neighbor(simplex, i) == NONE) << i;
-            }
-        }
-        for simplex in self.simplices() {
-            let opposite = hull[simplex as usize];
-            for (i, &vertex) in self.mesh.simplex(simplex as usize).iter().enumerate() {
-                // A facet on the hull that has the vertex: another one is opposite of it.
-                if opposite & !(1 << i) != 0 {
-                    is_bounded[vertex as usize] = false;
-                }
-            }
-        }
-        Ok((is_bounded, hull))
-    }
-
-    fn ridge_corners(
+    /// The edges from a vertex to later ones, each once for every simplex of it, as pairs of the
+    /// other end and the simplex, in ascending order.
+    fn edges_up(
         &self,
-        stars: &Lists,
-        ridges: &[u32],
-        hull: &[u16],
-    ) -> AllocResult<(Lists, Vec<bool>)> {
-        let count = ridges.len() / 2;
-        let mut corners = Lists::with_capacity(count)?;
-        let mut is_bounded = with_capacity(count)?;
-        let (mut round, mut fans) = (Vec::new(), Fans::default());
-        for ends in ridges.chunks_exact(2) {
-            round.clear();
-            let others = stars.of(ends[1] as usize);
-            for &simplex in stars.of(ends[0] as usize) {
-                if others.binary_search(&simplex).is_ok() {
-                    round.try_push(simplex)?;
-                }
+        vertex: u32,
+        star: &[u32],
+        pairs: &mut Vec<(u32, u32)>,
+    ) -> AllocResult<()> {
+        pairs.clear();
+        for &simplex in star {
+            let vertices = self.mesh.simplex(simplex as usize).iter();
+            for &other in vertices.filter(|&&other| other > vertex) {
+                pairs.try_push((other, simplex))?;
             }
-            is_bounded.push(!round.iter().any(|&simplex| {
-                let vertices = self.mesh.simplex(simplex as usize).iter().enumerate();
-                let off: u16 =
-                    vertices.filter(|(_, v)| ends.contains(v)).map(|(i, _)| 1 << i).sum();
-                hull[simplex as usize] & !off != 0
-            }));
-            match self.mesh.dim {
-                3 => fans.go_round(self, ends, &round, &mut corners.ids)?,
-                _ => corners.ids.try_extend(&round)?,
-            }
-            corners.end_list()?;
         }
-        Ok((corners, is_bounded))
+        pairs.sort_unstable();
+        Ok(())
     }
 
     /// The triangles round each vertex in counterclockwise order.
@@ -180,6 +189,24 @@ impl Part<'_> {
             ordered.end_list()?;
         }
         Ok(ordered)
+    }
+}
+
+/// What of a part is on its hull.
+struct Boundary {
+    /// Vertex -> whether its cell is bounded.
+    is_cell_bounded: Vec<bool>,
+    /// Simplex -> the places of its vertices opposite the hull, as bits.
+    opposite: Vec<u16>,
+}
+
+impl Boundary {
+    /// Whether a simplex has a facet on the hull that has both ends of an edge.
+    fn has_on_hull(&self, part: &Part<'_>, simplex: u32, ends: &[u32; 2]) -> bool {
+        let opposite = self.opposite[simplex as usize];
+        let vertices = part.mesh.simplex(simplex as usize).iter().enumerate();
+        let mut others = vertices.filter(|(_, vertex)| !ends.contains(vertex));
+        opposite != 0 && others.any(|(i, _)| opposite >> i & 1 == 1)
     }
 }
 
@@ -256,33 +283,45 @@ impl Part<'_> {
 }
 
 /// What the simplices at each vertex have of its cell.
-fn shares<const D: usize>(part: &Part<'_>, stars: &Lists) -> AllocResult<Vec<f64>> {
+fn shares<const D: usize>(part: &Part<'_>) -> AllocResult<Vec<f64>> {
     let view = View::<D> { mesh: part.mesh };
-    let center = |simplex| accurate_center(&view.points_of(view.simplex(simplex))[..=D]);
-    let centers = collected((0..part.mesh.simplex_count() as u32).map(center))?;
-    let factorial = f64::from((1..=D as u32).product::<u32>());
+    let units = units::<D>(part)?;
     let mut chains = Chains::default();
-    let mut shares = with_capacity(stars.count())?;
-    for (vertex, star) in stars.iter().enumerate() {
-        let unit = unit_of_star::<D>(part.mesh, vertex as u32, star);
-        let mut sum = 0.0;
-        for &simplex in star {
-            let vertices = view.simplex(simplex);
-            let base = vertices.iter().position(|&other| other == vertex as u32).unwrap_or(0);
-            let points = view.points_of(vertices);
-            chains.of(&points[..=D], base, &centers[simplex as usize], unit);
-            sum += chains.of_cell();
+    let mut shares = filled(units.len(), 0.0)?;
+    for simplex in part.simplices() {
+        let vertices = view.simplex(simplex);
+        let points = view.points_of(vertices);
+        let center = accurate_center(&points[..=D]);
+        for (base, &vertex) in vertices.iter().enumerate() {
+            chains.of(&points[..=D], base, &center, units[vertex as usize]);
+            shares[vertex as usize] += chains.of_cell();
         }
-        shares.push(scaled(sum / factorial, D as i32 * unit.exponent()));
+    }
+    let factorial = f64::from((1..=D as u32).product::<u32>());
+    for (share, unit) in shares.iter_mut().zip(&units) {
+        *share = scaled(*share / factorial, D as i32 * unit.exponent());
     }
     Ok(shares)
 }
 
-/// A unit in which the farthest vertex of the star is about 1 from its centre.
-fn unit_of_star<const D: usize>(mesh: &Triangulation, center: u32, star: &[u32]) -> Unit {
-    let view = View::<D> { mesh };
-    let points = || star.iter().flat_map(|&simplex| view.simplex(simplex)).map(|&v| view.point(v));
-    let unit = Unit::of_points(points().map(largest).fold(0.0, f64::max));
-    let lengths = points().map(|p| largest(&unit.difference(p, view.point(center))));
-    unit.scaled_to(lengths.fold(0.0, f64::max))
+/// For each vertex a unit in which the farthest vertex of its star is about 1 from it.
+fn units<const D: usize>(part: &Part<'_>) -> AllocResult<Vec<Unit>> {
+    let view = View::<D> { mesh: part.mesh };
+    let mut sizes = filled(part.mesh.vertex_count(), 0.0f64)?;
+    for vertices in part.simplices().map(|simplex| view.simplex(simplex)) {
+        let size = vertices.iter().map(|&v| largest(view.point(v))).fold(0.0, f64::max);
+        vertices.iter().for_each(|&v| sizes[v as usize] = sizes[v as usize].max(size));
+    }
+    let mut units = collected(sizes.iter().map(|&size| Unit::of_points(size)))?;
+    sizes.fill(0.0);
+    for vertices in part.simplices().map(|simplex| view.simplex(simplex)) {
+        for &center in vertices {
+            let (own, unit) = (&mut sizes[center as usize], units[center as usize]);
+            for &v in vertices {
+                *own = own.max(largest(&unit.difference(view.point(v), view.point(center))));
+            }
+        }
+    }
+    units.iter_mut().zip(&sizes).for_each(|(unit, &size)| *unit = unit.scaled_to(size));
+    Ok(units)
 }

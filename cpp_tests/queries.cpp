@@ -228,6 +228,37 @@ void filtrations_have_values() {
     CHECK(!refused && refused.message().find("NM_ALGORITHM_DELAUNAY") != std::string::npos);
 }
 
+// Threads that ask one mesh for arrays of different groups and selections, each several times.
+void threads_share_arrays() {
+    const netmesh::mesh mesh = meshed(3, 100);
+    netmesh::selection hull;
+    hull.extent = NM_EXTENT_HULL;
+    const auto of = [&mesh](const netmesh::selection& wanted) {
+        std::vector<std::vector<std::uint32_t>> arrays;
+        for (const auto& facets : {mesh.facets(wanted), mesh.hull(wanted)}) {
+            arrays.emplace_back(facets.vertices.flat().begin(), facets.vertices.flat().end());
+            arrays.emplace_back(facets.simplices.flat().begin(), facets.simplices.flat().end());
+        }
+        const auto ridges = mesh.ridge_corners(wanted);
+        arrays.emplace_back(ridges.flat().begin(), ridges.flat().end());
+        return arrays;
+    };
+    const auto all = of({}), within = of(hull);
+    CHECK(all != within);
+    std::vector<std::thread> threads;
+    for (int number = 0; number < 4; ++number) {
+        threads.emplace_back([&, number] {
+            for (int repetition = 0; repetition < 5; ++repetition) {
+                const bool is_hull = (number + repetition) % 2 == 0;
+                CHECK(of(is_hull ? hull : netmesh::selection{}) == (is_hull ? within : all));
+            }
+        });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+}
+
 void failures_are_named() {
     const netmesh::mesh mesh = meshed(2, 20);
     const auto fails = [](const auto& result, nm_status status, const char* word) {
@@ -261,6 +292,7 @@ int main(int argc, char** argv) {
     attributes_reach_all_vertices(argv[1]);
     threads_share_an_index();
     filtrations_have_values();
+    threads_share_arrays();
     failures_are_named();
     return check::result("queries");
 }

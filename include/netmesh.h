@@ -58,8 +58,15 @@
  * ARRAY GETTERS OF A SELECTION, nm_mesh_get_*(mesh, selection, buf, capacity, needed), have the same
  * rules. selection: which simplices, NULL for all. The selection is a mesh of its own: its hull is its
  * boundary, and a neighbour that is not in it is none. Ids are those of the whole mesh all the same,
- * and lists of vertices have one for each vertex of the mesh. These arrays are not stored but made in
- * each call, also in one that only asks for *needed, in time of the order of the simplices.
+ * and lists of vertices have one for each vertex of the mesh.
+ *
+ * Such arrays are made by the first call that asks for one, if only for its size, in time of the order
+ * of the simplices. Those of a group are made together: facets and their simplices; the hull and its
+ * simplices; centres and radii; volumes and shares of regions; starts and elements of lists, and which
+ * ridges are bounded. The handle keeps each array until it has been copied; all of them only until
+ * another group or another selection is asked for, or nm_run. So it has the memory of one group at
+ * most, and calls for one group in a row make it once. Of threads that ask at the same time each makes
+ * its own.
  *
  * QUERIES, nm_mesh_locate and those after it, answer any number of points in a call, on as many
  * threads as it allows; no answer depends on the order of the points or on the threads.

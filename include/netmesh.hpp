@@ -219,7 +219,7 @@ public:
         return array<nm_domain>(nm_mesh_get_domains);
     }
 
-    // Arrays of a selection, which are made in each call; ids are those of the whole mesh. First the
+    // Arrays of a selection, which are not stored; ids are those of the whole mesh. First the
     // ids of its simplices; arrays with a row for each simplex are in this order.
     result<std::vector<std::uint32_t>> try_selected(const selection &wanted = {}) const {
         return array<std::uint32_t>(nm_mesh_get_selected, wanted);

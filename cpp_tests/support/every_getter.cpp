@@ -14,6 +14,13 @@ nm_status size_of(const nm_mesh* mesh) {
     return getter(mesh, nullptr, 0, &needed);
 }
 
+template <class Item, nm_status (*getter)(const nm_mesh*, const nm_selection*, Item*, std::uint64_t,
+                                          std::uint64_t*)>
+nm_status size_of_selected(const nm_mesh* mesh) {
+    std::uint64_t needed = 0;
+    return getter(mesh, nullptr, nullptr, 0, &needed);
+}
+
 template <class Struct, nm_status (*getter)(const nm_mesh*, Struct*)>
 nm_status filled(const nm_mesh* mesh) {
     auto value = sized<Struct>();
@@ -29,6 +36,13 @@ nm_status written(const nm_mesh* mesh) {
     const nm_write_fn drop = [](const void*, std::size_t, void*) -> std::int32_t { return 0; };
     return nm_export_write(mesh, NM_FORMAT_OFF, drop, nullptr);
 }
+
+nm_status placed(const nm_mesh* mesh) {
+    std::uint64_t needed = 0;
+    return nm_mesh_get_placements(mesh, NM_EXTENT_HULL, nullptr, 0, &needed);
+}
+
+nm_status indexed(const nm_mesh* mesh) { return nm_mesh_index(mesh, nullptr); }
 
 nm_status saved(const nm_mesh* mesh) { return nm_export(mesh, "/dev/null", NM_FORMAT_XYZ); }
 
@@ -46,6 +60,28 @@ void every_getter(const nm_mesh* mesh, nm_status expected, int first) {
         size_of<std::uint8_t, nm_mesh_get_precision_limited>,
         size_of<std::uint32_t, nm_mesh_get_input_vertices>,
         size_of<nm_domain, nm_mesh_get_domains>,
+        size_of_selected<std::uint32_t, nm_mesh_get_selected>,
+        size_of_selected<std::uint32_t, nm_mesh_get_edges>,
+        size_of_selected<std::uint32_t, nm_mesh_get_facets>,
+        size_of_selected<std::uint32_t, nm_mesh_get_facet_simplices>,
+        size_of_selected<std::uint32_t, nm_mesh_get_hull>,
+        size_of_selected<std::uint32_t, nm_mesh_get_hull_simplices>,
+        size_of_selected<std::uint32_t, nm_mesh_get_vertex_simplices>,
+        size_of_selected<std::uint64_t, nm_mesh_get_vertex_simplex_starts>,
+        size_of_selected<std::uint32_t, nm_mesh_get_vertex_neighbors>,
+        size_of_selected<std::uint64_t, nm_mesh_get_vertex_neighbor_starts>,
+        size_of_selected<double, nm_mesh_get_circumcenters>,
+        size_of_selected<double, nm_mesh_get_circumradii>,
+        size_of_selected<double, nm_mesh_get_volumes>,
+        size_of_selected<std::uint32_t, nm_mesh_get_regions>,
+        size_of_selected<std::uint64_t, nm_mesh_get_region_starts>,
+        size_of_selected<double, nm_mesh_get_region_volumes>,
+        size_of_selected<double, nm_mesh_get_region_shares>,
+        size_of_selected<std::uint32_t, nm_mesh_get_ridge_corners>,
+        size_of_selected<std::uint64_t, nm_mesh_get_ridge_starts>,
+        size_of_selected<std::uint8_t, nm_mesh_get_ridge_bounded>,
+        placed,
+        indexed,
         filled<nm_quality, nm_mesh_quality>,
         filled<nm_stats, nm_mesh_stats>,
         validated,

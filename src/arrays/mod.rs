@@ -24,6 +24,7 @@
 mod circumcenters;
 pub(crate) mod domains;
 mod faces;
+mod groups;
 mod part;
 mod placement;
 mod selection;
@@ -36,6 +37,7 @@ mod voronoi;
 
 pub use circumcenters::Circumcenters;
 pub use faces::{Facets, Hull};
+pub use groups::{Arrays, Group};
 pub use part::Part;
 pub use placement::{ConvexHull, Placement, placements_in_box};
 pub use selection::{Extent, Selection};

@@ -163,12 +163,7 @@ impl Part<'_> {
 
     /// The edges from a vertex to later ones, each once for every simplex of it, as pairs of the
     /// other end and the simplex, in ascending order.
-    fn edges_up(
-        &self,
-        vertex: u32,
-        star: &[u32],
-        pairs: &mut Vec<(u32, u32)>,
-    ) -> AllocResult<()> {
+    fn edges_up(&self, vertex: u32, star: &[u32], pairs: &mut Vec<(u32, u32)>) -> AllocResult<()> {
         pairs.clear();
         for &simplex in star {
             let vertices = self.mesh.simplex(simplex as usize).iter();

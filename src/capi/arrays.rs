@@ -1,14 +1,13 @@
-//! Arrays ready to use, of a selection. Each is made anew in each call; `copy_out` keeps the
-//! getters' rules.
+//! Arrays ready to use, of a selection. `Prepared` keeps those that were made together from call to
+//! call; `copy_out` keeps the getters' rules.
 
 use super::enums::{decode_extent, nm_extent, nm_status, placement_byte};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, read_struct};
 use super::structs::nm_selection;
-use crate::arrays::{Part, Selection};
+use crate::arrays::{Arrays, Group, Selection};
 use crate::error::Result;
-use crate::memory::collected;
 use crate::mesh::NONE;
 use std::mem::MaybeUninit;
 
@@ -43,25 +42,72 @@ pub unsafe extern "C" fn nm_mesh_get_placements(
     }
 }
 
-/// Makes an array of a selection and copies it.
+/// Copies an array of a selection, the one that `array` picks from a group.
 ///
 /// # Safety
 /// `mesh` is NULL or a live handle, `selection` NULL or as long as its `struct_size` says, the
 /// buffer as `copy_out` asks for.
-pub(super) unsafe fn get<T, S: Copy>(
+pub(super) unsafe fn get<T: Copy>(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    out: (*mut T, u64, *mut u64),
+    group: Group,
+    array: impl Fn(&mut Arrays) -> &mut Option<Vec<T>>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe { get_as(mesh, selection, out, group, array, |x| x) }
+}
+
+/// As [`get`], the ids of a group.
+///
+/// # Safety
+/// As [`get`].
+pub(super) unsafe fn get_ids(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    out: (*mut u32, u64, *mut u64),
+    group: Group,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe { get(mesh, selection, out, group, |of| &mut of.ids) }
+}
+
+/// As [`get`], where the lists of a group begin.
+///
+/// # Safety
+/// As [`get`].
+pub(super) unsafe fn get_starts(
+    mesh: *const nm_mesh,
+    selection: *const nm_selection,
+    out: (*mut u64, u64, *mut u64),
+    group: Group,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe { get_as(mesh, selection, out, group, |of| &mut of.starts, |start| start as u64) }
+}
+
+/// As [`get`], each element as `encode` has it.
+///
+/// # Safety
+/// As [`get`].
+pub(super) unsafe fn get_as<T, S: Copy>(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
     (buf, capacity, needed): (*mut T, u64, *mut u64),
-    make: impl FnOnce(&Part<'_>) -> Result<Vec<S>>,
+    group: Group,
+    array: impl Fn(&mut Arrays) -> &mut Option<Vec<S>>,
     encode: impl Fn(S) -> T,
 ) -> nm_status {
     // SAFETY: the caller's promise.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
             result(mesh)?;
-            let part = prepared.part(mesh, &read_selection(selection)?)?;
-            let array = make(&part)?;
-            copy_out(buf, capacity, needed, array.len(), array.iter().map(|&x| encode(x)))
+            let selection = read_selection(selection)?;
+            prepared.with_array(mesh, (&selection, group), array, |values| {
+                let encoded = values.iter().map(|&value| encode(value));
+                copy_out(buf, capacity, needed, values.len(), encoded)?;
+                Ok(!buf.is_null())
+            })
         })
     }
 }
@@ -102,15 +148,7 @@ pub unsafe extern "C" fn nm_mesh_get_selected(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(collected(part.simplices())?),
-            |x| x,
-        )
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Simplices) }
 }
 
 /// Writes the edges: edges x 2 vertex ids, the less first, in lexicographic order.
@@ -125,7 +163,7 @@ pub unsafe extern "C" fn nm_mesh_get_edges(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe { get(mesh, selection, (buf, capacity, needed), |part| part.edges(), |x| x) }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Edges) }
 }
 
 /// Writes the facets: facets x dim vertex ids. They are ordered by their first simplex
@@ -142,9 +180,7 @@ pub unsafe extern "C" fn nm_mesh_get_facets(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.facets()?.vertices), |x| x)
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Facets) }
 }
 
 /// Writes the simplices of each facet: facets x 2 simplex ids, the less first; NM_NONE in place of
@@ -160,9 +196,7 @@ pub unsafe extern "C" fn nm_mesh_get_facet_simplices(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.facets()?.simplices), |x| x)
-    }
+    unsafe { get(mesh, selection, (buf, capacity, needed), Group::Facets, |of| &mut of.simplices) }
 }
 
 /// Writes the hull, the facets that only one simplex of the selection has: facets x dim vertex ids,
@@ -180,9 +214,7 @@ pub unsafe extern "C" fn nm_mesh_get_hull(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.hull()?.vertices), |x| x)
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Hull) }
 }
 
 /// Writes the simplex of each facet of nm_mesh_get_hull.
@@ -197,9 +229,7 @@ pub unsafe extern "C" fn nm_mesh_get_hull_simplices(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.hull()?.simplices), |x| x)
-    }
+    unsafe { get(mesh, selection, (buf, capacity, needed), Group::Hull, |of| &mut of.simplices) }
 }
 
 /// Writes the simplices of each vertex, one vertex after the other, each time ascending; where the
@@ -215,15 +245,7 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_simplices(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.vertex_simplices()?.ids),
-            |x| x,
-        )
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::VertexSimplices) }
 }
 
 /// Writes where the list of each vertex begins in nm_mesh_get_vertex_simplices, and at the end its
@@ -239,15 +261,7 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_simplex_starts(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.vertex_simplices()?.starts),
-            |start| start as u64,
-        )
-    }
+    unsafe { get_starts(mesh, selection, (buf, capacity, needed), Group::VertexSimplices) }
 }
 
 /// Writes the vertices that share an edge with each vertex, one vertex after the other, each time
@@ -263,15 +277,7 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_neighbors(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.vertex_neighbors()?.ids),
-            |x| x,
-        )
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::VertexNeighbors) }
 }
 
 /// Writes where the list of each vertex begins in nm_mesh_get_vertex_neighbors, and at the end its
@@ -287,15 +293,7 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_neighbor_starts(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.vertex_neighbors()?.starts),
-            |start| start as u64,
-        )
-    }
+    unsafe { get_starts(mesh, selection, (buf, capacity, needed), Group::VertexNeighbors) }
 }
 
 /// Writes the circumcentres: simplices x dim coordinates, exact up to 1e-12 of the circumradius and
@@ -312,13 +310,7 @@ pub unsafe extern "C" fn nm_mesh_get_circumcenters(
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
     unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.circumcenters()?.centers),
-            |x| x,
-        )
+        get(mesh, selection, (buf, capacity, needed), Group::Circumcenters, |of| &mut of.centers)
     }
 }
 
@@ -336,7 +328,7 @@ pub unsafe extern "C" fn nm_mesh_get_circumradii(
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
     unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.circumcenters()?.radii), |x| x)
+        get(mesh, selection, (buf, capacity, needed), Group::Circumcenters, |of| &mut of.radii)
     }
 }
 
@@ -353,5 +345,5 @@ pub unsafe extern "C" fn nm_mesh_get_volumes(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe { get(mesh, selection, (buf, capacity, needed), |part| part.volumes(), |x| x) }
+    unsafe { get(mesh, selection, (buf, capacity, needed), Group::Volumes, |of| &mut of.volumes) }
 }

@@ -1,9 +1,10 @@
 //! Voronoi cells of a selection as arrays.
 
-use super::arrays::get;
+use super::arrays::{get, get_as, get_ids, get_starts};
 use super::enums::nm_status;
 use super::handle::nm_mesh;
 use super::structs::nm_selection;
+use crate::arrays::Group;
 
 /// Writes the Voronoi cells: the simplices whose circumcentres are the corners of each vertex's
 /// cell, one vertex after the other. In 2D counterclockwise, from one end to the other where the
@@ -19,7 +20,7 @@ pub unsafe extern "C" fn nm_mesh_get_regions(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe { get(mesh, selection, (buf, capacity, needed), |part| Ok(part.regions()?.ids), |x| x) }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Regions) }
 }
 
 /// Writes where the list of each vertex begins in nm_mesh_get_regions, and at the end its length:
@@ -35,15 +36,7 @@ pub unsafe extern "C" fn nm_mesh_get_region_starts(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.regions()?.starts),
-            |start| start as u64,
-        )
-    }
+    unsafe { get_starts(mesh, selection, (buf, capacity, needed), Group::Regions) }
 }
 
 /// Writes the volume of each vertex's Voronoi cell, infinite where the cell is unbounded: the
@@ -60,9 +53,7 @@ pub unsafe extern "C" fn nm_mesh_get_region_volumes(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.cells()?.volumes), |x| x)
-    }
+    unsafe { get(mesh, selection, (buf, capacity, needed), Group::Cells, |of| &mut of.volumes) }
 }
 
 /// Writes what each vertex's Voronoi cell adds to the volume of the mesh: its volume if it is
@@ -79,7 +70,7 @@ pub unsafe extern "C" fn nm_mesh_get_region_shares(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe { get(mesh, selection, (buf, capacity, needed), |part| Ok(part.cells()?.shares), |x| x) }
+    unsafe { get(mesh, selection, (buf, capacity, needed), Group::Cells, |of| &mut of.shares) }
 }
 
 /// Writes the ridges, the facets of Voronoi cells: one for each edge, in the order of
@@ -97,9 +88,7 @@ pub unsafe extern "C" fn nm_mesh_get_ridge_corners(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(mesh, selection, (buf, capacity, needed), |part| Ok(part.ridges()?.corners.ids), |x| x)
-    }
+    unsafe { get_ids(mesh, selection, (buf, capacity, needed), Group::Ridges) }
 }
 
 /// Writes where the list of each ridge begins in nm_mesh_get_ridge_corners, and at the end its
@@ -115,15 +104,7 @@ pub unsafe extern "C" fn nm_mesh_get_ridge_starts(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
-    unsafe {
-        get(
-            mesh,
-            selection,
-            (buf, capacity, needed),
-            |part| Ok(part.ridges()?.corners.starts),
-            |start| start as u64,
-        )
-    }
+    unsafe { get_starts(mesh, selection, (buf, capacity, needed), Group::Ridges) }
 }
 
 /// Writes 1 for each ridge that is bounded, 0 for those whose edge is on the hull of the selection:
@@ -140,11 +121,12 @@ pub unsafe extern "C" fn nm_mesh_get_ridge_bounded(
 ) -> nm_status {
     // SAFETY: the caller's promises are those of `get`.
     unsafe {
-        get(
+        get_as(
             mesh,
             selection,
             (buf, capacity, needed),
-            |part| Ok(part.ridges()?.is_bounded),
+            Group::Ridges,
+            |of| &mut of.is_bounded,
             u8::from,
         )
     }

@@ -3,10 +3,13 @@
 //! inputs for them.
 
 mod hull;
+mod kept;
 #[cfg(test)]
 mod tests;
 
-use crate::arrays::{ConvexHull, Extent, Part, Placement, Selection, placements_in_box};
+use crate::arrays::{
+    Arrays, ConvexHull, Extent, Group, Part, Placement, Selection, placements_in_box,
+};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Mesh, Triangulation};
@@ -14,6 +17,7 @@ use crate::netmesh;
 use crate::options::{Algorithm, Options};
 use crate::query::{self, Among, Index, Method, Values};
 use crate::topology::{self, Faces, Filtration};
+use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -28,6 +32,7 @@ pub struct Prepared {
     faces: Once<Faces>,
     alpha: Once<Filtration>,
     distances: Once<Filtration>,
+    kept: Kept,
 }
 
 /// A value that the first one who needs it makes, while others wait.
@@ -202,6 +207,23 @@ impl Prepared {
     pub fn part<'a>(&self, mesh: &'a Mesh, selection: &Selection) -> Result<Part<'a>> {
         let placements = self.placements(mesh, selection.extent)?;
         Part::of(result(mesh)?, selection, placements)
+    }
+
+    /// Calls `act` with an array of a selection, the one that `array` picks from a group. The arrays
+    /// of a group are made at the first call for one of them. Each is kept until `act` answers true
+    /// for it, until another group or selection is asked for, or as long as this value. At most one
+    /// group is kept; threads that ask at the same time each make their own.
+    ///
+    /// # Errors
+    /// Those of [`Prepared::part`], and of `act`.
+    pub fn with_array<T>(
+        &self,
+        mesh: &Mesh,
+        (selection, group): (&Selection, Group),
+        array: impl Fn(&mut Arrays) -> &mut Option<Vec<T>>,
+        act: impl FnOnce(&[T]) -> Result<bool>,
+    ) -> Result<()> {
+        self.kept.with((selection, group), || self.part(mesh, selection), array, act)
     }
 }
 

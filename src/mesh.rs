@@ -427,6 +427,15 @@ impl Mesh {
     pub fn triangulation(&self) -> Option<&Triangulation> {
         self.triangulation.as_ref()
     }
+
+    /// As [`Mesh::triangulation`], for what needs one.
+    ///
+    /// # Errors
+    /// `State` before a run.
+    pub fn result(&self) -> Result<&Triangulation> {
+        let rule = "the mesh has no result yet; run it first";
+        self.triangulation().ok_or_else(|| Error::new(ErrorKind::State, rule))
+    }
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ pub use placement::{ConvexHull, Placement, placements_in_box};
 pub use selection::{Extent, Selection};
 pub use voronoi::{Cells, Ridges, Voronoi};
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 pub use crate::memory::Lists;
 use crate::mesh::Mesh;
 
@@ -55,8 +55,7 @@ impl Mesh {
     /// # Errors
     /// `State` before a run.
     pub fn whole(&self) -> Result<Part<'_>> {
-        let error = || Error::new(ErrorKind::State, "the mesh has no result yet; run it first");
-        Part::whole(self.triangulation().ok_or_else(error)?)
+        Part::whole(self.result()?)
     }
 
     /// As [`Part::edges`].

@@ -10,7 +10,7 @@ mod tests;
 use crate::arrays::{
     Arrays, ConvexHull, Extent, Group, Part, Placement, Selection, placements_in_box,
 };
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
@@ -70,18 +70,13 @@ impl<T> Once<T> {
     }
 }
 
-fn result(mesh: &Mesh) -> Result<&Triangulation> {
-    let error = || Error::new(ErrorKind::State, "the mesh has no result yet; run it first");
-    mesh.triangulation().ok_or_else(error)
-}
-
 impl Prepared {
     /// The index of the mesh. O(simplices + vertices log vertices) the first time.
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
     pub fn index(&self, mesh: &Mesh) -> Result<&Index> {
-        let result = result(mesh)?;
+        let result = mesh.result()?;
         self.index.get_or_make(|| Index::new(result))
     }
 
@@ -139,7 +134,7 @@ impl Prepared {
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
     pub fn placements(&self, mesh: &Mesh, extent: Extent) -> Result<&[Placement]> {
-        let (result, inputs) = (result(mesh)?, mesh.inputs());
+        let (result, inputs) = (mesh.result()?, mesh.inputs());
         match extent {
             Extent::All => Ok(&[]),
             Extent::Box => Ok(self.in_box.get_or_make(|| {
@@ -162,7 +157,7 @@ impl Prepared {
     /// # Errors
     /// `State` before a run, and those of [`Faces::new`].
     pub fn faces(&self, mesh: &Mesh, threads: u32) -> Result<&Faces> {
-        let result = result(mesh)?;
+        let result = mesh.result()?;
         self.faces.get_or_make(|| Faces::new(result, 0, threads))
     }
 
@@ -171,7 +166,7 @@ impl Prepared {
     /// # Errors
     /// `State` before a run, and those of [`topology::alpha`].
     pub fn alpha(&self, mesh: &Mesh, threads: u32) -> Result<&Filtration> {
-        let (result, faces) = (result(mesh)?, self.faces(mesh, threads)?);
+        let (result, faces) = (mesh.result()?, self.faces(mesh, threads)?);
         self.alpha.get_or_make(|| topology::alpha(result, faces, threads))
     }
 
@@ -180,7 +175,7 @@ impl Prepared {
     /// # Errors
     /// `State` before a run, and those of [`topology::distances`].
     pub fn distances(&self, mesh: &Mesh, threads: u32) -> Result<&Filtration> {
-        let (result, faces) = (result(mesh)?, self.faces(mesh, threads)?);
+        let (result, faces) = (mesh.result()?, self.faces(mesh, threads)?);
         let index = self.index(mesh)?;
         self.distances.get_or_make(|| topology::distances(result, faces, index, threads))
     }
@@ -206,7 +201,7 @@ impl Prepared {
     /// `State` before a run, `InvalidArgument` (a domain that is not there), `OutOfMemory`.
     pub fn part<'a>(&self, mesh: &'a Mesh, selection: &Selection) -> Result<Part<'a>> {
         let placements = self.placements(mesh, selection.extent)?;
-        Part::of(result(mesh)?, selection, placements)
+        Part::of(mesh.result()?, selection, placements)
     }
 
     /// Calls `act` with an array of a selection, the one that `array` picks from a group. The arrays
@@ -235,7 +230,7 @@ impl Prepared {
 /// # Errors
 /// `State` before a run, `InvalidArgument` (a length), `OutOfMemory`.
 pub fn extend_values(mesh: &Mesh, values: Values<'_>, out: &mut [f64]) -> Result<()> {
-    let (result, inputs) = (result(mesh)?, mesh.inputs());
+    let (result, inputs) = (mesh.result()?, mesh.inputs());
     let threads = result.parameters.threads;
     let extend = |delaunay: Option<&Triangulation>, out: &mut [f64]| {
         query::extend_values(inputs, delaunay, result, values, threads, out)

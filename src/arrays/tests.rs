@@ -6,7 +6,7 @@ use crate::numerics::testing::{
     FAMILIES, Family, Random, circumcenter_oracle, integer, is_close, points,
 };
 use crate::numerics::{Sign, orientation_exact};
-use crate::{Algorithm, Mesh, Options};
+use crate::{Algorithm, ErrorKind, Mesh, Options};
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -62,10 +62,10 @@ pub unsafe extern "C" fn nm_mesh_locate(
     // SAFETY: the caller's arrays have the lengths that the manual asks for.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            result(mesh)?;
-            let points = read_rows("points", points, count, mesh.inputs().dim())?;
+            let result = result(mesh)?;
+            let points = read_rows("points", points, count, result.dim)?;
             let simplices = rows_out("simplices", simplices, count, 1)?;
-            prepared.locate(mesh, points, threads, simplices)
+            prepared.index(mesh)?.locate(result, points, threads, simplices)
         })
     }
 }
@@ -122,11 +122,11 @@ unsafe fn nearest(
     // SAFETY: the caller's promise.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            result(mesh)?;
-            let points = read_rows("points", points, count, mesh.inputs().dim())?;
+            let result = result(mesh)?;
+            let points = read_rows("points", points, count, result.dim)?;
             let vertices = rows_out("vertices", vertices, count, 1)?;
             let distances = rows_out("distances", distances, count, 1)?;
-            prepared.nearest(mesh, among, points, threads, vertices, distances)
+            prepared.index(mesh)?.nearest(result, among, points, threads, vertices, distances)
         })
     }
 }
@@ -155,14 +155,14 @@ pub unsafe extern "C" fn nm_mesh_interpolate(
     // SAFETY: the caller's arrays have the lengths that the manual asks for.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let vertices = result(mesh)?.vertex_count() as u64;
+            let result = result(mesh)?;
             let method = decode_interpolation(interpolation)?;
             let components = some_components(components)?;
-            let values = read_rows("values", values, vertices, components)?;
-            let points = read_rows("points", points, count, mesh.inputs().dim())?;
+            let values = read_rows("values", values, result.vertex_count() as u64, components)?;
+            let points = read_rows("points", points, count, result.dim)?;
             let out = rows_out("out", out, count, components)?;
             let values = Values { components, values };
-            prepared.interpolate(mesh, method, values, points, threads, out)
+            prepared.index(mesh)?.interpolate(result, method, values, points, threads, out)
         })
     }
 }

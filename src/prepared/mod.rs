@@ -15,7 +15,7 @@ use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{Algorithm, Options};
-use crate::query::{self, Among, Index, Method, Values};
+use crate::query::{self, Index, Values};
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -78,52 +78,6 @@ impl Prepared {
     pub fn index(&self, mesh: &Mesh) -> Result<&Index> {
         let result = mesh.result()?;
         self.index.get_or_make(|| Index::new(result))
-    }
-
-    /// As [`Index::locate`].
-    ///
-    /// # Errors
-    /// `State`, and those of [`Index::locate`].
-    pub fn locate(
-        &self,
-        mesh: &Mesh,
-        points: &[f64],
-        threads: u32,
-        simplices: &mut [u32],
-    ) -> Result<()> {
-        self.index(mesh)?.locate(result(mesh)?, points, threads, simplices)
-    }
-
-    /// As [`Index::nearest`].
-    ///
-    /// # Errors
-    /// `State`, and those of [`Index::nearest`].
-    pub fn nearest(
-        &self,
-        mesh: &Mesh,
-        among: Among,
-        points: &[f64],
-        threads: u32,
-        vertices: &mut [u32],
-        distances: &mut [f64],
-    ) -> Result<()> {
-        self.index(mesh)?.nearest(result(mesh)?, among, points, threads, vertices, distances)
-    }
-
-    /// As [`Index::interpolate`].
-    ///
-    /// # Errors
-    /// `State`, and those of [`Index::interpolate`].
-    pub fn interpolate(
-        &self,
-        mesh: &Mesh,
-        method: Method,
-        values: Values<'_>,
-        points: &[f64],
-        threads: u32,
-        out: &mut [f64],
-    ) -> Result<()> {
-        self.index(mesh)?.interpolate(result(mesh)?, method, values, points, threads, out)
     }
 
     /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty

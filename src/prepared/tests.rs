@@ -5,7 +5,7 @@ use crate::arrays::tests::{delaunay, each_mesh, meshed};
 use crate::mesh::NONE;
 use crate::numerics::testing::{Family, Random, points};
 use crate::numerics::{Sign, orientation_exact};
-use crate::query::{Interpolation, Outside};
+use crate::query::{Interpolation, Method, Outside};
 
 /// Calls `act` with each set of `size` numbers below `count`, until it answers true.
 fn any_set(count: usize, size: usize, mut act: impl FnMut(&[usize]) -> bool) -> bool {
@@ -247,7 +247,7 @@ fn values_of_inputs_are_extended_over_hull_and_cage() {
     let values = Values { components: 1, values: &data };
     for options in [Options::default(), delaunay()] {
         let mesh = meshed(&points, &options).unwrap();
-        let (prepared, result) = (Prepared::default(), mesh.triangulation().unwrap());
+        let result = mesh.triangulation().unwrap();
         let mut out = vec![f64::NAN; result.vertex_count()];
         extend_values(&mesh, values, &mut out).unwrap();
         assert_eq!(out[..100], data);
@@ -256,7 +256,8 @@ fn values_of_inputs_are_extended_over_hull_and_cage() {
         let method = Method { interpolation: Interpolation::Linear, outside: Outside::Nan };
         let extended = Values { components: 1, values: &out };
         let flat = points.as_flattened();
-        prepared.interpolate(&mesh, method, extended, flat, 1, &mut back).unwrap();
+        let index = Index::new(result).unwrap();
+        index.interpolate(result, method, extended, flat, 1, &mut back).unwrap();
         assert_eq!(back, data);
         let error = extend_values(&mesh, values, &mut out[1..]).unwrap_err();
         assert!(error.message().starts_with("vertex_values has length"), "{error}");

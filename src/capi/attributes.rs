@@ -1,7 +1,7 @@
 //! Attributes: values of the inputs, under names, which files get as columns.
 
 use super::enums::nm_status;
-use super::handle::{nm_mesh, with_attributes_mut, with_prepared};
+use super::handle::{nm_mesh, with_prepared, with_prepared_mut};
 use super::memory::{copy_out, read_rows, utf8};
 use crate::error::{Error, ErrorKind, message};
 use std::ffi::c_char;
@@ -58,11 +58,13 @@ unsafe fn set(
 ) -> nm_status {
     // SAFETY: the caller's promise.
     unsafe {
-        with_attributes_mut(mesh, |mesh| {
+        with_prepared_mut(mesh, |mesh, prepared| {
             let (name, components) = (utf8("name", name)?, components as usize);
             let count = mesh.inputs().count() as u64;
             let values = read_rows("values", values, count, components)?;
-            mesh.set_attribute(name, components, values, is_extended)
+            mesh.set_attribute(name, components, values, is_extended)?;
+            prepared.forget_attributes();
+            Ok(())
         })
     }
 }

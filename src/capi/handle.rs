@@ -104,8 +104,24 @@ pub(super) unsafe fn with_prepared(
     }
 }
 
-/// As [`barrier`], with the mesh for writing; a panic poisons the handle. What queries have made is
-/// dropped unless the body fails.
+/// As [`with_prepared`], for writing.
+///
+/// # Safety
+/// As [`with_mesh`].
+pub(super) unsafe fn with_prepared_mut(
+    mesh: *const nm_mesh,
+    body: impl FnOnce(&mut Mesh, &mut Prepared) -> Result<()>,
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with_handle(mesh, |handle| {
+            let held = &mut *handle.write()?;
+            body(&mut held.mesh, &mut held.prepared)
+        })
+    }
+}
+
+/// As [`with_mesh`], for writing. What queries have made is dropped unless the body fails.
 ///
 /// # Safety
 /// As [`with_mesh`].
@@ -113,35 +129,13 @@ pub(super) unsafe fn with_mesh_mut(
     mesh: *const nm_mesh,
     body: impl FnOnce(&mut Mesh) -> Result<()>,
 ) -> nm_status {
+    let body = |mesh: &mut Mesh, prepared: &mut Prepared| {
+        body(mesh)?;
+        *prepared = Prepared::default();
+        Ok(())
+    };
     // SAFETY: the caller's promise.
-    unsafe {
-        with_handle(mesh, |handle| {
-            let mut held = handle.write()?;
-            body(&mut held.mesh)?;
-            held.prepared = Prepared::default();
-            Ok(())
-        })
-    }
-}
-
-/// As [`with_mesh_mut`], for bodies that set attributes: only those that queries have made are
-/// dropped.
-///
-/// # Safety
-/// As [`with_mesh`].
-pub(super) unsafe fn with_attributes_mut(
-    mesh: *const nm_mesh,
-    body: impl FnOnce(&mut Mesh) -> Result<()>,
-) -> nm_status {
-    // SAFETY: the caller's promise.
-    unsafe {
-        with_handle(mesh, |handle| {
-            let mut held = handle.write()?;
-            body(&mut held.mesh)?;
-            held.prepared.forget_attributes();
-            Ok(())
-        })
-    }
+    unsafe { with_prepared_mut(mesh, body) }
 }
 
 /// # Safety

@@ -46,13 +46,8 @@ pub unsafe extern "C" fn nm_export(
     path_utf8: *const c_char,
     format: MaybeUninit<nm_format>,
 ) -> nm_status {
-    let body = |mesh: &Mesh, attributes: &[Attribute]| {
-        // SAFETY: the caller gave NULL or a C string.
-        let path = unsafe { utf8_path(path_utf8)? };
-        io::write_file_with(mesh, attributes, path, decode_format(format)?)
-    };
-    // SAFETY: the caller's promises are those of `with_selected`.
-    unsafe { with_selected(mesh, null(), format, body) }
+    // SAFETY: the caller's promises are the same; NULL selects all.
+    unsafe { nm_export_selected(mesh, null(), path_utf8, format) }
 }
 
 /// Writes the mesh to a callback instead of a file; for NM_FORMAT_TETGEN_NODE the .node part, then
@@ -72,30 +67,8 @@ pub unsafe extern "C" fn nm_export_write(
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
-    let body = |mesh: &Mesh, attributes: &[Attribute]| {
-        // SAFETY: the caller's function, with the caller's `user_data`.
-        unsafe { write_to_callback(mesh, attributes, format, write, user_data) }
-    };
-    // SAFETY: the caller's promises are those of `with_selected`.
-    unsafe { with_selected(mesh, null(), format, body) }
-}
-
-/// # Safety
-/// `write` may be called with `user_data`.
-unsafe fn write_to_callback(
-    mesh: &Mesh,
-    attributes: &[Attribute],
-    format: MaybeUninit<nm_format>,
-    write: nm_write_fn,
-    user_data: *mut c_void,
-) -> Result<()> {
-    let format = decode_format(format)?;
-    let callback = write.ok_or_else(|| null_argument("write"))?;
-    let send = |bytes: &[u8]| {
-        // SAFETY: the caller's promise.
-        unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
-    };
-    write_through(send, |out| io::write_with(mesh, attributes, format, out))
+    // SAFETY: the caller's promises are the same; NULL selects all.
+    unsafe { nm_export_write_selected(mesh, null(), format, write, user_data) }
 }
 
 /// As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
@@ -133,8 +106,13 @@ pub unsafe extern "C" fn nm_export_write_selected(
     user_data: *mut c_void,
 ) -> nm_status {
     let body = |mesh: &Mesh, attributes: &[Attribute]| {
-        // SAFETY: the caller's function, with the caller's `user_data`.
-        unsafe { write_to_callback(mesh, attributes, format, write, user_data) }
+        let format = decode_format(format)?;
+        let callback = write.ok_or_else(|| null_argument("write"))?;
+        let send = |bytes: &[u8]| {
+            // SAFETY: the caller's function, with the caller's `user_data`.
+            unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
+        };
+        write_through(send, |out| io::write_with(mesh, attributes, format, out))
     };
     // SAFETY: the caller's promises are those of `with_selected`.
     unsafe { with_selected(mesh, selection, format, body) }

@@ -1,13 +1,13 @@
 //! A growing array whose reserve can be split: partitions of a mesh grow in it, each in a stretch
 //! of its own, on threads of their own, and what they made is taken back without being copied.
 
+use super::allocation::Allocation;
 use super::pages::{give_back, prefer_large_pages};
 use super::{AllocResult, TryGrow, copied, with_capacity};
 use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ops::{Deref, DerefMut, Index, IndexMut};
 use std::ptr::NonNull;
 use std::slice::SliceIndex;
-use std::sync::atomic::{AtomicUsize, Ordering, fence};
 
 /// Allocations from this size on are the system's to move, by mapping them elsewhere.
 const MAPPED: usize = 32 << 20;
@@ -26,72 +26,6 @@ pub struct Array<T> {
     capacity: usize,
     /// Nothing where there is no capacity.
     allocation: Option<Allocation<T>>,
-}
-
-/// An allocation that several arrays have stretches of. What `Arc` would be, were it not that
-/// making one of those cannot be refused.
-struct Allocation<T> {
-    shared: NonNull<Shared<T>>,
-}
-
-struct Shared<T> {
-    /// The number of allocations that point here: one of each array with a stretch.
-    holders: AtomicUsize,
-    memory: Vec<MaybeUninit<T>>,
-    /// Of the vector that this is the one element of.
-    capacity: usize,
-}
-
-impl<T> Allocation<T> {
-    fn new(memory: Vec<MaybeUninit<T>>) -> AllocResult<Self> {
-        let mut holder = with_capacity(1)?;
-        let capacity = holder.capacity();
-        holder.push(Shared { holders: AtomicUsize::new(1), memory, capacity });
-        let mut holder = ManuallyDrop::new(holder);
-        Ok(Self { shared: NonNull::from(&mut holder[0]) })
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        self.shared == other.shared
-    }
-
-    /// The memory, if no other array has a stretch of it.
-    #[allow(unsafe_code)]
-    fn exclusive(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
-        // SAFETY: it lives as long as an allocation points to it. If this is the only one nobody
-        // else can reach it, nor make another one meanwhile; what others did to it came before they
-        // let go.
-        unsafe {
-            let is_alone = self.shared.as_ref().holders.load(Ordering::Acquire) == 1;
-            // Not before that is known.
-            if is_alone { Some(&mut self.shared.as_mut().memory) } else { None }
-        }
-    }
-}
-
-impl<T> Clone for Allocation<T> {
-    #[allow(unsafe_code)]
-    fn clone(&self) -> Self {
-        // SAFETY: it lives as long as an allocation points to it.
-        unsafe { self.shared.as_ref() }.holders.fetch_add(1, Ordering::Relaxed);
-        Self { shared: self.shared }
-    }
-}
-
-impl<T> Drop for Allocation<T> {
-    #[allow(unsafe_code)]
-    fn drop(&mut self) {
-        // SAFETY: it lives as long as an allocation points to it. The last one takes it down, after
-        // all that others did: it is the one element of a vector of that capacity.
-        unsafe {
-            if self.shared.as_ref().holders.fetch_sub(1, Ordering::Release) == 1 {
-                fence(Ordering::Acquire);
-                give_back(&mut self.shared.as_mut().memory);
-                let capacity = self.shared.as_ref().capacity;
-                drop(Vec::from_raw_parts(self.shared.as_ptr(), 1, capacity));
-            }
-        }
-    }
 }
 
 // SAFETY: the values in its stretch are the array's alone, as those of a `Vec` are; of

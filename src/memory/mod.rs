@@ -1,6 +1,7 @@
 //! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
 //! grows with the input grows through this module instead, which answers a [`AllocError`].
 
+mod allocation;
 mod array;
 mod id;
 mod lists;

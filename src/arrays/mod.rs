@@ -22,6 +22,8 @@
 //! | [`ConvexHull::placements`], [`placements_in_box`] | where each simplex lies | simplices |
 
 mod circumcenters;
+mod cloud;
+mod convex_hull;
 pub(crate) mod domains;
 mod faces;
 mod groups;
@@ -34,12 +36,14 @@ mod stars;
 pub(crate) mod tests;
 mod volumes;
 mod voronoi;
+mod walk;
 
 pub use circumcenters::Circumcenters;
+pub use convex_hull::ConvexHull;
 pub use faces::{Facets, Hull};
 pub use groups::{Arrays, Group};
 pub use part::Part;
-pub use placement::{ConvexHull, Placement, placements_in_box};
+pub use placement::{Placement, placements_in_box};
 pub use selection::{Extent, Selection};
 pub use voronoi::{Cells, Ridges, Voronoi};
 

@@ -4,37 +4,81 @@
 //! vertex v_i there are factors, none negative, with v_i + sum of s_j v_j (j other than i) = sum of
 //! t a, where v and a stand for vectors with a one beside the coordinates: all these equations
 //! together have positive factors at all v. Each is a linear program. The dual simplex method
-//! solves it with nothing but signs of determinants, which are orientations, and by the rule of the
-//! least index (R. G. Bland, "New finite pivoting rules for the simplex method", 1977) it ends.
+//! solves it with nothing but signs of determinants, which are orientations. By the rule of the least
+//! index it ends (R. G. Bland, "New finite pivoting rules for the simplex method", 1977).
 
-use crate::memory::{AllocResult, TryGrow};
+use super::cloud::Cloud;
 use crate::mesh::MAX_DIM;
-use crate::numerics::{Sign, orientation};
+use crate::numerics::{Hyperplane, Sign, orientation};
 
 /// A hyperplane through `dim` points with no point of the hull strictly on its positive side.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Plane<const D: usize> {
     points: [[f64; D]; D],
     /// The orientation of those points and one on the positive side.
     side: Sign,
+    /// The same for a filter; `None` where that cannot have it.
+    filter: Option<Hyperplane<D>>,
 }
 
 impl<const D: usize> Plane<D> {
+    fn new(points: [[f64; D]; D], side: Sign) -> Self {
+        let filter = Hyperplane::new(&points);
+        let filter = if side == Sign::Positive { filter } else { filter.map(Hyperplane::turned) };
+        Self { points, side, filter }
+    }
+
+    /// The plane of the facet opposite vertex `i` of a positively oriented simplex, which is on its
+    /// positive side.
+    pub fn of_facet(simplex: &[&[f64; D]], i: usize) -> Self {
+        let points = std::array::from_fn(|k| *simplex[k + usize::from(k >= i)]);
+        // The vertex passes D - i others on its way to the end.
+        let side = if (D - i) % 2 == 0 { Sign::Positive } else { Sign::Negative };
+        Self::new(points, side)
+    }
+
+    /// With the sides exchanged.
+    pub fn turned(self) -> Self {
+        Self { side: -self.side, filter: self.filter.map(Hyperplane::turned), ..self }
+    }
+
     /// Whether no vertex of a simplex is strictly on the side of the hull.
     pub fn separates(&self, simplex: &[&[f64; D]]) -> bool {
-        let mut points = [&self.points[0]; MAX_DIM + 1];
+        simplex.iter().all(|vertex| self.side_of(vertex) != Sign::Negative)
+    }
+
+    /// Whether a point is strictly on the positive side.
+    pub fn has_beyond(&self, point: &[f64; D]) -> bool {
+        self.side_of(point) == Sign::Positive
+    }
+
+    /// As [`Hyperplane::least_at`].
+    pub fn least_at(&self, point: &[f64; D]) -> f64 {
+        self.filter.as_ref().map_or(f64::NEG_INFINITY, |filter| filter.least_at(point))
+    }
+
+    /// As [`Hyperplane::most_in`].
+    pub fn most_in(&self, low: &[f64; D], high: &[f64; D]) -> f64 {
+        self.filter.as_ref().map_or(f64::INFINITY, |filter| filter.most_in(low, high))
+    }
+
+    fn side_of(&self, point: &[f64; D]) -> Sign {
+        if self.least_at(point) > 0.0 {
+            return Sign::Positive;
+        }
+        if self.most_in(point, point) < 0.0 {
+            return Sign::Negative;
+        }
+        let mut points = [point; MAX_DIM + 1];
         points.iter_mut().zip(&self.points).for_each(|(to, point)| *to = point);
-        simplex.iter().all(|vertex| {
-            points[D] = vertex;
-            orientation(&points[..=D]) * self.side != Sign::Negative
-        })
+        orientation(&points[..=D]) * self.side
     }
 }
 
 /// A simplex that is positively oriented, and points.
 pub(super) struct Pair<'a, const D: usize> {
     pub simplex: &'a [&'a [f64; D]],
-    pub points: &'a [[f64; D]],
+    pub points: &'a Cloud<D>,
 }
 
 /// A vector of the basis: a vertex of the simplex, negated, or one of the points.
@@ -43,6 +87,10 @@ enum Column {
     Vertex(usize),
     Point(usize),
 }
+
+/// After so many exchanges the rule of the least index counts. Before, far points come into the
+/// basis, which takes a few exchanges where that rule may take hundreds.
+const FREE: usize = 50;
 
 /// `D + 1` independent vectors.
 struct Basis<'a, const D: usize> {
@@ -54,51 +102,26 @@ struct Basis<'a, const D: usize> {
 
 impl<'a, const D: usize> Pair<'a, D> {
     /// A plane that separates the interior of the simplex from the hull of the points; `None` if
-    /// they have a point in common. Adds the points that came into a basis to `used`.
-    pub fn separation(&self, used: &mut Vec<usize>) -> AllocResult<Option<Plane<D>>> {
-        for i in 0..=D {
-            if let Some(plane) = self.separation_at(i, used)? {
-                return Ok(Some(plane));
-            }
-        }
-        Ok(None)
+    /// they have a point in common.
+    pub fn separation(&self) -> Option<Plane<D>> {
+        (0..=D).find_map(|i| self.separation_at(i))
     }
 
     /// The same as far as it is decided by whether v_i is such a sum.
-    fn separation_at(&self, i: usize, used: &mut Vec<usize>) -> AllocResult<Option<Plane<D>>> {
-        let Some(first) = self.beyond_facet(i) else {
-            return Ok(Some(self.facet(i)));
+    fn separation_at(&self, i: usize) -> Option<Plane<D>> {
+        let facet = Plane::of_facet(self.simplex, i);
+        let Some(first) = self.points.far_beyond(&facet) else {
+            return Some(facet);
         };
-        used.try_push(first)?;
         let mut basis = self.first_basis(i, first);
+        let mut pivots = 0;
         while let Some(row) = self.negative_row(&mut basis, i) {
-            let Some(column) = self.entering(&mut basis, row, i) else {
-                return Ok(Some(basis.plane(row)));
-            };
-            if let Column::Point(at) = column {
-                used.try_push(at)?;
-            }
+            let plane = basis.plane(row);
+            let Some(column) = self.entering(&plane, i, pivots < FREE) else { return Some(plane) };
+            pivots += 1;
             basis.exchange(row, column, self.point(column));
         }
-        Ok(None)
-    }
-
-    /// The first of the points on the side of vertex `i` of the opposite facet.
-    fn beyond_facet(&self, i: usize) -> Option<usize> {
-        let mut points = [self.simplex[0]; MAX_DIM + 1];
-        points[..=D].copy_from_slice(self.simplex);
-        self.points.iter().position(|point| {
-            points[i] = point;
-            orientation(&points[..=D]) == Sign::Positive
-        })
-    }
-
-    /// The plane of the facet opposite vertex `i`, with the simplex on its positive side.
-    fn facet(&self, i: usize) -> Plane<D> {
-        let points = std::array::from_fn(|k| *self.simplex[k + usize::from(k >= i)]);
-        // The vertex passes D - i others on its way to the end.
-        let side = if (D - i) % 2 == 0 { Sign::Positive } else { Sign::Negative };
-        Plane { points, side }
+        None
     }
 
     /// The vertices other than `i`, and a point beyond their facet.
@@ -110,7 +133,7 @@ impl<'a, const D: usize> Pair<'a, D> {
         };
         basis.points[..=D].copy_from_slice(self.simplex);
         basis.columns[i] = Column::Point(point);
-        basis.points[i] = &self.points[point];
+        basis.points[i] = self.points.point(point);
         basis
     }
 
@@ -126,21 +149,23 @@ impl<'a, const D: usize> Pair<'a, D> {
         negative
     }
 
-    /// The least vector outside the basis with a negative coordinate in `row`.
-    fn entering(&self, basis: &mut Basis<'a, D>, row: usize, i: usize) -> Option<Column> {
-        let vertices = (0..=D).filter(|&at| at != i).map(Column::Vertex);
-        let points = (0..self.points.len()).map(Column::Point);
-        vertices.chain(points).find(|&column| {
-            let sign = basis.coordinate(row, self.point(column));
-            let sign = if column.is_negated() { -sign } else { sign };
-            sign == Sign::Negative && !basis.columns[..=D].contains(&column)
-        })
+    /// The least vector with a negative coordinate in a row, or any, as long as the choice is free; whose plane has them on its positive
+    /// side, and vertices, which are negated, on the other one. No vector of the basis is among
+    /// them.
+    fn entering(&self, plane: &Plane<D>, i: usize, is_free: bool) -> Option<Column> {
+        let mut vertices = (0..=D).filter(|&at| at != i);
+        let vertex = vertices.find(|&at| plane.side_of(self.simplex[at]) == Sign::Negative);
+        let point = || match is_free {
+            true => self.points.far_beyond(plane).map(Column::Point),
+            false => self.points.first_beyond(plane).map(Column::Point),
+        };
+        vertex.map(Column::Vertex).or_else(point)
     }
 
     fn point(&self, column: Column) -> &'a [f64; D] {
         match column {
             Column::Vertex(at) => self.simplex[at],
-            Column::Point(at) => &self.points[at],
+            Column::Point(at) => self.points.point(at),
         }
     }
 }
@@ -174,6 +199,6 @@ impl<'a, const D: usize> Basis<'a, D> {
         // The point in `row` passes D - row others on its way to the end.
         let passed = if (D - row) % 2 == 0 { self.orientation } else { -self.orientation };
         let side = if self.columns[row].is_negated() { passed } else { -passed };
-        Plane { points, side }
+        Plane::new(points, side)
     }
 }

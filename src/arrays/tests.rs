@@ -1,6 +1,5 @@
 //! Every array against brute force, on points that have broken others.
 
-use super::*;
 use crate::mesh::{NONE, Triangulation};
 use crate::numerics::testing::{
     FAMILIES, Family, Random, circumcenter_oracle, integer, is_close, points,

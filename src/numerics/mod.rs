@@ -38,6 +38,7 @@ mod timing;
 pub use affine::{AffineBasis, affine_basis};
 pub(crate) use exact::{Column, Edges};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
+pub(crate) use filters::Hyperplane;
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub use lengths::{distance, norm, shortest_distance};
 pub use sign::Sign;

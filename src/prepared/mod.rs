@@ -82,8 +82,7 @@ impl Prepared {
 
     /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty
     /// for [`Extent::All`]. The first time the hull takes a Delaunay triangulation of the inputs
-    /// that may be on it, and each simplex that its vertices do not place time of the order of the
-    /// inputs on it.
+    /// that may be on it, and tests of the simplices along it.
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.

@@ -32,6 +32,22 @@ pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64,
     (determinant, 2.0 * roundings as f64 * UNIT * permanent + TINY)
 }
 
+/// The cofactors of the last of `size` rows, which is not looked at, and bounds of their errors; a
+/// product of one entry from each other row carries `roundings` already. Entries as above.
+pub(super) fn cofactors<const D: usize>(rows: &Matrix, roundings: usize) -> ([f64; D], [f64; D]) {
+    let mut minors = [(1.0f64, 1.0f64); 1 << (MAX_SIZE - 1)];
+    let all = (1 << D) - 1;
+    laplace::expand(&Rows(rows), all, &mut minors);
+    let roundings = (D - 1) * (D + 1) + roundings;
+    let minor = |place: usize| minors[all ^ (1 << place)];
+    // Along the last row, signs alternate from plus at its end.
+    let sign = |place: usize| if (D - 1 - place) % 2 == 0 { 1.0 } else { -1.0 };
+    (
+        std::array::from_fn(|place| sign(place) * minor(place).0),
+        std::array::from_fn(|place| 2.0 * roundings as f64 * UNIT * minor(place).1 + TINY),
+    )
+}
+
 /// A matrix whose minors come with the permanents of their absolute values.
 struct Rows<'a>(&'a Matrix);
 

@@ -4,7 +4,8 @@
 //! `orientation` and `in_ball` answer for one simplex. `circumball` stores a centre and a radius
 //! once, and then decides for every point in a few operations: it is the filter of all conflict
 //! tests. Its centre comes from `cramer` for ordinary simplices, from `solve` for others, and from
-//! integers where both are too inaccurate. `determinant` and `f64x2` serve these.
+//! integers where both are too inaccurate. `hyperplane` computes a normal once, and then places points
+//! and boxes. `determinant` and `f64x2` serve these.
 //!
 //! A formula may enter if its comment proves the bound of its error for all finite coordinates.
 
@@ -12,10 +13,12 @@ mod circumball;
 mod cramer;
 mod determinant;
 mod f64x2;
+mod hyperplane;
 mod in_ball;
 mod orientation;
 mod solve;
 
 pub use circumball::Circumball;
+pub(crate) use hyperplane::Hyperplane;
 pub use in_ball::in_ball;
 pub use orientation::{determinant_filtered, orientation, orientation_filtered};

@@ -79,7 +79,7 @@ fn spatial_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
 /// Rows scaled by powers of two until their largest magnitudes are in [1, 2), which changes no
 /// sign; `None` if a row is zero, subnormal or too large for that.
 #[inline]
-fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
+pub(super) fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
     for row in &mut rows {
         let exponent = biased_exponent(largest_magnitude(row));
         if !(1..=2045).contains(&exponent) {

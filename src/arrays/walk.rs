@@ -320,7 +320,7 @@ mod tests {
         placements_are_right::<2>(30);
         placements_are_right::<3>(12);
         placements_are_right::<4>(7);
-        placements_are_right::<5>(7);
+        placements_are_right::<5>(8);
     }
 
     /// Full of corners at which the hull's cone is a half-space, or nearly.

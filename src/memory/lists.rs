@@ -39,7 +39,7 @@ impl Lists {
         Ok(Self { starts, ids })
     }
 
-    /// No list, with room for so many.
+    /// No list yet, with a reserve for `lists` of them.
     pub(crate) fn with_capacity(lists: usize) -> AllocResult<Self> {
         let mut starts = with_capacity(lists + 1)?;
         starts.push(0);

@@ -49,10 +49,11 @@ impl<const D: usize> Hyperplane<D> {
     #[inline]
     pub fn least_at(&self, point: &[f64; D]) -> f64 {
         let (mut sum, mut error) = (0.0, TINY);
-        for k in 0..D {
-            let x = point[k] - self.origin[k];
-            sum += self.normal[k] * x;
-            error += self.error[k] * x.abs();
+        let components = self.normal.iter().zip(&self.error);
+        for ((x, origin), (normal, bound)) in point.iter().zip(&self.origin).zip(components) {
+            let x = x - origin;
+            sum += normal * x;
+            error += bound * x.abs();
         }
         sum - 1.01 * error
     }

@@ -1896,10 +1896,10 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids, ascending
- * within a face; the faces in lexicographic order. The id of a face is its place there. k: 0 (all
- * vertices, so that ids are those of vertices) to dim (the simplices, in this order another one than
- * that of nm_mesh_get_simplices).
+ * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids,
+ * ascending within a face; the faces in lexicographic order. The id of a face is its place there.
+ * k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
+ * another one than that of nm_mesh_get_simplices).
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (k,
  * buf not aligned), NM_LIMIT (more faces, or facets of faces, of one dimension than 32-bit ids can
@@ -1930,9 +1930,9 @@ nm_status nm_mesh_get_face_facets(const struct nm_mesh *mesh,
                                   uint64_t *needed);
 
 /**
- * Writes the cofaces of each face of dimension k, its coboundary: the ids of the faces of dimension
- * k + 1 that have it as a facet, ascending, one face after the other. Where the lists begin tells
- * nm_mesh_get_coface_starts. k: 0 to dim - 1.
+ * Writes the cofaces of each face of dimension k, its coboundary: the ids of the faces of
+ * dimension k + 1 that have it as a facet, ascending, one face after the other. Where the lists
+ * begin tells nm_mesh_get_coface_starts. k: 0 to dim - 1.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_faces. Made anew in each call.
  */
@@ -1975,14 +1975,15 @@ nm_status nm_mesh_make_filtration(const struct nm_mesh *mesh,
 
 /**
  * Writes the values of the faces of dimension k in a filtration, in the order of
- * nm_mesh_get_faces. No face has less than one of its facets. docs/topology.md has the definitions.
+ * nm_mesh_get_faces. No face has less than one of its facets. docs/topology.md has the
+ * definitions.
  *
  * k: 0 to dim.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
  * (filtration; NM_FILTRATION_ALPHA where a vertex is no input: the message says what to do; k; buf
- * not aligned), NM_LIMIT (as nm_mesh_get_faces), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result
- * yet, nm_run at work, poisoned).
+ * not aligned), NM_LIMIT (as nm_mesh_get_faces), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no
+ * result yet, nm_run at work, poisoned).
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_filtration(const struct nm_mesh *mesh,
@@ -1993,10 +1994,10 @@ nm_status nm_mesh_filtration(const struct nm_mesh *mesh,
                              uint64_t *needed);
 
 /**
- * Writes how near the diagrams of a filtration are to those of the balls round the inputs: a feature
- * of either, from birth to death, both lengths, with death / birth > factor * factor has its own in
- * the other, and births and deaths differ by no more than this factor. 1 for NM_FILTRATION_ALPHA,
- * whose values are squares of such lengths.
+ * Writes how near the diagrams of a filtration are to those of the balls round the inputs: a
+ * feature of either, from birth to death, both lengths, with death / birth > factor * factor has
+ * its own in the other, and births and deaths differ by no more than this factor. 1 for
+ * NM_FILTRATION_ALPHA, whose values are squares of such lengths.
  *
  * factor: receives a number of at least 1, infinite where nothing can be said. It is small for
  * NM_OUTPUT_WELL_SPACED and large where cages are.

@@ -27,10 +27,10 @@ fn check_dimension(k: u32, first: usize, last: usize) -> Result<usize> {
     Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
-/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids, ascending
-/// within a face; the faces in lexicographic order. The id of a face is its place there. k: 0 (all
-/// vertices, so that ids are those of vertices) to dim (the simplices, in this order another one than
-/// that of nm_mesh_get_simplices).
+/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids,
+/// ascending within a face; the faces in lexicographic order. The id of a face is its place there.
+/// k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
+/// another one than that of nm_mesh_get_simplices).
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (k,
 /// buf not aligned), NM_LIMIT (more faces, or facets of faces, of one dimension than 32-bit ids can
@@ -86,9 +86,9 @@ fn cofaces(mesh: &Mesh, prepared: &Prepared, k: u32) -> Result<(Vec<usize>, Vec<
     faces.of_dimension(k + 1).coboundary(faces.of_dimension(k).count())
 }
 
-/// Writes the cofaces of each face of dimension k, its coboundary: the ids of the faces of dimension
-/// k + 1 that have it as a facet, ascending, one face after the other. Where the lists begin tells
-/// nm_mesh_get_coface_starts. k: 0 to dim - 1.
+/// Writes the cofaces of each face of dimension k, its coboundary: the ids of the faces of
+/// dimension k + 1 that have it as a facet, ascending, one face after the other. Where the lists
+/// begin tells nm_mesh_get_coface_starts. k: 0 to dim - 1.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_faces. Made anew in each call.
 #[unsafe(no_mangle)]
@@ -175,14 +175,15 @@ pub unsafe extern "C" fn nm_mesh_make_filtration(
 }
 
 /// Writes the values of the faces of dimension k in a filtration, in the order of
-/// nm_mesh_get_faces. No face has less than one of its facets. docs/topology.md has the definitions.
+/// nm_mesh_get_faces. No face has less than one of its facets. docs/topology.md has the
+/// definitions.
 ///
 /// k: 0 to dim.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
 /// (filtration; NM_FILTRATION_ALPHA where a vertex is no input: the message says what to do; k; buf
-/// not aligned), NM_LIMIT (as nm_mesh_get_faces), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result
-/// yet, nm_run at work, poisoned).
+/// not aligned), NM_LIMIT (as nm_mesh_get_faces), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no
+/// result yet, nm_run at work, poisoned).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_filtration(
     mesh: *const nm_mesh,
@@ -204,10 +205,10 @@ pub unsafe extern "C" fn nm_mesh_filtration(
     }
 }
 
-/// Writes how near the diagrams of a filtration are to those of the balls round the inputs: a feature
-/// of either, from birth to death, both lengths, with death / birth > factor * factor has its own in
-/// the other, and births and deaths differ by no more than this factor. 1 for NM_FILTRATION_ALPHA,
-/// whose values are squares of such lengths.
+/// Writes how near the diagrams of a filtration are to those of the balls round the inputs: a
+/// feature of either, from birth to death, both lengths, with death / birth > factor * factor has
+/// its own in the other, and births and deaths differ by no more than this factor. 1 for
+/// NM_FILTRATION_ALPHA, whose values are squares of such lengths.
 ///
 /// factor: receives a number of at least 1, infinite where nothing can be said. It is small for
 /// NM_OUTPUT_WELL_SPACED and large where cages are.

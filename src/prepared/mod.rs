@@ -157,10 +157,10 @@ impl Prepared {
         Part::of(mesh.result()?, selection, placements)
     }
 
-    /// Calls `act` with an array of a selection, the one that `array` picks from a group. The arrays
-    /// of a group are made at the first call for one of them. Each is kept until `act` answers true
-    /// for it, until another group or selection is asked for, or as long as this value. At most one
-    /// group is kept; threads that ask at the same time each make their own.
+    /// Calls `act` with an array of a selection, the one that `array` picks from a group. The
+    /// arrays of a group are made at the first call for one of them. Each is kept until `act`
+    /// answers true for it, until another group or selection is asked for, or as long as this
+    /// value. At most one group is kept; threads that ask at the same time each make their own.
     ///
     /// # Errors
     /// Those of [`Prepared::part`], and of `act`.

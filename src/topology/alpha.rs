@@ -1,6 +1,6 @@
-//! Alpha values (H. Edelsbrunner, E. P. Mücke, "Three-dimensional alpha shapes", 1994): of a face of
-//! a Delaunay triangulation the squared radius of its smallest circumscribing ball if no vertex is
-//! strictly in that (the face is Gabriel), else the least value of the faces that have it as a
+//! Alpha values (H. Edelsbrunner, E. P. Mücke, "Three-dimensional alpha shapes", 1994): of a face
+//! of a Delaunay triangulation the squared radius of its smallest circumscribing ball if no vertex
+//! is strictly in that (the face is Gabriel), else the least value of the faces that have it as a
 //! facet.
 //!
 //! No vertex is in the ball of a face if none is of those that make a face of one more dimension
@@ -58,9 +58,9 @@ pub(super) fn flat() -> Error {
     Error::new(ErrorKind::InvalidArgument, "the mesh has a flat simplex")
 }
 
-/// The same, squared or not, for the faces that `is_wanted` picks by their vertices; what the others
-/// have is unspecified. A face that has a wanted one as a facet must be wanted. `None` if one is
-/// flat.
+/// The same, squared or not, for the faces that `is_wanted` picks by their vertices; what the
+/// others have is unspecified. A face that has a wanted one as a facet must be wanted. `None` if
+/// one is flat.
 pub(super) fn radii<const D: usize>(
     mesh: &Triangulation,
     faces: &Faces,

@@ -14,8 +14,8 @@
 //! `x` comes from an elimination in doubles. Its error enters into `Q(x)` by its square only, so
 //! that `Q` in 106 bits gives the radius to far more than 53.
 //!
-//! The bound of the error of `x`. Computed are the products of edges within `(D + 3) u |e_i| |e_j|`,
-//! `u` the unit roundoff; elimination is exact for a matrix off by another
+//! The bound of the error of `x`. The products of edges are computed within
+//! `(D + 3) u |e_i| |e_j|`, `u` the unit roundoff; elimination is exact for a matrix off by another
 //! `(3 k + 2) u |e_i| |e_j|` (N. J. Higham, "Accuracy and Stability of Numerical Algorithms",
 //! Theorem 10.4, and Cauchy's inequality for the factors). Let `r_j` be `|e_j|` over the height of
 //! vertex `j`, whose square is `|e_j|^2` times a diagonal entry of the inverse of `G`. By Cauchy's
@@ -25,8 +25,8 @@
 //!     |e_i| |error of x_i|  <=  r_i (sum of r_j) c u (sum of |e_j| |x_j| + longest edge),
 //! ```
 //!
-//! with `c` the sum of the two factors. The squares of the `r_j`, computed, are exact up to a factor
-//! of two if their sum is at most 2^24: larger ones are for integers.
+//! with `c` the sum of the two factors. The squares of the `r_j`, computed, are exact up to a
+//! factor of two if their sum is at most 2^24: larger ones are for integers.
 
 use super::double_double::DoubleDouble;
 use super::exact;
@@ -210,8 +210,8 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
     }
 
     /// What the error of `x` takes from the squared radius, and a bound of its own error: with
-    /// `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`. `offset` is the
-    /// sum of `x_j e_j` up to `unit` of the center's size.
+    /// `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`. `offset` is
+    /// the sum of `x_j e_j` up to `unit` of the center's size.
     #[cold]
     fn rest(
         &self,

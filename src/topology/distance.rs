@@ -1,6 +1,6 @@
-//! The filtration of a mesh by the distance to its inputs, after B. Hudson, G. L. Miller,
-//! S. Y. Oudot and D. R. Sheehy, "Topological Inference via Meshing", 2010: what the balls of radius
-//! `r` round the inputs cover is followed by Voronoi cells of the mesh, whose nerve its faces are.
+//! The filtration of a mesh by the distance to its inputs, after B. Hudson, G. L. Miller, S. Y.
+//! Oudot and D. R. Sheehy, "Topological Inference via Meshing", 2010: what the balls of radius `r`
+//! round the inputs cover is followed by Voronoi cells of the mesh, whose nerve its faces are.
 //!
 //! The cell of an input comes as far as it is in the input's own ball. That of another vertex comes
 //! as a whole, when `r` is the geometric mean of bounds of the least and of the largest distance in
@@ -17,8 +17,8 @@ use crate::mesh::{NONE, Triangulation, VertexKind, in_dimension};
 use crate::numerics::distance as length;
 use crate::query::{Among, Index};
 
-/// The filtration of a mesh by the distance to its inputs. `index` is that of the mesh; `faces` from dimension 0 or 1
-/// on. `threads` as in the options.
+/// The filtration of a mesh by the distance to its inputs. `index` is that of the mesh; `faces`
+/// from dimension 0 or 1 on. `threads` as in the options.
 ///
 /// # Errors
 /// `InvalidArgument` (faces of another mesh; a flat simplex), `OutOfMemory`.

@@ -59,7 +59,8 @@ impl Level {
 
 impl Faces {
     /// The faces of dimension `lowest` and more. Those of dimension 0 are all vertices of the mesh,
-    /// so that the id of each is its own. `threads` as in the options. O(faces x dim log(faces at a vertex)).
+    /// so that the id of each is its own. `threads` as in the options. O(faces x dim log(faces at a
+    /// vertex)).
     ///
     /// # Errors
     /// `InvalidArgument` (arrays that do not fit together), `Limit` (more faces of a dimension, or
@@ -196,7 +197,8 @@ impl<K: Key> Lists<K> {
         *end += 1;
     }
 
-    /// The vertices of the distinct faces in lexicographic order, and the id of each that was added.
+    /// The vertices of the distinct faces in lexicographic order, and the id of each that was
+    /// added.
     fn distinct(mut self, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
         self.sort(threads)?;
         let (mut faces, mut ids) = (Vec::new(), filled(self.entries.len(), 0u32)?);

@@ -58,8 +58,8 @@ fn faces_are_those_of_the_simplices_each_once() {
     faces_are_right::<4>(14);
 }
 
-/// A squared radius `sum / (4 determinant)`, and the solution `x / determinant` with it; in units of
-/// 2^-1074.
+/// A squared radius `sum / (4 determinant)`, and the solution `x / determinant` with it; in units
+/// of 2^-1074.
 #[derive(Clone)]
 struct Ball {
     sum: IBig,

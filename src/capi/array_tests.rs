@@ -173,7 +173,9 @@ fn exports_have_the_selection() {
 
 #[test]
 fn wrong_selections_are_named() {
-    let handle = nm_mesh::new(meshed());
+    let mesh = meshed();
+    let domains = mesh.triangulation().unwrap().domains.len() as u32;
+    let handle = nm_mesh::new(mesh);
     let mut needed = 17;
     let mut refused = |selection: &nm_selection, message: &str| {
         // SAFETY: a live handle and a struct as long as it says, or refused.
@@ -183,6 +185,7 @@ fn wrong_selections_are_named() {
     };
     refused(&select(3, 0, NONE), "selection.extent is 3");
     refused(&select(0, 0, 999), "selection.domain is 999; the mesh has");
+    refused(&select(0, 0, domains), "selection.domain is");
     refused(&nm_selection { struct_size: 6, ..select(0, 0, NONE) }, "selection.struct_size is 6");
     let short = nm_selection { struct_size: 4, ..select(2, 0, 999) };
     assert_eq!(

@@ -6,6 +6,8 @@ use crate::mesh::NONE;
 use crate::numerics::testing::{Family, Random, points};
 use crate::numerics::{Sign, orientation_exact};
 use crate::query::{Interpolation, Method, Outside};
+use std::sync::atomic::AtomicUsize;
+use std::time::Duration;
 
 /// Calls `act` with each set of `size` numbers below `count`, until it answers true.
 fn any_set(count: usize, size: usize, mut act: impl FnMut(&[usize]) -> bool) -> bool {
@@ -271,17 +273,22 @@ fn values_of_inputs_are_extended_over_hull_and_cage() {
 }
 
 #[test]
-fn threads_make_an_index_once() {
-    let points = points::<2>(Family::Uniform, 3000, &mut Random(5));
-    let mesh = meshed(&points, &delaunay()).unwrap();
-    let prepared = Prepared::default();
-    let addresses: Vec<usize> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..4)
-            .map(|_| scope.spawn(|| prepared.index(&mesh).unwrap() as *const Index as usize))
-            .collect();
-        threads.into_iter().map(|thread| thread.join().unwrap()).collect()
+fn threads_make_a_value_once() {
+    let (once, made) = (Once::default(), AtomicUsize::new(0));
+    let make = || {
+        std::thread::sleep(Duration::from_millis(20));
+        Ok(made.fetch_add(1, Ordering::Relaxed))
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..4 {
+            scope.spawn(|| assert_eq!(*once.get_or_make(make).unwrap(), 0));
+        }
     });
-    assert!(addresses.iter().all(|&address| address == addresses[0]));
+    assert_eq!(made.into_inner(), 1);
+}
+
+#[test]
+fn an_index_needs_a_result() {
     let before = Mesh::new(2, 3, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], 0).unwrap();
     let error = Prepared::default().index(&before).err().unwrap();
     assert_eq!(error.kind(), ErrorKind::State);

@@ -5,10 +5,8 @@ use crate::core::Core;
 use crate::derived::{Lists, lists};
 use crate::errors::{detached, invalid};
 use crate::options::{choice, whole};
-use netmesh::VertexKind;
-use netmesh::arrays;
 use netmesh::io::{FiltrationFormat, write_filtration_file};
-use netmesh::topology::{Faces, Filtration, alpha, distances};
+use netmesh::topology::{Faces, Filtration, alpha, distances, has_inputs_alone};
 use numpy::ndarray::ArrayView;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -32,7 +30,7 @@ impl Core {
         let is_of_mesh = choice("kind", kind, &[("alpha", false), ("mesh", true)])?;
         let threads = whole("threads", threads, u32::MAX)?;
         let mesh = self.triangulation();
-        if !is_of_mesh && mesh.kinds.iter().any(|&kind| kind != VertexKind::Input) {
+        if !is_of_mesh && !has_inputs_alone(mesh) {
             let message = "kind is 'alpha', but the mesh has vertices that are no inputs; make it \
                            with algorithm='delaunay', or ask for kind='mesh'";
             return Err(invalid(py, message.into()));
@@ -101,8 +99,7 @@ impl FiltrationCore {
         let k = self.dimension(k, 0, self.faces.dim() - 1)?;
         let above = self.faces.of_dimension(k + 1);
         let count = self.faces.of_dimension(k).count();
-        let (starts, ids) = detached(py, || above.coboundary(count))?;
-        lists(py, arrays::Lists { starts, ids }, above.count())
+        lists(py, detached(py, || above.coboundary(count))?, above.count())
     }
 
     /// The format goes by the extension.

@@ -5,11 +5,12 @@ use super::error::null_argument;
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, utf8_path};
+use crate::arrays::Lists;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::{FiltrationFormat, write_filtration_file};
-use crate::mesh::{Mesh, VertexKind};
+use crate::mesh::Mesh;
 use crate::prepared::Prepared;
-use crate::topology::{Faces, Filtration};
+use crate::topology::{Faces, Filtration, Level, has_inputs_alone};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
 
@@ -25,6 +26,27 @@ fn check_dimension(k: u32, first: usize, last: usize) -> Result<usize> {
     }
     let message = message!("k is {k}; it must be {first} to {last}");
     Err(Error::new(ErrorKind::InvalidArgument, message))
+}
+
+/// Copies the ids that `ids` picks of the faces of dimension `k`, at least `first`, to a buffer of
+/// a getter.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle, and the buffer is as the getters' rules say.
+unsafe fn copy_ids(
+    mesh: *const nm_mesh,
+    (k, first): (u32, usize),
+    ids: fn(&Level) -> &[u32],
+    (buf, capacity, needed): (*mut u32, u64, *mut u64),
+) -> nm_status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with_prepared(mesh, |mesh, prepared| {
+            let k = check_dimension(k, first, result(mesh)?.dim)?;
+            let ids = ids(faces(mesh, prepared)?.of_dimension(k));
+            copy_out(buf, capacity, needed, ids.len(), ids.iter().copied())
+        })
+    }
 }
 
 /// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids,
@@ -47,13 +69,7 @@ pub unsafe extern "C" fn nm_mesh_get_faces(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: the caller gave NULL or a live handle, and a buffer by the getters' rules.
-    unsafe {
-        with_prepared(mesh, |mesh, prepared| {
-            let k = check_dimension(k, 0, result(mesh)?.dim)?;
-            let vertices = &faces(mesh, prepared)?.of_dimension(k).vertices;
-            copy_out(buf, capacity, needed, vertices.len(), vertices.iter().copied())
-        })
-    }
+    unsafe { copy_ids(mesh, (k, 0), |level| &level.vertices, (buf, capacity, needed)) }
 }
 
 /// Writes the facets of each face of dimension k, its boundary: faces x (k + 1) ids of faces of
@@ -70,17 +86,11 @@ pub unsafe extern "C" fn nm_mesh_get_face_facets(
     needed: *mut u64,
 ) -> nm_status {
     // SAFETY: as above.
-    unsafe {
-        with_prepared(mesh, |mesh, prepared| {
-            let k = check_dimension(k, 1, result(mesh)?.dim)?;
-            let boundary = &faces(mesh, prepared)?.of_dimension(k).boundary;
-            copy_out(buf, capacity, needed, boundary.len(), boundary.iter().copied())
-        })
-    }
+    unsafe { copy_ids(mesh, (k, 1), |level| &level.boundary, (buf, capacity, needed)) }
 }
 
-/// Where each list of cofaces begins, and the lists.
-fn cofaces(mesh: &Mesh, prepared: &Prepared, k: u32) -> Result<(Vec<usize>, Vec<u32>)> {
+/// The cofaces of each face of dimension `k`.
+fn cofaces(mesh: &Mesh, prepared: &Prepared, k: u32) -> Result<Lists> {
     let k = check_dimension(k, 0, result(mesh)?.dim - 1)?;
     let faces = faces(mesh, prepared)?;
     faces.of_dimension(k + 1).coboundary(faces.of_dimension(k).count())
@@ -102,7 +112,7 @@ pub unsafe extern "C" fn nm_mesh_get_cofaces(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let (_, ids) = cofaces(mesh, prepared, k)?;
+            let ids = cofaces(mesh, prepared, k)?.ids;
             copy_out(buf, capacity, needed, ids.len(), ids.iter().copied())
         })
     }
@@ -123,10 +133,20 @@ pub unsafe extern "C" fn nm_mesh_get_coface_starts(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let (starts, _) = cofaces(mesh, prepared, k)?;
+            let starts = cofaces(mesh, prepared, k)?.starts;
             copy_out(buf, capacity, needed, starts.len(), starts.iter().map(|&at| at as u64))
         })
     }
+}
+
+/// Fails if the mesh has no alpha values.
+fn check_alpha(mesh: &Mesh) -> Result<()> {
+    if has_inputs_alone(result(mesh)?) {
+        return Ok(());
+    }
+    let rule = "filtration is NM_FILTRATION_ALPHA, but the mesh has vertices that are no inputs; \
+                set options.algorithm to NM_ALGORITHM_DELAUNAY, or ask for NM_FILTRATION_MESH";
+    Err(Error::new(ErrorKind::InvalidArgument, rule))
 }
 
 /// The filtration that is asked for.
@@ -140,12 +160,7 @@ fn filtration<'a>(
     if is_of_mesh {
         return prepared.distances(mesh, threads);
     }
-    if result(mesh)?.kinds.iter().any(|&kind| kind != VertexKind::Input) {
-        let rule = "filtration is NM_FILTRATION_ALPHA, but the mesh has vertices that are no \
-                    inputs; set options.algorithm to NM_ALGORITHM_DELAUNAY, or ask for \
-                    NM_FILTRATION_MESH";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
-    }
+    check_alpha(mesh)?;
     prepared.alpha(mesh, threads)
 }
 

@@ -39,7 +39,7 @@ pub struct Filtration {
 /// `InvalidArgument` (a vertex that is no input; faces of another mesh; a flat simplex),
 /// `OutOfMemory`.
 pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtration> {
-    if mesh.kinds.iter().any(|&kind| kind != VertexKind::Input) {
+    if !has_inputs_alone(mesh) {
         let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and the \
                     mesh has other vertices";
         return Err(Error::new(ErrorKind::InvalidArgument, rule));
@@ -51,6 +51,11 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
         _ => none()
     )?;
     Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0 })
+}
+
+/// Whether the mesh has alpha values: those are of a Delaunay triangulation of the inputs.
+pub fn has_inputs_alone(mesh: &Triangulation) -> bool {
+    mesh.kinds.iter().all(|&kind| kind == VertexKind::Input)
 }
 
 /// What no valid mesh has.

@@ -1,6 +1,7 @@
 //! All faces of the simplices, each once.
 
 use super::keys::{Entry, Key, bits_of_ids, sort};
+use crate::arrays::Lists;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, collected, copied, filled, reserve, with_capacity};
 use crate::mesh::{MAX_DIM, Triangulation};
@@ -42,13 +43,12 @@ impl Level {
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn coboundary(&self, below: usize) -> Result<(Vec<usize>, Vec<u32>)> {
+    pub fn coboundary(&self, below: usize) -> Result<Lists> {
         let facets = || self.boundary.chunks_exact(self.k + 1).enumerate();
         let pairs = || {
             facets().flat_map(|(at, facets)| facets.iter().map(move |&facet| (facet, at as u32)))
         };
-        let lists = crate::memory::Lists::of_pairs(below, pairs)?;
-        Ok((lists.starts, lists.ids))
+        Ok(Lists::of_pairs(below, pairs)?)
     }
 
     /// The facets of a face.
@@ -128,11 +128,11 @@ fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<Level> {
     let bits = bits_of_ids(count);
     let (vertices, _) = with_key!(dim, bits, K => {
         let simplices = || sorted.chunks_exact(dim + 1);
-        let mut lists = Lists::<K>::new(count, dim, simplices().map(|simplex| (simplex[0], 1)))?;
+        let mut given = Given::<K>::new(count, dim, simplices().map(|simplex| (simplex[0], 1)))?;
         for (at, simplex) in simplices().enumerate() {
-            lists.push(simplex[0], K::pack(&simplex[1..], bits), at as u32);
+            given.push(simplex[0], K::pack(&simplex[1..], bits), at as u32);
         }
-        lists.distinct(threads)?
+        given.distinct(threads)?
     });
     Ok(Level { k: dim, vertices, boundary: Vec::new() })
 }
@@ -151,21 +151,21 @@ fn facets(count: usize, above: &Level, threads: usize) -> AllocResult<(Vec<u32>,
     with_key!(k + 1, bits, K => {
         // One facet of each face lacks its first vertex.
         let firsts = faces().flat_map(|face| [(face[0], k + 1), (face[1], 1)]);
-        let mut lists = Lists::<K>::new(count, k, firsts)?;
+        let mut given = Given::<K>::new(count, k, firsts)?;
         for (at, face) in faces().enumerate() {
             let (others, place) = (K::pack(&face[1..], bits), (at * (k + 2)) as u32);
-            lists.push(face[1], others.without(0, k + 1, bits), place);
+            given.push(face[1], others.without(0, k + 1, bits), place);
             for i in 0..=k {
-                lists.push(face[0], others.without(i, k + 1, bits), place + i as u32 + 1);
+                given.push(face[0], others.without(i, k + 1, bits), place + i as u32 + 1);
             }
         }
-        lists.distinct(threads)
+        given.distinct(threads)
     })
 }
 
 /// Faces of one dimension, some of them more than once: for each vertex those of which it is the
 /// first, as keys of the other vertices.
-struct Lists<K> {
+struct Given<K> {
     /// The dimension of the faces.
     k: usize,
     bits: u32,
@@ -174,7 +174,7 @@ struct Lists<K> {
     entries: Vec<Entry<K>>,
 }
 
-impl<K: Key> Lists<K> {
+impl<K: Key> Given<K> {
     /// Lists of the lengths that `firsts` says: pairs of a vertex and a number of faces.
     fn new(
         count: usize,

@@ -20,6 +20,6 @@ mod keys;
 #[cfg(test)]
 mod tests;
 
-pub use alpha::{Filtration, alpha};
+pub use alpha::{Filtration, alpha, has_inputs_alone};
 pub use distance::distances;
 pub use faces::{Faces, Level};

@@ -126,7 +126,7 @@
 
 /**
  * The initial value of an nm_counts that a function is to fill: struct_size is set, the rest is zero.
- * The four below do the same for their structs.
+ * Those below do the same for their structs.
  */
 #define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_selection: all simplices. */
@@ -137,6 +137,8 @@
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
       0, 0, 0, 0 }
+/** The initial value of an nm_alpha_shape. */
+#define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
 /** The initial value of an nm_report. */
 #define NM_REPORT_INIT                                                                             \
     { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
@@ -216,6 +218,35 @@ enum nm_extent
 };
 #ifndef __cplusplus
 typedef int32_t nm_extent;
+#endif // __cplusplus
+
+/**
+ * How a face lies in an alpha shape, as the bytes of nm_mesh_get_alpha_shape_classes.
+ */
+enum nm_face_class
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Not in the shape.
+     */
+    NM_FACE_CLASS_EXTERIOR = 0,
+    /**
+     * In the shape, and in no larger face of it.
+     */
+    NM_FACE_CLASS_SINGULAR = 1,
+    /**
+     * On the boundary of the shape, and in a larger face of it.
+     */
+    NM_FACE_CLASS_REGULAR = 2,
+    /**
+     * In the interior of the shape: all simplices round it are in the shape.
+     */
+    NM_FACE_CLASS_INTERIOR = 3,
+};
+#ifndef __cplusplus
+typedef int32_t nm_face_class;
 #endif // __cplusplus
 
 /**
@@ -983,6 +1014,47 @@ typedef struct nm_selection {
      */
     uint32_t domain;
 } nm_selection;
+
+/**
+ * What nm_mesh_alpha_shape tells of an alpha shape.
+ */
+typedef struct nm_alpha_shape {
+    /**
+     * Set by the caller to sizeof(nm_alpha_shape).
+     */
+    uint32_t struct_size;
+    /**
+     * How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+     * program that computes persistence (nm_export_filtration).
+     */
+    uint32_t betti_count;
+    /**
+     * The volume of its simplices (an area in 2D), in the unit of the coordinates to the power
+     * dim. Relative error at most 1e-12.
+     */
+    double volume;
+    /**
+     * The number of its faces of even dimension less that of those of odd dimension.
+     */
+    int64_t euler_characteristic;
+    /**
+     * How many pieces it has.
+     */
+    uint64_t components;
+    /**
+     * How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+     */
+    uint64_t voids;
+    /**
+     * Its Betti numbers, from dimension 0 on: components and holes in 2D; components, tunnels and
+     * cavities in 3D. 0 beyond betti_count.
+     */
+    uint64_t betti[3];
+    /**
+     * The number of its faces of each dimension, from 0 on. 0 beyond dim.
+     */
+    uint64_t face_counts[9];
+} nm_alpha_shape;
 
 /**
  * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
@@ -2023,6 +2095,99 @@ NM_NODISCARD NM_API
 nm_status nm_export_filtration(const struct nm_mesh *mesh,
                                nm_filtration filtration,
                                const char *path_utf8);
+
+/**
+ * Measures the alpha shape: all faces whose alpha value (NM_FILTRATION_ALPHA) is at most alpha.
+ *
+ * alpha: a squared radius, at least 0; it may be infinite. nm_mesh_connecting_alpha and
+ * nm_mesh_optimal_alpha find values.
+ * shape: the caller sets struct_size.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, shape), NM_INVALID_ARGUMENT (alpha; a vertex is no input: the
+ * message says what to do; shape->struct_size), NM_LIMIT (as nm_mesh_get_faces), NM_OUT_OF_MEMORY,
+ * NM_STATE (no result yet, nm_run at work, poisoned).
+ *
+ * O(faces log faces). The first call for a result makes the alpha values, as
+ * nm_mesh_make_filtration does.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_alpha_shape(const struct nm_mesh *mesh,
+                              double alpha,
+                              struct nm_alpha_shape *shape);
+
+/**
+ * Writes how each face of dimension k lies in the alpha shape, in the order of nm_mesh_get_faces:
+ * an nm_face_class each.
+ *
+ * k: 0 to dim.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_alpha_shape; NM_INVALID_ARGUMENT (k),
+ * NM_CAPACITY. Made anew in each call: O(faces).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_alpha_shape_classes(const struct nm_mesh *mesh,
+                                          double alpha,
+                                          uint32_t k,
+                                          uint8_t *buf,
+                                          uint64_t capacity,
+                                          uint64_t *needed);
+
+/**
+ * Writes the boundary of the simplices of an alpha shape (of the regularized shape): facets x dim
+ * vertex ids, oriented outwards as by nm_mesh_get_hull. They are the facets of class
+ * NM_FACE_CLASS_REGULAR. In 3D it is a closed surface; two of its sheets may touch in a vertex or
+ * an edge.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_alpha_shape; NM_CAPACITY. Made anew
+ * in each call: O(simplices).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_alpha_shape_boundary(const struct nm_mesh *mesh,
+                                           double alpha,
+                                           uint32_t *buf,
+                                           uint64_t capacity,
+                                           uint64_t *needed);
+
+/**
+ * Finds the least alpha whose shape is connected; it holds all inputs, as each alpha shape does: a
+ * quarter of the square of the longest edge of their minimum spanning tree.
+ *
+ * alpha: receives a squared radius.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, alpha), else as nm_mesh_alpha_shape. O(edges log edges).
+ */
+NM_NODISCARD NM_API nm_status nm_mesh_connecting_alpha(const struct nm_mesh *mesh, double *alpha);
+
+/**
+ * Finds the least alpha for which each input is a vertex of a simplex of the shape, and its
+ * simplices, connected across facets, are at most so many pieces: CGAL's optimal alpha, by which
+ * points of a surface or of a solid become one.
+ *
+ * components: at least 1.
+ * alpha: receives a squared radius.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, alpha), NM_INVALID_ARGUMENT (components), else as
+ * nm_mesh_alpha_shape. O(simplices log simplices).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_optimal_alpha(const struct nm_mesh *mesh,
+                                uint64_t components,
+                                double *alpha);
+
+/**
+ * Writes the boundary of nm_mesh_get_alpha_shape_boundary to a file, which appears complete or not
+ * at all, with the vertices that it has: triangles in 3D, edges in 2D.
+ *
+ * path_utf8: UTF-8 on every system; it ends with .ply or .off.
+ *
+ * Errors: as nm_mesh_alpha_shape; NM_NULL_ARGUMENT (path_utf8), NM_INVALID_ARGUMENT (path_utf8
+ * empty, not UTF-8, or with another extension; a mesh of four dimensions or more), NM_IO (the
+ * message has the system's reason).
+ */
+NM_NODISCARD NM_API
+nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
+                                double alpha,
+                                const char *path_utf8);
 
 /**
  * Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have

@@ -28,6 +28,8 @@
 // THREADS. Const member functions of one mesh may run at the same time in several threads; run()
 // needs the mesh for itself and fails with NM_STATE where it does not have it.
 //
+// ALPHA SHAPES: netmesh/alpha_shape.hpp.
+//
 // ADAPTERS. Points from other layouts: netmesh/strided.hpp. CGAL, TetGen and Eigen: netmesh/cgal.hpp,
 // netmesh/tetgen.hpp, netmesh/eigen.hpp.
 
@@ -44,6 +46,7 @@
 #include <vector>
 
 #include "netmesh.h"
+#include "netmesh/fetch.hpp"
 #include "netmesh/result.hpp"
 #include "netmesh/table.hpp"
 
@@ -227,7 +230,7 @@ public:
 
     // edges x 2 vertex ids, the less first.
     result<table<std::uint32_t>> try_edges(const selection &wanted = {}) const {
-        return in_rows(array<std::uint32_t>(nm_mesh_get_edges, wanted), 2);
+        return detail::in_rows(array<std::uint32_t>(nm_mesh_get_edges, wanted), 2);
     }
 
     // Facets and the two simplices of each; NM_NONE in place of the second on the hull.
@@ -311,7 +314,7 @@ public:
 
     // The values of the faces of dimension k.
     result<std::vector<double>> try_filtration(nm_filtration filtration, std::uint32_t k) const {
-        return fetched<double>(
+        return detail::fetched<double>(
             [this, filtration, k](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
                 return nm_mesh_filtration(handle_, filtration, k, buf, capacity, needed);
             });
@@ -333,7 +336,7 @@ public:
 
     // An nm_placement per simplex.
     result<std::vector<std::uint8_t>> try_placements(nm_extent extent) const {
-        return fetched<std::uint8_t>(
+        return detail::fetched<std::uint8_t>(
             [this, extent](std::uint8_t *buf, std::uint64_t capacity, std::uint64_t *needed) {
                 return nm_mesh_get_placements(handle_, extent, buf, capacity, needed);
             });
@@ -423,7 +426,7 @@ public:
 
     // The values of a name at all vertices, as files get them: vertices x components.
     result<std::vector<double>> try_attributes(const std::string &name) const {
-        return fetched<double>(
+        return detail::fetched<double>(
             [this, &name](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
                 return nm_mesh_get_attributes(handle_, name.c_str(), buf, capacity, needed);
             });
@@ -707,26 +710,9 @@ private:
     using face_getter = nm_status (*)(const nm_mesh *, std::uint32_t, Element *, std::uint64_t,
                                       std::uint64_t *);
 
-    // An array by whatever has the last three arguments of a getter.
-    template <typename Element, typename Fetch>
-    static result<std::vector<Element>> fetched(Fetch fetch) {
-        return detail::allocating("the array", [&]() -> result<std::vector<Element>> {
-            std::uint64_t needed = 0;
-            nm_status status = fetch(nullptr, 0, &needed);
-            std::vector<Element> elements(static_cast<std::size_t>(needed));
-            if (status == NM_OK && needed != 0) {
-                status = fetch(elements.data(), needed, nullptr);
-            }
-            if (status != NM_OK) {
-                return detail::failed(status);
-            }
-            return elements;
-        });
-    }
-
     template <typename Element>
     result<std::vector<Element>> array(getter<Element> fetch) const {
-        return fetched<Element>([this, fetch](Element *buf, std::uint64_t capacity,
+        return detail::fetched<Element>([this, fetch](Element *buf, std::uint64_t capacity,
                                               std::uint64_t *needed) {
             return fetch(handle_, buf, capacity, needed);
         });
@@ -736,7 +722,7 @@ private:
     result<std::vector<Element>> array(selected_getter<Element> fetch,
                                        const selection &wanted) const {
         nm_selection which = raw(wanted);
-        return fetched<Element>([this, fetch, &which](Element *buf, std::uint64_t capacity,
+        return detail::fetched<Element>([this, fetch, &which](Element *buf, std::uint64_t capacity,
                                                       std::uint64_t *needed) {
             return fetch(handle_, &which, buf, capacity, needed);
         });
@@ -744,7 +730,7 @@ private:
 
     template <typename Element>
     result<std::vector<Element>> array(face_getter<Element> fetch, std::uint32_t k) const {
-        return fetched<Element>([this, fetch, k](Element *buf, std::uint64_t capacity,
+        return detail::fetched<Element>([this, fetch, k](Element *buf, std::uint64_t capacity,
                                                  std::uint64_t *needed) {
             return fetch(handle_, k, buf, capacity, needed);
         });
@@ -758,16 +744,6 @@ private:
         return which;
     }
 
-    // An array in rows of so many elements.
-    template <typename Element>
-    static result<table<Element>> in_rows(result<std::vector<Element>> elements,
-                                          std::size_t width) {
-        if (!elements) {
-            return failure{elements.status(), elements.message()};
-        }
-        return table<Element>(*std::move(elements), width);
-    }
-
     // An array in rows of dim + more elements.
     template <typename Element>
     result<table<Element>> rows(getter<Element> fetch, std::size_t more) const {
@@ -775,13 +751,13 @@ private:
         if (!counted) {
             return failure{counted.status(), counted.message()};
         }
-        return in_rows(array<Element>(fetch), counted->dim + more);
+        return detail::in_rows(array<Element>(fetch), counted->dim + more);
     }
 
     // An array of the faces of dimension k in rows of k + 1 ids.
     result<table<std::uint32_t>> of_faces(face_getter<std::uint32_t> fetch,
                                           std::uint32_t k) const {
-        return in_rows(array<std::uint32_t>(fetch, k), std::size_t{k} + 1);
+        return detail::in_rows(array<std::uint32_t>(fetch, k), std::size_t{k} + 1);
     }
 
     // An array of a selection in rows of dim elements.
@@ -792,7 +768,7 @@ private:
         if (!counted) {
             return failure{counted.status(), counted.message()};
         }
-        return in_rows(array<Element>(fetch, wanted), counted->dim);
+        return detail::in_rows(array<Element>(fetch, wanted), counted->dim);
     }
 
     result<facet_tables> facets_of(selected_getter<std::uint32_t> vertices_of,
@@ -803,7 +779,7 @@ private:
             return failure{first.status(), first.message()};
         }
         result<table<std::uint32_t>> second =
-            in_rows(array<std::uint32_t>(simplices_of, wanted), sides);
+            detail::in_rows(array<std::uint32_t>(simplices_of, wanted), sides);
         if (!second) {
             return failure{second.status(), second.message()};
         }

@@ -190,8 +190,10 @@ fn the_initialisers_set_the_size_and_zero_the_rest() {
         "    nm_quality quality = NM_QUALITY_INIT;",
         "    nm_stats stats = NM_STATS_INIT;",
         "    nm_report report = NM_REPORT_INIT;",
+        "    nm_alpha_shape shape = NM_ALPHA_SHAPE_INIT;",
         "    return !(is_clear(&counts, sizeof counts) && is_clear(&quality, sizeof quality) &&",
-        "             is_clear(&stats, sizeof stats) && is_clear(&report, sizeof report));",
+        "             is_clear(&stats, sizeof stats) && is_clear(&report, sizeof report) &&",
+        "             is_clear(&shape, sizeof shape));",
         "}",
     ];
     for language in [Language::C99, Language::Cpp17] {
@@ -265,6 +267,7 @@ fn the_layouts_are_fixed() {
         "CHECK(measured, offsetof(nm_stats, ply_probes) == 160);",
         "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 224);",
         "CHECK(report, sizeof(nm_report) == 200 && offsetof(nm_report, message) == 40);",
+        "CHECK(shape, sizeof(nm_alpha_shape) == 136 && offsetof(nm_alpha_shape, betti) == 40);",
         "CHECK(kind, sizeof(nm_violation) == 4 && offsetof(nm_report, kind) == 24);",
         "CHECK(enums, sizeof(nm_status) == 4 && sizeof(nm_format) == 4 && NM_PANIC == 13);",
     ];

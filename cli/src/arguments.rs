@@ -58,6 +58,14 @@ pub struct Arguments {
     #[arg(conflicts_with_all = ["output_format", "attributes"])]
     pub filtration: Option<FiltrationName>,
 
+    /// Make the alpha shape of the input instead of a mesh: the faces of its Delaunay triangulation
+    /// up to an alpha value. ALPHA is a squared radius; "connected", the least for which the shape
+    /// is; or "optimal", the least for which its simplices reach all points and are one piece. The
+    /// output is its boundary, a file that ends with .ply or .off; the summary has its topology
+    #[arg(long, value_name = "ALPHA", value_parser = parse_alpha, allow_negative_numbers = true)]
+    #[arg(conflicts_with_all = ["output_format", "attributes", "filtration", "finish"])]
+    pub alpha_shape: Option<AlphaChoice>,
+
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
     pub output_format: Option<FormatName>,
@@ -174,6 +182,22 @@ pub enum FiltrationName {
     Mesh,
 }
 
+/// Which alpha shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AlphaChoice {
+    Value(f64),
+    Connected,
+    Optimal,
+}
+
+/// What the output is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Product {
+    Mesh,
+    Filtration(FiltrationName),
+    AlphaShape(AlphaChoice),
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlgorithmName {
     Netmesh,
@@ -238,12 +262,20 @@ impl Arguments {
         }
     }
 
+    pub fn product(&self) -> Product {
+        let filtration = self.filtration.map(Product::Filtration);
+        let alpha_shape = self.alpha_shape.map(Product::AlphaShape);
+        filtration.or(alpha_shape).unwrap_or(Product::Mesh)
+    }
+
     pub fn options(&self) -> Options {
         let meshing = &self.meshing;
         Options {
             output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
-            algorithm: match self.filtration {
-                Some(FiltrationName::Alpha) => Algorithm::Delaunay,
+            algorithm: match self.product() {
+                Product::Filtration(FiltrationName::Alpha) | Product::AlphaShape(_) => {
+                    Algorithm::Delaunay
+                }
                 _ => meshing.algorithm.algorithm(),
             },
             ordering: meshing.ordering.ordering(),
@@ -285,6 +317,17 @@ impl ValueEnum for ReadableFormat {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         self.0.to_possible_value()
+    }
+}
+
+fn parse_alpha(text: &str) -> Result<AlphaChoice, String> {
+    match text {
+        "connected" => Ok(AlphaChoice::Connected),
+        "optimal" => Ok(AlphaChoice::Optimal),
+        _ => match text.parse::<f64>() {
+            Ok(alpha) if alpha >= 0.0 => Ok(AlphaChoice::Value(alpha)),
+            _ => Err("it must be a squared radius of at least 0, connected or optimal".to_owned()),
+        },
     }
 }
 

@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod alpha_shape;
 mod arguments;
 mod certificate;
 mod exit_code;

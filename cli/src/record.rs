@@ -1,6 +1,7 @@
 //! What the run made, for a program to read: the fields of `nm_counts`, `nm_options`, `nm_quality`,
 //! `nm_stats` and `nm_report` under their names, as one JSON object.
 
+use crate::alpha_shape::Measured;
 use crate::json::Object;
 use crate::summary::Summary;
 use netmesh::{Algorithm, Criterion, NetOrdering, Output, Parameters, Stats};
@@ -18,6 +19,10 @@ pub fn json(summary: &Summary<'_>) -> String {
         add_counters(object, stats);
         add_instruments(object, stats, parameters.instruments);
     });
+    match summary.alpha_shape {
+        None => record.null("alpha_shape"),
+        Some(shape) => record.object("alpha_shape", |object| add_alpha_shape(object, shape)),
+    }
     match summary.report {
         None => record.null("report"),
         Some(report) => record.object("report", |object| {
@@ -27,6 +32,18 @@ pub fn json(summary: &Summary<'_>) -> String {
         }),
     }
     record.finished() + "\n"
+}
+
+fn add_alpha_shape(object: &mut Object, shape: &Measured) {
+    object.number("alpha", shape.alpha);
+    object.number("volume", shape.volume);
+    object.number("euler_characteristic", shape.topology.euler_characteristic as f64);
+    object.count("components", shape.topology.components);
+    object.count("voids", shape.topology.voids);
+    match &shape.topology.betti {
+        Some(betti) if betti.len() == 3 => object.count("tunnels", betti[1]),
+        _ => object.null("tunnels"),
+    }
 }
 
 fn add_counts(counts: &mut Object, summary: &Summary<'_>) {

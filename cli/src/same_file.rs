@@ -1,6 +1,6 @@
 //! An output that would replace the input, by whatever path.
 
-use crate::arguments::Arguments;
+use crate::arguments::{Arguments, Product};
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::io;
@@ -42,7 +42,7 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
 pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     match arguments.output.as_deref() {
         None => Ok(Vec::new()),
-        Some(path) if standard::is_meant(path) || arguments.filtration.is_some() => {
+        Some(path) if standard::is_meant(path) || arguments.product() != Product::Mesh => {
             Ok(vec![path.to_path_buf()])
         }
         Some(path) => io::output_paths(path, arguments.output_format())

@@ -1,6 +1,7 @@
 //! One call of the program: read, mesh, write, certify, report.
 
-use crate::arguments::Arguments;
+use crate::alpha_shape;
+use crate::arguments::{Arguments, Product};
 use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
@@ -27,13 +28,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
-    if let Some(output) = arguments.output.as_ref().filter(|_| arguments.filtration.is_none()) {
+    if let Some(output) = &arguments.output {
         require_output_format(&mesh, output, arguments)?;
     }
     timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
-    if let Some(output) = &arguments.output {
-        timed(&mut times.write, || write(&mesh, output, arguments, &display))?;
-    }
+    let alpha_shape = timed(&mut times.write, || write(&mesh, arguments, &display))?;
     let report = match arguments.validate {
         true => Some({
             let _stage = display.stage("certifying");
@@ -55,6 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,
+            alpha_shape: alpha_shape.as_ref(),
             report: report.as_ref(),
             times: &times,
         };
@@ -66,11 +66,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Refuses what can be seen to be wrong before anything is read.
 fn check_paths(arguments: &Arguments) -> Result<(), Failure> {
     input::require_format(arguments)?;
+    if let Product::AlphaShape(_) = arguments.product() {
+        alpha_shape::require(arguments, arguments.output.as_deref())?;
+    }
     if let Some(output) = &arguments.output {
         output::require_place(output)?;
-        match arguments.filtration {
-            Some(_) => filtration::require(arguments, output)?,
-            None => output::require_stream_format(output, arguments.output_format())?,
+        match arguments.product() {
+            Product::Mesh => output::require_stream_format(output, arguments.output_format())?,
+            Product::Filtration(_) => filtration::require(arguments, output)?,
+            Product::AlphaShape(_) => {}
         }
         if arguments.attributes.is_some() {
             output::require_attributes(output, arguments.output_format())?;
@@ -90,11 +94,14 @@ fn files_to_write(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
 }
 
 fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> Result<(), Failure> {
-    output::require_format(mesh, output, arguments.output_format()).map_err(|failure| {
-        match mesh.inputs().dim() {
-            2 | 3 => failure,
-            _ => input::with_hint(failure, arguments),
-        }
+    let required = match arguments.product() {
+        Product::Mesh => output::require_format(mesh, output, arguments.output_format()),
+        Product::Filtration(_) => Ok(()),
+        Product::AlphaShape(_) => alpha_shape::require_dimension(mesh, output),
+    };
+    required.map_err(|failure| match mesh.inputs().dim() {
+        2 | 3 => failure,
+        _ => input::with_hint(failure, arguments),
     })
 }
 
@@ -129,16 +136,34 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
     Ok(outcome?)
 }
 
+/// Writes what was asked for.
 fn write(
+    mesh: &Mesh,
+    arguments: &Arguments,
+    display: &Display,
+) -> Result<Option<alpha_shape::Measured>, Failure> {
+    let (output, threads) = (arguments.output.as_deref(), arguments.meshing.threads);
+    match (arguments.product(), output) {
+        (Product::AlphaShape(choice), _) => {
+            let _stage = display.stage("alpha shape");
+            return alpha_shape::make(mesh, choice, output, threads).map(Some);
+        }
+        (Product::Filtration(kind), Some(output)) => {
+            let _stage = display.stage("filtration");
+            filtration::write(mesh, kind, output, arguments)?;
+        }
+        (Product::Mesh, Some(output)) => write_mesh(mesh, output, arguments, display)?,
+        (_, None) => {}
+    }
+    Ok(None)
+}
+
+fn write_mesh(
     mesh: &Mesh,
     output: &Path,
     arguments: &Arguments,
     display: &Display,
 ) -> Result<(), Failure> {
-    if let Some(kind) = arguments.filtration {
-        let _stage = display.stage("filtration");
-        return filtration::write(mesh, kind, output, arguments);
-    }
     let prepared = Prepared::default();
     let attributes = {
         let _stage = (!mesh.attributes().is_empty()).then(|| display.stage("extending"));

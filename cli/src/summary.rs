@@ -1,5 +1,6 @@
 //! What the run made, for a person to read.
 
+use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
 use crate::certificate;
 use crate::numbers::{counted, duration, grouped, measure};
@@ -28,6 +29,7 @@ pub struct Summary<'a> {
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
+    pub alpha_shape: Option<&'a Measured>,
     pub report: Option<&'a Report>,
     pub times: &'a Times,
 }
@@ -40,6 +42,7 @@ impl Summary<'_> {
         self.add_task(&mut lines);
         self.add_mesh(&mut lines);
         self.add_quality(&mut lines);
+        self.add_alpha_shape(&mut lines);
         if self.arguments.stats {
             self.add_stats(&mut lines);
             self.add_instruments(&mut lines);
@@ -156,6 +159,32 @@ impl Summary<'_> {
                 "cells out of reach of the bound in double precision",
             ),
         );
+    }
+
+    fn add_alpha_shape(&self, lines: &mut Lines) {
+        let Some(Measured { alpha, volume, topology }) = self.alpha_shape else { return };
+        let (faces, kind) = (topology.face_counts.iter().sum(), self.triangulation.dim);
+        let volume_name = if kind == 2 { "area" } else { "volume" };
+        lines.add(
+            "alpha shape",
+            format!(
+                "alpha {}: {}, {volume_name} {}",
+                measure(*alpha),
+                counted(faces, "face", "faces"),
+                measure(*volume),
+            ),
+        );
+        let mut parts = vec![counted(topology.components, "component", "components")];
+        if let (3, Some(betti)) = (kind, &topology.betti) {
+            parts.push(counted(betti[1], "tunnel", "tunnels"));
+        }
+        parts.push(match kind {
+            2 => counted(topology.voids, "hole", "holes"),
+            3 => counted(topology.voids, "cavity", "cavities"),
+            _ => counted(topology.voids, "void", "voids"),
+        });
+        parts.push(format!("Euler characteristic {}", topology.euler_characteristic));
+        lines.add("", parts.join(", "));
     }
 
     fn add_stats(&self, lines: &mut Lines) {

@@ -28,9 +28,11 @@ from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
 from ._part import Part
 from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
+from ._shape import AlphaShape, FaceClass
 from ._voronoi import Voronoi
 
 __all__ = [
+    "AlphaShape",
     "CSR",
     "CancelledError",
     "CapacityError",
@@ -38,6 +40,7 @@ __all__ = [
     "Delaunay",
     "DimensionError",
     "Error",
+    "FaceClass",
     "Facets",
     "FileError",
     "Filtration",

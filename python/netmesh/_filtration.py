@@ -7,8 +7,10 @@ from typing import Any, Union
 
 import numpy as np
 
+from ._errors import InvalidArgumentError
 from ._netmesh import FiltrationCore
 from ._results import CSR
+from ._shape import AlphaShape
 
 
 class Filtration:
@@ -80,6 +82,38 @@ class Filtration:
             binary boundary matrix with weights.
         """
         self._core.export(os.fspath(path))
+
+    def shape(self, alpha: Union[float, str] = "optimal", components: int = 1) -> AlphaShape:
+        """Return the alpha shape: the faces up to an alpha value. For a filtration of kind 'alpha'.
+
+        Parameters
+        ----------
+        alpha : float, 'connected' or 'optimal'
+            The largest alpha value, a squared radius. 'connected': the least for which the shape is
+            connected. 'optimal': the least for which every input is a vertex of a simplex of the
+            shape, whose simplices, connected across facets, make at most `components` pieces: CGAL's
+            optimal alpha.
+        components : int
+            For 'optimal'.
+
+        Raises
+        ------
+        Error
+            `InvalidArgumentError` (another kind of filtration; alpha; components).
+        """
+        if self.kind != "alpha":
+            raise InvalidArgumentError(
+                f"kind is {self.kind!r}; alpha shapes are of a filtration of kind 'alpha'"
+            )
+        if isinstance(alpha, str):
+            if alpha == "connected":
+                return AlphaShape(self._core, self._core.connecting_alpha())
+            if alpha == "optimal":
+                return AlphaShape(self._core, self._core.optimal_alpha(components))
+            raise InvalidArgumentError(
+                f"alpha is {alpha!r}; it must be a number, 'connected' or 'optimal'"
+            )
+        return AlphaShape(self._core, self._core.checked_alpha(alpha))
 
     def to_gudhi(self) -> Any:
         """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi."""

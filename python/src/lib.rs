@@ -9,6 +9,7 @@ mod options;
 mod progress;
 mod queries;
 mod selection;
+mod shapes;
 mod topology;
 mod voronoi;
 

@@ -73,7 +73,8 @@ pub fn choice<T: Copy>(name: &str, value: &Bound<'_, PyAny>, names: &[(&str, T)]
     Err(invalid(value.py(), message))
 }
 
-fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+/// A double.
+pub fn number(name: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
     value.extract().map_err(|_| wrong_type(name, value, "a number"))
 }
 

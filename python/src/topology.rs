@@ -1,9 +1,9 @@
 //! Faces and filtrations.
 
 use crate::arrays::{shared, shared_ids};
-use crate::core::Core;
+use crate::core::{Core, Made};
 use crate::derived::{Lists, lists};
-use crate::errors::{detached, invalid};
+use crate::errors::{abandonable, detached, invalid};
 use crate::options::{choice, whole};
 use netmesh::io::{FiltrationFormat, write_filtration_file};
 use netmesh::topology::{Faces, Filtration, alpha, distances, has_inputs_alone};
@@ -11,12 +11,14 @@ use numpy::ndarray::ArrayView;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The faces of a mesh, and their values. Nothing changes it.
 #[pyclass(frozen, module = "netmesh._netmesh")]
 pub struct FiltrationCore {
-    faces: Faces,
-    filtration: Filtration,
+    pub made: Arc<Made>,
+    pub faces: Faces,
+    pub filtration: Filtration,
 }
 
 #[pymethods]
@@ -35,22 +37,22 @@ impl Core {
                            with algorithm='delaunay', or ask for kind='mesh'";
             return Err(invalid(py, message.into()));
         }
-        let faces = detached(py, || Faces::new(mesh, 0, threads))?;
-        py.check_signals()?;
-        let filtration = detached(py, || {
-            if is_of_mesh {
-                distances(mesh, &faces, self.prepared.index(&self.mesh)?, threads)
-            } else {
-                alpha(mesh, &faces, threads)
-            }
-        })?;
-        Ok(FiltrationCore { faces, filtration })
+        let made = Arc::clone(&self.made);
+        abandonable(py, move || {
+            let mesh = made.triangulation();
+            let faces = Faces::new(mesh, 0, threads)?;
+            let filtration = match is_of_mesh {
+                true => distances(mesh, &faces, made.prepared.index(&made.mesh)?, threads)?,
+                false => alpha(mesh, &faces, threads)?,
+            };
+            Ok(FiltrationCore { made, faces, filtration })
+        })
     }
 }
 
 impl FiltrationCore {
     /// The dimension `k`, which is in `first..=last`.
-    fn dimension(&self, k: &Bound<'_, PyAny>, first: u32, last: usize) -> PyResult<usize> {
+    pub fn dimension(&self, k: &Bound<'_, PyAny>, first: u32, last: usize) -> PyResult<usize> {
         let given: u32 = whole("k", k, u32::MAX)?;
         if (first..=last as u32).contains(&given) {
             return Ok(given as usize);

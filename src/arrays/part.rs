@@ -1,6 +1,7 @@
 //! What arrays are made of: a result, or some of its simplices.
 
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::collected;
 use crate::mesh::{NONE, Triangulation};
 use crate::query::check_arrays;
 
@@ -28,6 +29,23 @@ impl<'a> Part<'a> {
     pub fn whole(mesh: &'a Triangulation) -> Result<Self> {
         check_arrays(mesh)?;
         Ok(Self { mesh, chosen: None })
+    }
+
+    /// The simplices that are picked: a truth value for each of the mesh.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (another number of truth values; arrays that do not fit together),
+    /// `OutOfMemory`.
+    pub fn of_chosen(mesh: &'a Triangulation, is_chosen: Vec<bool>) -> Result<Self> {
+        check_arrays(mesh)?;
+        let (count, simplices) = (is_chosen.len(), mesh.simplex_count());
+        if count != simplices {
+            let message = message!("is_chosen has length {count}; there are {simplices} simplices");
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        let of_chosen = (0u32..).zip(&is_chosen).filter(|(_, is_chosen)| **is_chosen);
+        let ids = collected(of_chosen.map(|(simplex, _)| simplex))?;
+        Ok(Self { mesh, chosen: Some(Chosen { ids, is_chosen }) })
     }
 
     /// How many simplices there are.

@@ -1,7 +1,6 @@
 //! Some of the simplices of a mesh.
 
 use super::domains::{domain_of, is_within};
-use super::part::Chosen;
 use super::{Part, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
@@ -78,15 +77,8 @@ impl<'a> Part<'a> {
         let is_of_domain = |simplex: usize| {
             domain == NONE || is_within(mesh, domain_of(mesh, mesh.simplex(simplex)), domain)
         };
-        let mut chosen =
-            Chosen { ids: Vec::new(), is_chosen: filled(mesh.simplex_count(), false)? };
-        for simplex in 0..mesh.simplex_count() {
-            if is_there(simplex) && is_of_domain(simplex) {
-                chosen.is_chosen[simplex] = true;
-                chosen.ids.try_push(simplex as u32)?;
-            }
-        }
-        Ok(Self { mesh, chosen: Some(chosen) })
+        let is_chosen = |simplex| is_there(simplex) && is_of_domain(simplex);
+        Self::of_chosen(mesh, collected((0..mesh.simplex_count()).map(is_chosen))?)
     }
 
     /// A mesh of the part's simplices and their vertices, numbered anew in the same order, for a

@@ -7,6 +7,7 @@ use crate::io::Format;
 use crate::mesh::VertexKind;
 use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
 use crate::query::{Interpolation, Method, Outside};
+use crate::topology::FaceClass;
 use std::mem::MaybeUninit;
 
 /// What every fallible function answers. Values are fixed; later versions only append. Whatever is
@@ -229,6 +230,21 @@ pub enum nm_filtration {
     NM_FILTRATION_MESH = 1,
 }
 
+/// How a face lies in an alpha shape, as the bytes of nm_mesh_get_alpha_shape_classes.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_face_class {
+    /// Not in the shape.
+    NM_FACE_CLASS_EXTERIOR = 0,
+    /// In the shape, and in no larger face of it.
+    NM_FACE_CLASS_SINGULAR = 1,
+    /// On the boundary of the shape, and in a larger face of it.
+    NM_FACE_CLASS_REGULAR = 2,
+    /// In the interior of the shape: all simplices round it are in the shape.
+    NM_FACE_CLASS_INTERIOR = 3,
+}
+
 /// Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
@@ -354,6 +370,17 @@ pub(super) fn placement_byte(placement: Placement) -> u8 {
         Placement::Inside => nm_placement::NM_PLACEMENT_INSIDE,
         Placement::Across => nm_placement::NM_PLACEMENT_ACROSS,
         Placement::Outside => nm_placement::NM_PLACEMENT_OUTSIDE,
+    };
+    value as u8
+}
+
+/// The byte of a face's class at the boundary.
+pub(super) fn class_byte(class: FaceClass) -> u8 {
+    let value = match class {
+        FaceClass::Exterior => nm_face_class::NM_FACE_CLASS_EXTERIOR,
+        FaceClass::Singular => nm_face_class::NM_FACE_CLASS_SINGULAR,
+        FaceClass::Regular => nm_face_class::NM_FACE_CLASS_REGULAR,
+        FaceClass::Interior => nm_face_class::NM_FACE_CLASS_INTERIOR,
     };
     value as u8
 }

@@ -41,6 +41,10 @@ mod voronoi;
 
 mod topology;
 
+mod alpha_shapes;
+
+#[cfg(test)]
+mod alpha_shape_tests;
 #[cfg(test)]
 mod array_tests;
 #[cfg(test)]
@@ -52,6 +56,10 @@ mod measures;
 
 mod export;
 
+pub use alpha_shapes::{
+    nm_export_alpha_shape, nm_mesh_alpha_shape, nm_mesh_connecting_alpha,
+    nm_mesh_get_alpha_shape_boundary, nm_mesh_get_alpha_shape_classes, nm_mesh_optimal_alpha,
+};
 pub use arrays::{
     nm_mesh_get_circumcenters, nm_mesh_get_circumradii, nm_mesh_get_edges,
     nm_mesh_get_facet_simplices, nm_mesh_get_facets, nm_mesh_get_hull, nm_mesh_get_hull_simplices,
@@ -64,8 +72,8 @@ pub use attributes::{
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
-    nm_algorithm, nm_criterion, nm_extent, nm_filtration, nm_format, nm_interpolation, nm_ordering,
-    nm_output, nm_phase, nm_placement, nm_status, nm_vertex_kind,
+    nm_algorithm, nm_criterion, nm_extent, nm_face_class, nm_filtration, nm_format,
+    nm_interpolation, nm_ordering, nm_output, nm_phase, nm_placement, nm_status, nm_vertex_kind,
 };
 pub use error::nm_last_error;
 pub use export::{
@@ -85,8 +93,8 @@ pub use queries::{
 };
 pub use run::nm_run;
 pub use structs::{
-    nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality, nm_report,
-    nm_selection, nm_stats,
+    nm_alpha_shape, nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality,
+    nm_report, nm_selection, nm_stats,
 };
 pub use topology::{
     nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,

@@ -195,6 +195,39 @@ pub struct nm_domain {
     pub radius: f64,
 }
 
+/// What nm_mesh_alpha_shape tells of an alpha shape.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_alpha_shape {
+    /// Set by the caller to sizeof(nm_alpha_shape).
+    pub struct_size: u32,
+    /// How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+    /// program that computes persistence (nm_export_filtration).
+    pub betti_count: u32,
+    /// The volume of its simplices (an area in 2D), in the unit of the coordinates to the power
+    /// dim. Relative error at most 1e-12.
+    pub volume: f64,
+    /// The number of its faces of even dimension less that of those of odd dimension.
+    pub euler_characteristic: i64,
+    /// How many pieces it has.
+    pub components: u64,
+    /// How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+    pub voids: u64,
+    /// Its Betti numbers, from dimension 0 on: components and holes in 2D; components, tunnels and
+    /// cavities in 3D. 0 beyond betti_count.
+    pub betti: [u64; 3],
+    /// The number of its faces of each dimension, from 0 on. 0 beyond dim.
+    pub face_counts: [u64; 9],
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), and the fields take any bits.
+unsafe impl Versioned for nm_alpha_shape {
+    const TYPE: &'static str = "nm_alpha_shape";
+}
+
+const _: () = assert!(size_of::<nm_alpha_shape>() == 2 * 4 + 4 * 8 + 12 * 8);
+
 /// How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
 /// distance from its vertex to its farthest corner over half the distance to the nearest other
 /// vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond

@@ -20,7 +20,7 @@ fn faces<'a>(mesh: &Mesh, prepared: &'a Prepared) -> Result<&'a Faces> {
 }
 
 /// Fails unless the dimension `k` is in a range that ends at `last`.
-fn check_dimension(k: u32, first: usize, last: usize) -> Result<usize> {
+pub(super) fn check_dimension(k: u32, first: usize, last: usize) -> Result<usize> {
     if (first..=last).contains(&(k as usize)) {
         return Ok(k as usize);
     }
@@ -139,14 +139,21 @@ pub unsafe extern "C" fn nm_mesh_get_coface_starts(
     }
 }
 
-/// Fails if the mesh has no alpha values.
-fn check_alpha(mesh: &Mesh) -> Result<()> {
+/// The alpha values. `need` begins the message where there are none.
+pub(super) fn alpha_values<'a>(
+    mesh: &Mesh,
+    prepared: &'a Prepared,
+    need: &str,
+    threads: u32,
+) -> Result<&'a Filtration> {
     if has_inputs_alone(result(mesh)?) {
-        return Ok(());
+        return prepared.alpha(mesh, threads);
     }
-    let rule = "filtration is NM_FILTRATION_ALPHA, but the mesh has vertices that are no inputs; \
-                set options.algorithm to NM_ALGORITHM_DELAUNAY, or ask for NM_FILTRATION_MESH";
-    Err(Error::new(ErrorKind::InvalidArgument, rule))
+    let message = message!(
+        "{need}, but the mesh has vertices that are no inputs; set options.algorithm to \
+         NM_ALGORITHM_DELAUNAY"
+    );
+    Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
 /// The filtration that is asked for.
@@ -160,8 +167,7 @@ fn filtration<'a>(
     if is_of_mesh {
         return prepared.distances(mesh, threads);
     }
-    check_alpha(mesh)?;
-    prepared.alpha(mesh, threads)
+    alpha_values(mesh, prepared, "filtration is NM_FILTRATION_ALPHA", threads)
 }
 
 /// Makes a filtration on some threads, unless it is there. nm_mesh_filtration makes it itself, on

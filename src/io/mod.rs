@@ -48,6 +48,7 @@ mod ply;
 mod replace;
 #[cfg(test)]
 pub(crate) mod samples;
+mod surface;
 mod tetgen;
 mod text;
 mod values;
@@ -60,6 +61,7 @@ pub use choice::{AttributeColumns, Choice};
 pub use columns::Columns;
 pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
+pub use surface::{SurfaceFormat, write_surface, write_surface_file};
 pub use values::Table;
 
 use crate::error::{Error, ErrorKind, Result, message};

@@ -15,6 +15,8 @@ pub struct Faces {
     lowest: usize,
     /// From the lowest dimension.
     levels: Vec<Level>,
+    /// The id that each simplex has as a face.
+    of_simplices: Vec<u32>,
 }
 
 /// The faces of one dimension `k`.
@@ -67,13 +69,14 @@ impl Faces {
     /// of facets of them, than 32-bit ids can name), `OutOfMemory`.
     pub fn new(mesh: &Triangulation, lowest: usize, threads: u32) -> Result<Self> {
         check_arrays(mesh)?;
-        Ok(Self::of_simplices(mesh, lowest.min(mesh.dim), threads_of(threads))?)
+        Ok(Self::top_down(mesh, lowest.min(mesh.dim), threads_of(threads))?)
     }
 
-    fn of_simplices(mesh: &Triangulation, lowest: usize, threads: usize) -> AllocResult<Self> {
+    fn top_down(mesh: &Triangulation, lowest: usize, threads: usize) -> AllocResult<Self> {
         let (dim, count) = (mesh.dim, mesh.vertex_count());
         let mut levels = with_capacity(dim + 1 - lowest)?;
-        levels.push(simplices(mesh, threads)?);
+        let (simplices, of_simplices) = simplices(mesh, threads)?;
+        levels.push(simplices);
         for k in (lowest..dim).rev() {
             let above = &mut levels[dim - k - 1];
             let (vertices, boundary) = facets(count, above, threads)?;
@@ -81,7 +84,7 @@ impl Faces {
             levels.push(Level { k, vertices, boundary: Vec::new() });
         }
         levels.reverse();
-        Ok(Self { lowest, levels })
+        Ok(Self { lowest, levels, of_simplices })
     }
 
     /// The faces of dimension `k`, which must be there.
@@ -92,6 +95,11 @@ impl Faces {
     /// The dimension of the simplices.
     pub fn dim(&self) -> usize {
         self.lowest + self.levels.len() - 1
+    }
+
+    /// For each simplex of the mesh its id among the faces of its dimension.
+    pub fn of_simplices(&self) -> &[u32] {
+        &self.of_simplices
     }
 
     /// The least dimension that is there.
@@ -120,13 +128,13 @@ macro_rules! with_key {
     };
 }
 
-/// The simplices, their vertices ascending.
-fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<Level> {
+/// The simplices, their vertices ascending, and the id of each.
+fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<(Level, Vec<u32>)> {
     let (dim, count) = (mesh.dim, mesh.vertex_count());
     let mut sorted = copied(&mesh.simplices)?;
     sorted.chunks_exact_mut(dim + 1).for_each(<[u32]>::sort_unstable);
     let bits = bits_of_ids(count);
-    let (vertices, _) = with_key!(dim, bits, K => {
+    let (vertices, ids) = with_key!(dim, bits, K => {
         let simplices = || sorted.chunks_exact(dim + 1);
         let mut given = Given::<K>::new(count, dim, simplices().map(|simplex| (simplex[0], 1)))?;
         for (at, simplex) in simplices().enumerate() {
@@ -134,7 +142,7 @@ fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<Level> {
         }
         given.distinct(threads)?
     });
-    Ok(Level { k: dim, vertices, boundary: Vec::new() })
+    Ok((Level { k: dim, vertices, boundary: Vec::new() }, ids))
 }
 
 /// The facets of the faces of a dimension, and its boundary.

@@ -1,0 +1,48 @@
+// netmesh/fetch.hpp - how netmesh.hpp gets arrays out of the C interface. Included by it.
+// License: MIT OR Apache-2.0.
+
+#ifndef NETMESH_FETCH_HPP
+#define NETMESH_FETCH_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "../netmesh.h"
+#include "result.hpp"
+#include "table.hpp"
+
+namespace netmesh {
+namespace detail {
+
+// An array by whatever has the last three arguments of a getter: first its length, then itself.
+template <typename Element, typename Fetch>
+result<std::vector<Element>> fetched(Fetch fetch) {
+    return allocating("the array", [&]() -> result<std::vector<Element>> {
+        std::uint64_t needed = 0;
+        nm_status status = fetch(nullptr, 0, &needed);
+        std::vector<Element> elements(static_cast<std::size_t>(needed));
+        if (status == NM_OK && needed != 0) {
+            status = fetch(elements.data(), needed, nullptr);
+        }
+        if (status != NM_OK) {
+            return failed(status);
+        }
+        return elements;
+    });
+}
+
+// An array in rows of so many elements.
+template <typename Element>
+result<table<Element>> in_rows(result<std::vector<Element>> elements, std::size_t width) {
+    if (!elements) {
+        return failure{elements.status(), elements.message()};
+    }
+    return table<Element>(*std::move(elements), width);
+}
+
+}  // namespace detail
+}  // namespace netmesh
+
+#endif  // NETMESH_FETCH_HPP

@@ -301,6 +301,8 @@ void results(const std::string& directory) {
     CHECK_EQUAL(made->try_domains()->size(), counts.domains);
     CHECK_EQUAL(made->try_stats()->input_vertices, 400u);
     CHECK(made->try_quality()->max_degree > 2);
+    const std::vector<double> edges = {1, 2};
+    CHECK_EQUAL(made->try_quality_histogram(NM_MEASURE_ASPECT, edges)->counts.size(), 3u);
     CHECK_EQUAL(made->try_validate()->violations, 0u);
     expect_failure(__LINE__, NM_INVALID_ARGUMENT, "level", made->try_validate(7));
     std::ostringstream stream;

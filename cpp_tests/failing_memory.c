@@ -205,6 +205,13 @@ static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
 static int measure(const nm_mesh *mesh) {
   nm_quality quality = NM_QUALITY_INIT;
   if (!succeeded(nm_mesh_quality(mesh, &quality), "nm_mesh_quality")) return 0;
+  const double edge = 1;
+  uint64_t counts[2];
+  for (int measure = NM_MEASURE_DIHEDRAL_ANGLE; measure <= NM_MEASURE_SMALLEST_ANGLE; ++measure) {
+    const nm_status status = nm_mesh_quality_histogram(mesh, (nm_measure)measure, 1, 1, &edge,
+                                                       counts, NULL);
+    if (!succeeded(status, "nm_mesh_quality_histogram")) return 0;
+  }
   nm_report report = NM_REPORT_INIT;
   if (!succeeded(nm_mesh_validate(mesh, 3, &report), "nm_mesh_validate")) return 0;
   check(report.level == 3 && report.violations == 0, "the certificate");

@@ -385,6 +385,38 @@ typedef int32_t nm_interpolation;
 #endif // __cplusplus
 
 /**
+ * What nm_mesh_quality_histogram counts.
+ */
+enum nm_measure
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * The angles between any two facets of a simplex, in degrees: 3 angles of a triangle, 6
+     * dihedral angles of a tetrahedron, dim (dim + 1) / 2 of a simplex.
+     */
+    NM_MEASURE_DIHEDRAL_ANGLE = 0,
+    /**
+     * Circumradius over shortest edge, one for each simplex.
+     */
+    NM_MEASURE_RADIUS_EDGE = 1,
+    /**
+     * The aspect of Voronoi cells off the hull (nm_quality.worst_aspect_anywhere is the largest):
+     * one for each vertex in no cage and for each cage other than the root's, precision-limited
+     * ones included.
+     */
+    NM_MEASURE_ASPECT = 2,
+    /**
+     * The smallest of its NM_MEASURE_DIHEDRAL_ANGLE, one for each simplex.
+     */
+    NM_MEASURE_SMALLEST_ANGLE = 3,
+};
+#ifndef __cplusplus
+typedef int32_t nm_measure;
+#endif // __cplusplus
+
+/**
  * nm_options.ordering: how the inputs of a round are selected.
  */
 enum nm_ordering
@@ -2284,6 +2316,39 @@ NM_NODISCARD NM_API
 nm_status nm_mesh_validate(const struct nm_mesh *mesh,
                            uint32_t level,
                            struct nm_report *report);
+
+/**
+ * Counts how many values of a measure lie between edges, as numpy.histogram does.
+ *
+ * at_hull: 0 leaves out the simplices with a vertex on the hull, as nm_quality does; 1 counts them
+ * too. Without effect on NM_MEASURE_ASPECT. Simplices beyond the hull are never counted.
+ *
+ * edges: edge_count numbers, at least 1, each above the one before; infinities are allowed. In
+ * degrees for angles, otherwise without unit.
+ *
+ * counts: room for edge_count + 1 numbers. counts[0] receives how many values are below edges[0],
+ * counts[i] how many are in [edges[i - 1], edges[i]) for 0 < i < edge_count, counts[edge_count] how
+ * many are above the last edge. Of two edges and more the last bin includes the last edge. One edge
+ * makes no bin: counts[0] is what is below it, counts[1] the rest.
+ *
+ * extremes: room for 2 numbers, the least and the largest value; infinity and minus infinity if
+ * there is none. May be NULL.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, edges, counts), NM_INVALID_ARGUMENT (measure, at_hull,
+ * edge_count, edges, a pointer not aligned), NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at
+ * work, poisoned).
+ *
+ * O((vertices + simplices) log(edge_count)). The arrays of the mesh alone count, so the same mesh
+ * gives the same answer.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_quality_histogram(const struct nm_mesh *mesh,
+                                    nm_measure measure,
+                                    uint32_t at_hull,
+                                    uint64_t edge_count,
+                                    const double *edges,
+                                    uint64_t *counts,
+                                    double *extremes);
 
 /**
  * Writes the mesh to a file, replacing what was there. The file is written under another name and

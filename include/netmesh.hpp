@@ -96,6 +96,14 @@ struct nearest_vertices {
     std::vector<double> distances;
 };
 
+// How many values of a measure there are below the first edge, in each bin and above the last edge,
+// the least value and the largest.
+struct histogram {
+    std::vector<std::uint64_t> counts;
+    double least = 0;
+    double largest = 0;
+};
+
 // Facets: dim vertices each, and the simplices that have them.
 struct facet_tables {
     table<std::uint32_t> vertices;
@@ -456,6 +464,26 @@ public:
 
     result<nm_quality> try_quality() const { return filled<nm_quality>(nm_mesh_quality); }
 
+    // Counts the values of a measure between edges, which ascend. Simplices at the hull count too
+    // where at_hull.
+    result<histogram> try_quality_histogram(nm_measure measure, span<const double> edges,
+                                            bool at_hull = false) const {
+        return detail::allocating("the counts", [&]() -> result<histogram> {
+            histogram found;
+            found.counts.resize(edges.size() + 1);
+            double extremes[2] = {};
+            nm_status status =
+                nm_mesh_quality_histogram(handle_, measure, at_hull ? 1 : 0, edges.size(),
+                                          edges.data(), found.counts.data(), extremes);
+            if (status != NM_OK) {
+                return detail::failed(status);
+            }
+            found.least = extremes[0];
+            found.largest = extremes[1];
+            return found;
+        });
+    }
+
     result<nm_stats> try_stats() const { return filled<nm_stats>(nm_mesh_stats); }
 
     // Checks the mesh independently of the code that built it: 1 topology, 2 geometry, 3 the
@@ -613,6 +641,10 @@ public:
         return try_attributes(name).value();
     }
     nm_quality quality() const { return try_quality().value(); }
+    histogram quality_histogram(nm_measure measure, span<const double> edges,
+                                bool at_hull = false) const {
+        return try_quality_histogram(measure, edges, at_hull).value();
+    }
     nm_stats stats() const { return try_stats().value(); }
     nm_report validate(std::uint32_t level = 3) const { return try_validate(level).value(); }
     void save(const std::string &path_utf8, nm_format format = NM_FORMAT_AUTO) const {

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const PAGES: [&str; 3] = ["docs/tutorial.md", "docs/cpp.md", "docs/recipes.md"];
+const PAGES: [&str; 4] = ["docs/tutorial.md", "docs/cpp.md", "docs/recipes.md", "docs/slivers.md"];
 const EXAMPLES: [&str; 3] = ["examples/c", "examples/cpp", "examples/python"];
 
 fn root() -> PathBuf {

@@ -93,8 +93,12 @@ pub struct Arguments {
     #[arg(long)]
     pub stats: bool,
 
-    /// Write counts, options, quality and statistics as a JSON object; what --stats measures is
-    /// null without it. "-" is standard output, in place of the summary
+    /// Print histograms of the quality as well: angles, radius-edge ratios and aspects of cells
+    #[arg(long)]
+    pub histogram: bool,
+
+    /// Write counts, options, quality and statistics as a JSON object; what --stats and
+    /// --histogram measure is null without them. "-" is standard output, in place of the summary
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
 

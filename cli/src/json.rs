@@ -36,6 +36,19 @@ impl Object {
         self.member(name, "null");
     }
 
+    pub fn counts(&mut self, name: &str, values: &[u64]) {
+        self.list(name, values.iter().map(u64::to_string));
+    }
+
+    pub fn numbers(&mut self, name: &str, values: &[f64]) {
+        self.list(name, values.iter().map(|&value| number(value)));
+    }
+
+    fn list(&mut self, name: &str, values: impl Iterator<Item = String>) {
+        let values: Vec<String> = values.collect();
+        self.member(name, &format!("[{}]", values.join(", ")));
+    }
+
     /// A member that is an object of its own, with the members that `fill` gives it.
     pub fn object(&mut self, name: &str, fill: impl FnOnce(&mut Self)) {
         let mut inner = Self { text: String::new(), depth: self.depth + 1 };
@@ -102,6 +115,9 @@ mod tests {
         for (i, &value) in numbers.iter().enumerate() {
             object.number(&i.to_string(), value);
         }
+        object.counts("counts", &[0, u64::MAX]);
+        object.numbers("list", &[0.5, f64::INFINITY]);
+        object.numbers("empty list", &[]);
         object.number("large", f64::INFINITY);
         object.number("small", f64::NEG_INFINITY);
         object.number("none", f64::NAN);
@@ -110,11 +126,14 @@ mod tests {
         assert_eq!(read["most"], u64::MAX);
         assert!(read["nothing"].is_null());
         assert_eq!(read["inside"], json!({ "empty": {}, "yes": true, "no": false }));
+        assert_eq!(read["counts"], json!([0, u64::MAX]));
+        assert_eq!(read["list"], json!([0.5, "inf"]));
+        assert_eq!(read["empty list"], json!([]));
         for (i, &value) in numbers.iter().enumerate() {
             let back = read[i.to_string()].as_f64().expect("a number");
             assert_eq!(back.to_bits(), value.to_bits(), "{value:e}");
         }
         assert_eq!([&read["large"], &read["small"], &read["none"]], ["inf", "-inf", "nan"]);
-        assert_eq!(read.as_object().expect("an object").len(), 4 + numbers.len() + 3);
+        assert_eq!(read.as_object().expect("an object").len(), 7 + numbers.len() + 3);
     }
 }

@@ -7,6 +7,7 @@ mod arguments;
 mod certificate;
 mod exit_code;
 mod filtration;
+mod histograms;
 mod input;
 mod interruption;
 mod json;

@@ -1,7 +1,8 @@
 //! What the run made, for a program to read: the fields of `nm_counts`, `nm_options`, `nm_quality`,
-//! `nm_stats` and `nm_report` under their names, as one JSON object.
+//! `nm_stats` and `nm_report` under their names, and histograms, as one JSON object.
 
 use crate::alpha_shape::Measured;
+use crate::histograms::Table;
 use crate::json::Object;
 use crate::summary::Summary;
 use netmesh::{Algorithm, Criterion, NetOrdering, Output, Parameters, Stats};
@@ -14,6 +15,12 @@ pub fn json(summary: &Summary<'_>) -> String {
     let parameters = &summary.triangulation.parameters;
     record.object("options", |options| add_options(options, parameters));
     record.object("quality", |quality| add_quality(quality, summary));
+    match summary.histograms {
+        None => record.null("histograms"),
+        Some(histograms) => record.object("histograms", |object| {
+            histograms.tables.iter().for_each(|table| add_table(object, table));
+        }),
+    }
     let stats = &summary.triangulation.stats;
     record.object("stats", |object| {
         add_counters(object, stats);
@@ -110,6 +117,20 @@ fn add_quality(object: &mut Object, summary: &Summary<'_>) {
     object.number("worst_radius_edge", quality.worst_radius_edge);
     object.number("min_angle_degrees", quality.min_angle_degrees);
     object.count("precision_limited", quality.precision_limited);
+}
+
+/// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.
+fn add_table(object: &mut Object, table: &Table) {
+    object.object(table.name, |object| {
+        object.numbers("edges", &table.edges);
+        object.counts("counts", &table.counts);
+        match &table.counts_at_hull {
+            None => object.null("counts_at_hull"),
+            Some(counts) => object.counts("counts_at_hull", counts),
+        }
+        object.number("least", table.least);
+        object.number("largest", table.largest);
+    });
 }
 
 fn add_counters(object: &mut Object, stats: &Stats) {

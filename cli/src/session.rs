@@ -5,6 +5,7 @@ use crate::arguments::{Arguments, Product};
 use crate::certificate;
 use crate::exit_code::{ExitCode, Failure};
 use crate::filtration;
+use crate::histograms::Histograms;
 use crate::input;
 use crate::interruption;
 use crate::output;
@@ -48,6 +49,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let _stage = display.stage("measuring");
             timed(&mut times.measure, || quality::measure(triangulation))?
         };
+        let histograms = match arguments.histogram {
+            true => Some(Histograms::of(triangulation)?),
+            false => None,
+        };
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),
@@ -55,6 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             triangulation,
             quality: &quality,
             alpha_shape: alpha_shape.as_ref(),
+            histograms: histograms.as_ref(),
             report: report.as_ref(),
             times: &times,
         };

@@ -3,6 +3,7 @@
 use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
 use crate::certificate;
+use crate::histograms::Histograms;
 use crate::numbers::{counted, duration, grouped, measure};
 use crate::standard;
 use netmesh::quality::Quality;
@@ -30,6 +31,7 @@ pub struct Summary<'a> {
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
     pub alpha_shape: Option<&'a Measured>,
+    pub histograms: Option<&'a Histograms>,
     pub report: Option<&'a Report>,
     pub times: &'a Times,
 }
@@ -50,7 +52,7 @@ impl Summary<'_> {
         self.add_times(&mut lines);
         self.add_output(&mut lines);
         self.add_certificate(&mut lines);
-        lines.text
+        lines.text + &self.histograms.map_or(String::new(), Histograms::text)
     }
 
     fn add_input(&self, lines: &mut Lines) {

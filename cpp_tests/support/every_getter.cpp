@@ -27,6 +27,12 @@ nm_status filled(const nm_mesh* mesh) {
     return getter(mesh, &value);
 }
 
+nm_status spread(const nm_mesh* mesh) {
+    const double edge = 1;
+    std::uint64_t counts[2];
+    return nm_mesh_quality_histogram(mesh, NM_MEASURE_RADIUS_EDGE, 1, 1, &edge, counts, nullptr);
+}
+
 nm_status validated(const nm_mesh* mesh) {
     auto report = sized<nm_report>();
     return nm_mesh_validate(mesh, 1, &report);
@@ -83,6 +89,7 @@ void every_getter(const nm_mesh* mesh, nm_status expected, int first) {
         placed,
         indexed,
         filled<nm_quality, nm_mesh_quality>,
+        spread,
         filled<nm_stats, nm_mesh_stats>,
         validated,
         written,

@@ -26,6 +26,17 @@ int main(void)
            "every cell keeps the bound");
     expect(quality.precision_limited == 0, "doubles are fine enough here");
 
+    /* [slivers] */
+    const double degrees = 15;
+    uint64_t below_and_rest[2];
+    must(nm_mesh_quality_histogram(mesh, NM_MEASURE_SMALLEST_ANGLE, 1, 1, &degrees,
+                                   below_and_rest, NULL));
+    printf("%llu of %llu tetrahedra have a dihedral angle below %g degrees\n",
+           (unsigned long long)below_and_rest[0],
+           (unsigned long long)(below_and_rest[0] + below_and_rest[1]), degrees);
+    /* [end] */
+    expect(below_and_rest[0] > 0 && below_and_rest[0] < below_and_rest[1], "a few are slivers");
+
     /* [certificate] */
     nm_report report = NM_REPORT_INIT;
     must(nm_mesh_validate(mesh, 3, &report)); /* NM_OK: the check ran. What it found: */

@@ -23,11 +23,21 @@ from ._errors import (
 )
 from ._filtration import Filtration
 from ._interpolator import LinearNDInterpolator
-from ._mesh import Mesh, Placement, VertexKind, mesh
+from ._mesh import Mesh, mesh
 from ._netmesh import VERSION as __version__
 from ._netmesh import Progress
 from ._part import Part
-from ._results import CSR, Facets, Quality, Report, Stats, Violation, VoronoiCells
+from ._results import (
+    CSR,
+    Facets,
+    Placement,
+    Quality,
+    Report,
+    Stats,
+    VertexKind,
+    Violation,
+    VoronoiCells,
+)
 from ._shape import AlphaShape, FaceClass
 from ._voronoi import Voronoi
 

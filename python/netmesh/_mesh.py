@@ -2,38 +2,19 @@
 
 from __future__ import annotations
 
-import enum
 import os
-from typing import Any, Callable, Optional, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 
 from . import _views
 from ._arrays import point_rows, query_points, shaped_values, value_columns, vertex_columns
 from ._filtration import Filtration
-from ._netmesh import Core, Progress
+from ._histogram import histogram
+from ._netmesh import Core
 from ._part import Arrays, Part
-from ._results import Quality, Report, Stats, Violation
-
-
-class VertexKind(enum.IntEnum):
-    """Where a vertex comes from: the values of `Mesh.kinds`."""
-
-    INPUT = 0
-    STEINER = 1
-    CAGE = 2
-
-
-class Placement(enum.IntEnum):
-    """Where a simplex lies with respect to a region: the values of `Mesh.placements`."""
-
-    INSIDE = 0
-    ACROSS = 1
-    OUTSIDE = 2
-
-
-#: One element of `Mesh.domains`.
-DOMAIN = np.dtype([("center", np.int32), ("parent", np.int32), ("radius", np.float64)])
+from ._progress import reporter
+from ._results import DOMAIN, Quality, Report, Stats, Violation
 
 
 def mesh(
@@ -140,7 +121,7 @@ class Mesh(Arrays):
     @classmethod
     def _run(cls, points: Any, options: dict, progress: Any = None) -> Mesh:
         made = cls.__new__(cls)
-        made._core = Core(point_rows(points), _reporter(progress), options)
+        made._core = Core(point_rows(points), reporter(progress), options)
         made._options = options
         return made
 
@@ -298,6 +279,49 @@ class Mesh(Arrays):
     def quality(self) -> Quality:
         """Measure the quality. O(vertices + simplices)."""
         return Quality(**self._core.quality())
+
+    def quality_histogram(
+        self,
+        measure: str = "dihedral_angle",
+        bins: Any = None,
+        range: Optional[tuple[float, float]] = None,
+        *,
+        hull: bool = False,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Count how many angles, ratios or aspects lie in bins, as `numpy.histogram` does.
+
+        Parameters
+        ----------
+        measure : {'dihedral_angle', 'smallest_angle', 'radius_edge', 'aspect'}
+            The angles between any two facets of each simplex, in degrees (in 2D the angles of
+            triangles); the smallest of them; circumradius over shortest edge of simplices; aspects
+            of Voronoi cells, of which `Quality.worst_aspect_anywhere` is the largest.
+        bins : int or array_like of float, optional
+            How many bins of equal width, or their edges, which ascend. 18 by default.
+        range : (float, float), optional
+            The ends of that many bins: by default 0 to 180 for 'dihedral_angle', 0 to 90 for
+            'smallest_angle', else the least and the largest value.
+        hull : bool
+            Count simplices with a vertex on the hull, too. Cells on the hull have no aspect.
+
+        Returns
+        -------
+        counts : ndarray of int64, shape (bins,)
+            A bin has its lower edge, the last one its upper edge as well. What is outside counts
+            nowhere.
+        edges : ndarray of float64, shape (bins + 1,)
+
+        Examples
+        --------
+        >>> import numpy as np, netmesh
+        >>> m = netmesh.mesh(np.random.default_rng(1).random((100, 3)))
+        >>> counts, edges = m.quality_histogram(bins=[0, 15, 165, 180], hull=True)
+        >>> bool(counts.sum() == 6 * len(m.simplices))
+        True
+        >>> m.quality_histogram("aspect", bins=6, range=(1, 4))[1]
+        array([1. , 1.5, 2. , 2.5, 3. , 3.5, 4. ])
+        """
+        return histogram(self._core, measure, bins, range, hull)
 
     def validate(self, level: int = 3) -> Report:
         """Check the mesh from its arrays alone, with exact arithmetic.
@@ -505,20 +529,3 @@ class Mesh(Arrays):
         matplotlib.axes.Axes
         """
         return _views.plot(self, ax, arguments)
-
-
-def _reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:
-    """A function of a `Progress`: the caller's, or one that moves the caller's bar."""
-    if progress is None or callable(progress):
-        return progress
-    if not all(hasattr(progress, name) for name in ("update", "n", "total")):
-        kind = type(progress).__name__
-        raise TypeError(f"progress is of type {kind}; it must be a function or a bar as tqdm's")
-    if progress.total is None:
-        progress.total = 1
-
-    def move(report: Progress) -> None:
-        if report.fraction >= 0:
-            progress.update(report.fraction * progress.total - progress.n)
-
-    return move

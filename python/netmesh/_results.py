@@ -1,8 +1,29 @@
-"""What a mesh tells of itself: tuples with names."""
+"""What a mesh tells of itself: tuples with names, and the values that its arrays have."""
 
+import enum
 from typing import NamedTuple, Optional
 
 import numpy as np
+
+
+class VertexKind(enum.IntEnum):
+    """Where a vertex comes from: the values of `Mesh.kinds`."""
+
+    INPUT = 0
+    STEINER = 1
+    CAGE = 2
+
+
+class Placement(enum.IntEnum):
+    """Where a simplex lies with respect to a region: the values of `Mesh.placements`."""
+
+    INSIDE = 0
+    ACROSS = 1
+    OUTSIDE = 2
+
+
+#: One element of `Mesh.domains`.
+DOMAIN = np.dtype([("center", np.int32), ("parent", np.int32), ("radius", np.float64)])
 
 
 class CSR(NamedTuple):

@@ -4,6 +4,7 @@ use crate::arrays::{empty, unsigned};
 use crate::core::Core;
 use crate::errors::{abandonable, detached, exception, invalid};
 use crate::options::{choice, whole};
+use netmesh::quality::Measure;
 use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values};
 use netmesh::{ErrorKind, Result, Stats, Triangulation, quality, validate};
 use numpy::prelude::*;
@@ -194,6 +195,29 @@ impl Core {
         figures.set_item("min_angle_degrees", min_angle_degrees)?;
         figures.set_item("precision_limited", precision_limited)?;
         Ok(figures)
+    }
+
+    /// Counts below the first edge, in the bins and above the last edge; least and largest value.
+    fn quality_histogram<'py>(
+        &self,
+        py: Python<'py>,
+        measure: &Bound<'py, PyAny>,
+        hull: bool,
+        edges: Vec<f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<i64>>, f64, f64)> {
+        let names = [
+            ("dihedral_angle", Measure::DihedralAngle),
+            ("radius_edge", Measure::RadiusEdge),
+            ("aspect", Measure::Aspect),
+            ("smallest_angle", Measure::SmallestAngle),
+        ];
+        let measure = choice("measure", measure, &names)?;
+        let made = Arc::clone(&self.made);
+        let quality::Histogram { counts, least, largest } = abandonable(py, move || {
+            quality::histogram(made.triangulation(), measure, hull, &edges)
+        })?;
+        let counts = counts.into_iter().map(|count| count as i64).collect();
+        Ok((PyArray1::from_vec(py, counts), least, largest))
     }
 
     /// What the run did, by name.

@@ -6,6 +6,7 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
 use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
+use crate::quality::Measure;
 use crate::query::{Interpolation, Method, Outside};
 use crate::topology::FaceClass;
 use std::mem::MaybeUninit;
@@ -296,6 +297,24 @@ pub enum nm_format {
     NM_FORMAT_DOMAINS_JSON = 11,
 }
 
+/// What nm_mesh_quality_histogram counts.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_measure {
+    /// The angles between any two facets of a simplex, in degrees: 3 angles of a triangle, 6
+    /// dihedral angles of a tetrahedron, dim (dim + 1) / 2 of a simplex.
+    NM_MEASURE_DIHEDRAL_ANGLE = 0,
+    /// Circumradius over shortest edge, one for each simplex.
+    NM_MEASURE_RADIUS_EDGE = 1,
+    /// The aspect of Voronoi cells off the hull (nm_quality.worst_aspect_anywhere is the largest):
+    /// one for each vertex in no cage and for each cage other than the root's, precision-limited
+    /// ones included.
+    NM_MEASURE_ASPECT = 2,
+    /// The smallest of its NM_MEASURE_DIHEDRAL_ANGLE, one for each simplex.
+    NM_MEASURE_SMALLEST_ANGLE = 3,
+}
+
 /// The format that C asks for in argument `format`.
 pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
     let formats = [
@@ -331,6 +350,12 @@ pub(super) fn decode_ordering(raw: MaybeUninit<nm_ordering>) -> Result<NetOrderi
 
 pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criterion> {
     decode("options.criterion", raw, [Criterion::VoronoiAspect, Criterion::RadiusEdge])
+}
+
+pub(super) fn decode_measure(raw: MaybeUninit<nm_measure>) -> Result<Measure> {
+    let measures =
+        [Measure::DihedralAngle, Measure::RadiusEdge, Measure::Aspect, Measure::SmallestAngle];
+    decode("measure", raw, measures)
 }
 
 pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Result<Extent> {
@@ -423,6 +448,9 @@ mod tests {
         }
         for value in 0..=2 {
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
+        }
+        for value in 0..=3 {
+            assert_eq!(decode_measure(from_c(value)).unwrap() as i32, value);
         }
         for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
             assert_eq!(vertex_kind_byte(kind), kind as u8);

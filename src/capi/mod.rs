@@ -54,6 +54,8 @@ mod attributes;
 
 mod measures;
 
+mod histogram;
+
 mod export;
 
 pub use alpha_shapes::{
@@ -73,7 +75,8 @@ pub use attributes::{
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
     nm_algorithm, nm_criterion, nm_extent, nm_face_class, nm_filtration, nm_format,
-    nm_interpolation, nm_ordering, nm_output, nm_phase, nm_placement, nm_status, nm_vertex_kind,
+    nm_interpolation, nm_measure, nm_ordering, nm_output, nm_phase, nm_placement, nm_status,
+    nm_vertex_kind,
 };
 pub use error::nm_last_error;
 pub use export::{
@@ -85,6 +88,7 @@ pub use getters::{
     nm_mesh_get_vertex_domains, nm_mesh_get_vertex_kinds,
 };
 pub use handle::nm_mesh;
+pub use histogram::nm_mesh_quality_histogram;
 pub use measures::{nm_mesh_quality, nm_mesh_stats, nm_mesh_validate};
 pub use options::nm_options_init;
 pub use queries::{

@@ -3,22 +3,32 @@
 use super::corner::normals;
 use super::view::View;
 use crate::memory::AllocResult;
+use crate::mesh::MAX_DIM;
 
 /// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half,
 /// which grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
 pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
-    let Some(normals) = normals(points)? else {
-        return Ok(0.0);
-    };
-    let units = normals.map(unit);
-    let count = View::<D>::VERTICES;
     let mut smallest = f64::INFINITY;
+    for_each_squared_tangent(points, |tangent| smallest = smallest.min(tangent))?;
+    Ok(smallest)
+}
+
+/// Visits the angle of each pair of facets of the simplex `points`, as the square of the tangent of
+/// its half; all are 0 if the simplex is flat.
+pub(crate) fn for_each_squared_tangent<const D: usize>(
+    points: &[&[f64; D]],
+    mut visit: impl FnMut(f64),
+) -> AllocResult<()> {
+    let units = normals(points)?.map(|normals| normals.map(unit));
+    let count = View::<D>::VERTICES;
     for i in 0..count {
         for j in i + 1..count {
-            smallest = smallest.min(squared_tangent_inside(&units[i], &units[j]));
+            let tangent =
+                |units: &[[f64; D]; MAX_DIM + 1]| squared_tangent_inside(&units[i], &units[j]);
+            visit(units.as_ref().map_or(0.0, tangent));
         }
     }
-    Ok(smallest)
+    Ok(())
 }
 
 /// The angle in radians whose half has a tangent of this square.

@@ -6,6 +6,7 @@ pub(crate) mod angles;
 pub(crate) mod cells;
 pub(crate) mod corner;
 pub(crate) mod exact;
+mod histogram;
 pub(crate) mod length;
 pub(crate) mod rational;
 pub(crate) mod tree;
@@ -17,6 +18,8 @@ use crate::mesh::{NONE, Triangulation, in_dimension};
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
 use view::View;
+
+pub use histogram::{Histogram, Measure, histogram};
 
 /// The quality of a mesh.
 ///

@@ -173,13 +173,16 @@ static void test_before_a_run(void)
     nm_quality quality;
     nm_stats stats;
     nm_report report;
-    uint64_t before = fingerprint(mesh), needed = 5;
+    const double edge = 1;
+    uint64_t before = fingerprint(mesh), needed = 5, bins[2];
     quality.struct_size = sizeof quality;
     stats.struct_size = sizeof stats;
     report.struct_size = sizeof report;
     EXPECT(NM_STATE, nm_mesh_get_simplices(mesh, NULL, 0, &needed), "nm_run");
     EXPECT(NM_STATE, nm_mesh_get_neighbors(mesh, NULL, 0, &needed), "nm_run");
     EXPECT(NM_STATE, nm_mesh_quality(mesh, &quality), "nm_run");
+    EXPECT(NM_STATE,
+           nm_mesh_quality_histogram(mesh, NM_MEASURE_ASPECT, 0, 1, &edge, bins, NULL), "nm_run");
     EXPECT(NM_STATE, nm_mesh_stats(mesh, &stats), "nm_run");
     EXPECT(NM_STATE, nm_mesh_validate(mesh, 1, &report), "nm_run");
     EXPECT(NM_STATE, nm_export(mesh, "never.vtu", NM_FORMAT_VTU), "");
@@ -298,6 +301,38 @@ static void test_run_failures(nm_mesh *mesh)
     nm_mesh_free(collinear);
 }
 
+static void test_histograms(nm_mesh *mesh)
+{
+    const nm_measure measure = NM_MEASURE_DIHEDRAL_ANGLE;
+    const double edges[3] = {0, 15, 180}, falling[2] = {1, 0};
+    uint64_t counts[4] = {7, 7, 7, 7}, off_hull[4];
+    double extremes[2] = {0, 0};
+    nm_counts mesh_counts;
+    EXPECT(NM_NULL_ARGUMENT, nm_mesh_quality_histogram(NULL, measure, 0, 3, edges, counts, NULL),
+           "mesh");
+    EXPECT(NM_NULL_ARGUMENT, nm_mesh_quality_histogram(mesh, measure, 0, 3, NULL, counts, NULL),
+           "edges");
+    EXPECT(NM_NULL_ARGUMENT, nm_mesh_quality_histogram(mesh, measure, 0, 3, edges, NULL, NULL),
+           "counts");
+    EXPECT(NM_INVALID_ARGUMENT,
+           nm_mesh_quality_histogram(mesh, (nm_measure)4, 0, 3, edges, counts, NULL), "measure is 4");
+    EXPECT(NM_INVALID_ARGUMENT, nm_mesh_quality_histogram(mesh, measure, 2, 3, edges, counts, NULL),
+           "at_hull is 2");
+    EXPECT(NM_INVALID_ARGUMENT, nm_mesh_quality_histogram(mesh, measure, 0, 0, edges, counts, NULL),
+           "edges is empty");
+    EXPECT(NM_INVALID_ARGUMENT,
+           nm_mesh_quality_histogram(mesh, measure, 0, 2, falling, counts, NULL), "edges[1] is 0");
+    CHECK(counts[0] == 7 && counts[3] == 7);
+    OK(nm_mesh_quality_histogram(mesh, measure, 0, 3, edges, off_hull, NULL));
+    OK(nm_mesh_quality_histogram(mesh, measure, 1, 3, edges, counts, extremes));
+    mesh_counts.struct_size = sizeof mesh_counts;
+    OK(nm_mesh_counts(mesh, &mesh_counts));
+    CHECK(counts[0] == 0 && counts[3] == 0 && off_hull[2] > 0);
+    CHECK(counts[1] + counts[2] == mesh_counts.simplices * DIM * (DIM + 1) / 2);
+    CHECK(off_hull[1] + off_hull[2] < counts[1] + counts[2]);
+    CHECK(extremes[0] > 0 && extremes[0] < 90 && extremes[1] > 90 && extremes[1] < 180);
+}
+
 static void test_getters(nm_mesh *mesh)
 {
     uint64_t before = fingerprint(mesh), needed = 0;
@@ -317,6 +352,7 @@ static void test_getters(nm_mesh *mesh)
     CHECK(counts.struct_size == 8 && counts.dim == DIM && counts.inputs == 0xEEEEEEEEEEEEEEEEu);
     EXPECT(NM_NULL_ARGUMENT, nm_mesh_quality(mesh, NULL), "quality");
     EXPECT(NM_NULL_ARGUMENT, nm_mesh_stats(mesh, NULL), "stats");
+    test_histograms(mesh);
     CHECK(fingerprint(mesh) == before);
 }
 

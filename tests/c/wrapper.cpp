@@ -57,6 +57,8 @@ static void test_before_a_run() {
     CHECK(mesh.domains().empty());
     CHECK(status_of([&] { mesh.simplices(); }) == NM_STATE);
     CHECK(status_of([&] { mesh.quality(); }) == NM_STATE);
+    CHECK(status_of([&] { mesh.quality_histogram(NM_MEASURE_ASPECT, std::vector{1.0}); }) ==
+          NM_STATE);
     CHECK(status_of([&] { netmesh::mesh odd(3, points); }) == NM_INVALID_ARGUMENT);
     CHECK(status_of([&] { netmesh::mesh none(0, points); }) == NM_DIMENSION);
     CHECK(status_of([&] { netmesh::mesh::from_file("no/such.xyz"); }) == NM_IO);
@@ -102,6 +104,13 @@ static void test_run() {
     CHECK(mesh.domains().size() == counts.domains);
     CHECK(mesh.stats().input_vertices == 6000);
     CHECK(mesh.quality().max_degree > 0);
+    const std::vector<double> edges = {0, 30, 180};
+    const netmesh::histogram some = mesh.quality_histogram(NM_MEASURE_DIHEDRAL_ANGLE, edges);
+    const netmesh::histogram all = mesh.quality_histogram(NM_MEASURE_DIHEDRAL_ANGLE, edges, true);
+    CHECK(all.counts.size() == 4 && all.counts[1] + all.counts[2] == 6 * counts.simplices);
+    CHECK(some.counts[1] > 0 && some.counts[1] < all.counts[1]);
+    CHECK(some.least == mesh.quality().min_angle_degrees && some.largest < 180);
+    CHECK(mesh.try_quality_histogram(NM_MEASURE_ASPECT, {}).status() == NM_INVALID_ARGUMENT);
     nm_report report = mesh.validate();
     CHECK(report.level == 3 && report.violations == 0);
     if (report.violations > 0) {

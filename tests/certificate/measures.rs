@@ -33,9 +33,9 @@ fn a_grid_of_cubes() {
     assert!((quality.worst_radius_edge - 3f64.sqrt() / 2.0).abs() < 1e-12);
 }
 
-/// The figure over the cells off the hull, of vertices and of cages, by the numerics' circumballs
-/// and all distances.
-fn worst_aspect_by_trying<const D: usize>(case: &Case) -> f64 {
+/// Of the cells off the hull, of vertices and of cages, by the numerics' circumballs and all
+/// distances.
+pub fn aspects_by_trying<const D: usize>(case: &Case) -> Vec<f64> {
     let mesh = &case.mesh;
     let point = |v: u32| <&[f64; D]>::try_from(mesh.point(v)).unwrap();
     let vertices = 0..mesh.kinds.len() as u32;
@@ -64,7 +64,11 @@ fn worst_aspect_by_trying<const D: usize>(case: &Case) -> f64 {
             / (nearest + domain.radius)
     };
     let cells = vertices.clone().filter(|&v| mesh.cage_of[v as usize] == NONE).map(cell);
-    cells.chain(mesh.domains[1..].iter().map(cage)).fold(0.0, f64::max)
+    cells.chain(mesh.domains[1..].iter().map(cage)).collect()
+}
+
+fn worst_aspect_by_trying<const D: usize>(case: &Case) -> f64 {
+    aspects_by_trying::<D>(case).into_iter().fold(0.0, f64::max)
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod corruptions;
 mod geometry;
+mod histograms;
 mod measures;
 mod meshes;
 mod paper;

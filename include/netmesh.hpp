@@ -81,6 +81,7 @@ struct options {
     std::uint64_t max_vertices = 0;
     progress_function progress = {};  // empty: none
     bool instruments = false;
+    double distance_ratio = 0;
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -718,6 +719,7 @@ private:
         to.seed = from.seed;
         to.max_vertices = from.max_vertices;
         to.instruments = from.instruments ? 1 : 0;
+        to.distance_ratio = from.distance_ratio;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

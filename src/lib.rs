@@ -8,6 +8,7 @@ pub mod error;
 pub mod io;
 pub(crate) mod memory;
 pub mod mesh;
+pub(crate) mod nearest;
 pub(crate) mod netmesh;
 pub mod numerics;
 pub mod options;

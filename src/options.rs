@@ -76,6 +76,9 @@ pub struct Options {
     /// Measure the second part of [`crate::Stats`] too, which takes as long again or longer. The
     /// mesh is the same.
     pub instruments: bool,
+    /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
+    /// nearest input, unless all of the cell has the same nearest input; 0: no matter how far.
+    pub distance_ratio: f64,
 }
 
 impl Default for Options {
@@ -97,6 +100,7 @@ impl Default for Options {
             seed: 0,
             max_vertices: 0,
             instruments: false,
+            distance_ratio: 0.0,
         }
     }
 }

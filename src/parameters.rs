@@ -27,6 +27,8 @@ pub struct Parameters {
     pub seed: u64,
     pub max_vertices: u64,
     pub instruments: bool,
+    /// 0: none.
+    pub distance_ratio: f64,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -56,6 +58,10 @@ impl Parameters {
             0 => u64::from(u32::MAX - 1),
             given => given.min(u64::from(u32::MAX - 1)),
         };
+        let distance_ratio = distance_ratio(options)?;
+        // So the hull is far enough from the inputs for its cells not to matter.
+        let least_root_scale = if distance_ratio > 0.0 { 6.0 } else { 0.0 };
+        let root_scale = pick(dim, [2.5, 2.5, 3.0, 4.0]).max(least_root_scale);
         Ok(Self {
             output: options.output,
             algorithm: options.algorithm,
@@ -69,16 +75,11 @@ impl Parameters {
             yield_radius: number("yield_radius", options.yield_radius, yield_radius, 0.05, 1.0)?,
             encroachment: number("encroachment", options.encroachment, 1.0, 1.0, 4.0)?,
             cage_scale: number("cage_scale", options.cage_scale, 0.8, 0.3, 0.9)?,
-            root_scale: number(
-                "root_scale",
-                options.root_scale,
-                pick(dim, [2.5, 2.5, 3.0, 4.0]),
-                2.0,
-                16.0,
-            )?,
+            root_scale: number("root_scale", options.root_scale, root_scale, 2.0, 16.0)?,
             seed: options.seed,
             max_vertices,
             instruments: options.instruments,
+            distance_ratio,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
@@ -87,6 +88,20 @@ impl Parameters {
 /// The default for 2D, 3D, 4D and everything above.
 fn pick(dim: usize, defaults: [f64; 4]) -> f64 {
     defaults[(dim - 2).min(3)]
+}
+
+fn distance_ratio(options: &Options) -> Result<f64> {
+    let ratio = number("distance_ratio", options.distance_ratio, 0.0, 0.05, 1.0)?;
+    if ratio > 0.0
+        && (options.output, options.algorithm) != (Output::WellSpaced, Algorithm::Netmesh)
+    {
+        let message = message!(
+            "options.distance_ratio is {ratio}; it is for well-spaced output (options.output) of \
+             the algorithm netmesh"
+        );
+        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    }
+    Ok(ratio)
 }
 
 fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {

@@ -103,7 +103,7 @@ fn ranges(refuse: impl Fn(&mut Options)) -> (Vec<String>, Vec<String>) {
 #[test]
 fn the_manuals_ranges_are_the_enforced_ones() {
     type Set = fn(&mut Options);
-    let fields: [(&str, Set); 9] = [
+    let fields: [(&str, Set); 10] = [
         ("quality_bound", |options| options.quality_bound = -1.0),
         ("quality_bound", |options| {
             options.criterion = Criterion::RadiusEdge;
@@ -116,6 +116,7 @@ fn the_manuals_ranges_are_the_enforced_ones() {
         ("encroachment", |options| options.encroachment = -1.0),
         ("cage_scale", |options| options.cage_scale = -1.0),
         ("root_scale", |options| options.root_scale = -1.0),
+        ("distance_ratio", |options| options.distance_ratio = -1.0),
     ];
     let header = header();
     for (field, refuse) in fields {
@@ -254,7 +255,7 @@ fn the_layouts_are_fixed() {
         "#include \"netmesh.h\"",
         "#define CHECK(name, condition) typedef char name[(condition) ? 1 : -1]",
         "CHECK(progress, sizeof(nm_progress) == 40 && offsetof(nm_progress, fraction) == 8);",
-        "CHECK(options, sizeof(nm_options) == 112 + 2 * sizeof(void *));",
+        "CHECK(options, sizeof(nm_options) == 120 + 2 * sizeof(void *));",
         "CHECK(threads, offsetof(nm_options, threads) == 20);",
         "CHECK(quality_bound, offsetof(nm_options, quality_bound) == 24);",
         "CHECK(seed, offsetof(nm_options, seed) == 88);",

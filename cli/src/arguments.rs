@@ -155,6 +155,11 @@ pub struct Meshing {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub root_scale: Option<f64>,
 
+    /// With --finish: how far a cell may reach, relative to its vertex's distance from the input,
+    /// unless it has one nearest point of the input everywhere; for --filtration mesh
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub distance_ratio: Option<f64>,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -296,6 +301,7 @@ impl Arguments {
             seed: meshing.seed,
             max_vertices: meshing.max_vertices.unwrap_or(0),
             instruments: self.stats,
+            distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
         }
     }
 }
@@ -417,7 +423,7 @@ mod tests {
     fn every_option_reaches_the_library() {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
-            --encroachment 2 --cage-scale 0.5 --root-scale 3 --seed 7 --max-vertices 99 --threads 4 \
+            --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --seed 7 --max-vertices 99 --threads 4 \
             --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
@@ -432,6 +438,7 @@ mod tests {
             encroachment: 2.0,
             cage_scale: 0.5,
             root_scale: 3.0,
+            distance_ratio: 0.5,
             seed: 7,
             max_vertices: 99,
             ordering: NetOrdering::DeterministicNet,

@@ -102,6 +102,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.number("encroachment", parameters.encroachment);
     options.number("cage_scale", parameters.cage_scale);
     options.number("root_scale", parameters.root_scale);
+    options.number("distance_ratio", parameters.distance_ratio);
     options.count("seed", parameters.seed);
     options.count("max_vertices", parameters.max_vertices);
     options.truth("instruments", parameters.instruments);

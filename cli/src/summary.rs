@@ -228,7 +228,7 @@ impl Summary<'_> {
         lines.add(
             "",
             format!(
-                "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, root scale {}",
+                "epsilon {}, delta {}, gamma {}, yield radius {}, encroachment {}, cage scale {}, root scale {}, distance ratio {}",
                 parameters.epsilon,
                 parameters.delta,
                 parameters.gamma,
@@ -236,6 +236,7 @@ impl Summary<'_> {
                 parameters.encroachment,
                 parameters.cage_scale,
                 parameters.root_scale,
+                parameters.distance_ratio,
             ),
         );
     }

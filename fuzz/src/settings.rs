@@ -63,6 +63,12 @@ fn choose_numbers(options: &mut Options, bytes: &mut Bytes<'_>, dim: usize) -> b
         (&mut options.root_scale, (2.0, 16.0)),
     ];
     let mut valid = true;
+    if (options.output, options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
+        let (lowest, highest) = (0.05, 1.0);
+        options.distance_ratio = choose(bytes, lowest, highest);
+        let ratio = options.distance_ratio;
+        valid = ratio == 0.0 || (lowest..=highest).contains(&ratio);
+    }
     for (number, (lowest, highest)) in numbers {
         *number = choose(bytes, lowest, highest);
         valid &= *number == 0.0 || (lowest..=highest).contains(number);

@@ -36,6 +36,7 @@ def mesh(
     seed: int = 0,
     max_vertices: int = 0,
     instruments: bool = False,
+    distance_ratio: float = 0.0,
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -69,6 +70,11 @@ def mesh(
         A mesh that needs more raises `LimitError`; 0 for as many as there are ids.
     instruments : bool
         Measure the second part of `Stats` too, which takes about as long again.
+    distance_ratio : float
+        With ``output='well_spaced'``: how far a cell may reach, relative to the distance from its
+        vertex to the nearest input, unless that input is the nearest one everywhere in the cell;
+        0.05 to 1, 0 for no matter how far. `Filtration.factor` of kind 'mesh' becomes at most the
+        root of ``(1 + distance_ratio) / (1 - distance_ratio)``.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

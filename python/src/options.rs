@@ -54,6 +54,7 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "encroachment" => options.encroachment = number(name, value)?,
         "cage_scale" => options.cage_scale = number(name, value)?,
         "root_scale" => options.root_scale = number(name, value)?,
+        "distance_ratio" => options.distance_ratio = number(name, value)?,
         "seed" => options.seed = whole(name, value, u64::MAX)?,
         "max_vertices" => options.max_vertices = whole(name, value, u64::MAX)?,
         "instruments" => options.instruments = value.is_truthy()?,

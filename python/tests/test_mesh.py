@@ -130,6 +130,7 @@ OPTIONS = {
     "max_vertices": (100000, None),
     "threads": (2, None),
     "instruments": (True, None),
+    "distance_ratio": (0.3, "[0.05, 1]"),
 }
 
 
@@ -143,7 +144,8 @@ def clusters():
 def test_options_reach_the_library(name):
     points = clusters()
     value, range_ = OPTIONS[name]
-    default, other = netmesh.mesh(points), netmesh.mesh(points, **{name: value})
+    others = {"output": "well_spaced"} if name == "distance_ratio" else {}
+    default, other = netmesh.mesh(points, **others), netmesh.mesh(points, **others, **{name: value})
     differs = default.points.shape != other.points.shape or (default.points != other.points).any()
     if name == "instruments":
         assert (default.stats.max_ply, other.stats.max_ply > 0) == (0, True)

@@ -3,7 +3,7 @@
 use super::placement::bounds;
 use super::separation::Plane;
 use crate::memory::{AllocResult, collected, filled};
-use crate::query::view::coordinates;
+use crate::numerics::coordinates;
 use std::ops::Range;
 
 /// The most points of a leaf.

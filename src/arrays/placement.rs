@@ -4,8 +4,9 @@ use super::walk::Walk;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected, with_capacity};
 use crate::mesh::{Triangulation, in_dimension};
+use crate::numerics::coordinates;
 use crate::query::check_arrays;
-use crate::query::view::{View, coordinates};
+use crate::query::view::View;
 
 /// Where a simplex lies with respect to a convex body, exactly. A body in a hyperplane has no
 /// simplex inside.

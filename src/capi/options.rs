@@ -65,6 +65,7 @@ pub(super) fn encode(options: &Options) -> nm_options {
         user_data: null_mut(),
         instruments: u32::from(options.instruments),
         reserved: 0,
+        distance_ratio: options.distance_ratio,
     }
 }
 
@@ -87,6 +88,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         seed: options.seed,
         max_vertices: options.max_vertices,
         instruments: decode_instruments(options)?,
+        distance_ratio: options.distance_ratio,
     })
 }
 
@@ -143,6 +145,7 @@ mod tests {
             seed: 11,
             max_vertices: 12,
             instruments: true,
+            distance_ratio: 13.0,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());

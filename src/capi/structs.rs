@@ -129,6 +129,13 @@ pub struct nm_options {
     pub instruments: u32,
     /// Zero.
     pub reserved: u32,
+    /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
+    /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
+    /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
+    /// (1 + distance_ratio) / (1 - distance_ratio). For NM_OUTPUT_WELL_SPACED of
+    /// NM_ALGORITHM_NETMESH; root_scale then has the default 6. In
+    /// [0.05, 1], default 0: no matter how far.
+    pub distance_ratio: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -143,14 +150,16 @@ unsafe impl Versioned for nm_options {
             size_of::<u64>()
         } else if size < offset_of!(nm_options, instruments) {
             size_of::<usize>()
-        } else {
+        } else if size < offset_of!(nm_options, distance_ratio) {
             size_of::<u32>()
+        } else {
+            size_of::<u64>()
         };
         size % width != 0
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 10 * 8 + 2 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 11 * 8 + 2 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

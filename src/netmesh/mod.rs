@@ -77,6 +77,7 @@ fn mesh<const D: usize>(
             mesher.finish_mesh(&mut cavity)?;
         }
         mesher.refine_finally(&mut cavity)?;
+        mesher.refine_by_distance(&mut cavity)?;
     }
     drop(cavity);
     mesher.into_triangulation(begun)

@@ -49,3 +49,9 @@ const MAX_DIM: usize = 8;
 
 /// The most rows or columns of a matrix.
 const MAX_SIZE: usize = MAX_DIM + 1;
+
+/// Point `at` of a flat array.
+#[inline]
+pub(crate) fn coordinates<const D: usize>(points: &[f64], at: usize) -> &[f64; D] {
+    points[at * D..][..D].try_into().expect("D coordinates")
+}

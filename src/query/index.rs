@@ -1,10 +1,17 @@
 //! What is made once for a result.
 
-use super::nearest::Among;
-use super::tree::Tree;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
+use crate::nearest::Tree;
+
+/// Which vertices count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Among {
+    Vertices,
+    /// Those that are points of the caller.
+    Inputs,
+}
 
 /// What queries of one result need beside its arrays.
 ///
@@ -84,13 +91,13 @@ fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {
     let vertices = 0..mesh.vertex_count() as u32;
     let inputs = match vertices.clone().all(|vertex| is_input(&vertex)) {
         true => None,
-        false => Some(Tree::new::<D>(mesh, collected(vertices.filter(is_input))?)?),
+        false => Some(Tree::new::<D>(&mesh.points, collected(vertices.filter(is_input))?)?),
     };
     Ok(Index {
         dim: D,
         simplices: mesh.simplex_count(),
         vertices: mesh.vertex_count(),
-        all: Tree::of_all::<D>(mesh)?,
+        all: Tree::of_all::<D>(&mesh.points)?,
         inputs,
         least_simplex,
     })

@@ -4,12 +4,13 @@ use super::Index;
 use super::barycentric::coordinates_in;
 use super::locate::{Locator, Place, Scratch};
 use super::natural::Natural;
-use super::nearest::nearest;
 use super::threads::{on_threads, piece, threads};
-use super::view::{View, coordinates};
+use super::view::View;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocResult;
 use crate::mesh::Triangulation;
+use crate::nearest::nearest;
+use crate::numerics::coordinates;
 
 /// How values go on between vertices. All three reproduce linear functions and are continuous.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

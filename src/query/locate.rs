@@ -2,11 +2,11 @@
 
 use super::Index;
 use super::marked_ids::MarkedIds;
-use super::tree::sort_by_leaf;
-use super::view::{View, coordinates};
+use super::view::View;
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
-use crate::numerics::{Sign, orientation};
+use crate::nearest::sort_by_leaf;
+use crate::numerics::{Sign, coordinates, orientation};
 
 /// Where a point is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -26,19 +26,16 @@ mod interpolate;
 mod locate;
 mod marked_ids;
 mod natural;
-mod nearest;
 mod questions;
 #[cfg(test)]
 mod tests;
 pub(crate) mod threads;
-mod tree;
 pub(crate) mod unit;
 pub(crate) mod view;
 
 pub(crate) use extend::check_extension;
 pub use extend::extend_values;
-pub use index::Index;
 pub(crate) use index::check_arrays;
+pub use index::{Among, Index};
 pub use interpolate::{Interpolation, Method, Outside, Values};
 pub use locate::Place;
-pub use nearest::Among;

@@ -1,16 +1,16 @@
 //! The questions that an index answers.
 
-use super::Index;
 use super::index::no_dimension;
 use super::interpolate::{Method, Values, interpolate_in};
 use super::locate::{Locator, Place, Scratch};
-use super::nearest::{Among, nearest};
 use super::threads::{on_threads, piece, threads};
-use super::tree::{Tree, sort_by_leaf};
-use super::view::{View, coordinates};
+use super::view::View;
+use super::{Among, Index};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocResult;
 use crate::mesh::{Triangulation, in_dimension};
+use crate::nearest::{Tree, nearest, sort_by_leaf};
+use crate::numerics::coordinates;
 
 impl Index {
     /// Writes for each of the points (`count x dim`) the simplex that holds it, [`NONE`] outside.

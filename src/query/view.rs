@@ -33,9 +33,3 @@ impl<'a, const D: usize> View<'a, D> {
         points
     }
 }
-
-/// Point `at` of a flat array.
-#[inline]
-pub(crate) fn coordinates<const D: usize>(points: &[f64], at: usize) -> &[f64; D] {
-    points[at * D..][..D].try_into().expect("D coordinates")
-}

@@ -19,6 +19,9 @@ mod double_double;
 mod exact;
 mod faces;
 mod keys;
+mod reach;
+#[cfg(test)]
+mod reach_tests;
 mod shape;
 #[cfg(test)]
 mod shape_tests;

@@ -1,11 +1,13 @@
 //! Faces and alpha values against brute force in exact numbers, on points that have broken others.
 
+use super::distance::Cells;
 use super::{Faces, Filtration, alpha, distances};
 use crate::arrays::tests::{delaunay, each_mesh, meshed};
 use crate::error::ErrorKind;
-use crate::mesh::{Mesh, Triangulation, VertexKind};
+use crate::mesh::{Mesh, NONE, Triangulation, VertexKind};
 use crate::numerics::testing::{FAMILIES, Family, Random, determinant_oracle, integer, points};
 use crate::query::Index;
+use crate::validate::validate;
 use crate::{Options, Output};
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
@@ -195,7 +197,7 @@ fn mesh_index(mesh: &Triangulation) -> Index {
 /// The cells are where the definition says: each point of the box is in the cell of the vertex
 /// nearest to it, whose time and whose distance from the inputs differ by no more than the factor.
 fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
-    let mut checked = 0;
+    let (mut checked, mut grouped) = (0, 0);
     for family in [Family::Uniform, Family::Grid, Family::FarCluster, Family::Cospherical] {
         let mut random = Random(family as u64 + 7 * D as u64);
         let Some(mesh) = meshed(&points::<D>(family, count, &mut random), options) else {
@@ -204,6 +206,7 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
         let mesh = mesh.triangulation().unwrap();
         let faces = Faces::new(mesh, 0, 2).unwrap();
         let Filtration { values, factor } = distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
+        let group = Cells::new(mesh, &mesh_index(mesh), 1).unwrap().group;
         assert!((1.0..f64::INFINITY).contains(&factor), "{family:?} {factor}");
         let is_input = |vertex: usize| mesh.kinds[vertex] == VertexKind::Input;
         let times = &values[0];
@@ -224,9 +227,15 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
             let reach = scale * 2f64.powi(-(random.integer(0, 30) as i32));
             let x: [f64; D] =
                 std::array::from_fn(|i| mesh.point(vertex)[i] + reach * random.unit());
-            let ((_, cell), (distance, _)) = (nearest(&x, false), nearest(&x, true));
+            let ((_, cell), (distance, input)) = (nearest(&x, false), nearest(&x, true));
             if is_input(cell) {
                 assert_eq!(times[cell], 0.0);
+                continue;
+            }
+            if group[cell] != NONE {
+                grouped += 1;
+                assert_eq!(group[cell], input as u32, "{family:?}");
+                assert!(times[cell] <= distance * (1.0 + 1e-6), "{family:?}");
                 continue;
             }
             checked += 1;
@@ -240,14 +249,14 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
             for (at, &value) in values[k].iter().enumerate() {
                 let facets = level.facets(at).iter().map(|&facet| values[k - 1][facet as usize]);
                 assert!(facets.fold(0.0, f64::max) <= value);
-                if level.face(at).iter().all(|&vertex| !is_input(vertex as usize)) {
+                if level.face(at).iter().all(|&vertex| group[vertex as usize] == NONE) {
                     let of_vertices = level.face(at).iter().map(|&vertex| times[vertex as usize]);
                     assert_eq!(value, of_vertices.fold(0.0, f64::max));
                 }
             }
         }
     }
-    assert!(checked > 100, "{checked}");
+    assert!(checked > 100 && grouped > 20, "{checked} {grouped}");
 }
 
 #[test]
@@ -256,6 +265,36 @@ fn times_of_cells_and_distances_in_them_differ_by_the_factor() {
     times_bound_distances::<2>(40, &well_spaced);
     times_bound_distances::<3>(15, &well_spaced);
     times_bound_distances::<2>(40, &Options::default());
+}
+
+fn ratios_bound_the_factor<const D: usize>(count: usize, ratio: f64) {
+    let finished = Options { output: Output::WellSpaced, ..Options::default() };
+    for family in [Family::Uniform, Family::Grid, Family::FarCluster, Family::Cospherical] {
+        let mut random = Random(family as u64 + 11 * D as u64);
+        let points = points::<D>(family, count, &mut random);
+        let options = Options { distance_ratio: ratio, ..finished.clone() };
+        let Some(mesh) = meshed(&points, &options) else { continue };
+        let report = validate(mesh.inputs(), mesh.triangulation().unwrap(), 3).unwrap();
+        assert_eq!((report.level, report.violations), (3, 0), "{family:?} {:?}", report.first);
+        let mesh = mesh.triangulation().unwrap();
+        let faces = Faces::new(mesh, 1, 2).unwrap();
+        let near = distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
+        let bound = ((1.0 + ratio) / (1.0 - ratio)).sqrt() * (1.0 + 1e-5);
+        assert!(near.factor <= bound, "{family:?} {} {bound}", near.factor);
+        let count = mesh.vertex_count() as u64;
+        let again = meshed(&points, &Options { threads: 2, ..options.clone() }).unwrap();
+        assert_eq!(again.triangulation().unwrap().points, mesh.points);
+        let mut limited = Mesh::new(D, points.len(), &points.concat(), 0).unwrap();
+        let error = limited.run(&Options { max_vertices: count - 1, ..options }, None).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Limit);
+    }
+}
+
+#[test]
+fn a_distance_ratio_bounds_the_factor() {
+    ratios_bound_the_factor::<2>(60, 0.1);
+    ratios_bound_the_factor::<2>(60, 0.5);
+    ratios_bound_the_factor::<3>(20, 0.3);
 }
 
 #[test]

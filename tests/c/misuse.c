@@ -226,6 +226,7 @@ static void test_options(void)
     REFUSED(encroachment, 0.5, "encroachment is 0.5");
     REFUSED(cage_scale, DBL_MIN, "cage_scale");
     REFUSED(root_scale, 1.0, "root_scale is 1");
+    REFUSED(distance_ratio, 0.5, "well-spaced output");
     REFUSED(instruments, 2, "options.instruments is 2");
     REFUSED(reserved, 1, "options.reserved is 1");
 #undef REFUSED

@@ -22,7 +22,8 @@ const MAX_VERTICES: u64 = 400;
 /// Whether a struct of `size` bytes, the size of no version, is one of an older version.
 fn is_legal(size: usize) -> bool {
     let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
-    let field = if doubles.contains(&size) { 8 } else { 4 };
+    let last = offset_of!(nm_options, distance_ratio)..SIZE;
+    let field = if doubles.contains(&size) || last.contains(&size) { 8 } else { 4 };
     (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
 }
 
@@ -137,6 +138,7 @@ impl Attempt {
             user_data: (&raw mut *watch).cast(),
             instruments: u32::from(given.instruments),
             reserved: 0,
+            distance_ratio: given.distance_ratio,
         }
     }
 

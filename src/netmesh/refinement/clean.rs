@@ -44,7 +44,27 @@ impl<const D: usize> Mesher<'_, '_, D> {
         simplex: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        let Some(SteinerPoint { point: x, radius, is_corner }) = self.steiner_point(simplex) else {
+        let steiner = self.steiner_point(simplex);
+        self.insert_steiner(simplex, steiner, cavity)
+    }
+
+    /// The same with the corner itself, which no bound asks for.
+    pub(in crate::netmesh) fn insert_corner(
+        &mut self,
+        simplex: SimplexId,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let corner = self.sound_corner(simplex);
+        self.insert_steiner(simplex, corner, cavity)
+    }
+
+    fn insert_steiner(
+        &mut self,
+        simplex: SimplexId,
+        steiner: Option<SteinerPoint<D>>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let Some(SteinerPoint { point: x, radius, is_corner }) = steiner else {
             self.state.refine_list.limit(simplex);
             return Ok(());
         };

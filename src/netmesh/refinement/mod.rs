@@ -3,13 +3,15 @@
 //! `quality` tests simplices (Definition 4), `bad_simplex` sees at a glance which ones may be bad,
 //! `refine_list` keeps those that are (REFINELIST), `steiner` places a point for one, `clean`
 //! inserts it or the input that it yields to (CLEAN, YIELDINGINSERT). `finish` dissolves the cages
-//! (FINISHMESH). `final_refinement` comes last and brings every cell to the caller's bound.
+//! (FINISHMESH). `final_refinement` brings every cell to the caller's bound, `distance_ratio` then to a
+//! part of its distance from the inputs.
 //!
 //! What tests or improves the shape of cells belongs here.
 
 pub(super) mod bad_simplex;
 mod cage_gap;
 mod clean;
+mod distance_ratio;
 mod final_refinement;
 mod finish;
 mod quality;

@@ -51,7 +51,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Some(off_center.unwrap_or(corner))
     }
 
-    fn sound_corner(&self, simplex: SimplexId) -> Option<SteinerPoint<D>> {
+    /// The corner, on the same condition.
+    pub(in crate::netmesh) fn sound_corner(&self, simplex: SimplexId) -> Option<SteinerPoint<D>> {
         let radius = self.state.delaunay.ball(simplex)?.radius();
         let point = self.state.delaunay.corner(simplex)?;
         let corner = SteinerPoint { point, radius, is_corner: true };

@@ -1,10 +1,9 @@
-//! A balanced k-d tree of vertices: it bounds a search for the nearest one, brings queries into an
+//! A balanced k-d tree of points: it bounds a search for the nearest one, brings queries into an
 //! order of locality and names a vertex to walk from. Halving the points, not space, keeps it
 //! O(log n) deep whatever the spread.
 
-use super::view::{View, coordinates};
 use crate::memory::{AllocResult, collected, filled, reserve, with_capacity};
-use crate::mesh::Triangulation;
+use crate::numerics::coordinates;
 
 /// A leaf has at most as many points, and more than half of that unless it is the only one.
 const LEAF: usize = 8;
@@ -12,12 +11,12 @@ const LEAF: usize = 8;
 /// Where a range of points is divided: no coordinate on this axis is larger than `value` in the
 /// first half, and none is smaller in the second.
 #[derive(Clone, Copy)]
-pub(super) struct Node {
+pub(crate) struct Node {
     pub value: f64,
     pub axis: u32,
 }
 
-pub(super) struct Tree {
+pub(crate) struct Tree {
     /// Divisions on the way to a leaf.
     levels: u32,
     /// Node 1 is the root, 2 i and 2 i + 1 are the halves of node i.
@@ -29,9 +28,9 @@ pub(super) struct Tree {
 }
 
 impl Tree {
-    /// Of those vertices. O(n log n).
-    pub fn new<const D: usize>(mesh: &Triangulation, mut ids: Vec<u32>) -> AllocResult<Self> {
-        let view = View::<D> { mesh };
+    /// Of the points with those ids. O(n log n).
+    pub fn new<const D: usize>(points: &[f64], mut ids: Vec<u32>) -> AllocResult<Self> {
+        let point = |id: u32| coordinates::<D>(points, id as usize);
         let mut levels = 0;
         while ids.len() >> levels > LEAF {
             levels += 1;
@@ -43,8 +42,8 @@ impl Tree {
                 let middle = bound(ids.len(), 2 * at + 1, level + 1);
                 let end = bound(ids.len(), at + 1, level);
                 let half = &mut ids[begin..end];
-                let axis = widest_axis(view, half);
-                let coordinate = |v: &u32| view.point(*v)[axis];
+                let axis = widest_axis(point, half);
+                let coordinate = |id: &u32| point(*id)[axis];
                 let (_, &mut median, _) = half.select_nth_unstable_by(middle - begin, |a, b| {
                     coordinate(a).total_cmp(&coordinate(b))
                 });
@@ -52,14 +51,14 @@ impl Tree {
                 nodes[(1 << level) + at] = Node { value, axis: axis as u32 };
             }
         }
-        let mut points = with_capacity(ids.len() * D)?;
-        ids.iter().for_each(|&v| points.extend_from_slice(view.point(v)));
-        Ok(Self { levels, nodes, ids, points })
+        let mut own = with_capacity(ids.len() * D)?;
+        ids.iter().for_each(|&id| own.extend_from_slice(point(id)));
+        Ok(Self { levels, nodes, ids, points: own })
     }
 
-    /// Of all vertices of a mesh.
-    pub fn of_all<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
-        Self::new::<D>(mesh, collected(0..mesh.vertex_count() as u32)?)
+    /// Of all points. There are fewer than 2^32.
+    pub fn of_all<const D: usize>(points: &[f64]) -> AllocResult<Self> {
+        Self::new::<D>(points, collected(0..(points.len() / D) as u32)?)
     }
 
     pub fn bytes(&self) -> usize {
@@ -124,10 +123,10 @@ fn bound(count: usize, at: usize, level: u32) -> usize {
     ((count as u64 * at as u64) >> level) as usize
 }
 
-fn widest_axis<const D: usize>(view: View<'_, D>, vertices: &[u32]) -> usize {
+fn widest_axis<'a, const D: usize>(point: impl Fn(u32) -> &'a [f64; D], ids: &[u32]) -> usize {
     let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
-    for &v in vertices {
-        for (axis, &x) in view.point(v).iter().enumerate() {
+    for &id in ids {
+        for (axis, &x) in point(id).iter().enumerate() {
             low[axis] = low[axis].min(x);
             high[axis] = high[axis].max(x);
         }
@@ -139,7 +138,7 @@ fn widest_axis<const D: usize>(view: View<'_, D>, vertices: &[u32]) -> usize {
 
 /// The numbers of the points in the order of the leaves where they belong; `keys` is scratch
 /// memory. Each key holds the leaf in its upper half and the number in its lower half.
-pub(super) fn sort_by_leaf<const D: usize>(
+pub(crate) fn sort_by_leaf<const D: usize>(
     tree: &Tree,
     points: &[f64],
     keys: &mut Vec<u64>,

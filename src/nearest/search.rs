@@ -1,17 +1,9 @@
-//! The vertex nearest to a point: a search of a k-d tree. Lengths in doubles with a bound of their
+//! The point of a tree nearest to another: a search of a k-d tree. Lengths in doubles with a bound of their
 //! error decide nearly all, exact signs the rest.
 
 use super::tree::{Node, Tree};
 use crate::mesh::NONE;
 use crate::numerics::{Column, Edges, Sign, distance, norm};
-
-/// Which vertices count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Among {
-    Vertices,
-    /// Those that are points of the caller.
-    Inputs,
-}
 
 /// How far from each other two computed measures may be while the order of the exact ones is open:
 /// a square carries D + 2 roundings, a length D + 4.
@@ -26,9 +18,9 @@ const LARGEST_SQUARE: f64 = 1e250;
 /// A difference of lengths that rounding to subnormal numbers may make.
 const TINY: f64 = 1e-322;
 
-/// The nearest vertex, the least of those at the same exact distance, and its distance.
+/// The nearest point, the least of those at the same exact distance, and its distance.
 /// [`NONE`] and infinity if the tree is empty.
-pub(super) fn nearest<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
+pub(crate) fn nearest<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
     let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, measure: square };
     search.visit(1, &mut [0.0; D]);
     if !(SMALLEST_SQUARE..=LARGEST_SQUARE).contains(&search.best) && search.best != 0.0 {

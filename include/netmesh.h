@@ -967,6 +967,15 @@ typedef struct nm_options {
      * Zero.
      */
     uint32_t reserved;
+    /**
+     * How far the cell of a vertex may reach, relative to the distance from the vertex to the
+     * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
+     * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
+     * (1 + distance_ratio) / (1 - distance_ratio). For NM_OUTPUT_WELL_SPACED of
+     * NM_ALGORITHM_NETMESH; root_scale then has the default 12. In
+     * [0.05, 1], default 0: no matter how far.
+     */
+    double distance_ratio;
 } nm_options;
 
 /**

@@ -59,8 +59,8 @@ impl Parameters {
             given => given.min(u64::from(u32::MAX - 1)),
         };
         let distance_ratio = distance_ratio(options)?;
-        // So the hull is far enough from the inputs for its cells not to matter.
-        let least_root_scale = if distance_ratio > 0.0 { 6.0 } else { 0.0 };
+        // So the hull and its cells are far enough from the cells that are refined.
+        let least_root_scale = if distance_ratio > 0.0 { 12.0 } else { 0.0 };
         let root_scale = pick(dim, [2.5, 2.5, 3.0, 4.0]).max(least_root_scale);
         Ok(Self {
             output: options.output,

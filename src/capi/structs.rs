@@ -133,7 +133,7 @@ pub struct nm_options {
     /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
     /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
     /// (1 + distance_ratio) / (1 - distance_ratio). For NM_OUTPUT_WELL_SPACED of
-    /// NM_ALGORITHM_NETMESH; root_scale then has the default 6. In
+    /// NM_ALGORITHM_NETMESH; root_scale then has the default 12. In
     /// [0.05, 1], default 0: no matter how far.
     pub distance_ratio: f64,
 }

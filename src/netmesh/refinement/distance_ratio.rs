@@ -42,15 +42,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut vertex = self.state.inputs;
         while vertex < self.state.delaunay.point_count() {
             self.watch.poll_after(1)?;
-            let count = self.state.delaunay.point_count();
-            if let Some(simplex) = self.far_corner(VertexId::new(vertex), &distances)? {
-                self.insert_corner(simplex, cavity)?;
-                self.clean(cavity)?;
-            }
-            // A cell that doubles cannot mend is left.
-            if self.state.delaunay.point_count() == count {
-                vertex += 1;
-                self.note_progress();
+            match self.far_corner(VertexId::new(vertex), &distances)? {
+                Some(simplex) => {
+                    self.insert_corner(simplex, cavity)?;
+                    self.clean(cavity)?;
+                }
+                None => {
+                    vertex += 1;
+                    self.note_progress();
+                }
             }
         }
         self.report_progress()
@@ -92,7 +92,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let is_inside = |corner: [f64; D]| {
                 self.state.hierarchy.distance_to_center(ROOT, &corner) <= max_distance
             };
+            // Doubles may be too coarse for one corner and not for the next.
             if ball.radius() > farthest.0
+                && !self.state.refine_list.is_limited(simplex)
                 && self.state.delaunay.corner(simplex).is_some_and(is_inside)
             {
                 farthest = (ball.radius(), Some(simplex));

@@ -99,12 +99,24 @@ def test_diagrams_of_meshes_are_within_the_factor(random):
         near = netmesh.mesh(points, output="well_spaced").filtration("mesh")
         assert 1 < near.factor < 4, name
         for k, (found, expected) in enumerate(zip(diagrams(near), diagrams(alpha_of(points)))):
-            if k == 0:
-                # Components are born at 0, which has no logarithm: only deaths differ.
-                found, expected = found[:, 1:].repeat(2, 1), expected[:, 1:].repeat(2, 1)
-                found[:, 0], expected[:, 0] = 1e-9, 1e-9
-            distance = gudhi.bottleneck_distance(np.log(found), np.log(expected), 0)
+            # Inputs are born at 0, which has no logarithm: only deaths differ.
+            found, expected = (np.log(np.where(d == 0, 1e-9, d)) for d in (found, expected))
+            distance = gudhi.bottleneck_distance(found, expected, 0)
             assert distance <= math.log(near.factor) * (1 + 1e-9), (name, k)
+
+
+def test_a_distance_ratio_makes_the_factor_smaller(random):
+    gudhi = pytest.importorskip("gudhi")
+    for ratio, points in [(0.2, random.random((40, 2))), (0.5, random.random((12, 3)))]:
+        mesh = netmesh.mesh(points, output="well_spaced", distance_ratio=ratio)
+        assert mesh.validate().violations == 0
+        near = mesh.filtration("mesh")
+        assert near.factor <= math.sqrt((1 + ratio) / (1 - ratio)) * (1 + 1e-5)
+        for found, expected in zip(diagrams(near), diagrams(alpha_of(points))):
+            found, expected = (np.log(np.where(d == 0, 1e-9, d)) for d in (found, expected))
+            assert gudhi.bottleneck_distance(found, expected, 0) <= math.log(near.factor)
+    with pytest.raises(netmesh.InvalidArgumentError, match="well-spaced output"):
+        netmesh.mesh(points, distance_ratio=0.5)
 
 
 def test_a_filtration_has_boundary_and_coboundary(random):

@@ -249,6 +249,7 @@ void options() {
     REFUSE(NM_INVALID_ARGUMENT, options.encroachment = 7.5, "encroachment", "7.5");
     REFUSE(NM_INVALID_ARGUMENT, options.cage_scale = 7.5, "cage_scale", "7.5");
     REFUSE(NM_INVALID_ARGUMENT, options.root_scale = 1e9, "root_scale");
+    REFUSE(NM_INVALID_ARGUMENT, options.min_angle = 99, "min_angle", "99");
     REFUSE(NM_INVALID_ARGUMENT, options.instruments = 2, "instruments", "2");
     REFUSE(NM_INVALID_ARGUMENT, options.reserved = 1, "reserved", "1");
     REFUSE(NM_LIMIT, options.max_vertices = 600, "600");

@@ -33,7 +33,7 @@ static_assert(!std::is_convertible_v<const std::vector<double>&, netmesh::span<d
 static_assert(!std::is_convertible_v<std::vector<float>&, netmesh::span<const double>>);
 static_assert(std::is_convertible_v<netmesh::span<double>, netmesh::span<const double>>);
 // A field that nm_options got has to be in netmesh::options too.
-static_assert(sizeof(nm_options) == 112 + 2 * sizeof(void*));
+static_assert(sizeof(nm_options) == 128 + 2 * sizeof(void*));
 
 template <class Call>
 void expect_error(int line, nm_status expected, const char* word, Call call) {
@@ -166,6 +166,7 @@ void defaults() {
     CHECK(ours.cage_scale == library.cage_scale && ours.root_scale == library.root_scale);
     CHECK(ours.seed == library.seed && ours.max_vertices == library.max_vertices);
     CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
+    CHECK(ours.min_angle == library.min_angle);
 }
 
 // Every option arrives: those with a range are refused by name, the others change the result.
@@ -186,6 +187,7 @@ void every_option_arrives() {
     refused(__LINE__, "encroachment", [](options& o) { o.encroachment = -1; });
     refused(__LINE__, "cage_scale", [](options& o) { o.cage_scale = -1; });
     refused(__LINE__, "root_scale", [](options& o) { o.root_scale = -1; });
+    refused(__LINE__, "min_angle", [](options& o) { o.min_angle = 20; });  // in 2D only
     refused(__LINE__, "output", [](options& o) { o.output = static_cast<nm_output>(77); });
     refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
     refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });

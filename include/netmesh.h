@@ -901,7 +901,8 @@ typedef struct nm_options {
      * The promised quality, smaller is better and costs more vertices; a ratio without unit.
      * NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
      * [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
-     * [1.1, 50], [1.25, 50], [1.75, 50], [2.25, 50].
+     * [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run
+     * usually ends; set max_vertices, too.
      */
     double quality_bound;
     /**
@@ -976,6 +977,14 @@ typedef struct nm_options {
      * [0.05, 1], default 0: no matter how far.
      */
     double distance_ratio;
+    /**
+     * 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
+     * criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
+     * With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
+     * (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
+     * too; a few cells at the root's cage may then be given up (precision-limited).
+     */
+    double min_angle;
 } nm_options;
 
 /**

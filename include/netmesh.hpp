@@ -82,6 +82,7 @@ struct options {
     progress_function progress = {};  // empty: none
     bool instruments = false;
     double distance_ratio = 0;
+    double min_angle = 0;  // 2D only, in place of criterion and quality_bound
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -720,6 +721,7 @@ private:
         to.max_vertices = from.max_vertices;
         to.instruments = from.instruments ? 1 : 0;
         to.distance_ratio = from.distance_ratio;
+        to.min_angle = from.min_angle;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

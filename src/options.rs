@@ -79,6 +79,9 @@ pub struct Options {
     /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
     /// nearest input, unless all of the cell has the same nearest input; 0: no matter how far.
     pub distance_ratio: f64,
+    /// In 2D, the smallest angle in degrees, in place of `criterion` and `quality_bound`: the
+    /// radius-edge ratio is bounded by `1 / (2 sin(min_angle))`.
+    pub min_angle: f64,
 }
 
 impl Default for Options {
@@ -101,6 +104,7 @@ impl Default for Options {
             max_vertices: 0,
             instruments: false,
             distance_ratio: 0.0,
+            min_angle: 0.0,
         }
     }
 }

@@ -7,6 +7,10 @@ use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
 
+/// The range of `min_angle`, in degrees: within that of the radius-edge ratio.
+const SMALLEST_ANGLE: f64 = 0.6;
+const LARGEST_ANGLE: f64 = 33.7;
+
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -29,6 +33,9 @@ pub struct Parameters {
     pub instruments: bool,
     /// 0: none.
     pub distance_ratio: f64,
+    /// In 2D with [`Criterion::RadiusEdge`], the angle in degrees that no angle of a triangle within
+    /// the bound B is below: `asin(1 / (2 B))`. Otherwise 0.
+    pub min_angle: f64,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -40,14 +47,7 @@ impl Parameters {
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
     pub fn resolve(dim: usize, options: &Options) -> Result<Self> {
-        let (bound, lowest, highest) = match options.criterion {
-            Criterion::VoronoiAspect => {
-                (pick(dim, [3.0, 4.0, 5.0, 6.0]), pick(dim, [2.2, 2.5, 3.5, 4.5]), 100.0)
-            }
-            Criterion::RadiusEdge => {
-                (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [1.1, 1.25, 1.75, 2.25]), 50.0)
-            }
-        };
+        let (criterion, quality_bound) = bound(dim, options)?;
         // At 1.0 the corner of a D-ball that has inputs always yields, to inputs that are not
         // medial.
         let yield_radius = match options.algorithm {
@@ -66,9 +66,9 @@ impl Parameters {
             output: options.output,
             algorithm: options.algorithm,
             ordering: options.ordering,
-            criterion: options.criterion,
+            criterion,
             threads: options.threads,
-            quality_bound: number("quality_bound", options.quality_bound, bound, lowest, highest)?,
+            quality_bound,
             epsilon: number("epsilon", options.epsilon, 0.5, 0.05, 0.6)?,
             delta: number("delta", options.delta, pick(dim, [0.8, 1.0, 1.0, 1.0]), 0.1, 1.0)?,
             gamma: number("gamma", options.gamma, 0.1, 0.01, 0.25)?,
@@ -80,9 +80,54 @@ impl Parameters {
             max_vertices,
             instruments: options.instruments,
             distance_ratio,
+            min_angle: match (dim, criterion) {
+                (2, Criterion::RadiusEdge) => (0.5 / quality_bound).asin().to_degrees(),
+                _ => 0.0,
+            },
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
+}
+
+/// The criterion and its bound: as they are given, or those of `min_angle`.
+fn bound(dim: usize, options: &Options) -> Result<(Criterion, f64)> {
+    if options.min_angle != 0.0 {
+        return Ok((Criterion::RadiusEdge, radius_edge_of(dim, options)?));
+    }
+    let (default, lowest, highest) = match options.criterion {
+        Criterion::VoronoiAspect => (pick(dim, [3.0, 4.0, 5.0, 6.0]), least_aspect(dim), 100.0),
+        Criterion::RadiusEdge => {
+            (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [0.9, 1.1, 1.75, 2.25]), 50.0)
+        }
+    };
+    let given = number("quality_bound", options.quality_bound, default, lowest, highest)?;
+    Ok((options.criterion, given))
+}
+
+/// The least aspect that may be asked for.
+pub(crate) fn least_aspect(dim: usize) -> f64 {
+    pick(dim, [2.2, 2.5, 3.5, 4.5])
+}
+
+/// The radius-edge ratio of the isosceles triangle whose smallest angle is the one that is asked
+/// for.
+fn radius_edge_of(dim: usize, options: &Options) -> Result<f64> {
+    let Options { min_angle, quality_bound, .. } = *options;
+    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    if dim != 2 {
+        return refuse(message!(
+            "options.min_angle is {min_angle}; it must be 0 in {dim}D, since only in 2D does a \
+             radius-edge ratio bound the angles"
+        ));
+    }
+    if quality_bound != 0.0 {
+        return refuse(message!(
+            "options.min_angle is {min_angle} and options.quality_bound is {quality_bound}; one of \
+             them must be 0, since each is a bound on the angles"
+        ));
+    }
+    let angle = number("min_angle", min_angle, 0.0, SMALLEST_ANGLE, LARGEST_ANGLE)?;
+    Ok(0.5 / angle.to_radians().sin())
 }
 
 /// The default for 2D, 3D, 4D and everything above.
@@ -115,4 +160,55 @@ fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Re
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
     Ok(given)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resolved(dim: usize, options: Options) -> Parameters {
+        Parameters::resolve(dim, &options).expect("the options are good")
+    }
+
+    fn refusal(dim: usize, options: Options) -> String {
+        Parameters::resolve(dim, &options).unwrap_err().message().to_owned()
+    }
+
+    #[test]
+    fn a_smallest_angle_is_a_radius_edge_bound() {
+        let parameters = resolved(2, Options { min_angle: 30.0, ..Options::default() });
+        assert_eq!(parameters.criterion, Criterion::RadiusEdge);
+        assert!((parameters.quality_bound - 1.0).abs() < 1e-15);
+        assert!((parameters.min_angle - 30.0).abs() < 1e-13);
+        for ends in [SMALLEST_ANGLE, LARGEST_ANGLE] {
+            let bound =
+                resolved(2, Options { min_angle: ends, ..Options::default() }).quality_bound;
+            assert!((0.9..=50.0).contains(&bound), "{ends} degrees: {bound}");
+        }
+    }
+
+    #[test]
+    fn a_radius_edge_bound_in_the_plane_promises_an_angle() {
+        let angle = |dim, criterion| {
+            let options = Options { criterion, quality_bound: 4.0, ..Options::default() };
+            resolved(dim, options).min_angle
+        };
+        let sine = angle(2, Criterion::RadiusEdge).to_radians().sin();
+        assert!((sine - 0.125).abs() < 1e-15, "{sine}");
+        assert_eq!(angle(2, Criterion::VoronoiAspect), 0.0);
+        assert_eq!(angle(3, Criterion::RadiusEdge), 0.0);
+    }
+
+    #[test]
+    fn a_smallest_angle_that_cannot_be_is_refused() {
+        let angle = |min_angle| Options { min_angle, ..Options::default() };
+        let range = "it must be 0 (default 0) or in [0.6, 33.7]";
+        assert_eq!(refusal(2, angle(33.71)), format!("options.min_angle is 33.71; {range}"));
+        assert_eq!(refusal(2, angle(0.5)), format!("options.min_angle is 0.5; {range}"));
+        assert_eq!(refusal(2, angle(f64::NAN)), format!("options.min_angle is NaN; {range}"));
+        assert!(refusal(3, angle(20.0)).starts_with("options.min_angle is 20; it must be 0 in 3D"));
+        let both = refusal(2, Options { quality_bound: 1.5, ..angle(20.0) });
+        let names = "options.min_angle is 20 and options.quality_bound is 1.5; one of them";
+        assert!(both.starts_with(names), "{both}");
+    }
 }

@@ -14,6 +14,7 @@ mod guarantees;
 mod header;
 mod high_dimensions;
 mod instruments;
+mod least_bounds;
 mod pages;
 mod progress;
 mod properties;

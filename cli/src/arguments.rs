@@ -127,6 +127,12 @@ pub struct Meshing {
     #[arg(long, visible_alias = "quality-bound", value_name = "X", allow_negative_numbers = true)]
     pub bound: Option<f64>,
 
+    /// In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of --criterion
+    /// and --bound. Above 30 the run usually ends; give --max-vertices, too
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    #[arg(conflicts_with_all = ["bound", "criterion"])]
+    pub min_angle: Option<f64>,
+
     /// How far other points must be for a cage to start
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub epsilon: Option<f64>,
@@ -302,6 +308,7 @@ impl Arguments {
             max_vertices: meshing.max_vertices.unwrap_or(0),
             instruments: self.stats,
             distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
+            min_angle: meshing.min_angle.unwrap_or(0.0),
         }
     }
 }
@@ -443,7 +450,10 @@ mod tests {
             max_vertices: 99,
             ordering: NetOrdering::DeterministicNet,
             instruments: true,
+            min_angle: 0.0,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
+        let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();
+        assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
     }
 }

@@ -106,6 +106,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.count("seed", parameters.seed);
     options.count("max_vertices", parameters.max_vertices);
     options.truth("instruments", parameters.instruments);
+    options.number("min_angle", parameters.min_angle);
 }
 
 fn add_quality(object: &mut Object, summary: &Summary<'_>) {

@@ -98,8 +98,13 @@ impl Summary<'_> {
             NetOrdering::SampledNet => format!("seed {}", parameters.seed),
             NetOrdering::DeterministicNet => "deterministic nets".to_owned(),
         };
-        let bound = parameters.quality_bound;
-        lines.add("task", format!("{output}, {criterion} at most {bound}, {ordering}"));
+        // As it was given, and four digits of that of an angle.
+        let bound = (1e4 * parameters.quality_bound).round() / 1e4;
+        let angle = match parameters.min_angle {
+            0.0 => String::new(),
+            degrees => format!(" (angles at least {} degrees)", measure(degrees)),
+        };
+        lines.add("task", format!("{output}, {criterion} at most {bound}{angle}, {ordering}"));
     }
 
     fn add_mesh(&self, lines: &mut Lines) {

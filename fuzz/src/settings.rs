@@ -50,7 +50,7 @@ fn choose_numbers(options: &mut Options, bytes: &mut Bytes<'_>, dim: usize) -> b
     let by_dim = |values: [f64; 4]| values[(dim - 2).min(3)];
     let bound = match options.criterion {
         Criterion::VoronoiAspect => (by_dim([2.2, 2.5, 3.5, 4.5]), 100.0),
-        Criterion::RadiusEdge => (by_dim([1.1, 1.25, 1.75, 2.25]), 50.0),
+        Criterion::RadiusEdge => (by_dim([0.9, 1.1, 1.75, 2.25]), 50.0),
     };
     let numbers = [
         (&mut options.quality_bound, bound),
@@ -72,6 +72,12 @@ fn choose_numbers(options: &mut Options, bytes: &mut Bytes<'_>, dim: usize) -> b
     for (number, (lowest, highest)) in numbers {
         *number = choose(bytes, lowest, highest);
         valid &= *number == 0.0 || (lowest..=highest).contains(number);
+    }
+    if bytes.once_in(32) {
+        let angle = choose(bytes, 0.6, 33.7);
+        options.min_angle = angle;
+        let alone = dim == 2 && options.quality_bound == 0.0;
+        valid &= angle == 0.0 || (alone && (0.6..=33.7).contains(&angle));
     }
     valid
 }

@@ -37,6 +37,7 @@ def mesh(
     max_vertices: int = 0,
     instruments: bool = False,
     distance_ratio: float = 0.0,
+    min_angle: float = 0.0,
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -75,6 +76,9 @@ def mesh(
         vertex to the nearest input, unless that input is the nearest one everywhere in the cell;
         0.05 to 1, 0 for no matter how far. `Filtration.factor` of kind 'mesh' becomes at most the
         root of ``(1 + distance_ratio) / (1 - distance_ratio)``.
+    min_angle : float
+        In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of `criterion`
+        and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

@@ -57,6 +57,7 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "distance_ratio" => options.distance_ratio = number(name, value)?,
         "seed" => options.seed = whole(name, value, u64::MAX)?,
         "max_vertices" => options.max_vertices = whole(name, value, u64::MAX)?,
+        "min_angle" => options.min_angle = number(name, value)?,
         "instruments" => options.instruments = value.is_truthy()?,
         _ => return Err(PyTypeError::new_err(format!("there is no option {name}"))),
     }

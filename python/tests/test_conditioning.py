@@ -71,6 +71,12 @@ def test_conjugate_gradients_end_after_as_many_steps_as_there_are_eigenvalues(co
     assert conditioning.iterations(matrix, right, 1 / np.diag(matrix))[0] == 1
 
 
+def test_simplices_beyond_the_inputs_are_left_out(conditioning):
+    points = np.array([[0.0, 0], [2, 0], [0, 2], [1, 1], [3, 3]])
+    triangles = np.array([[0, 1, 3], [1, 4, 3], [2, 0, 3]])
+    assert conditioning.within_inputs(points, triangles, 3).tolist() == [[0, 1, 3], [2, 0, 3]]
+
+
 def test_files_are_read(conditioning, random, tmp_path):
     m = netmesh.mesh(random.random((60, 3)), output="well_spaced")
     m.export(tmp_path / "mesh.node")

@@ -131,6 +131,7 @@ OPTIONS = {
     "threads": (2, None),
     "instruments": (True, None),
     "distance_ratio": (0.3, "[0.05, 1]"),
+    "min_angle": (25.0, "[0.6, 33.7]"),
 }
 
 
@@ -156,6 +157,15 @@ def test_options_reach_the_library(name):
         wrong = "Hierarchical" if isinstance(value, str) else 1000.0
         with pytest.raises(netmesh.InvalidArgumentError, match=f"^{name} is .*{re.escape(range_)}"):
             netmesh.mesh(points, **{name: wrong})
+
+
+def test_a_smallest_angle(random):
+    m = netmesh.mesh(random.random((200, 2)), min_angle=33, output="well_spaced")
+    assert m.quality_histogram("smallest_angle", bins=[0, 32.9999, 60], hull=True)[0][0] == 0
+    with pytest.raises(ValueError, match="^min_angle is 33 and .*quality_bound is 1.5; one of them"):
+        netmesh.mesh(random.random((9, 2)), min_angle=33, quality_bound=1.5)
+    with pytest.raises(ValueError, match="^min_angle is 33; it must be 0 in 3D"):
+        netmesh.mesh(random.random((9, 3)), min_angle=33)
 
 
 def test_numbers_of_options():

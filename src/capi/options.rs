@@ -66,6 +66,7 @@ pub(super) fn encode(options: &Options) -> nm_options {
         instruments: u32::from(options.instruments),
         reserved: 0,
         distance_ratio: options.distance_ratio,
+        min_angle: options.min_angle,
     }
 }
 
@@ -89,6 +90,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         max_vertices: options.max_vertices,
         instruments: decode_instruments(options)?,
         distance_ratio: options.distance_ratio,
+        min_angle: options.min_angle,
     })
 }
 
@@ -146,6 +148,7 @@ mod tests {
             max_vertices: 12,
             instruments: true,
             distance_ratio: 13.0,
+            min_angle: 14.0,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
@@ -184,6 +187,8 @@ mod tests {
             104 + 2 * word,
             108 + 2 * word,
             112 + 2 * word,
+            120 + 2 * word,
+            128 + 2 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {

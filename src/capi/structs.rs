@@ -90,7 +90,8 @@ pub struct nm_options {
     /// The promised quality, smaller is better and costs more vertices; a ratio without unit.
     /// NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
     /// [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
-    /// [1.1, 50], [1.25, 50], [1.75, 50], [2.25, 50].
+    /// [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run
+    /// usually ends; set max_vertices, too.
     pub quality_bound: f64,
     /// How far apart a cluster must stand to become a domain of its own: a pair at distance x gets
     /// one of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2.
@@ -136,6 +137,12 @@ pub struct nm_options {
     /// NM_ALGORITHM_NETMESH; root_scale then has the default 12. In
     /// [0.05, 1], default 0: no matter how far.
     pub distance_ratio: f64,
+    /// 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
+    /// criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
+    /// With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
+    /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
+    /// too; a few cells at the root's cage may then be given up (precision-limited).
+    pub min_angle: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -159,7 +166,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 11 * 8 + 2 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 12 * 8 + 2 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

@@ -227,6 +227,7 @@ static void test_options(void)
     REFUSED(cage_scale, DBL_MIN, "cage_scale");
     REFUSED(root_scale, 1.0, "root_scale is 1");
     REFUSED(distance_ratio, 0.5, "well-spaced output");
+    REFUSED(min_angle, 34.0, "options.min_angle is 34");
     REFUSED(instruments, 2, "options.instruments is 2");
     REFUSED(reserved, 1, "options.reserved is 1");
 #undef REFUSED

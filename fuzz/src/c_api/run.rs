@@ -139,6 +139,7 @@ impl Attempt {
             instruments: u32::from(given.instruments),
             reserved: 0,
             distance_ratio: given.distance_ratio,
+            min_angle: given.min_angle,
         }
     }
 
@@ -165,8 +166,10 @@ impl Attempt {
         let known = [2, 3, 2, 2];
         let enums = self.wrong.is_none_or(|(field, value)| (0..known[field]).contains(&value));
         // A criterion that is not the settings' has other ranges, and a small struct lacks fields.
-        let whole = self.struct_size as usize >= offset_of!(nm_options, instruments);
-        enums && (self.settings.valid || self.wrong.is_some() || !whole) && !(self.cancels && whole)
+        let size = self.struct_size as usize;
+        let calls = size >= offset_of!(nm_options, instruments);
+        let checked = self.settings.valid || self.wrong.is_some() || size < SIZE;
+        enums && checked && !(self.cancels && calls)
     }
 }
 

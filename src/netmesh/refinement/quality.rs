@@ -14,6 +14,7 @@ use crate::netmesh::cages::domains::DomainId;
 use crate::netmesh::{Cell, Mesher, Scratch, State};
 use crate::numerics::shortest_distance;
 use crate::options::Criterion;
+use crate::parameters::least_aspect;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and tells their vertices of the
@@ -349,11 +350,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
-    /// the aspect of its vertices' cells.
+    /// the aspect of its vertices' cells. Not below what an aspect may be bounded by: the criterion
+    /// does not ask for it.
     fn aspect_bound(&self) -> f64 {
         match self.state.parameters.criterion {
             Criterion::VoronoiAspect => self.state.stage.bound,
-            Criterion::RadiusEdge => 2.0 * self.state.stage.bound,
+            Criterion::RadiusEdge => (2.0 * self.state.stage.bound).max(least_aspect(D)),
         }
     }
 

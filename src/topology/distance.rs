@@ -93,7 +93,11 @@ impl Cells {
         });
         let others = (0..count).any(|v| !is_input(v) && group[v] != NONE);
         if others {
-            leave_groups(mesh, index, &corners, threads, &mut group)?;
+            in_dimension!(
+                mesh.dim,
+                D => leave_groups::<D>(mesh, index, &corners, threads, &mut group)?,
+                _ => ()
+            );
         }
         let has_end = (0..count).any(|vertex| !is_input(vertex) && outer[vertex] == f64::INFINITY);
         let end = if has_end { radius_of_all(mesh) } else { f64::INFINITY };
@@ -138,21 +142,7 @@ impl Cells {
 
 /// Removes from the groups the vertices that are no inputs and have a corner nearer to another
 /// input, or a simplex that is not sound.
-fn leave_groups(
-    mesh: &Triangulation,
-    index: &Index,
-    corners: &Circumcenters,
-    threads: u32,
-    group: &mut [u32],
-) -> Result<()> {
-    in_dimension!(
-        mesh.dim,
-        D => leave_groups_in::<D>(mesh, index, corners, threads, group),
-        _ => Ok(())
-    )
-}
-
-fn leave_groups_in<const D: usize>(
+fn leave_groups<const D: usize>(
     mesh: &Triangulation,
     index: &Index,
     corners: &Circumcenters,

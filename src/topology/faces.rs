@@ -3,10 +3,11 @@
 use super::keys::{Entry, Key, bits_of_ids, sort};
 use crate::arrays::Lists;
 use crate::error::Result;
-use crate::memory::{AllocError, AllocResult, collected, copied, filled, reserve, with_capacity};
+use crate::memory::{AllocError, AllocResult, collected, copied, filled, with_capacity};
 use crate::mesh::{MAX_DIM, Triangulation};
 use crate::query::check_arrays;
 use crate::query::threads::{on_threads, threads as threads_of};
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// The faces of all dimensions from some on up to that of the simplices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -208,39 +209,83 @@ impl<K: Key> Given<K> {
     /// The vertices of the distinct faces in lexicographic order, and the id of each that was
     /// added.
     fn distinct(mut self, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
-        self.sort(threads)?;
-        let (mut faces, mut ids) = (Vec::new(), filled(self.entries.len(), 0u32)?);
-        let (mut start, mut id) = (0, 0);
-        for (vertex, &end) in self.ends.iter().enumerate() {
-            for same in self.entries[start..end].chunk_by(|a, b| a.0 == b.0) {
-                same.iter().for_each(|&(_, place)| ids[place as usize] = id);
-                id = id.checked_add(1).ok_or(AllocError::Ids)?;
-                reserve(&mut faces, self.k + 1)?;
-                faces.push(vertex as u32);
-                same[0].0.unpack(self.k, self.bits, &mut faces);
-            }
-            start = end;
-        }
-        Ok((faces, ids))
-    }
-
-    /// Sorts each list.
-    fn sort(&mut self, threads: usize) -> AllocResult<()> {
-        let bits = self.k as u32 * self.bits;
-        let (mut rest, mut start) = (&mut self.entries[..], 0);
-        let pieces = self.ends.chunks(PIECE).map(|ends| {
-            let end = ends[ends.len() - 1];
-            let (piece, others) = std::mem::take(&mut rest).split_at_mut(end - start);
+        let counts = self.sort(threads)?;
+        let total = counts.iter().sum::<usize>();
+        u32::try_from(total).map_err(|_| AllocError::Ids)?;
+        let (k, bits) = (self.k, self.bits);
+        let mut faces = filled(total * (k + 1), 0u32)?;
+        let ids = collected(self.entries.iter().map(|_| AtomicU32::new(0)))?;
+        let (mut rest, mut first) = (&mut faces[..], 0);
+        let pieces = self.pieces().zip(&counts).map(|(piece, &count)| {
+            let (faces, others) = std::mem::take(&mut rest).split_at_mut(count * (k + 1));
             rest = others;
-            (std::mem::replace(&mut start, end), ends, piece)
+            let next = first + count as u32;
+            (piece, faces, std::mem::replace(&mut first, next))
         });
-        on_threads(threads, pieces, |spare, (mut start, ends, piece)| {
-            let first = start;
-            for &end in ends {
-                sort(&mut piece[start - first..end - first], bits, spare)?;
-                start = end;
+        on_threads(threads, pieces, |(), (piece, faces, mut id)| {
+            let mut faces = faces.chunks_exact_mut(k + 1);
+            for (vertex, list) in piece.lists() {
+                for (same, face) in list.chunk_by(|a, b| a.0 == b.0).zip(&mut faces) {
+                    face[0] = vertex;
+                    same[0].0.unpack(bits, &mut face[1..]);
+                    // Places of different entries differ.
+                    let write = |&(_, place): &Entry<K>| ids[place as usize].store(id, Relaxed);
+                    same.iter().for_each(write);
+                    id += 1;
+                }
             }
             Ok(())
+        })?;
+        Ok((faces, collected(ids.into_iter().map(AtomicU32::into_inner))?))
+    }
+
+    /// Sorts each list. Returns how many distinct faces each piece has.
+    fn sort(&mut self, threads: usize) -> AllocResult<Vec<usize>> {
+        let bits = self.k as u32 * self.bits;
+        let mut counts = filled(self.ends.len().div_ceil(PIECE), 0)?;
+        let pieces = self.pieces().zip(&mut counts);
+        on_threads(threads, pieces, |spare, (piece, count)| {
+            for (_, list) in piece.lists() {
+                sort(list, bits, spare)?;
+                *count += list.chunk_by(|a, b| a.0 == b.0).count();
+            }
+            Ok(())
+        })?;
+        Ok(counts)
+    }
+
+    /// The lists in pieces of work.
+    fn pieces(&mut self) -> impl Iterator<Item = Piece<'_, K>> {
+        let (mut rest, mut start) = (&mut self.entries[..], 0);
+        self.ends.chunks(PIECE).enumerate().map(move |(at, ends)| {
+            let end = ends[ends.len() - 1];
+            let (entries, others) = std::mem::take(&mut rest).split_at_mut(end - start);
+            rest = others;
+            let first = std::mem::replace(&mut start, end);
+            Piece { vertex: (at * PIECE) as u32, first, ends, entries }
+        })
+    }
+}
+
+/// The lists of some vertices.
+struct Piece<'a, K> {
+    /// The first vertex.
+    vertex: u32,
+    /// Where its list begins.
+    first: usize,
+    /// Where the lists end.
+    ends: &'a [usize],
+    entries: &'a mut [Entry<K>],
+}
+
+impl<'a, K> Piece<'a, K> {
+    /// The vertices and their lists.
+    fn lists(self) -> impl Iterator<Item = (u32, &'a mut [Entry<K>])> {
+        let (mut rest, mut start) = (self.entries, self.first);
+        (self.vertex..).zip(self.ends).map(move |(vertex, &end)| {
+            let (list, others) = std::mem::take(&mut rest).split_at_mut(end - start);
+            (rest, start) = (others, end);
+            (vertex, list)
         })
     }
 }

@@ -6,8 +6,8 @@ use crate::mesh::MAX_DIM;
 /// Vertices, each below `2^bits`, packed.
 pub(super) trait Key: Copy + Ord + Default + Send {
     fn pack(vertices: &[u32], bits: u32) -> Self;
-    /// Appends the `count` vertices.
-    fn unpack(self, count: usize, bits: u32, vertices: &mut Vec<u32>);
+    /// Writes the vertices.
+    fn unpack(self, bits: u32, vertices: &mut [u32]);
     /// Without vertex `i` of `count`.
     fn without(self, i: usize, count: usize, bits: u32) -> Self;
     /// One of the bytes, from the least significant; `None` if there are none to sort by.
@@ -28,10 +28,11 @@ macro_rules! integer_key {
             }
 
             #[inline]
-            fn unpack(self, count: usize, bits: u32, vertices: &mut Vec<u32>) {
+            fn unpack(self, bits: u32, vertices: &mut [u32]) {
                 let mask = (1 << bits) - 1;
-                let vertex = |i: usize| (self >> (bits * (count - 1 - i) as u32) & mask) as u32;
-                vertices.extend((0..count).map(vertex));
+                for (i, vertex) in vertices.iter_mut().rev().enumerate() {
+                    *vertex = (self >> (bits * i as u32) & mask) as u32;
+                }
             }
 
             #[inline]
@@ -58,8 +59,8 @@ impl Key for [u32; MAX_DIM] {
         std::array::from_fn(|i| vertices.get(i).copied().unwrap_or(0))
     }
 
-    fn unpack(self, count: usize, _: u32, vertices: &mut Vec<u32>) {
-        vertices.extend_from_slice(&self[..count]);
+    fn unpack(self, _: u32, vertices: &mut [u32]) {
+        vertices.copy_from_slice(&self[..vertices.len()]);
     }
 
     fn without(mut self, i: usize, _: usize, _: u32) -> Self {
@@ -113,8 +114,8 @@ mod tests {
         let keys: Vec<K> = faces.iter().map(|face| K::pack(face, bits)).collect();
         assert!(keys.is_sorted());
         let vertices = |key: K, count: usize| {
-            let mut vertices = Vec::new();
-            key.unpack(count, bits, &mut vertices);
+            let mut vertices = vec![0; count];
+            key.unpack(bits, &mut vertices);
             vertices
         };
         for (&key, &face) in keys.iter().zip(faces) {

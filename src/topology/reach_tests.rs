@@ -71,8 +71,7 @@ fn reaches_are_right<const D: usize>(count: usize) {
         let mut expected = HashMap::<Vec<u32>, f64>::new();
         for k in (0..=D).rev() {
             let level = faces.of_dimension(k);
-            for at in 0..level.count() {
-                let face = level.face(at);
+            for (at, face) in level.vertices.chunks_exact(k + 1).enumerate() {
                 if face.iter().any(|&vertex| group[vertex as usize] == NONE) {
                     continue;
                 }

@@ -167,6 +167,7 @@ void defaults() {
     CHECK(ours.seed == library.seed && ours.max_vertices == library.max_vertices);
     CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
     CHECK(ours.min_angle == library.min_angle);
+    CHECK(ours.min_dihedral == library.min_dihedral);
 }
 
 // Every option arrives: those with a range are refused by name, the others change the result.
@@ -188,6 +189,7 @@ void every_option_arrives() {
     refused(__LINE__, "cage_scale", [](options& o) { o.cage_scale = -1; });
     refused(__LINE__, "root_scale", [](options& o) { o.root_scale = -1; });
     refused(__LINE__, "min_angle", [](options& o) { o.min_angle = 20; });  // in 2D only
+    refused(__LINE__, "min_dihedral", [](options& o) { o.min_dihedral = -1; });
     refused(__LINE__, "output", [](options& o) { o.output = static_cast<nm_output>(77); });
     refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
     refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });

@@ -193,6 +193,9 @@ static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
   check(nm_options_init(&options, sizeof options) == NM_OK, "options");
   options.output = output;
   options.algorithm = algorithm;
+  nm_counts counts = NM_COUNTS_INIT;
+  check(nm_mesh_counts(mesh, &counts) == NM_OK, "counts");
+  if (counts.dim == 3) options.min_dihedral = 15;
   if (succeeded(nm_run(mesh, &options), "nm_run")) return 1;
   check(fingerprint(mesh) == before, "a failed run changed the mesh");
   relent();

@@ -132,7 +132,7 @@
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
-#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
@@ -810,6 +810,11 @@ enum nm_violation
      * A finished mesh has other domains than the root.
      */
     NM_VIOLATION_NOT_FINISHED = 221,
+    /**
+     * A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
+     * for, and the run did not say so.
+     */
+    NM_VIOLATION_DIHEDRAL_ANGLE = 222,
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;
@@ -985,6 +990,14 @@ typedef struct nm_options {
      * too; a few cells at the root's cage may then be given up (precision-limited).
      */
     double min_angle;
+    /**
+     * The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
+     * points move and further ones come until none is smaller. quality_bound goes before: where
+     * both cannot be had the angle stays, and nm_quality.below_min_dihedral counts it. In 3D only,
+     * without distance_ratio, and without effect with NM_ALGORITHM_DELAUNAY. In [0, 22],
+     * default 0: none.
+     */
+    double min_dihedral;
 } nm_options;
 
 /**
@@ -1163,6 +1176,16 @@ typedef struct nm_quality {
      * bound does not hold for them; nm_mesh_get_precision_limited tells which they are.
      */
     uint64_t precision_limited;
+    /**
+     * Tetrahedra with a dihedral angle below nm_options.min_dihedral and all vertices in one
+     * domain, those at the hull included. 0 where no angle was asked for.
+     */
+    uint64_t below_min_dihedral;
+    /**
+     * Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
+     * nothing of them.
+     */
+    uint64_t below_min_dihedral_between_domains;
 } nm_quality;
 
 /**

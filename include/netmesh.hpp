@@ -83,6 +83,7 @@ struct options {
     bool instruments = false;
     double distance_ratio = 0;
     double min_angle = 0;  // 2D only, in place of criterion and quality_bound
+    double min_dihedral = 0;
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -722,6 +723,7 @@ private:
         to.instruments = from.instruments ? 1 : 0;
         to.distance_ratio = from.distance_ratio;
         to.min_angle = from.min_angle;
+        to.min_dihedral = from.min_dihedral;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

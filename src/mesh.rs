@@ -148,6 +148,9 @@ pub struct Triangulation {
     pub domains: Vec<Domain>,
     /// Cells that cannot reach the bound because doubles run out there.
     pub precision_limited: Vec<bool>,
+    /// The simplices that the run has left with a smaller dihedral angle than
+    /// [`crate::Options::min_dihedral`], by rising id; none with vertices of several domains.
+    pub below_min_dihedral: Vec<u32>,
     pub parameters: Parameters,
     pub stats: Stats,
 }

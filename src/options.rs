@@ -82,6 +82,9 @@ pub struct Options {
     /// In 2D, the smallest angle in degrees, in place of `criterion` and `quality_bound`: the
     /// radius-edge ratio is bounded by `1 / (2 sin(min_angle))`.
     pub min_angle: f64,
+    /// The least dihedral angle, in degrees, of simplices with all vertices in one domain; in 3D.
+    /// The quality bound goes before: what cannot have both is left, and counted.
+    pub min_dihedral: f64,
 }
 
 impl Default for Options {
@@ -105,6 +108,7 @@ impl Default for Options {
             instruments: false,
             distance_ratio: 0.0,
             min_angle: 0.0,
+            min_dihedral: 0.0,
         }
     }
 }

@@ -10,6 +10,9 @@ const INPUTS_PER_PARTITION: usize = 1 << 18;
 /// The range of `min_angle`, in degrees: within that of the radius-edge ratio.
 const SMALLEST_ANGLE: f64 = 0.6;
 const LARGEST_ANGLE: f64 = 33.7;
+/// The largest dihedral angle that can be asked for, in degrees: beyond about 20 most meshes keep
+/// some smaller ones.
+const MAX_DIHEDRAL: f64 = 22.0;
 
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +39,8 @@ pub struct Parameters {
     /// In 2D with [`Criterion::RadiusEdge`], the angle in degrees that no angle of a triangle within
     /// the bound B is below: `asin(1 / (2 B))`. Otherwise 0.
     pub min_angle: f64,
+    /// In degrees; 0 = none.
+    pub min_dihedral: f64,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -84,6 +89,7 @@ impl Parameters {
                 (2, Criterion::RadiusEdge) => (0.5 / quality_bound).asin().to_degrees(),
                 _ => 0.0,
             },
+            min_dihedral: angle(dim, options)?,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
@@ -128,6 +134,23 @@ fn radius_edge_of(dim: usize, options: &Options) -> Result<f64> {
     }
     let angle = number("min_angle", min_angle, 0.0, SMALLEST_ANGLE, LARGEST_ANGLE)?;
     Ok(0.5 / angle.to_radians().sin())
+}
+
+/// A least dihedral angle, which only tetrahedra can be given.
+fn angle(dim: usize, options: &Options) -> Result<f64> {
+    let given = options.min_dihedral;
+    let refuse = |why| {
+        let message = message!("options.min_dihedral is {given}; it must be 0 {why}");
+        Err(Error::new(ErrorKind::InvalidArgument, message))
+    };
+    if dim != 3 && given != 0.0 {
+        return refuse(message!("in {dim}D: only tetrahedra are mended"));
+    }
+    // Cells that are refined by distance would reach farther when vertices move.
+    if options.distance_ratio > 0.0 && given != 0.0 {
+        return refuse("with options.distance_ratio".into());
+    }
+    number("min_dihedral", given, 0.0, 0.0, MAX_DIHEDRAL)
 }
 
 /// The default for 2D, 3D, 4D and everything above.

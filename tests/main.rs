@@ -19,6 +19,7 @@ mod pages;
 mod progress;
 mod properties;
 mod sizes;
+mod slivers;
 mod spread_curve;
 mod svr;
 mod written_files;

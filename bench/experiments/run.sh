@@ -8,7 +8,7 @@
 # --from-csv runs nothing: it makes verdicts and plots again from the tables that are there.
 # --write puts tables and plots into docs/reports/ and the document into docs/reports/experiments.md;
 # without it they are left under target/experiments. names: spread, growth, finishing, skew_lines,
-# sizes, dimensions, cage_cells. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
+# sizes, dimensions, cage_cells, slivers. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
 # many runs go on at a time where nothing is timed (2).
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"

@@ -107,6 +107,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.count("max_vertices", parameters.max_vertices);
     options.truth("instruments", parameters.instruments);
     options.number("min_angle", parameters.min_angle);
+    options.number("min_dihedral", parameters.min_dihedral);
 }
 
 fn add_quality(object: &mut Object, summary: &Summary<'_>) {
@@ -119,6 +120,8 @@ fn add_quality(object: &mut Object, summary: &Summary<'_>) {
     object.number("worst_radius_edge", quality.worst_radius_edge);
     object.number("min_angle_degrees", quality.min_angle_degrees);
     object.count("precision_limited", quality.precision_limited);
+    object.count("below_min_dihedral", quality.below_min_dihedral);
+    object.count("below_min_dihedral_between_domains", quality.below_min_dihedral_between_domains);
 }
 
 /// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.

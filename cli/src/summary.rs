@@ -155,6 +155,17 @@ impl Summary<'_> {
                 grouped(u64::from(quality.max_degree)),
             ),
         );
+        let asked = self.triangulation.parameters.min_dihedral;
+        if asked > 0.0 {
+            let (left, gaps) =
+                (quality.below_min_dihedral, quality.below_min_dihedral_between_domains);
+            let mut line =
+                format!("{} below {asked} degrees", counted(left, "simplex", "simplices"));
+            if gaps > 0 {
+                line += &format!(", and {} beside cages", grouped(gaps));
+            }
+            lines.add("", line);
+        }
         if quality.worst_cage_aspect > 0.0 {
             lines.add("", format!("cages worst {}", measure(quality.worst_cage_aspect)));
         }

@@ -41,6 +41,9 @@ impl Settings {
             _ => most,
         };
         let valid = choose_numbers(&mut options, bytes, dim);
+        if dim == 3 && options.distance_ratio == 0.0 && bytes.once_in(4) {
+            options.min_dihedral = f64::from(bytes.below(23) as u32);
+        }
         Self { options, valid }
     }
 }

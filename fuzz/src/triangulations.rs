@@ -12,6 +12,7 @@ pub fn assert_same(left: &Triangulation, right: &Triangulation) {
     assert!(left.cage_of == right.cage_of, "cages differ");
     assert!(left.domains == right.domains, "domains differ");
     assert!(left.precision_limited == right.precision_limited, "marks differ");
+    assert!(left.below_min_dihedral == right.below_min_dihedral, "slivers differ");
 }
 
 pub fn bits(values: &[f64]) -> Vec<u64> {

@@ -38,6 +38,7 @@ def mesh(
     instruments: bool = False,
     distance_ratio: float = 0.0,
     min_angle: float = 0.0,
+    min_dihedral: float = 0.0,
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -79,6 +80,8 @@ def mesh(
     min_angle : float
         In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of `criterion`
         and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too.
+    min_dihedral : float
+        The least dihedral angle in degrees, at most 22, in 3D; 0 for none.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

@@ -110,6 +110,10 @@ class Quality(NamedTuple):
     min_angle_degrees: float
     #: Vertices whose cells cannot be improved, because doubles are too coarse there.
     precision_limited: int
+    #: Tetrahedra with a smaller dihedral angle than `min_dihedral`, all vertices in one domain.
+    below_min_dihedral: int
+    #: Such with vertices of several domains, of which `min_dihedral` says nothing.
+    below_min_dihedral_between_domains: int
 
 
 class Stats(NamedTuple):

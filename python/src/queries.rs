@@ -184,6 +184,8 @@ impl Core {
             worst_radius_edge,
             min_angle_degrees,
             precision_limited,
+            below_min_dihedral,
+            below_min_dihedral_between_domains,
         } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
@@ -194,6 +196,11 @@ impl Core {
         figures.set_item("worst_radius_edge", worst_radius_edge)?;
         figures.set_item("min_angle_degrees", min_angle_degrees)?;
         figures.set_item("precision_limited", precision_limited)?;
+        figures.set_item("below_min_dihedral", below_min_dihedral)?;
+        figures.set_item(
+            "below_min_dihedral_between_domains",
+            below_min_dihedral_between_domains,
+        )?;
         Ok(figures)
     }
 

@@ -132,6 +132,7 @@ OPTIONS = {
     "instruments": (True, None),
     "distance_ratio": (0.3, "[0.05, 1]"),
     "min_angle": (25.0, "[0.6, 33.7]"),
+    "min_dihedral": (12.0, "[0, 22]"),
 }
 
 
@@ -144,6 +145,8 @@ def clusters():
 @pytest.mark.parametrize("name", OPTIONS)
 def test_options_reach_the_library(name):
     points = clusters()
+    if name == "min_dihedral":
+        points = np.random.default_rng(1).random((300, 3))
     value, range_ = OPTIONS[name]
     others = {"output": "well_spaced"} if name == "distance_ratio" else {}
     default, other = netmesh.mesh(points, **others), netmesh.mesh(points, **others, **{name: value})

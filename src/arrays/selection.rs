@@ -120,6 +120,12 @@ impl<'a> Part<'a> {
             cage_of: collected(kept.iter().map(|&v| mesh.cage_of[v as usize]))?,
             domains: copied(&mesh.domains)?,
             precision_limited: collected(kept.iter().map(|&v| mesh.precision_limited[v as usize]))?,
+            below_min_dihedral: collected(
+                mesh.below_min_dihedral
+                    .iter()
+                    .map(|&s| new_simplex[s as usize])
+                    .filter(|&s| s != NONE),
+            )?,
             parameters: mesh.parameters.clone(),
             stats: mesh.stats.clone(),
         };

@@ -92,6 +92,8 @@ fn encode_quality(quality: &Quality) -> nm_quality {
         worst_radius_edge: quality.worst_radius_edge,
         min_angle_degrees: quality.min_angle_degrees,
         precision_limited: quality.precision_limited,
+        below_min_dihedral: quality.below_min_dihedral,
+        below_min_dihedral_between_domains: quality.below_min_dihedral_between_domains,
     }
 }
 
@@ -249,12 +251,15 @@ mod tests {
             worst_radius_edge: 6.0,
             min_angle_degrees: 7.0,
             precision_limited: 8,
+            below_min_dihedral: 9,
+            below_min_dihedral_between_domains: 10,
         };
         let encoded = encode_quality(&quality);
         // SAFETY: numbers without padding.
-        let words: [u64; 8] = unsafe { std::mem::transmute(encoded) };
+        let words: [u64; 10] = unsafe { std::mem::transmute(encoded) };
         let doubles = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(f64::to_bits);
-        assert_eq!((encoded.max_degree, &words[1..7], words[7]), (1, &doubles[..], 8));
+        assert_eq!((encoded.max_degree, &words[1..7]), (1, &doubles[..]));
+        assert_eq!(words[7..], [8, 9, 10]);
     }
 
     #[test]

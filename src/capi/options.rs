@@ -67,6 +67,7 @@ pub(super) fn encode(options: &Options) -> nm_options {
         reserved: 0,
         distance_ratio: options.distance_ratio,
         min_angle: options.min_angle,
+        min_dihedral: options.min_dihedral,
     }
 }
 
@@ -91,6 +92,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         instruments: decode_instruments(options)?,
         distance_ratio: options.distance_ratio,
         min_angle: options.min_angle,
+        min_dihedral: options.min_dihedral,
     })
 }
 
@@ -149,6 +151,7 @@ mod tests {
             instruments: true,
             distance_ratio: 13.0,
             min_angle: 14.0,
+            min_dihedral: 15.0,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
@@ -189,6 +192,7 @@ mod tests {
             112 + 2 * word,
             120 + 2 * word,
             128 + 2 * word,
+            136 + 2 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {

@@ -143,6 +143,12 @@ pub struct nm_options {
     /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
     /// too; a few cells at the root's cage may then be given up (precision-limited).
     pub min_angle: f64,
+    /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
+    /// points move and further ones come until none is smaller. quality_bound goes before: where
+    /// both cannot be had the angle stays, and nm_quality.below_min_dihedral counts it. In 3D only,
+    /// without distance_ratio, and without effect with NM_ALGORITHM_DELAUNAY. In [0, 22],
+    /// default 0: none.
+    pub min_dihedral: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -166,7 +172,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 12 * 8 + 2 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 13 * 8 + 2 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
@@ -284,6 +290,12 @@ pub struct nm_quality {
     /// Vertices whose cells cannot be improved, because doubles are too coarse there. The quality
     /// bound does not hold for them; nm_mesh_get_precision_limited tells which they are.
     pub precision_limited: u64,
+    /// Tetrahedra with a dihedral angle below nm_options.min_dihedral and all vertices in one
+    /// domain, those at the hull included. 0 where no angle was asked for.
+    pub below_min_dihedral: u64,
+    /// Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
+    /// nothing of them.
+    pub below_min_dihedral_between_domains: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -291,7 +303,7 @@ unsafe impl Versioned for nm_quality {
     const TYPE: &'static str = "nm_quality";
 }
 
-const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 7 * 8);
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 9 * 8);
 
 /// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]

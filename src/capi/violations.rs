@@ -101,6 +101,9 @@ pub enum nm_violation {
     NM_VIOLATION_RADIUS_EDGE = 220,
     /// A finished mesh has other domains than the root.
     NM_VIOLATION_NOT_FINISHED = 221,
+    /// A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
+    /// for, and the run did not say so.
+    NM_VIOLATION_DIHEDRAL_ANGLE = 222,
 }
 
 impl From<ViolationKind> for nm_violation {
@@ -151,6 +154,7 @@ impl From<ViolationKind> for nm_violation {
             ViolationKind::CageAspect => Self::NM_VIOLATION_CAGE_ASPECT,
             ViolationKind::RadiusEdge => Self::NM_VIOLATION_RADIUS_EDGE,
             ViolationKind::NotFinished => Self::NM_VIOLATION_NOT_FINISHED,
+            ViolationKind::DihedralAngle => Self::NM_VIOLATION_DIHEDRAL_ANGLE,
         }
     }
 }

@@ -143,8 +143,8 @@ impl<const D: usize> Complex<D> {
         true
     }
 
-    /// Every vertex of the cones is incident to the last one that has it.
-    fn touch_vertices(&mut self, created: &[SimplexId]) {
+    /// Every vertex of new simplices is incident to the last one that has it.
+    pub(super) fn touch_vertices(&mut self, created: &[SimplexId]) {
         for &simplex in created {
             let record = &self.records[simplex.index() * Self::RECORD..];
             for &vertex in VertexId::from_numbers(&record[..Self::VERTICES]) {

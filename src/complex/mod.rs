@@ -8,6 +8,7 @@
 //! orientation test.
 
 mod cone;
+mod hole;
 mod ids;
 mod locality;
 mod partition;
@@ -18,6 +19,7 @@ mod vertices;
 
 use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, reserve};
 use cone::EDGES;
+pub(crate) use hole::{Beside, Filling};
 pub(crate) use ids::{SimplexId, Vertex, VertexId};
 pub(crate) use locality::Anchored;
 pub(crate) use partition::{GlobalToLocal, LocalToGlobal, PartitionIds};
@@ -122,6 +124,13 @@ impl<const D: usize> Complex<D> {
     pub fn add_vertex(&mut self) -> AllocResult<VertexId> {
         self.incident.try_push(SimplexId::NONE)?;
         Ok(VertexId::new(self.incident.len() - 1))
+    }
+
+    /// Takes the last vertex id back; it is not in the complex.
+    pub fn pop_vertex(&mut self) {
+        let last = self.incident.len() - 1;
+        debug_assert!(!self.incident[last].is_valid());
+        self.incident.truncate(last);
     }
 
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.

@@ -1,4 +1,4 @@
-//! The Delaunay complex: D-balls (§3), conflict regions and insertion.
+//! The Delaunay complex: D-balls (§3), conflict regions, insertion, removal and relocation.
 //!
 //! Strict tests need no perturbation. A point conflicts only with a ball that it is strictly
 //! inside. A cavity built so is star-shaped from the point and yields no flat simplex: a point on a
@@ -16,8 +16,10 @@
 mod cavity;
 mod conflict;
 mod locate;
+mod order;
 mod overlap;
 mod partition;
+mod removal;
 #[cfg(test)]
 mod tests;
 
@@ -26,6 +28,7 @@ use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::numerics::{Circumball, Sign, norm, orientation};
 pub(crate) use cavity::Cavity;
 use conflict::Conflicts;
+pub(crate) use removal::Hole;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Vertices of a simplex of the highest dimension.
@@ -38,6 +41,9 @@ pub(crate) struct Delaunay<const D: usize> {
     /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
     /// which an infinite simplex has not: that has no D-ball.
     balls: Array<Circumball<D>>,
+    /// Vertex -> which insertion was its last, from 1 on; 0 if it never was inserted.
+    turns: Array<u32>,
+    last_turn: u32,
     exact_fallbacks: AtomicU64,
     simplices_created: u64,
 }
@@ -49,6 +55,8 @@ impl<const D: usize> Delaunay<D> {
     pub fn new(points: Array<[f64; D]>) -> AllocResult<Self> {
         Ok(Self {
             complex: Complex::new(points.len())?,
+            turns: Array::filled(points.len(), 0)?,
+            last_turn: 0,
             points,
             balls: Array::new(),
             exact_fallbacks: AtomicU64::new(0),
@@ -60,6 +68,8 @@ impl<const D: usize> Delaunay<D> {
     pub fn clear(&mut self) {
         self.complex.clear();
         self.points.clear();
+        self.turns.clear();
+        self.last_turn = 0;
         self.balls.clear();
     }
 
@@ -91,12 +101,28 @@ impl<const D: usize> Delaunay<D> {
         self.complex.expect(simplices, points);
         self.balls.expect(simplices);
         self.points.expect(points);
+        self.turns.expect(points);
     }
 
     /// Gives `point` an id; it is not inserted yet.
     pub fn add_point(&mut self, point: [f64; D]) -> AllocResult<VertexId> {
         self.points.try_push(point)?;
+        self.turns.try_push(0)?;
         self.complex.add_vertex()
+    }
+
+    /// Takes the last id back, whose point is not inserted.
+    pub fn pop_point(&mut self) {
+        let count = self.points.len() - 1;
+        self.points.truncate(count);
+        self.turns.truncate(count);
+        self.complex.pop_vertex();
+    }
+
+    /// Gives a vertex that is not inserted another point.
+    pub fn set_point(&mut self, vertex: VertexId, point: [f64; D]) {
+        debug_assert!(!self.complex.contains_vertex(vertex));
+        self.points[vertex] = point;
     }
 
     /// See [`Complex::star`].
@@ -120,7 +146,7 @@ impl<const D: usize> Delaunay<D> {
         for simplex in self.complex.simplices() {
             self.compute_ball(simplex);
         }
-        Ok(())
+        first.iter().try_for_each(|&vertex| self.note_insertion(vertex))
     }
 
     /// The D-ball of a live finite simplex.
@@ -182,6 +208,7 @@ impl<const D: usize> Delaunay<D> {
         cavity: &Cavity,
         created: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
+        self.note_insertion(vertex)?;
         self.complex.reserve(cavity.boundary.len(), cavity.simplices.len())?;
         created.clear();
         reserve(created, cavity.boundary.len())?;

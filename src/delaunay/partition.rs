@@ -28,12 +28,25 @@ impl<const D: usize> Delaunay<D> {
             tick()?;
             points.try_push(*self.point(vertex))?;
         }
+        let mut turns = Array::with_capacity(points.len())?;
+        for &vertex in &local_to_global.vertices {
+            tick()?;
+            turns.try_push(self.turns[vertex])?;
+        }
         let mut balls = Array::with_capacity(local_to_global.simplices.len())?;
         for &simplex in &local_to_global.simplices {
             tick()?;
             balls.try_push(renamed(&self.balls[simplex], &global_to_local.vertices))?;
         }
-        Ok(Self { complex, points, balls, exact_fallbacks: 0.into(), simplices_created: 0 })
+        Ok(Self {
+            complex,
+            points,
+            balls,
+            turns,
+            last_turn: self.last_turn,
+            exact_fallbacks: 0.into(),
+            simplices_created: 0,
+        })
     }
 
     /// The number of simplices that fit in the spare memory.
@@ -78,6 +91,11 @@ impl<const D: usize> Delaunay<D> {
             let vertex = self.add_point(*point)?;
             local_to_global.vertices.try_push(vertex)?;
         }
+        // A vertex that is in several partitions was inserted before they were cut.
+        for (&vertex, &turn) in local_to_global.vertices.iter().zip(&partition.turns) {
+            self.turns[vertex] = self.turns[vertex].max(turn);
+        }
+        self.last_turn = self.last_turn.max(partition.last_turn);
         Ok(())
     }
 

@@ -53,7 +53,7 @@ fn live_simplices<const D: usize>(delaunay: &Delaunay<D>) -> Vec<SimplexId> {
     complex.simplices().filter(|&s| complex.is_live(s)).collect()
 }
 
-fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
+pub(super) fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
     for simplex in live_simplices(delaunay) {
         let vertices = delaunay.complex().vertices(simplex);
         if !vertices.contains(&VertexId::INFINITE) {
@@ -76,7 +76,7 @@ fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
 }
 
 /// Adjacent simplices share the facet and name each other; each of D + 1 facets has one neighbour.
-fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
+pub(super) fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     let complex = delaunay.complex();
     let live = live_simplices(delaunay);
     assert_eq!(live.len(), complex.simplex_count());

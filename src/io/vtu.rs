@@ -132,7 +132,7 @@ impl fmt::Display for Declaration<'_> {
 }
 
 /// The arrays in the order of the XML.
-fn arrays(mesh: &Triangulation) -> [Array; 11] {
+fn arrays(mesh: &Triangulation) -> [Array; 12] {
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
     let ids = mesh.simplices.len();
     let array = |name, scalar, scalar_size, tuples, write| Array {
@@ -172,6 +172,13 @@ fn arrays(mesh: &Triangulation) -> [Array; 11] {
         }),
         array("radius_edge", "Float64", 8, cells, |source, out| {
             source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
+        }),
+        array("below_min_dihedral", "UInt8", 1, cells, |source, out| {
+            let mut left = source.mesh.below_min_dihedral.iter().peekable();
+            (0..source.mesh.simplex_count() as u32).try_for_each(|simplex| {
+                let is_left = left.next_if_eq(&&simplex).is_some();
+                out.write_all(&[u8::from(is_left)])
+            })
         }),
         Array { components: 3, ..array("Points", "Float64", 8, vertices, write_points) },
         array("connectivity", "Int64", 8, ids, |source, out| {
@@ -277,10 +284,13 @@ mod tests {
                 name
             })
             .collect();
-        assert_eq!(names.len(), 11);
+        assert_eq!(names.len(), 12);
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), 11, "{names:?}");
+        assert_eq!(names.len(), 12, "{names:?}");
+        let mut left = vec![0; samples::mesh(3).triangulation().unwrap().simplex_count()];
+        left[0] = 1;
+        assert_eq!(array_of(&file, "below_min_dihedral"), left);
     }
 
     #[test]

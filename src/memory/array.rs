@@ -68,6 +68,11 @@ impl<T: Copy> Array<T> {
         Ok(array)
     }
 
+    /// Keeps the first `length` values.
+    pub fn truncate(&mut self, length: usize) {
+        self.length = self.length.min(length);
+    }
+
     pub fn clear(&mut self) {
         self.length = 0;
     }

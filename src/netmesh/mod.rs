@@ -7,6 +7,7 @@
 //!   cages.
 //! - [`refinement`]: which simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH
 //!   and the final refinement.
+//! - [`slivers`]: tetrahedra with small dihedral angles, and what mends them.
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
 //!
 //! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
@@ -20,6 +21,7 @@ mod parameters;
 mod partitions;
 mod refinement;
 mod rounds;
+mod slivers;
 mod state;
 mod watch;
 
@@ -78,6 +80,9 @@ fn mesh<const D: usize>(
         }
         mesher.refine_finally(&mut cavity)?;
         mesher.refine_by_distance(&mut cavity)?;
+        if D == 3 && mesher.state.parameters.min_dihedral > 0.0 {
+            mesher.remove_slivers(&mut cavity)?;
+        }
     }
     drop(cavity);
     mesher.into_triangulation(begun)

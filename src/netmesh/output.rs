@@ -46,6 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             kinds.push(self.kind(vertex, cage));
         }
         self.count_vertices(&kinds, &limited);
+        let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
         self.state.stats.seconds = begun.elapsed().as_secs_f64();
         Ok(Triangulation {
             dim: D,
@@ -57,6 +58,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cage_of,
             domains,
             precision_limited: limited,
+            below_min_dihedral,
             parameters: self.state.parameters,
             stats: self.state.stats,
         })

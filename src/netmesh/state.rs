@@ -55,6 +55,8 @@ pub(super) struct Stage {
     pub is_final: bool,
     /// The fraction of the final refinement that is done.
     pub final_fraction: f64,
+    /// The fraction of the work on slivers that is done.
+    pub sliver_fraction: f64,
     /// The number of vertices when the final refinement began.
     pub vertices_before_final: usize,
 }
@@ -67,6 +69,7 @@ impl Stage {
             bound,
             is_final: false,
             final_fraction: 0.0,
+            sliver_fraction: 0.0,
             vertices_before_final: 0,
         }
     }
@@ -256,7 +259,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             (_, Output::Hierarchical) => [0.6, 0.0],
             (_, Output::WellSpaced) => [0.3, 0.4],
         };
-        match self.state.stage.phase {
+        let slivers = if self.state.parameters.min_dihedral > 0.0 { 0.6 } else { 0.0 };
+        let before = match self.state.stage.phase {
             Phase::Prepare | Phase::Insert => {
                 let inserted = self.state.inputs - self.state.conflict_lists.remaining();
                 insert * inserted as f64 / self.state.inputs as f64
@@ -271,8 +275,9 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
                 let released = self.state.stats.cages_released as f64;
                 insert + finish * released / self.state.hierarchy.len() as f64
             }
-            Phase::Export => 1.0,
-        }
+            Phase::Export => return 1.0,
+        };
+        (1.0 - slivers) * before + slivers * self.state.stage.sliver_fraction
     }
 
     /// What is bad in one place lets cells around it get bad, and most refinement may come at the

@@ -9,6 +9,7 @@ pub(crate) mod exact;
 mod histogram;
 pub(crate) mod length;
 pub(crate) mod rational;
+pub(crate) mod slivers;
 pub(crate) mod tree;
 pub(crate) mod view;
 
@@ -56,6 +57,11 @@ pub struct Quality {
     pub min_angle_degrees: f64,
     /// Number of vertices marked as precision-limited.
     pub precision_limited: u64,
+    /// Number of simplices with a dihedral angle below the one that was asked for and all vertices
+    /// in one domain.
+    pub below_min_dihedral: u64,
+    /// The same with vertices of several domains.
+    pub below_min_dihedral_between_domains: u64,
 }
 
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
@@ -90,6 +96,12 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
+    slivers::survey(view, mesh.parameters.min_dihedral, |_, _, is_of_one_domain| {
+        match is_of_one_domain {
+            true => quality.below_min_dihedral += 1,
+            false => quality.below_min_dihedral_between_domains += 1,
+        }
+    })?;
     Ok(quality)
 }
 

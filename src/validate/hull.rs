@@ -183,6 +183,7 @@ mod tests {
             cage_of: vec![NONE; count],
             domains: Vec::new(),
             precision_limited: vec![false; count],
+            below_min_dihedral: Vec::new(),
             parameters: Parameters::resolve(D, &Options::default()).unwrap(),
             stats: Stats::default(),
         };

@@ -19,6 +19,7 @@
 //! an exempt vertex whose vertices are all of one such domain; otherwise for each whose vertices
 //! are in no cage and whose corner counts in the domain of each; union cells are not bounded then.
 
+mod angles;
 mod arrays;
 mod aspect;
 mod boxes;
@@ -134,6 +135,7 @@ fn check_paper<const D: usize>(
         cages::check(view, &tree, &cells, findings)?;
         aspect::check(view, &cells, findings)?;
     }
+    angles::check(view, findings)?;
     let finished = mesh.parameters.output == Output::WellSpaced;
     findings.check(!finished || mesh.domains.len() == 1, || {
         let message =

@@ -104,6 +104,9 @@ pub enum ViolationKind {
     RadiusEdge = 220,
     /// A finished mesh has other domains than the root.
     NotFinished = 221,
+    /// A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
+    /// for, and is not among those that the run has left.
+    DihedralAngle = 222,
 }
 
 impl ViolationKind {

@@ -230,6 +230,7 @@ static void test_options(void)
     REFUSED(min_angle, 34.0, "options.min_angle is 34");
     REFUSED(instruments, 2, "options.instruments is 2");
     REFUSED(reserved, 1, "options.reserved is 1");
+    REFUSED(min_dihedral, 23.0, "min_dihedral is 23");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);
     OK(nm_options_init(&newer.options, sizeof newer));

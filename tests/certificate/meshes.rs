@@ -28,6 +28,7 @@ pub fn plain<const D: usize>(points: &[[f64; D]], simplices: &[Vec<u32>]) -> Cas
         cage_of: vec![NONE; points.len()],
         domains: Vec::new(),
         precision_limited: vec![false; points.len()],
+        below_min_dihedral: Vec::new(),
         parameters: run(&corner::<D>(), &options).mesh.parameters,
         stats: Stats::default(),
     };

@@ -343,3 +343,24 @@ fn simplices_of_bad_radius_edge_ratio() {
 fn a_finished_mesh_with_two_domains() {
     assert_all(Kind::NotFinished, |case| case.mesh.parameters.output = Output::WellSpaced);
 }
+
+/// A simplex below the asked angle that the run does not own up to.
+#[test]
+fn slivers_that_are_not_counted() {
+    let options = Options {
+        output: Output::WellSpaced,
+        criterion: Criterion::RadiusEdge,
+        min_dihedral: 15.0,
+        ..Options::default()
+    };
+    let mut case = run(&random_points::<3>(200, 3), &options);
+    assert_sound(&case);
+    let most = (16..40).map(f64::from).find(|&degrees| {
+        case.mesh.parameters.min_dihedral = degrees;
+        measure(&case.mesh).unwrap().below_min_dihedral > 0
+    });
+    assert!(most.is_some_and(|degrees| degrees < 20.0));
+    assert_violates(&case, Kind::DihedralAngle);
+    case.mesh.below_min_dihedral = (0..case.mesh.simplex_count() as u32).collect();
+    assert_sound(&case);
+}

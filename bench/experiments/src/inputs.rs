@@ -110,6 +110,15 @@ pub fn nested_clusters(
     })
 }
 
+/// A grid of side^dim points whose coordinates, from 1 on, are each moved by up to half of `spread`.
+pub fn grid(dim: usize, side: usize, spread: f64, seed: u64) -> Points {
+    let mut random = Random::new(seed);
+    filled(dim, side.pow(dim as u32), |i| {
+        let index = |axis: usize| i / side.pow(axis as u32) % side + 1;
+        (0..dim).map(|axis| index(axis) as f64 + spread * (random.unit() - 0.5)).collect()
+    })
+}
+
 /// Half on each of two lines that are a unit apart and cross at a right angle; 3D.
 pub fn skew_lines(n: usize, seed: u64) -> Points {
     let mut random = Random::new(seed);

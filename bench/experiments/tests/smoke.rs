@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const HEADERS: [(&str, &str); 7] = [
+const HEADERS: [(&str, &str); 8] = [
     ("spread", "input,dim,method,log2 exponent,log2 gap,log2 spread,n,runs,m/n,touches/n"),
     (
         "growth",
@@ -20,6 +20,7 @@ const HEADERS: [(&str, &str); 7] = [
         "dim,input,n,m/n,simplices/vertex,seconds,points/s,MiB,KiB/input,certificate,certificate seconds",
     ),
     ("cage_cells", "input,dim,n,m/n,counted,anywhere,in cage gaps,in gaps/n"),
+    ("slivers", "input,n,degrees,slivers,left,m/n before,m/n,seconds,time,level"),
 ];
 
 fn run(folder: &Path, options_and_names: &[&str]) {

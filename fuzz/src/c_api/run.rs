@@ -140,6 +140,7 @@ impl Attempt {
             reserved: 0,
             distance_ratio: given.distance_ratio,
             min_angle: given.min_angle,
+            min_dihedral: given.min_dihedral,
         }
     }
 

@@ -33,6 +33,7 @@ fn assert_same(a: &Triangulation, b: &Triangulation) {
     assert_eq!(a.cage_of, b.cage_of);
     assert_eq!(a.domains, b.domains);
     assert_eq!(a.precision_limited, b.precision_limited);
+    assert_eq!(a.below_min_dihedral, b.below_min_dihedral);
     let stats = |mesh: &Triangulation| crate::mesh::Stats { seconds: 0.0, ..mesh.stats };
     assert_eq!(stats(a), stats(b));
 }
@@ -112,6 +113,23 @@ fn grid<const D: usize>(side: usize) -> Vec<[f64; D]> {
 fn uniform_points() {
     check::<2>(&scattered(8000, 1), &Options::default());
     check::<3>(&scattered(6000, 2), &Options::default());
+}
+
+/// What has slivers mended depends neither on threads nor on the order that they end in.
+#[test]
+fn slivers_of_partitions_are_mended_alike_on_any_number_of_threads() {
+    let options = Options {
+        output: Output::WellSpaced,
+        criterion: Criterion::RadiusEdge,
+        min_dihedral: 15.0,
+        ..Options::default()
+    };
+    let points = [scattered::<3>(3000, 3), grid(12)].concat();
+    check(&points, &options);
+    let inputs = inputs(&points);
+    let two = run::<3>(&inputs, &options, 2);
+    assert!(two.below_min_dihedral.is_empty());
+    assert_same(&two, &run::<3>(&inputs, &options, 16));
 }
 
 #[test]

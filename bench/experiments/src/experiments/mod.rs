@@ -6,6 +6,7 @@ mod finishing;
 mod growth;
 mod sizes;
 mod skew_lines;
+mod slivers;
 mod spread;
 
 pub use dimensions::added_memory;
@@ -54,7 +55,7 @@ pub enum Again {
 }
 
 /// In the order of the document.
-pub const ALL: [Experiment; 7] = [
+pub const ALL: [Experiment; 8] = [
     Experiment { name: spread::NAME, run: spread::run, again: Again::Plots(spread::plots_again) },
     Experiment { name: growth::NAME, run: growth::run, again: Again::Report(growth::again) },
     Experiment {
@@ -70,4 +71,5 @@ pub const ALL: [Experiment; 7] = [
     Experiment { name: sizes::NAME, run: sizes::run, again: Again::Plots(sizes::plots_again) },
     Experiment { name: dimensions::NAME, run: dimensions::run, again: Again::Nothing },
     Experiment { name: cage_cells::NAME, run: cage_cells::run, again: Again::Nothing },
+    Experiment { name: slivers::NAME, run: slivers::run, again: Again::Nothing },
 ];

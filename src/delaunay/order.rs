@@ -1,0 +1,78 @@
+//! Which of several Delaunay complexes cospherical points have: that of the order of insertion.
+//!
+//! A point that is on a D-ball's sphere does not conflict. So every insertion lifts its point by an
+//! infinitesimal that is larger than all before it, in the sense of Edelsbrunner and Mücke,
+//! "Simulation of Simplicity" (1990): to be on the sphere is then to be outside. The complex is
+//! the regular triangulation of the lifted points, of which there is one only. Whoever knows in
+//! which order the vertices came can tell each of its simplices, and so can a removal.
+
+use super::conflict::Conflicts;
+use super::{Delaunay, MAX_SIMPLEX_VERTICES};
+use crate::complex::VertexId;
+use crate::memory::{AllocError, AllocResult};
+use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
+use std::sync::atomic::Ordering;
+
+impl<const D: usize> Delaunay<D> {
+    /// Makes `vertex` the last one that came.
+    pub(super) fn note_insertion(&mut self, vertex: VertexId) -> AllocResult<()> {
+        let turn = self.last_turn.checked_add(1).ok_or(AllocError::Ids)?;
+        self.last_turn = turn;
+        self.turns[vertex] = turn;
+        Ok(())
+    }
+
+    /// What puts the vertices in the order of their insertion. Vertices of different partitions may
+    /// have the same turn: the order of those does not matter, for no cavity has two of them.
+    pub(super) fn turn(&self, vertex: VertexId) -> (u32, VertexId) {
+        (self.turns[vertex], vertex)
+    }
+
+    /// Whether `vertex` is inside the sphere of a positively oriented simplex, whose circumball is
+    /// `ball`; where it is on the sphere, whether it is inside after all points are lifted.
+    pub(super) fn is_inside_lifted(
+        &self,
+        simplex: &[VertexId],
+        ball: &Circumball<D>,
+        vertex: VertexId,
+    ) -> bool {
+        let q = self.point(vertex);
+        let anchor = self.point(simplex[ball.anchor as usize]);
+        ball.side(anchor, q).unwrap_or_else(|| self.is_inside_with_care(simplex, vertex))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_inside_with_care(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
+        let conflicts: Conflicts<'_, D> = self.conflicts();
+        conflicts.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
+        let points = conflicts.vertex_points(simplex);
+        match in_ball_exact(&points[..=D], self.point(vertex)) {
+            Sign::Positive => true,
+            Sign::Negative => false,
+            Sign::Zero => self.is_inside_by_order(simplex, vertex),
+        }
+    }
+
+    /// The same for a vertex on the sphere. The last point that came decides if it can: lifting
+    /// `vertex` puts it outside; lifting a vertex of the simplex lifts the sphere's hyperplane at
+    /// `vertex` by the barycentric coordinate.
+    fn is_inside_by_order(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
+        let mut order: [usize; MAX_SIMPLEX_VERTICES] = std::array::from_fn(|index| index);
+        let order = &mut order[..=D];
+        order.sort_unstable_by_key(|&index| std::cmp::Reverse(self.turn(simplex[index])));
+        let mut points = self.vertex_points(simplex);
+        for &index in order.iter() {
+            if self.turn(simplex[index]) < self.turn(vertex) {
+                return false;
+            }
+            let kept = std::mem::replace(&mut points[index], self.point(vertex));
+            match orientation(&points[..=D]) {
+                Sign::Positive => return true,
+                Sign::Negative => return false,
+                Sign::Zero => points[index] = kept,
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,180 @@
+//! Removal of a vertex, which may then be inserted elsewhere: the hole that its star leaves is filled with the Delaunay simplices of the
+//! vertices round it.
+//!
+//! Every facet of the boundary has one such simplex on the side of the hole. Its apex is the vertex
+//! whose sphere with the facet holds no other; that simplex has further facets, and so on until all
+//! have met. Cospherical vertices have many Delaunay complexes, and what is outside the hole is of
+//! one of them: the [order](super::order) of the vertices tells which, so the filling always fits.
+//!
+//! A vertex of the hull is not removed, nor is one at the interface of a partition.
+
+#[cfg(test)]
+mod tests;
+
+use super::{Delaunay, MAX_SIMPLEX_VERTICES};
+use crate::complex::{Beside, Facet, Filling, SimplexId, VertexId, VertexSet, position};
+use crate::memory::{AllocResult, Array, TryGrow, reserve};
+use crate::numerics::{Circumball, Sign, orientation};
+
+/// The hole that a vertex would leave.
+#[derive(Default)]
+pub(crate) struct Hole<const D: usize> {
+    /// All simplices at the vertex.
+    pub star: Array<SimplexId>,
+    /// The facets round the star: of `star[i]` it is number i.
+    pub boundary: Vec<Facet>,
+    /// The vertices round the hole.
+    pub vertices: VertexSet,
+    /// What fills it.
+    pub filling: Filling<D>,
+    /// The facets that have a simplex on one side only.
+    open: Vec<Open<D>>,
+}
+
+/// A facet with a simplex on one side, that is beside it, and by the number there of the vertex
+/// opposite.
+#[derive(Clone, Copy)]
+struct Open<const D: usize> {
+    /// The facet's vertices, in rising order.
+    facet: [u32; D],
+    beside: Beside,
+    index: u32,
+}
+
+impl<const D: usize> Delaunay<D> {
+    /// Finds the hole that the inserted `vertex` would leave, and what fills it. False if the
+    /// vertex is at the hull. O(s v) for s simplices of the filling and v vertices round it.
+    pub fn find_hole(&mut self, vertex: VertexId, hole: &mut Hole<D>) -> AllocResult<bool> {
+        self.complex.star(vertex, &mut hole.star)?;
+        hole.boundary.clear();
+        hole.filling.clear();
+        hole.open.clear();
+        hole.vertices.restart(self.points.len())?;
+        for at in 0..hole.star.len() {
+            let simplex = hole.star[at];
+            let vertices = self.complex.vertices(simplex);
+            let index = position(vertices, vertex);
+            let beyond = self.complex.neighbors(simplex)[index];
+            if vertices.contains(&VertexId::INFINITE) || beyond == simplex {
+                return Ok(false);
+            }
+            let mirror = position(self.complex.neighbors(beyond), simplex) as u32;
+            hole.boundary.try_push(Facet { simplex, index: index as u32, beyond, mirror })?;
+            let facet = facet_of::<D>(vertices, index);
+            let beside = Beside::Boundary(at as u32);
+            hole.open.try_push(Open { facet, beside, index: index as u32 })?;
+            for &other in vertices.iter().filter(|&&other| other != vertex) {
+                hole.vertices.insert(other)?;
+            }
+        }
+        // Every simplex is one of the finitely many that the vertices round the hole have, and none
+        // comes twice.
+        while let Some(open) = hole.open.pop() {
+            if !self.fill_at(&open, hole)? {
+                debug_assert!(false, "the filling has a simplex at every facet");
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Adds the simplex on the open side of a facet to the filling; false if there is none.
+    fn fill_at(&self, open: &Open<D>, hole: &mut Hole<D>) -> AllocResult<bool> {
+        let mut vertices = [VertexId::NONE; MAX_SIMPLEX_VERTICES];
+        let vertices = &mut vertices[..=D];
+        let slot = open.index as usize;
+        match open.beside {
+            // On the same side of the facet as the vertex that goes.
+            Beside::Boundary(at) => {
+                vertices.copy_from_slice(self.complex.vertices(hole.star[at as usize]));
+            }
+            // On the other side, so the vertices turn the other way.
+            Beside::Filling(number) => {
+                vertices.copy_from_slice(hole.filling.vertices(number));
+                vertices.swap((slot + 1) % (D + 1), (slot + 2) % (D + 1));
+            }
+        }
+        if !self.find_apex(vertices, slot, &hole.vertices.ids) {
+            return Ok(false);
+        }
+        let number = hole.filling.push(vertices)?;
+        hole.filling.join(number, open.index, open.beside);
+        if let Beside::Filling(other) = open.beside {
+            // The vertices of the facet have changed places, that opposite it has not.
+            hole.filling.join(other, open.index, Beside::Filling(number));
+        }
+        for index in (0..=D).filter(|&index| index != slot) {
+            let (facet, index) = (facet_of::<D>(vertices, index), index as u32);
+            match hole.open.iter().rposition(|other| other.facet == facet) {
+                Some(at) => {
+                    let other = hole.open.swap_remove(at);
+                    hole.filling.join(number, index, other.beside);
+                    if let Beside::Filling(neighbor) = other.beside {
+                        hole.filling.join(neighbor, other.index, Beside::Filling(number));
+                    }
+                }
+                None => {
+                    hole.open.try_push(Open { facet, beside: Beside::Filling(number), index })?;
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// Puts at `slot` the vertex of `around` that makes a Delaunay simplex with the others, on
+    /// their positive side. What is inside the sphere of one such simplex is on that side too: the
+    /// simplex on the other side is Delaunay.
+    fn find_apex(&self, vertices: &mut [VertexId], slot: usize, around: &[VertexId]) -> bool {
+        let mut points = self.vertex_points(vertices);
+        let mut ball = None;
+        for &candidate in around {
+            let is_of_facet =
+                vertices.iter().enumerate().any(|(at, &v)| at != slot && v == candidate);
+            let is_better = !is_of_facet
+                && match &ball {
+                    Some(ball) => self.is_inside_lifted(vertices, ball, candidate),
+                    None => {
+                        points[slot] = self.point(candidate);
+                        orientation(&points[..=D]) == Sign::Positive
+                    }
+                };
+            if is_better {
+                vertices[slot] = candidate;
+                points[slot] = self.point(candidate);
+                ball = Some(Circumball::of(|i| points[i]));
+            }
+        }
+        ball.is_some()
+    }
+
+    /// Removes `vertex`, for which `hole` was found, and since then nothing has changed.
+    /// `created[i]` becomes simplex number i of the filling. The vertex keeps its id and may be
+    /// inserted again. After an error the complex is as it was.
+    pub fn remove(
+        &mut self,
+        vertex: VertexId,
+        hole: &Hole<D>,
+        created: &mut Vec<SimplexId>,
+    ) -> AllocResult<()> {
+        let count = hole.filling.len();
+        created.clear();
+        reserve(created, count)?;
+        self.complex.reserve(count, hole.star.len())?;
+        self.balls.reserve(count)?;
+        self.complex.fill(vertex, &hole.star, &hole.boundary, &hole.filling, created);
+        self.cover_balls()?;
+        self.simplices_created += count as u64;
+        for pair in created.chunks(2) {
+            self.compute_balls([pair[0], pair[pair.len() - 1]]);
+        }
+        Ok(())
+    }
+}
+
+/// The vertices of a simplex but that number `index`, in rising order.
+fn facet_of<const D: usize>(vertices: &[VertexId], index: usize) -> [u32; D] {
+    let mut facet: [u32; D] =
+        std::array::from_fn(|i| vertices[i + usize::from(i >= index)].number());
+    facet.sort_unstable();
+    facet
+}

@@ -1,0 +1,130 @@
+//! Insertions: a further point in the D-ball of a sliver.
+
+use super::cone::Cone;
+use super::queue::Sliver;
+use super::random::Random;
+use super::relaxation::Step;
+use super::{Slivers, View};
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::Mesher;
+
+/// How far from the circumcentre a point may go, relative to the radius, in turns.
+const SPREADS: [f64; 3] = [0.25, 0.5, 0.85];
+
+/// A point to insert.
+#[derive(Clone, Copy)]
+pub(super) struct Insertion<const D: usize> {
+    pub x: [f64; D],
+    pub gain: f64,
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The `most` best of `count` points for `sliver` that are worth more than `least`, the best
+    /// first.
+    pub(super) fn best_insertions(
+        &mut self,
+        sliver: &Sliver,
+        [most, count]: [usize; 2],
+        least: f64,
+        random: &mut Random,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<Vec<Insertion<D>>> {
+        let mut best: Vec<Insertion<D>> = Vec::new();
+        let ball = self.state.delaunay.ball(sliver.simplex).map(|ball| ball.radius());
+        let Some((center, radius)) = self.state.delaunay.corner(sliver.simplex).zip(ball) else {
+            return Ok(best);
+        };
+        for number in 0..count {
+            self.watch.poll_after(20)?;
+            let spread = match number {
+                0 => 0.0,
+                _ => radius * SPREADS[number % SPREADS.len()],
+            };
+            let way: [f64; D] = random.in_ball();
+            let x = std::array::from_fn(|k| center[k] + spread * way[k]);
+            let is_sound = x.iter().all(|x| x.is_finite())
+                && self.state.delaunay.in_conflict(sliver.simplex, &x);
+            if !is_sound {
+                continue;
+            }
+            let least = match best.get(most - 1) {
+                Some(last) => last.gain,
+                None => least,
+            };
+            self.state.delaunay.find_cavity(sliver.simplex, &x, cavity)?;
+            if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers, cavity)? {
+                let at = best.iter().position(|other| other.gain < gain).unwrap_or(best.len());
+                best.truncate(most - 1);
+                best.try_push(Insertion { x, gain })?;
+                let last = best.len() - 1;
+                best[at.min(last)..].rotate_right(1);
+                if is_clean {
+                    break;
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// What it is worth to insert `x`, whose conflicts are `cavity`, if that is more than `least`,
+    /// and whether it would leave no sliver.
+    fn judge_insertion(
+        &mut self,
+        x: &[f64; D],
+        least: f64,
+        slivers: &mut Slivers<D>,
+        cavity: &Cavity,
+    ) -> AllocResult<Option<(f64, bool)>> {
+        let Some(domain) = self.common_domain(cavity) else { return Ok(None) };
+        let Slivers { measure, penalties, cone, .. } = slivers;
+        let view = View::new(&self.state, penalties, measure);
+        let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
+        if cavity.simplices.iter().any(is_infinite) || !view.hierarchy.contains(domain, x) {
+            return Ok(None);
+        }
+        let before = view.sum(&cavity.simplices);
+        if before <= least {
+            return Ok(None);
+        }
+        cone_over(view, cavity, cone)?;
+        let gain = cone.judge(view, x, before, least).filter(|_| cone.keeps_cells(view, x));
+        Ok(gain.map(|gain| (gain, gain >= before)))
+    }
+
+    /// Inserts a point into the D-ball of `start`.
+    pub(super) fn insert_point(
+        &mut self,
+        start: SimplexId,
+        x: &[f64; D],
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<VertexId> {
+        self.state.delaunay.find_cavity(start, x, cavity)?;
+        let domain = self.enter(x, cavity)?;
+        let vertex = self.add_vertex(*x)?;
+        if let Some(journal) = &mut slivers.journal {
+            journal.steps.try_push(Step::Inserted(vertex))?;
+        }
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
+        self.weigh_cone(slivers)?;
+        self.note_arrival(vertex, &cavity.vertices.ids);
+        Ok(vertex)
+    }
+}
+
+fn cone_over<const D: usize>(
+    view: View<'_, D>,
+    cavity: &Cavity,
+    cone: &mut Cone,
+) -> AllocResult<()> {
+    cone.sides.clear();
+    for facet in &cavity.boundary {
+        cone.push(view.delaunay.complex().vertices(facet.simplex), facet.index as usize)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,148 @@
+//! Slivers: tetrahedra with a small dihedral angle, which no bound of radii excludes. The last
+//! phase moves Steiner points and inserts some, until no dihedral angle is smaller than asked for.
+//!
+//! `shape` says how bad a tetrahedron is; the objective is the sum over all. `queue` has those that
+//! are bad, the worst first. For each, `moves` tries its vertices at other places, then those of
+//! its neighbours, `insertions` a further point, and `relaxation` a point that is worth it only
+//! after its neighbours have moved. What a place is worth is judged without a change: the
+//! tetrahedra that a point would make are the `cone` over its cavity; `vacancy` is the mesh without
+//! a vertex that may move. `cells` has what the Voronoi aspect needs beside.
+//!
+//! Every change lets the objective fall by [`LEAST_GAIN`] or more, so the phase ends. No input
+//! moves, nor a vertex of a living cage or of the hull; no simplex goes beyond the bound of the
+//! criterion. Simplices with vertices of several domains are let alone. What is left when all
+//! efforts fail stays a sliver.
+
+mod cells;
+mod cone;
+mod insertions;
+mod left;
+mod moves;
+mod phase;
+mod queue;
+mod random;
+mod relaxation;
+mod shape;
+mod vacancy;
+
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Delaunay;
+use crate::memory::{AllocResult, Array, TryGrow};
+use crate::netmesh::cages::domains::Hierarchy;
+use crate::netmesh::{Cell, Mesher, State};
+use crate::options::Criterion;
+use cone::Cone;
+use queue::{Queue, Sliver};
+use relaxation::Journal;
+use shape::Measure;
+use vacancy::Vacancy;
+
+/// A change is worth at least so much.
+const LEAST_GAIN: f64 = 0.001;
+
+/// What the phase works on beside the mesh.
+struct Slivers<const D: usize> {
+    measure: Measure,
+    /// Simplex -> what it adds to the objective; stale for a dead one.
+    penalties: Array<f32>,
+    queue: Queue,
+    vacancy: Vacancy<D>,
+    cone: Cone,
+    /// The simplices that filled a hole.
+    filled: Vec<SimplexId>,
+    /// Changes that may be undone, while there are such.
+    journal: Option<Journal<D>>,
+}
+
+/// What judges a place looks at.
+#[derive(Clone, Copy)]
+struct View<'a, const D: usize> {
+    delaunay: &'a Delaunay<D>,
+    hierarchy: &'a Hierarchy<D>,
+    cells: &'a [Cell],
+    penalties: &'a [f32],
+    measure: &'a Measure,
+    /// Half the bound of the Voronoi aspect, if that is the criterion.
+    half_aspect: Option<f64>,
+}
+
+impl<'a, const D: usize> View<'a, D> {
+    fn new(state: &'a State<D>, penalties: &'a [f32], measure: &'a Measure) -> Self {
+        let State { delaunay, hierarchy, cells, parameters, .. } = state;
+        let half_aspect = match parameters.criterion {
+            Criterion::VoronoiAspect => Some(0.5 * parameters.quality_bound),
+            Criterion::RadiusEdge => None,
+        };
+        Self { delaunay, hierarchy, cells, penalties, measure, half_aspect }
+    }
+
+    /// What live simplices add to the objective.
+    fn sum(&self, simplices: &[SimplexId]) -> f64 {
+        simplices.iter().map(|&simplex| f64::from(self.penalties[simplex])).sum()
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Whether the phase may move `vertex`, as far as that is known without its star.
+    fn may_move(&self, vertex: VertexId) -> bool {
+        !self.is_input(vertex) && !self.state.hierarchy.cage_of(vertex).is_valid()
+    }
+
+    /// Measures simplices that were made, and queues those that are slivers. Some may be dead
+    /// again.
+    fn weigh(&mut self, created: &[SimplexId], slivers: &mut Slivers<D>) -> AllocResult<()> {
+        let bound = self.state.delaunay.complex().simplex_bound();
+        slivers.penalties.cover(bound, 0.0)?;
+        self.state.refine_list.forget(created, bound)?;
+        for &simplex in created {
+            let penalty = self.penalty(simplex, &slivers.measure);
+            slivers.penalties[simplex] = penalty;
+            self.note_corner(simplex);
+            if penalty > 0.0 {
+                let sliver = self.sliver(simplex, penalty);
+                match &mut slivers.journal {
+                    Some(journal) => journal.fresh.try_push(sliver)?,
+                    None => slivers.queue.push(sliver)?,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The same for the simplices of a vertex that went in.
+    fn weigh_cone(&mut self, slivers: &mut Slivers<D>) -> AllocResult<()> {
+        let created = std::mem::take(&mut self.scratch.created);
+        let weighed = self.weigh(&created, slivers);
+        self.scratch.created = created;
+        weighed
+    }
+
+    fn penalty(&self, simplex: SimplexId, measure: &Measure) -> f32 {
+        let complex = self.state.delaunay.complex();
+        let vertices = complex.vertices(simplex);
+        let is_judged = complex.is_live(simplex)
+            && !complex.is_infinite(simplex)
+            && self.state.hierarchy.same_domain(vertices);
+        match is_judged {
+            true => measure.penalty(&shape::corners(&self.state.delaunay, vertices)) as f32,
+            false => 0.0,
+        }
+    }
+
+    fn sliver(&self, simplex: SimplexId, penalty: f32) -> Sliver {
+        let vertices = self.state.delaunay.complex().vertices(simplex);
+        let mut vertices: [VertexId; 4] = std::array::from_fn(|index| vertices[index]);
+        vertices.sort_unstable();
+        Sliver { penalty, simplex, vertices }
+    }
+
+    /// Whether `sliver` is still what it was when it was queued. Its id may be that of another
+    /// simplex now; or of one with the same vertices, which have moved.
+    fn is_current(&self, sliver: &Sliver, penalties: &[f32]) -> bool {
+        let complex = self.state.delaunay.complex();
+        let is_own = |vertex: &VertexId| sliver.vertices.contains(vertex);
+        complex.is_live(sliver.simplex)
+            && penalties[sliver.simplex] == sliver.penalty
+            && complex.vertices(sliver.simplex).iter().all(is_own)
+    }
+}

@@ -1,0 +1,144 @@
+//! Moves: a vertex of a sliver goes elsewhere, or one of a simplex beside it does.
+
+use super::queue::Sliver;
+use super::random::Random;
+use super::relaxation::Step;
+use super::vacancy::{Place, may_leave};
+use super::{LEAST_GAIN, Slivers, View};
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::TryGrow;
+use crate::netmesh::{Cell, Mesher};
+use crate::numerics::distance;
+
+/// Places that are tried for a vertex.
+const PLACES: usize = 16;
+
+/// How far from where it is a vertex may go, relative to its nearest neighbour.
+const REACH: f64 = 0.6;
+
+/// How deep in the D-ball of a sliver a neighbour may go, relative to the radius, and how far from
+/// the way there, relative to its nearest neighbour.
+const DEPTH: f64 = 0.35;
+const ASIDE: f64 = 0.3;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Moves one vertex such that the objective falls. Returns what that was worth. `times`: how
+    /// many times as many places as usual are tried.
+    pub(super) fn mend_by_move(
+        &mut self,
+        sliver: &Sliver,
+        times: usize,
+        random: &mut Random,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<Option<f64>> {
+        for vertex in sliver.vertices {
+            let place = self.best_place(vertex, None, times, random, slivers)?;
+            if let Some(place) = place {
+                self.move_vertex(vertex, &place, slivers, cavity)?;
+                return Ok(Some(place.gain));
+            }
+        }
+        for index in 0..=D {
+            let neighbor = self.state.delaunay.complex().neighbors(sliver.simplex)[index];
+            let vertices = self.state.delaunay.complex().vertices(neighbor);
+            let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
+            let Some(&apex) = apex.filter(|apex| apex.is_valid()) else { continue };
+            let place = self.best_place(apex, Some(sliver), times, random, slivers)?;
+            if let Some(place) = place {
+                self.move_vertex(apex, &place, slivers, cavity)?;
+                return Ok(Some(place.gain));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The place for `vertex` that is worth most. `into`: a sliver in whose D-ball the vertex would
+    /// destroy it.
+    fn best_place(
+        &mut self,
+        vertex: VertexId,
+        into: Option<&Sliver>,
+        times: usize,
+        random: &mut Random,
+        slivers: &mut Slivers<D>,
+    ) -> Result<Option<Place<D>>> {
+        let Slivers { measure, penalties, vacancy, .. } = slivers;
+        if !self.may_move(vertex)
+            || !may_leave(&mut self.state.delaunay, vertex, &mut vacancy.hole)?
+            || !self.state.hierarchy.same_domain(&vacancy.hole.vertices.ids)
+            || !self.state.hierarchy.same_domain(&[vertex, vacancy.hole.vertices.ids[0]])
+        {
+            return Ok(None);
+        }
+        let domain = self.state.hierarchy.domain_of(vertex);
+        let view = View::new(&self.state, penalties, measure);
+        vacancy.measure(view, vertex)?;
+        let ball = into.and_then(|sliver| {
+            let radius = view.delaunay.ball(sliver.simplex)?.radius();
+            view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
+        });
+        let from = *view.delaunay.point(vertex);
+        let mut best: Option<Place<D>> = None;
+        for number in 0..PLACES * times {
+            self.watch.poll_after(20)?;
+            let x = match (number, &ball) {
+                (0 | 1, _) => {
+                    let way = 1.0 - 0.5 * number as f64;
+                    std::array::from_fn(|k| from[k] + way * (vacancy.middle[k] - from[k]))
+                }
+                (_, Some((center, radius))) if number % 2 == 0 => {
+                    let depth = 1.0 - DEPTH * random.fraction();
+                    let way = depth * radius / distance(&from, center);
+                    let aside: [f64; D] = random.in_ball();
+                    std::array::from_fn(|k| {
+                        center[k] + way * (from[k] - center[k]) + ASIDE * vacancy.nearest * aside[k]
+                    })
+                }
+                _ => {
+                    let way: [f64; D] = random.in_ball();
+                    std::array::from_fn(|k| from[k] + REACH * vacancy.nearest * way[k])
+                }
+            };
+            let least = best.map_or(LEAST_GAIN, |best| best.gain);
+            if !x.iter().all(|x| x.is_finite()) || !view.hierarchy.contains(domain, &x) {
+                continue;
+            }
+            if let Some(place) = vacancy.judge(view, &x, least)? {
+                best = Some(place);
+                if place.is_clean {
+                    break;
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// Moves the vertex that `slivers.vacancy` is without.
+    pub(super) fn move_vertex(
+        &mut self,
+        vertex: VertexId,
+        place: &Place<D>,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let from = *self.state.delaunay.point(vertex);
+        if let Some(journal) = &mut slivers.journal {
+            journal.steps.try_push(Step::Moved(vertex, from))?;
+        }
+        let mut filled = std::mem::take(&mut slivers.filled);
+        self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
+        self.state.delaunay.set_point(vertex, place.x);
+        self.state.delaunay.find_cavity(filled[place.near], &place.x, cavity)?;
+        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
+        self.state.cells[vertex] = Cell::NEW;
+        self.weigh(&filled, slivers)?;
+        self.weigh_cone(slivers)?;
+        slivers.filled = filled;
+        self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
+        self.note_arrival(vertex, &cavity.vertices.ids);
+        Ok(())
+    }
+}

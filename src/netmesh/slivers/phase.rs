@@ -1,0 +1,150 @@
+//! The phase: every sliver in turn, then passes over those left, with more and more effort.
+
+use super::queue::{Queue, Sliver};
+use super::random::Random;
+use super::shape::Measure;
+use super::{LEAST_GAIN, Slivers};
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::Result;
+use crate::memory::{Array, TryGrow};
+use crate::netmesh::Mesher;
+use crate::options::Criterion;
+
+/// Passes over the slivers that are left, with each effort. An effort tries four times as many
+/// places as the one before.
+const PASSES: [u32; 4] = [8, 4, 2, 1];
+
+/// Points that are tried for a sliver.
+const POINTS: usize = 12;
+
+/// What it takes to mend a sliver, in the units of the watch.
+const WORK: u32 = 400;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Mends the slivers as far as that can be done.
+    pub(in crate::netmesh) fn remove_slivers(&mut self, cavity: &mut Cavity) -> Result<()> {
+        let slivers = &mut self.find_slivers()?;
+        let found = slivers.queue.len();
+        self.mend_waiting(found, slivers, cavity)?;
+        for (effort, passes) in (0..).zip(PASSES) {
+            for _ in 0..passes {
+                if !self.mend_failed(found, effort, slivers, cavity)? {
+                    break;
+                }
+            }
+        }
+        self.state.stage.sliver_fraction = 1.0;
+        self.report_progress()
+    }
+
+    /// All slivers, queued.
+    fn find_slivers(&mut self) -> Result<Slivers<D>> {
+        let parameters = &self.state.parameters;
+        let bound = match parameters.criterion {
+            Criterion::RadiusEdge => parameters.quality_bound,
+            // The cells say.
+            Criterion::VoronoiAspect => f64::INFINITY,
+        };
+        let mut slivers = Slivers {
+            measure: Measure::new(parameters.min_dihedral, bound),
+            penalties: Array::with_capacity(self.state.delaunay.complex().simplex_bound())?,
+            queue: Queue::default(),
+            vacancy: Default::default(),
+            cone: Default::default(),
+            filled: Vec::new(),
+            journal: None,
+        };
+        // From now on equal labels tell equal domains.
+        for vertex in VertexId::below(self.state.delaunay.point_count()) {
+            self.watch.poll_after(1)?;
+            self.state.hierarchy.domain_of(vertex);
+        }
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let penalty = self.penalty(simplex, &slivers.measure);
+            slivers.penalties.try_push(penalty)?;
+            if penalty > 0.0 {
+                slivers.queue.push(self.sliver(simplex, penalty))?;
+            }
+        }
+        Ok(slivers)
+    }
+
+    /// Takes every sliver that waits, and those that come, with the least effort.
+    fn mend_waiting(
+        &mut self,
+        found: usize,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        while let Some(sliver) = slivers.queue.pop() {
+            if self.watch.is_due(WORK) {
+                let left = slivers.queue.len() as f64 / found as f64;
+                let fraction = self.state.stage.sliver_fraction.max(1.0 - left);
+                self.state.stage.sliver_fraction = fraction;
+                self.report_progress()?;
+            }
+            if !self.is_current(&sliver, &slivers.penalties) {
+                continue;
+            }
+            if !self.mend(&sliver, 0, slivers, cavity)? {
+                slivers.queue.fail(sliver)?;
+            } else if self.is_current(&sliver, &slivers.penalties) {
+                slivers.queue.push(sliver)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes every sliver that was left, with `effort`. Returns whether any was mended.
+    fn mend_failed(
+        &mut self,
+        found: usize,
+        effort: u32,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let mut any = false;
+        for sliver in slivers.queue.take_failed() {
+            if !self.is_current(&sliver, &slivers.penalties) {
+                continue;
+            }
+            if self.mend(&sliver, effort, slivers, cavity)? {
+                any = true;
+                if self.is_current(&sliver, &slivers.penalties) {
+                    slivers.queue.push(sliver)?;
+                }
+                self.mend_waiting(found, slivers, cavity)?;
+            } else {
+                slivers.queue.fail(sliver)?;
+            }
+        }
+        Ok(any)
+    }
+
+    /// Makes a change at `sliver` that lets the objective fall; whether there was one.
+    fn mend(
+        &mut self,
+        sliver: &Sliver,
+        effort: u32,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let random = &mut Random::of(sliver, effort);
+        let times = 4usize.pow(effort);
+        if self.mend_by_move(sliver, times, random, slivers, cavity)?.is_some() {
+            return Ok(true);
+        }
+        let numbers = [1, POINTS * times];
+        let points = self.best_insertions(sliver, numbers, LEAST_GAIN, random, slivers, cavity)?;
+        if let Some(point) = points.first() {
+            self.insert_point(sliver.simplex, &point.x, slivers, cavity)?;
+            return Ok(true);
+        }
+        if effort == 0 {
+            return Ok(false);
+        }
+        self.relax(sliver, POINTS * times, random, slivers, cavity)
+    }
+}

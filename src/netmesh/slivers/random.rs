@@ -1,0 +1,45 @@
+//! Random numbers of one sliver, which its vertices and the effort determine.
+
+use super::queue::Sliver;
+
+/// SplitMix64 (Steele, Lea and Flood, 2014).
+pub(super) struct Random(u64);
+
+impl Random {
+    pub fn of(sliver: &Sliver, effort: u32) -> Self {
+        let mut random = Self(u64::from(effort));
+        for vertex in sliver.vertices {
+            random.0 ^= u64::from(vertex.number());
+            random.0 = random.bits();
+        }
+        random
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A number in [-1, 1).
+    fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
+    }
+
+    /// A number in [0, 1).
+    pub fn fraction(&mut self) -> f64 {
+        0.5 + 0.5 * self.unit()
+    }
+
+    /// A point of the unit ball.
+    pub fn in_ball<const D: usize>(&mut self) -> [f64; D] {
+        loop {
+            let x: [f64; D] = std::array::from_fn(|_| self.unit());
+            if x.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
+                return x;
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! How bad the shape of a tetrahedron is, by its dihedral angles and its radius-edge ratio.
+
+use crate::complex::VertexId;
+use crate::delaunay::Delaunay;
+use std::ops::RangeInclusive;
+
+/// The vertices of a tetrahedron.
+pub(super) type Corners = [[f64; 3]; 4];
+
+/// What a tetrahedron beyond the bound of the criterion adds to the objective. No change that makes
+/// one is worth it.
+const VIOLATION: f64 = 1000.0;
+
+/// The angle that is aimed at is so many radians larger than that asked for, about 1e-6 degrees:
+/// whoever measures with other roundings finds no smaller one.
+const MARGIN: f64 = 2e-8;
+
+/// The bound that is aimed at is smaller by this fraction, for the same reason.
+pub(super) const MARGIN_OF_BOUND: f64 = 1e-9;
+
+/// Magnitudes of edges whose eighth powers neither over- nor underflow.
+const SAFE: RangeInclusive<f64> = 1e-30..=1e30;
+
+/// What shapes are measured against.
+#[derive(Clone, Copy)]
+pub(super) struct Measure {
+    /// The least dihedral angle, in radians, and the square of its cosine.
+    angle: f64,
+    square_cosine: f64,
+    /// The square of twice the largest radius-edge ratio.
+    square_bound: f64,
+}
+
+impl Measure {
+    /// Dihedral angles of at least `degrees`, radius-edge ratios of at most `bound`.
+    pub fn new(degrees: f64, bound: f64) -> Self {
+        let angle = degrees.to_radians() + MARGIN;
+        let bound = bound * (1.0 - MARGIN_OF_BOUND);
+        Self { angle, square_cosine: angle.cos().powi(2), square_bound: 4.0 * bound * bound }
+    }
+
+    /// What a tetrahedron adds to the objective: nothing if its shape is good, 1 to 2 for a sliver,
+    /// more beyond the bound.
+    #[inline]
+    pub fn penalty(&self, corners: &Corners) -> f64 {
+        let origin = corners[0];
+        let edges: [[f64; 3]; 3] = std::array::from_fn(|i| minus(corners[i + 1], origin));
+        let magnitudes = edges.as_flattened().iter().map(|x| x.abs());
+        let largest = magnitudes.fold(0.0, |largest, x| if x > largest { x } else { largest });
+        match SAFE.contains(&largest) {
+            true => self.of_edges(edges),
+            false => {
+                let unit = power_below(largest);
+                self.of_edges(edges.map(|edge| edge.map(|x| x / unit)))
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn of_edges(&self, [a, b, c]: [[f64; 3]; 3]) -> f64 {
+        let (ab, bc, ca) = (cross(a, b), cross(b, c), cross(c, a));
+        let (from_a_to_b, from_b_to_c) = (minus(b, a), minus(c, b));
+        let abc = cross(from_a_to_b, from_b_to_c);
+        let volume = dot(a, bc);
+        let (aa, bb, cc) = (square(a), square(b), square(c));
+        let others = square(from_a_to_b).min(square(from_b_to_c)).min(square(minus(c, a)));
+        let shortest = aa.min(bb).min(cc).min(others);
+        // The radius is the length of this over twice the volume, which is six times as large here.
+        let center: [f64; 3] = std::array::from_fn(|k| aa * bc[k] + bb * ca[k] + cc * ab[k]);
+        let is_beyond = square(center) > self.square_bound * volume * volume * shortest;
+        let violation = if is_beyond { VIOLATION } else { 0.0 };
+        // All but `abc` point inwards. A dihedral angle is the supplement of that between two such
+        // normals, whose cosine is the first number over the root of the second.
+        let squares = [square(bc), square(ca), square(ab), square(abc)];
+        let cosines = [
+            (-dot(bc, ca), squares[0] * squares[1]),
+            (-dot(ca, ab), squares[1] * squares[2]),
+            (-dot(ab, bc), squares[2] * squares[0]),
+            (dot(abc, bc), squares[3] * squares[0]),
+            (dot(abc, ca), squares[3] * squares[1]),
+            (dot(abc, ab), squares[3] * squares[2]),
+        ];
+        // Without a branch, as `Array::push_if`.
+        let is_small = cosines.iter().fold(false, |any, &(cosine, scale)| {
+            any | ((cosine > 0.0) & (cosine * cosine > self.square_cosine * scale))
+        });
+        if volume > 0.0 && !is_small {
+            return violation;
+        }
+        violation + 2.0 - least_angle(volume, &cosines).min(self.angle) / self.angle
+    }
+}
+
+/// The largest power of two that is not above `x`, which is not negative; or the least normal
+/// number.
+fn power_below(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
+}
+
+#[cold]
+#[inline(never)]
+fn least_angle(volume: f64, cosines: &[(f64, f64); 6]) -> f64 {
+    if volume.is_nan() || volume <= 0.0 {
+        return 0.0;
+    }
+    let cosines = cosines.iter().map(|(cosine, scale)| cosine / scale.sqrt());
+    cosines.fold(0.0, f64::max).min(1.0).acos()
+}
+
+/// The points of `vertices`, which are in space.
+#[inline(always)]
+pub(super) fn corners<const D: usize>(delaunay: &Delaunay<D>, vertices: &[VertexId]) -> Corners {
+    std::array::from_fn(|index| in_space(delaunay.point(vertices[index])))
+}
+
+#[inline(always)]
+pub(super) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
+    std::array::from_fn(|axis| point[axis])
+}
+
+#[inline(always)]
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[inline(always)]
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[inline(always)]
+fn square(a: [f64; 3]) -> f64 {
+    dot(a, a)
+}
+
+#[inline(always)]
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::Random;
+
+    /// The least dihedral angle, in degrees, by the heights over an edge.
+    fn least_dihedral(corners: &Corners) -> f64 {
+        let mut least = f64::INFINITY;
+        for i in 0..4 {
+            for j in 0..i {
+                let others: Vec<_> = (0..4).filter(|&k| k != i && k != j).collect();
+                let edge = minus(corners[j], corners[i]);
+                let height = |k: usize| {
+                    let to = minus(corners[k], corners[i]);
+                    let along = dot(to, edge) / square(edge);
+                    std::array::from_fn(|axis| to[axis] - along * edge[axis])
+                };
+                let (a, b) = (height(others[0]), height(others[1]));
+                least = least.min(square(cross(a, b)).sqrt().atan2(dot(a, b)));
+            }
+        }
+        least.to_degrees()
+    }
+
+    fn radius_edge(corners: &Corners) -> f64 {
+        let ball = crate::numerics::Circumball::new(&corners.each_ref());
+        ball.radius() / crate::numerics::shortest_distance(&corners.each_ref()).2
+    }
+
+    fn scaled(corners: &Corners, scale: f64) -> Corners {
+        corners.map(|corner| corner.map(|x| x * scale))
+    }
+
+    #[test]
+    fn penalties_are_those_of_angles_and_radii_at_every_scale() {
+        let mut random = Random(5);
+        let measure = Measure::new(15.0, 2.0);
+        let (mut slivers, mut beyond) = (0, 0);
+        for _ in 0..2000 {
+            let flatness = random.unit();
+            let mut corners: Corners = std::array::from_fn(|_| {
+                let x = [random.unit(), random.unit(), flatness * random.unit()];
+                x.map(|x| 2.0 + x)
+            });
+            if crate::numerics::orientation(&corners.each_ref()).is_negative() {
+                corners.swap(0, 1);
+            }
+            let (angle, ratio) = (least_dihedral(&corners), radius_edge(&corners));
+            let mut expected = if angle < 15.0 { 2.0 - angle / 15.0 } else { 0.0 };
+            expected += if ratio > 2.0 { VIOLATION } else { 0.0 };
+            slivers += u32::from(angle < 15.0);
+            beyond += u32::from(ratio > 2.0);
+            for scale in [1.0, 2f64.powi(-900), 2f64.powi(1000)] {
+                let penalty = measure.penalty(&scaled(&corners, scale));
+                assert!((penalty - expected).abs() < 1e-5, "{penalty} {expected} {corners:?}");
+            }
+            let turned = [corners[2], corners[3], corners[0], corners[1]];
+            assert!((measure.penalty(&turned) - expected).abs() < 1e-5);
+            corners.swap(1, 2);
+            assert!(measure.penalty(&corners) >= 2.0, "it is turned inside out");
+        }
+        assert!(slivers > 300 && beyond > 100, "{slivers} {beyond}");
+        assert!(measure.penalty(&[[1.0; 3]; 4]) >= 2.0);
+    }
+}

@@ -1,0 +1,281 @@
+//! The mesh without one vertex, as far as it differs from that with it: where the vertex may go is
+//! judged here, and nothing is changed.
+
+use super::View;
+use super::cone::Cone;
+use super::shape::corners;
+use crate::complex::{Beside, SimplexId, VertexId};
+use crate::delaunay::{Delaunay, Hole};
+use crate::memory::{AllocResult, TryGrow};
+use crate::numerics::{Circumball, Sign, distance, in_ball};
+
+/// A vertex with more neighbours than this stays: its hole would take too long to fill.
+const MOST_NEIGHBORS: usize = 128;
+
+/// A cavity with more simplices than this outside the hole is not looked through.
+const MOST_OUTSIDE: usize = 256;
+
+#[derive(Default)]
+pub(super) struct Vacancy<const D: usize> {
+    pub hole: Hole<D>,
+    /// The distance of the nearest neighbour.
+    pub nearest: f64,
+    /// The middle of the neighbours.
+    pub middle: Vec<f64>,
+    /// What the simplices at the vertex add to the objective.
+    star: f64,
+    /// Simplex of the filling -> its circumball, and what it adds to the objective.
+    balls: Vec<Circumball<D>>,
+    penalties: Vec<f64>,
+    /// Facet of the hole's boundary -> the simplex of the filling there.
+    fillings: Vec<u32>,
+    /// Simplex of the filling -> whether its ball holds the place that is judged.
+    is_inside: Vec<bool>,
+    /// The simplices outside the hole whose balls do.
+    outside: Vec<SimplexId>,
+    seen: Seen,
+    cone: Cone,
+}
+
+/// A place for the vertex.
+#[derive(Clone, Copy)]
+pub(super) struct Place<const D: usize> {
+    pub x: [f64; D],
+    pub gain: f64,
+    /// A simplex of the filling whose ball holds it.
+    pub near: usize,
+    /// Whether no sliver is left where the vertex was and will be.
+    pub is_clean: bool,
+}
+
+/// What a search has seen of the simplices that are there.
+#[derive(Default)]
+struct Seen {
+    /// Simplex -> the number of the search that saw it last, and what it saw.
+    marks: Vec<u32>,
+    search: u32,
+}
+
+/// Marks of a search are its number and these.
+const INSIDE: u32 = 0;
+const OUTSIDE: u32 = 1;
+const OF_STAR: u32 = 2;
+
+impl Seen {
+    fn begin(&mut self, star: &[SimplexId]) {
+        if self.search >= u32::MAX - 2 * (OF_STAR + 1) {
+            self.marks.fill(0);
+            self.search = 0;
+        }
+        self.search += OF_STAR + 1;
+        star.iter().for_each(|&simplex| self.mark(simplex, OF_STAR));
+    }
+
+    #[inline]
+    fn mark(&mut self, simplex: SimplexId, mark: u32) {
+        self.marks[simplex] = self.search + mark;
+    }
+
+    #[inline]
+    fn is(&self, simplex: SimplexId, mark: u32) -> bool {
+        self.marks[simplex] == self.search + mark
+    }
+
+    #[inline]
+    fn is_new(&self, simplex: SimplexId) -> bool {
+        self.marks[simplex] < self.search
+    }
+}
+
+/// Finds the hole of `vertex`; false if the vertex must stay: it is at the hull, or its neighbours
+/// are many or of other domains.
+pub(super) fn may_leave<const D: usize>(
+    delaunay: &mut Delaunay<D>,
+    vertex: VertexId,
+    hole: &mut Hole<D>,
+) -> AllocResult<bool> {
+    Ok(delaunay.find_hole(vertex, hole)? && hole.vertices.ids.len() <= MOST_NEIGHBORS)
+}
+
+impl<const D: usize> Vacancy<D> {
+    /// Measures what is found by [`may_leave`].
+    pub fn measure(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+        let count = self.hole.filling.len();
+        self.balls.clear();
+        self.penalties.clear();
+        self.is_inside.cover(count, false)?;
+        self.fillings.cover(self.hole.boundary.len(), 0)?;
+        self.seen.marks.cover(view.delaunay.complex().simplex_bound(), 0)?;
+        self.star = view.sum(&self.hole.star);
+        for number in 0..count as u32 {
+            let vertices = self.hole.filling.vertices(number);
+            self.balls.try_push(Circumball::of(|index| view.delaunay.point(vertices[index])))?;
+            self.penalties.try_push(view.measure.penalty(&corners(view.delaunay, vertices)))?;
+            for &beside in self.hole.filling.beside(number) {
+                if let Beside::Boundary(at) = beside {
+                    self.fillings[at as usize] = number;
+                }
+            }
+        }
+        self.measure_neighbors(view, vertex)
+    }
+
+    fn measure_neighbors(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+        let neighbors = &self.hole.vertices.ids;
+        let x = view.delaunay.point(vertex);
+        self.nearest = f64::INFINITY;
+        self.middle.clear();
+        self.middle.try_extend(x)?;
+        let share = 1.0 / neighbors.len() as f64;
+        for &neighbor in neighbors.iter() {
+            let other = view.delaunay.point(neighbor);
+            self.nearest = self.nearest.min(distance(x, other));
+            for axis in 0..D {
+                self.middle[axis] += share * (other[axis] - x[axis]);
+            }
+        }
+        Ok(())
+    }
+
+    /// A simplex of the filling whose ball holds `x`.
+    pub fn filling_at(&self, delaunay: &Delaunay<D>, x: &[f64; D]) -> Option<usize> {
+        (0..self.hole.filling.len()).find(|&number| {
+            let vertices = self.hole.filling.vertices(number as u32);
+            let points: [&[f64; D]; 4] = std::array::from_fn(|i| delaunay.point(vertices[i]));
+            in_ball(&points, x) == Sign::Positive
+        })
+    }
+
+    /// What it is worth that the vertex goes to `x`, if that is more than `least`.
+    pub fn judge(
+        &mut self,
+        view: View<'_, D>,
+        x: &[f64; D],
+        least: f64,
+    ) -> AllocResult<Option<Place<D>>> {
+        let Some((near, left)) = self.find_inside(view, x) else { return Ok(None) };
+        let Some(lost) = self.find_outside(view, x)? else { return Ok(None) };
+        let before = self.star + lost;
+        let gain = before - left;
+        if gain <= least {
+            return Ok(None);
+        }
+        self.find_cone(view)?;
+        let gain = self.cone.judge(view, x, gain, least);
+        Ok(gain
+            .filter(|_| self.keeps_filling_cells(view) && self.cone.keeps_cells(view, x))
+            .map(|gain| Place { x: *x, gain, near, is_clean: gain >= before }))
+    }
+
+    /// A simplex of the filling whose ball holds `x`, and what those add whose balls do not. `None`
+    /// if there is none, or one that floating-point arithmetic cannot tell.
+    fn find_inside(&mut self, view: View<'_, D>, x: &[f64; D]) -> Option<(usize, f64)> {
+        let (mut near, mut left) = (None, 0.0);
+        for (number, ball) in self.balls.iter().enumerate() {
+            let vertices = self.hole.filling.vertices(number as u32);
+            let anchor = view.delaunay.point(vertices[ball.anchor as usize]);
+            let is_inside = ball.side(anchor, x)?;
+            self.is_inside[number] = is_inside;
+            if is_inside {
+                near = Some(number);
+            } else {
+                left += self.penalties[number];
+            }
+        }
+        near.map(|near| (near, left))
+    }
+
+    /// Finds the simplices outside the hole whose balls hold `x`; returns what they add. `None` if
+    /// one is beyond the hull or of another domain, or they are too many.
+    fn find_outside(&mut self, view: View<'_, D>, x: &[f64; D]) -> AllocResult<Option<f64>> {
+        let complex = view.delaunay.complex();
+        self.seen.begin(&self.hole.star);
+        self.outside.clear();
+        for facet in &self.hole.boundary {
+            see(&mut self.seen, &mut self.outside, view, facet.beyond, x)?;
+        }
+        let mut lost = 0.0;
+        let mut next = 0;
+        while let Some(&simplex) = self.outside.get(next) {
+            next += 1;
+            let vertices = complex.vertices(simplex);
+            let is_usual = view.delaunay.ball(simplex).is_some()
+                && view.hierarchy.same_domain(vertices)
+                && next <= MOST_OUTSIDE;
+            if !is_usual {
+                return Ok(None);
+            }
+            lost += f64::from(view.penalties[simplex]);
+            for &beyond in complex.neighbors(simplex) {
+                see(&mut self.seen, &mut self.outside, view, beyond, x)?;
+            }
+        }
+        Ok(Some(lost))
+    }
+
+    /// Collects the cone over the boundary of what was found.
+    fn find_cone(&mut self, view: View<'_, D>) -> AllocResult<()> {
+        let Self { hole, is_inside, seen, cone, .. } = self;
+        cone.sides.clear();
+        for number in (0..self.balls.len()).filter(|&number| is_inside[number]) {
+            let vertices = hole.filling.vertices(number as u32);
+            for (index, &beside) in hole.filling.beside(number as u32).iter().enumerate() {
+                let goes_on = match beside {
+                    Beside::Filling(other) => is_inside[other as usize],
+                    Beside::Boundary(at) => seen.is(hole.boundary[at as usize].beyond, INSIDE),
+                };
+                if !goes_on {
+                    cone.push(vertices, index)?;
+                }
+            }
+        }
+        let complex = view.delaunay.complex();
+        for &simplex in &self.outside {
+            for (index, &beyond) in complex.neighbors(simplex).iter().enumerate() {
+                if seen.is(beyond, OUTSIDE) {
+                    cone.push(complex.vertices(simplex), index)?;
+                }
+            }
+        }
+        for (facet, &number) in hole.boundary.iter().zip(&self.fillings) {
+            if seen.is(facet.beyond, INSIDE) && !is_inside[number as usize] {
+                cone.push(complex.vertices(facet.beyond), facet.mirror as usize)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the simplices of the filling that would stay keep the bound of the Voronoi aspect,
+    /// if that is the criterion.
+    fn keeps_filling_cells(&self, view: View<'_, D>) -> bool {
+        let Some(half_aspect) = view.half_aspect else { return true };
+        let is_good = |number: usize| {
+            let radius = self.balls[number].radius();
+            let vertices = self.hole.filling.vertices(number as u32);
+            vertices.iter().all(|&vertex| {
+                view.hierarchy.cage_of(vertex).is_valid()
+                    || radius <= half_aspect * view.cells[vertex].nearest
+            })
+        };
+        (0..self.balls.len()).all(|number| self.is_inside[number] || is_good(number))
+    }
+}
+
+/// Tests a simplex that the search comes to, unless it was tested before.
+#[inline]
+fn see<const D: usize>(
+    seen: &mut Seen,
+    outside: &mut Vec<SimplexId>,
+    view: View<'_, D>,
+    simplex: SimplexId,
+    x: &[f64; D],
+) -> AllocResult<()> {
+    if seen.is_new(simplex) {
+        let is_inside = view.delaunay.in_conflict(simplex, x);
+        seen.mark(simplex, if is_inside { INSIDE } else { OUTSIDE });
+        if is_inside {
+            outside.try_push(simplex)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,29 @@
+//! Simplices with a smaller dihedral angle than was asked for.
+
+use super::angles::{angle, smallest_squared_tangent};
+use super::view::View;
+use crate::memory::AllocResult;
+
+/// Calls `visit` for every simplex with a dihedral angle below `degrees`: its id, the angle in
+/// degrees and whether all its vertices are in one domain. Ids must be in range. O(simplices).
+pub(crate) fn survey<const D: usize>(
+    view: View<'_, D>,
+    degrees: f64,
+    mut visit: impl FnMut(usize, f64, bool),
+) -> AllocResult<()> {
+    if degrees <= 0.0 {
+        return Ok(());
+    }
+    for simplex in 0..view.simplex_count() {
+        let vertices = view.simplex(simplex);
+        let points = view.points_of(vertices);
+        let tangent = smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
+        let smallest = angle(tangent).to_degrees();
+        if smallest < degrees {
+            let domain = |vertex: u32| view.mesh.vertex_domains[vertex as usize];
+            let is_of_one = vertices.iter().all(|&vertex| domain(vertex) == domain(vertices[0]));
+            visit(simplex, smallest, is_of_one);
+        }
+    }
+    Ok(())
+}

@@ -197,10 +197,8 @@ impl Core {
         figures.set_item("min_angle_degrees", min_angle_degrees)?;
         figures.set_item("precision_limited", precision_limited)?;
         figures.set_item("below_min_dihedral", below_min_dihedral)?;
-        figures.set_item(
-            "below_min_dihedral_between_domains",
-            below_min_dihedral_between_domains,
-        )?;
+        figures
+            .set_item("below_min_dihedral_between_domains", below_min_dihedral_between_domains)?;
         Ok(figures)
     }
 

@@ -1271,7 +1271,8 @@ typedef struct nm_stats {
      */
     uint64_t far_corners;
     /**
-     * Steiner points inserted on the segment from a vertex to a Voronoi corner of its cell.
+     * Steiner points inserted elsewhere: on the segment from a vertex to a Voronoi corner of its
+     * cell, or for nm_options.min_dihedral.
      */
     uint64_t off_centers;
     /**

@@ -90,7 +90,7 @@ pub struct Stats {
     pub cage_points: u64,
     /// ... Voronoi corners of bad cells or long conflict lists, ...
     pub far_corners: u64,
-    /// ... and points on the way to such a corner.
+    /// ... and points on the way to such a corner, or against slivers.
     pub off_centers: u64,
     /// How often an input went in instead of such a point.
     pub yields: u64,

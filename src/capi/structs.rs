@@ -352,7 +352,8 @@ pub struct nm_stats {
     pub cage_points: u64,
     /// Steiner points inserted at a Voronoi corner (circumcentres).
     pub far_corners: u64,
-    /// Steiner points inserted on the segment from a vertex to a Voronoi corner of its cell.
+    /// Steiner points inserted elsewhere: on the segment from a vertex to a Voronoi corner of its
+    /// cell, or for nm_options.min_dihedral.
     pub off_centers: u64,
     /// How often an input was inserted instead of a Steiner or cage point near it.
     pub yields: u64,

@@ -84,9 +84,9 @@ pub(super) fn write(
 /// Where the sections of the XML begin among the arrays: data of cells, ...
 const OF_CELLS: usize = 5;
 /// ... the points, ...
-const POINTS: usize = 7;
+const POINTS: usize = 8;
 /// ... and the cells.
-const CELLS: usize = 8;
+const CELLS: usize = 9;
 
 struct Array {
     name: &'static str,
@@ -291,6 +291,13 @@ mod tests {
         let mut left = vec![0; samples::mesh(3).triangulation().unwrap().simplex_count()];
         left[0] = 1;
         assert_eq!(array_of(&file, "below_min_dihedral"), left);
+        for (section, first) in
+            [("CellData", "cell_domain"), ("Points", "Points"), ("Cells", "connectivity")]
+        {
+            let (_, after) = text.split_once(&format!("<{section}>\n")).unwrap();
+            let name = format!("Name=\"{first}\"");
+            assert!(after.lines().next().unwrap().contains(&name), "{section}");
+        }
     }
 
     #[test]

@@ -106,6 +106,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.delaunay.find_cavity(start, x, cavity)?;
         let domain = self.enter(x, cavity)?;
         let vertex = self.add_vertex(*x)?;
+        self.state.stats.off_centers += 1;
         if let Some(journal) = &mut slivers.journal {
             journal.steps.try_push(Step::Inserted(vertex))?;
         }

@@ -46,6 +46,8 @@ struct Slivers<const D: usize> {
     /// Simplex -> what it adds to the objective; stale for a dead one.
     penalties: Array<f32>,
     queue: Queue,
+    /// The phase ends when the mesh has taken as many exact tests.
+    most_exact: u64,
     vacancy: Vacancy<D>,
     cone: Cone,
     /// The simplices that filled a hole.

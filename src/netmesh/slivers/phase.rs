@@ -18,6 +18,11 @@ const PASSES: [u32; 4] = [8, 4, 2, 1];
 /// Points that are tried for a sliver.
 const POINTS: usize = 12;
 
+/// Exact tests that the phase may take, and as many again for each sliver: where doubles decide
+/// little, as among subnormals, the slivers that are left by then stay.
+const EXACT_TESTS: u64 = 20_000;
+const EXACT_TESTS_OF_SLIVER: u64 = 100;
+
 /// What it takes to mend a sliver, in the units of the watch.
 const WORK: u32 = 400;
 
@@ -50,6 +55,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             measure: Measure::new(parameters.min_dihedral, bound),
             penalties: Array::with_capacity(self.state.delaunay.complex().simplex_bound())?,
             queue: Queue::default(),
+            most_exact: 0,
             vacancy: Default::default(),
             cone: Default::default(),
             filled: Vec::new(),
@@ -68,6 +74,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 slivers.queue.push(self.sliver(simplex, penalty))?;
             }
         }
+        let allowed = EXACT_TESTS + EXACT_TESTS_OF_SLIVER * slivers.queue.len() as u64;
+        slivers.most_exact = self.state.delaunay.exact_fallbacks() + allowed;
         Ok(slivers)
     }
 
@@ -79,6 +87,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<()> {
         while let Some(sliver) = slivers.queue.pop() {
+            if self.is_spent(slivers) {
+                break;
+            }
             if self.watch.is_due(WORK) {
                 let left = slivers.queue.len() as f64 / found as f64;
                 let fraction = self.state.stage.sliver_fraction.max(1.0 - left);
@@ -107,6 +118,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
+            if self.is_spent(slivers) {
+                return Ok(false);
+            }
             if !self.is_current(&sliver, &slivers.penalties) {
                 continue;
             }
@@ -121,6 +135,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(any)
+    }
+
+    fn is_spent(&self, slivers: &Slivers<D>) -> bool {
+        self.state.delaunay.exact_fallbacks() > slivers.most_exact
     }
 
     /// Makes a change at `sliver` that lets the objective fall; whether there was one.

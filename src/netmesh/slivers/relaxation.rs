@@ -149,6 +149,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Takes the last id back.
     fn forget_last_vertex(&mut self) {
+        self.state.stats.off_centers -= 1;
         self.state.delaunay.pop_point();
         self.state.hierarchy.pop_vertex();
         self.state.cells.truncate(self.state.delaunay.point_count());

@@ -3,6 +3,7 @@
 
 #![deny(unsafe_code)]
 
+pub(crate) mod arrangement;
 pub mod arrays;
 pub mod error;
 pub mod io;
@@ -26,8 +27,11 @@ pub(crate) mod complex;
 pub(crate) mod delaunay;
 
 pub use error::{Error, ErrorKind, Result};
-pub use mesh::{Attribute, Domain, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
+pub use mesh::{
+    Arrangement, Attribute, Domain, Inputs, Mesh, NONE, Region, Segments, Stats, Subsegment,
+    Triangulation, VertexKind,
+};
 pub use options::{
-    Algorithm, Criterion, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
+    Algorithm, Criterion, Crossings, NetOrdering, Options, Output, Phase, Progress, ProgressFn,
 };
 pub use parameters::Parameters;

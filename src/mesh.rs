@@ -3,8 +3,10 @@
 //! corrupt) every part of it.
 
 pub(crate) mod attribute;
+mod boundary;
 
 pub use attribute::Attribute;
+pub use boundary::{Arrangement, Region, Segments, Subsegment};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
@@ -357,18 +359,25 @@ pub struct Mesh {
     inputs: Inputs,
     triangulation: Option<Triangulation>,
     attributes: Vec<Attribute>,
+    segments: Segments,
+    regions: Vec<Region>,
 }
 
 impl Mesh {
     /// See [`Inputs::new`].
     pub fn new(dim: usize, n: usize, points: &[f64], stride: usize) -> Result<Self> {
         let inputs = Inputs::new(dim, n, points, stride)?;
-        Ok(Self { inputs, triangulation: None, attributes: Vec::new() })
+        Ok(Self::of(inputs, None))
     }
 
     /// A mesh with a result that no run made.
     pub(crate) fn from_parts(inputs: Inputs, triangulation: Triangulation) -> Self {
-        Self { inputs, triangulation: Some(triangulation), attributes: Vec::new() }
+        Self::of(inputs, Some(triangulation))
+    }
+
+    fn of(inputs: Inputs, triangulation: Option<Triangulation>) -> Self {
+        let (attributes, regions) = (Vec::new(), Vec::new());
+        Self { inputs, triangulation, attributes, segments: Segments::default(), regions }
     }
 
     pub fn inputs(&self) -> &Inputs {
@@ -419,6 +428,38 @@ impl Mesh {
     /// The values of the inputs, in the order in which their names were set first.
     pub fn attributes(&self) -> &[Attribute] {
         &self.attributes
+    }
+
+    /// Segments that the next run keeps as chains of edges, two inputs a segment, with a number of
+    /// the caller's for each (0 without `markers`). They replace those before; the result of a run
+    /// stays as it is.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in the plane; an odd length of `ends`, an end that is
+    /// no input, two ends that are the same point, the length of `markers`), `Capacity`,
+    /// `OutOfMemory`.
+    pub fn set_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<()> {
+        self.segments = Segments::new(&self.inputs, ends, markers)?;
+        Ok(())
+    }
+
+    pub fn segments(&self) -> &Segments {
+        &self.segments
+    }
+
+    /// What the next run makes of the regions between segments. They replace those before; the
+    /// result of a run stays as it is.
+    ///
+    /// # Errors
+    /// `InvalidArgument` (a mesh that is not in the plane; a negative or infinite `max_edge`),
+    /// `NonFinite` (a seed), `OutOfMemory`.
+    pub fn set_regions(&mut self, regions: &[Region]) -> Result<()> {
+        self.regions = boundary::checked_regions(&self.inputs, regions)?;
+        Ok(())
+    }
+
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
     }
 
     /// Replaces the result.

@@ -47,6 +47,17 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
+/// What becomes of segments that cross where no input is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Crossings {
+    /// They are refused.
+    #[default]
+    Refuse = 0,
+    /// The double nearest to their crossing becomes a vertex of both.
+    Split = 1,
+}
+
 /// Options of a run. All doubles and `max_vertices`: 0 = the default for the dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {

@@ -1,19 +1,29 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
+use crate::arrangement::arrange;
 use crate::error::Result;
-use crate::mesh::Mesh;
+use crate::mesh::{Arrangement, Mesh};
 use crate::netmesh;
-use crate::options::{Options, ProgressFn};
+use crate::options::{Crossings, Options, ProgressFn};
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
     ///
     /// # Errors
-    /// `InvalidArgument` (an option out of range), `DegenerateInput` (plain Delaunay of inputs of
+    /// `InvalidArgument` (an option out of range; segments that cross), `DegenerateInput` (plain Delaunay of inputs of
     /// lower affine rank), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
-        let triangulation = netmesh::run(self.inputs(), options, progress)?;
+        let arrangement = self.arrangement()?;
+        let triangulation = netmesh::run(self.inputs(), arrangement.as_ref(), options, progress)?;
         self.set_triangulation(triangulation);
         Ok(())
+    }
+
+    /// `None` without segments.
+    fn arrangement(&self) -> Result<Option<Arrangement>> {
+        match self.segments().count() {
+            0 => Ok(None),
+            _ => arrange(self.inputs(), self.segments(), Crossings::default()).map(Some),
+        }
     }
 }

@@ -26,8 +26,8 @@ mod state;
 mod watch;
 
 use crate::delaunay::Cavity;
-use crate::error::Result;
-use crate::mesh::{Inputs, Triangulation, in_dimension};
+use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
 use crate::parameters::Parameters;
 use state::{Cell, Mesher, Scratch, Stage, State};
@@ -40,9 +40,13 @@ use watch::Watch;
 /// `InvalidArgument`, `DegenerateInput`, `Limit`, `Cancelled`, `OutOfMemory`.
 pub fn run(
     inputs: &Inputs,
+    arrangement: Option<&Arrangement>,
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
+    if arrangement.is_some() {
+        return Err(Error::new(ErrorKind::State, "segments are not meshed yet"));
+    }
     let parameters = Parameters::resolve(inputs.dim(), options)?;
     in_dimension!(
         inputs.dim(),

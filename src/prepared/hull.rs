@@ -126,7 +126,7 @@ fn of_full_rank(dim: usize, points: &[f64]) -> Result<Candidates> {
 }
 
 fn triangulate(dim: usize, points: &[f64]) -> Result<Triangulation> {
-    netmesh::run(&Inputs::new(dim, points.len() / dim, points, 0)?, &plain(), None)
+    netmesh::run(&Inputs::new(dim, points.len() / dim, points, 0)?, None, &plain(), None)
 }
 
 /// Those of the points that are not inside the hull of some that are far out; `None` if those lie

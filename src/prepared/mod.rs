@@ -192,7 +192,7 @@ pub fn extend_values(mesh: &Mesh, values: Values<'_>, out: &mut [f64]) -> Result
         return extend(Some(result), out);
     }
     query::check_extension(inputs, result, values, out)?;
-    match netmesh::run(inputs, &plain(), None) {
+    match netmesh::run(inputs, None, &plain(), None) {
         Ok(delaunay) => extend(Some(&delaunay), out),
         Err(error) if error.kind() == ErrorKind::DegenerateInput => extend(None, out),
         Err(error) => Err(error),

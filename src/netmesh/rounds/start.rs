@@ -172,7 +172,7 @@ mod tests {
         let far = f64::MAX;
         let points = [far, far, -far, far, far, -far, -far, -far];
         let inputs = Inputs::new(2, 4, &points, 0).unwrap();
-        let error = crate::netmesh::run(&inputs, &Options::default(), None).unwrap_err();
+        let error = crate::netmesh::run(&inputs, None, &Options::default(), None).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::Limit);
     }
 }

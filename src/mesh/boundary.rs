@@ -1,0 +1,222 @@
+//! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
+//! crossings.
+
+use super::Inputs;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{copied, with_capacity};
+
+/// The most segments: one less than what ids of 32 bits can tell apart.
+const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
+
+/// Segments as the caller gave them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Segments {
+    /// The ends, as numbers of inputs.
+    pub inputs: Vec<[u32; 2]>,
+    /// A number of the caller's for each segment.
+    pub markers: Vec<i32>,
+}
+
+/// What a point of the plane says of the region around it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Region {
+    pub seed: [f64; 2],
+    /// A number of the caller's for the simplices of the region.
+    pub label: i32,
+    /// The region is no part of the domain.
+    pub is_hole: bool,
+    /// The longest edge that the region may have; 0: any.
+    pub max_edge: f64,
+}
+
+/// A piece of a segment, with its direction. No vertex of the arrangement and no other piece is in
+/// its interior.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Subsegment {
+    /// Distinct inputs, or [`Inputs::distinct`] and the index of a crossing.
+    pub ends: [u32; 2],
+    /// The segment that it is a piece of: the first, where several overlap.
+    pub segment: u32,
+}
+
+/// Segments that meet only at their ends: what the caller's segments are cut into.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arrangement {
+    /// Points where segments cross and no input is.
+    pub crossings: Vec<[f64; 2]>,
+    /// By segments, and along each from its first end to its second.
+    pub subsegments: Vec<Subsegment>,
+    /// Segments that have the ends of an earlier one, in either order.
+    pub duplicate_segments: u64,
+    /// Inputs in the interior of segments, once for each.
+    pub inputs_on_segments: u64,
+}
+
+impl Segments {
+    pub fn count(&self) -> usize {
+        self.inputs.len()
+    }
+
+    /// `ends` are two inputs a segment; without `markers` every segment has 0.
+    pub(super) fn new(inputs: &Inputs, ends: &[u32], markers: Option<&[i32]>) -> Result<Self> {
+        check_plane(inputs, "segments")?;
+        let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+        if ends.len() % 2 != 0 {
+            return refuse(message!(
+                "segments has length {}; it must be even: two inputs a segment",
+                ends.len()
+            ));
+        }
+        let count = ends.len() / 2;
+        if count > MAX_SEGMENTS {
+            let message = message!("{count} segments; at most {MAX_SEGMENTS} fit 32-bit ids");
+            return Err(Error::new(ErrorKind::Capacity, message));
+        }
+        if markers.is_some_and(|markers| markers.len() != count) {
+            return refuse(message!(
+                "markers has length {}; it must be that of the segments, {count}",
+                markers.map_or(0, <[i32]>::len)
+            ));
+        }
+        let mut own = with_capacity(count)?;
+        for (at, ends) in ends.chunks_exact(2).enumerate() {
+            let ends = [ends[0], ends[1]];
+            check_segment(inputs, at, ends)?;
+            own.push(ends);
+        }
+        let mut own_markers = with_capacity(count)?;
+        match markers {
+            Some(markers) => own_markers.extend_from_slice(markers),
+            None => own_markers.resize(count, 0),
+        }
+        Ok(Self { inputs: own, markers: own_markers })
+    }
+}
+
+/// The copied regions.
+pub(super) fn checked_regions(inputs: &Inputs, regions: &[Region]) -> Result<Vec<Region>> {
+    check_plane(inputs, "regions")?;
+    for (at, Region { seed, max_edge, .. }) in regions.iter().enumerate() {
+        if let Some(axis) = seed.iter().position(|x| !x.is_finite()) {
+            let message = message!(
+                "regions[{at}].seed has a non-finite coordinate {axis}: {}; every coordinate must be \
+                 finite",
+                seed[axis]
+            );
+            return Err(Error::new(ErrorKind::NonFinite, message));
+        }
+        if !(0.0..=f64::MAX).contains(max_edge) {
+            let message =
+                message!("regions[{at}].max_edge is {max_edge}; it must be a length, or 0 for any");
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+    }
+    Ok(copied(regions)?)
+}
+
+fn check_plane(inputs: &Inputs, what: &str) -> Result<()> {
+    match inputs.dim() {
+        2 => Ok(()),
+        dim => {
+            let message =
+                message!("the mesh has dimension {dim}; {what} are for 2D, until facets come");
+            Err(Error::new(ErrorKind::InvalidArgument, message))
+        }
+    }
+}
+
+fn check_segment(inputs: &Inputs, at: usize, ends: [u32; 2]) -> Result<()> {
+    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let [from, to] = ends;
+    if let Some(end) = ends.iter().find(|&&end| end as usize >= inputs.count()) {
+        return refuse(message!(
+            "segments[{at}] has the end {end}; ends must be less than the number of inputs, {}",
+            inputs.count()
+        ));
+    }
+    if from == to {
+        return refuse(message!("segments[{at}] has input {from} as both ends; its length is 0"));
+    }
+    if inputs.vertices()[from as usize] == inputs.vertices()[to as usize] {
+        return refuse(message!(
+            "segments[{at}] has the ends {from} and {to}, which are the same point; its length is 0"
+        ));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+
+    /// Four inputs; the last is a duplicate of the first.
+    fn mesh() -> Mesh {
+        Mesh::new(2, 4, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, -0.0, 0.0], 0).unwrap()
+    }
+
+    fn refusal(result: Result<()>) -> (ErrorKind, String) {
+        let error = result.unwrap_err();
+        (error.kind(), error.message().to_owned())
+    }
+
+    #[test]
+    fn segments_are_kept_until_others_replace_them() {
+        let mut mesh = mesh();
+        assert_eq!(mesh.segments().count(), 0);
+        mesh.set_segments(&[0, 1, 3, 2], Some(&[7, -7])).unwrap();
+        let kept = Segments { inputs: vec![[0, 1], [3, 2]], markers: vec![7, -7] };
+        assert_eq!(*mesh.segments(), kept);
+        mesh.set_segments(&[1, 9], None).unwrap_err();
+        assert_eq!(*mesh.segments(), kept);
+        mesh.set_segments(&[1, 2], None).unwrap();
+        assert_eq!(*mesh.segments(), Segments { inputs: vec![[1, 2]], markers: vec![0] });
+    }
+
+    #[test]
+    fn segments_that_cannot_be_are_refused_by_name() {
+        let bad = |ends: &[u32], markers: Option<&[i32]>| {
+            let (kind, message) = refusal(mesh().set_segments(ends, markers));
+            assert_eq!(kind, ErrorKind::InvalidArgument);
+            message
+        };
+        let even = "segments has length 3; it must be even: two inputs a segment";
+        assert_eq!(bad(&[0, 1, 2], None), even);
+        let range = "segments[1] has the end 4; ends must be less than the number of inputs, 4";
+        assert_eq!(bad(&[0, 1, 1, 4], None), range);
+        let zero = "segments[1] has input 2 as both ends; its length is 0";
+        assert_eq!(bad(&[0, 1, 2, 2], None), zero);
+        let same = "segments[0] has the ends 3 and 0, which are the same point; its length is 0";
+        assert_eq!(bad(&[3, 0], None), same);
+        let markers = "markers has length 1; it must be that of the segments, 2";
+        assert_eq!(bad(&[0, 1, 1, 2], Some(&[5])), markers);
+    }
+
+    #[test]
+    fn regions_that_cannot_be_are_refused_by_name() {
+        let good = Region { seed: [0.5, 0.5], label: 3, is_hole: false, max_edge: 0.25 };
+        let mut mesh = mesh();
+        mesh.set_regions(&[good]).unwrap();
+        let far = Region { seed: [0.0, f64::INFINITY], ..good };
+        let (kind, message) = refusal(mesh.set_regions(&[good, far]));
+        assert_eq!(kind, ErrorKind::NonFinite);
+        assert!(message.starts_with("regions[1].seed has a non-finite coordinate 1: inf;"));
+        for max_edge in [-1.0, f64::NAN, f64::INFINITY] {
+            let (kind, message) = refusal(mesh.set_regions(&[Region { max_edge, ..good }]));
+            assert_eq!(kind, ErrorKind::InvalidArgument);
+            assert!(message.starts_with("regions[0].max_edge is"), "{message}");
+        }
+        assert_eq!(mesh.regions(), [good]);
+    }
+
+    #[test]
+    fn boundaries_are_for_the_plane() {
+        let mut mesh = Mesh::new(3, 2, &[0.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0).unwrap();
+        let (kind, message) = refusal(mesh.set_segments(&[0, 1], None));
+        let rule = "the mesh has dimension 3; segments are for 2D, until facets come";
+        assert_eq!((kind, &*message), (ErrorKind::InvalidArgument, rule));
+        let (kind, message) = refusal(mesh.set_regions(&[]));
+        let rule = "the mesh has dimension 3; regions are for 2D, until facets come";
+        assert_eq!((kind, &*message), (ErrorKind::InvalidArgument, rule));
+    }
+}

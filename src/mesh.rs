@@ -6,7 +6,7 @@ pub(crate) mod attribute;
 mod boundary;
 
 pub use attribute::Attribute;
-pub use boundary::{Arrangement, Region, Segments, Subsegment};
+pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
@@ -116,6 +116,8 @@ pub struct Stats {
     /// Simplices made in the whole run, those that joined the hull to infinity included, whether or
     /// not a later point destroyed them. Measured always.
     pub simplices_created: u64,
+    /// Points inserted on segments, where they are split or cross.
+    pub segment_points: u64,
 }
 
 /// The caller's points: copied bits, exact duplicates counted once.
@@ -153,6 +155,7 @@ pub struct Triangulation {
     /// The simplices that the run has left with a smaller dihedral angle than
     /// [`crate::Options::min_dihedral`], by rising id; none with vertices of several domains.
     pub below_min_dihedral: Vec<u32>,
+    pub boundary: Boundary,
     pub parameters: Parameters,
     pub stats: Stats,
 }

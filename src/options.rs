@@ -24,6 +24,21 @@ pub enum Algorithm {
     Delaunay = 2,
 }
 
+/// How far the result reaches.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Extent {
+    /// All of the mesh, to the cage round all inputs.
+    #[default]
+    All = 0,
+    /// The convex hull of the inputs, in 2D.
+    Hull = 1,
+    /// The bounding box of the inputs, in 2D.
+    Box = 2,
+    /// What segments enclose, in 2D.
+    Boundary = 3,
+}
+
 /// How a round of inputs is selected (§6.5).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
@@ -96,6 +111,8 @@ pub struct Options {
     /// The least dihedral angle, in degrees, of simplices with all vertices in one domain; in 3D.
     /// The quality bound goes before: what cannot have both is left, and counted.
     pub min_dihedral: f64,
+    /// How far the result reaches.
+    pub extent: Extent,
 }
 
 impl Default for Options {
@@ -120,6 +137,7 @@ impl Default for Options {
             distance_ratio: 0.0,
             min_angle: 0.0,
             min_dihedral: 0.0,
+            extent: Extent::default(),
         }
     }
 }

@@ -2,7 +2,7 @@
 //! Plain data that a result keeps; what the algorithm derives from them is its own affair.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
+use crate::options::{Algorithm, Criterion, Extent, NetOrdering, Options, Output};
 
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
@@ -41,6 +41,8 @@ pub struct Parameters {
     pub min_angle: f64,
     /// In degrees; 0 = none.
     pub min_dihedral: f64,
+    /// How far the result reaches.
+    pub extent: Extent,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -90,9 +92,39 @@ impl Parameters {
                 _ => 0.0,
             },
             min_dihedral: angle(dim, options)?,
+            extent: options.extent,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
+}
+
+/// The options of a mesh with segments. There the bound is on angles: the cell of a vertex on a
+/// boundary reaches beyond that.
+///
+/// # Errors
+/// `InvalidArgument`, naming the option, its value and the rule.
+pub fn with_segments(options: &Options) -> Result<Options> {
+    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    if options.algorithm != Algorithm::Netmesh {
+        return refuse(message!(
+            "options.algorithm is {:?}; with segments it must be Netmesh",
+            options.algorithm
+        ));
+    }
+    if options.criterion == Criterion::VoronoiAspect && options.quality_bound != 0.0 {
+        return refuse(message!(
+            "options.quality_bound is {} and options.criterion is that of Voronoi cells; with \
+             segments the criterion must be the radius-edge ratio",
+            options.quality_bound
+        ));
+    }
+    if options.distance_ratio != 0.0 {
+        return refuse(message!(
+            "options.distance_ratio is {}; it must be 0 with segments",
+            options.distance_ratio
+        ));
+    }
+    Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
 /// The criterion and its bound: as they are given, or those of `min_angle`.

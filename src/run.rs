@@ -2,6 +2,7 @@
 
 use crate::arrangement::arrange;
 use crate::error::Result;
+use crate::memory::copied;
 use crate::mesh::{Arrangement, Mesh};
 use crate::netmesh;
 use crate::options::{Crossings, Options, ProgressFn};
@@ -23,7 +24,12 @@ impl Mesh {
     fn arrangement(&self) -> Result<Option<Arrangement>> {
         match self.segments().count() {
             0 => Ok(None),
-            _ => arrange(self.inputs(), self.segments(), Crossings::default()).map(Some),
+            _ => {
+                let mut arrangement =
+                    arrange(self.inputs(), self.segments(), Crossings::default())?;
+                arrangement.regions = copied(self.regions())?;
+                Ok(Some(arrangement))
+            }
         }
     }
 }

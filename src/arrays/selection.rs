@@ -126,6 +126,7 @@ impl<'a> Part<'a> {
                     .map(|&s| new_simplex[s as usize])
                     .filter(|&s| s != NONE),
             )?,
+            boundary: mesh.boundary.part(&new_vertex, &ids)?,
             parameters: mesh.parameters.clone(),
             stats: mesh.stats.clone(),
         };

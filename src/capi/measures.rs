@@ -230,6 +230,7 @@ mod tests {
             insertion_constant_corner: 27.0,
             insertion_constant_cage: 28.0,
             simplices_created: 29,
+            segment_points: 30,
         };
         // SAFETY: numbers without padding.
         let words: [u64; 29] = unsafe { std::mem::transmute(encode_stats(&stats)) };

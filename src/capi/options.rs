@@ -8,6 +8,7 @@ use super::handle::barrier;
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
+use crate::options::Extent;
 use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -93,6 +94,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         distance_ratio: options.distance_ratio,
         min_angle: options.min_angle,
         min_dihedral: options.min_dihedral,
+        extent: Extent::default(),
     })
 }
 
@@ -152,6 +154,7 @@ mod tests {
             distance_ratio: 13.0,
             min_angle: 14.0,
             min_dihedral: 15.0,
+            extent: Extent::default(),
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());

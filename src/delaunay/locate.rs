@@ -42,6 +42,26 @@ impl<const D: usize> Delaunay<D> {
             .find(|&simplex| self.in_conflict(simplex, q))
     }
 
+    /// The finite simplex whose closure holds `q`, by a walk from the live simplex `start` nearby;
+    /// `None` outside of the hull.
+    pub fn simplex_at(&self, start: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
+        let mut current = self.finite_near(start);
+        for _ in 0..self.complex.simplex_count() {
+            match self.step_towards(current, q) {
+                None => return Some(current),
+                Some(next) if next == current || self.complex.is_infinite(next) => return None,
+                Some(next) => current = next,
+            }
+        }
+        None
+    }
+
+    /// The vertex that is at `q`, by a walk from the live simplex `start` nearby.
+    pub fn vertex_at(&self, start: SimplexId, q: &[f64; D]) -> Option<VertexId> {
+        let vertices = self.complex.vertices(self.simplex_at(start, q)?);
+        vertices.iter().copied().find(|&vertex| self.point(vertex) == q)
+    }
+
     /// `start`, or the finite neighbour of an infinite one.
     pub fn finite_near(&self, start: SimplexId) -> SimplexId {
         match self.complex.vertices(start).iter().position(|&v| v == VertexId::INFINITE) {

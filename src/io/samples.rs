@@ -97,6 +97,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
         domains: Vec::new(),
         precision_limited: (0..vertices).map(|v| v == 1).collect(),
         below_min_dihedral: vec![0],
+        boundary: Default::default(),
         parameters: Parameters::resolve(dim, &Options::default()).unwrap(),
         stats: Stats::default(),
         kinds,

@@ -1,9 +1,9 @@
 //! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
 //! crossings.
 
-use super::Inputs;
+use super::{Inputs, NONE, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{copied, with_capacity};
+use crate::memory::{AllocResult, collected, copied, with_capacity};
 
 /// The most segments: one less than what ids of 32 bits can tell apart.
 const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
@@ -46,10 +46,49 @@ pub struct Arrangement {
     pub crossings: Vec<[f64; 2]>,
     /// By segments, and along each from its first end to its second.
     pub subsegments: Vec<Subsegment>,
+    /// What the caller says of the regions between them.
+    pub regions: Vec<Region>,
     /// Segments that have the ends of an earlier one, in either order.
     pub duplicate_segments: u64,
     /// Inputs in the interior of segments, once for each.
     pub inputs_on_segments: u64,
+}
+
+/// What a triangulation has of segments and regions: nothing without segments.
+#[derive(Clone, Debug, Default)]
+pub struct Boundary {
+    /// The edges that segments have become, each in the direction of its segment; by segments, and
+    /// along each.
+    pub subsegments: Vec<[u32; 2]>,
+    /// Subsegment -> the segment that it is a part of.
+    pub parents: Vec<u32>,
+    /// Simplex -> the label of its region, 0 where no seed gave one.
+    pub simplex_regions: Vec<i32>,
+    /// The simplices beyond the bound that small angles between segments force, by rising id.
+    pub forced: Vec<u32>,
+    /// The triangulation of the whole hull that this is the domain of: the first vertices and
+    /// simplices of it. `None` where nothing is cut away.
+    pub whole: Option<Box<Triangulation>>,
+}
+
+impl Boundary {
+    /// That of a part with these simplices, of a mesh whose vertices get new numbers there, or
+    /// [`NONE`].
+    pub(crate) fn part(&self, new_vertex: &[u32], simplices: &[u32]) -> AllocResult<Self> {
+        let new = |&ends: &[u32; 2]| ends.map(|vertex| new_vertex[vertex as usize]);
+        let pairs = || self.subsegments.iter().map(new).zip(&self.parents);
+        let kept = || pairs().filter(|(ends, _)| !ends.contains(&NONE));
+        let regions = |&simplex: &u32| self.simplex_regions.get(simplex as usize).copied();
+        let is_forced = |simplex: &u32| self.forced.binary_search(simplex).is_ok();
+        let numbered = simplices.iter().zip(0u32..).filter(|&(simplex, _)| is_forced(simplex));
+        Ok(Self {
+            subsegments: collected(kept().map(|(ends, _)| ends))?,
+            parents: collected(kept().map(|(_, parent)| *parent))?,
+            simplex_regions: collected(simplices.iter().filter_map(regions))?,
+            forced: collected(numbered.map(|(_, new)| new))?,
+            whole: None,
+        })
+    }
 }
 
 impl Segments {

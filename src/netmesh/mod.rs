@@ -7,6 +7,7 @@
 //!   cages.
 //! - [`refinement`]: which simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH
 //!   and the final refinement.
+//! - [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
 //! - [`slivers`]: tetrahedra with small dihedral angles, and what mends them.
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
 //!
@@ -21,15 +22,16 @@ mod parameters;
 mod partitions;
 mod refinement;
 mod rounds;
+mod segments;
 mod slivers;
 mod state;
 mod watch;
 
 use crate::delaunay::Cavity;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn};
-use crate::parameters::Parameters;
+use crate::parameters::{Parameters, with_segments};
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
 use watch::Watch;
@@ -44,19 +46,24 @@ pub fn run(
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
-    if arrangement.is_some() {
-        return Err(Error::new(ErrorKind::State, "segments are not meshed yet"));
-    }
-    let parameters = Parameters::resolve(inputs.dim(), options)?;
+    let parameters = match arrangement {
+        None => Parameters::resolve(inputs.dim(), options)?,
+        Some(_) => Parameters {
+            // What is outside is not refined, and a partition does not know what is.
+            inputs_per_partition: usize::MAX / 2,
+            ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
+        },
+    };
     in_dimension!(
         inputs.dim(),
-        D => mesh::<D>(inputs, parameters, progress),
+        D => mesh::<D>(inputs, arrangement, parameters, progress),
         _ => unreachable!("inputs of other dimensions are refused when they are made")
     )
 }
 
 fn mesh<const D: usize>(
     inputs: &Inputs,
+    arrangement: Option<&Arrangement>,
     parameters: Parameters,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
@@ -81,6 +88,9 @@ fn mesh<const D: usize>(
         }
         if mesher.state.parameters.output == Output::WellSpaced {
             mesher.finish_mesh(&mut cavity)?;
+        }
+        if let Some(arrangement) = arrangement {
+            mesher.conform(arrangement, &mut cavity)?;
         }
         mesher.refine_finally(&mut cavity)?;
         mesher.refine_by_distance(&mut cavity)?;

@@ -4,7 +4,7 @@ use super::{Mesher, Scratch};
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
-use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
+use crate::mesh::{Boundary, Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
@@ -22,6 +22,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.touches = self.state.conflict_lists.total_touches();
         self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;
+        let order = std::mem::take(&mut self.order);
+        let domain = self.domain_boundary(|vertex| output_id(&order, vertex))?;
+        self.order = order;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices()?;
         let vertices = self.state.delaunay.point_count();
@@ -48,7 +51,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.count_vertices(&kinds, &limited);
         let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
         self.state.stats.seconds = begun.elapsed().as_secs_f64();
-        Ok(Triangulation {
+        let whole = Triangulation {
             dim: D,
             points,
             simplices,
@@ -59,9 +62,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
             domains,
             precision_limited: limited,
             below_min_dihedral,
+            boundary: Boundary::default(),
             parameters: self.state.parameters,
             stats: self.state.stats,
-        })
+        };
+        match domain {
+            None => Ok(whole),
+            Some(domain) => domain.complete(whole, self.state.inputs),
+        }
     }
 
     /// Frees what the result is not made from, a piece at a time: giving memory back to the system

@@ -7,6 +7,7 @@ use super::partitions::interface::Interface;
 use super::refinement::refine_list::RefineList;
 use super::rounds::conflict_lists::ConflictLists;
 use super::rounds::order::{InputId, by_locality};
+use super::segments::Segments;
 use super::watch::Watch;
 use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::delaunay::Delaunay;
@@ -30,6 +31,7 @@ pub(super) struct State<const D: usize> {
     pub hierarchy: Hierarchy<D>,
     pub conflict_lists: ConflictLists,
     pub refine_list: RefineList,
+    pub segments: Segments,
     /// What a partition must leave as it is. The global mesh has no interface.
     pub interface: Interface,
     pub stage: Stage,
@@ -153,6 +155,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             hierarchy,
             conflict_lists,
             refine_list: RefineList::new()?,
+            segments: Segments::default(),
             interface: Interface::default(),
             stage: Stage::of_insertion(parameters.loose_bound()),
             cells: Array::filled(count, Cell::NEW)?,

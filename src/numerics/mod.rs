@@ -17,6 +17,8 @@
 //!   lengths   distances at every scale, for callers and for filters
 //! ```
 //!
+//! Beside the groups: `segment`, which has what a segment needs, from filters and exact integers.
+//!
 //! What more than one group needs stands beside them: `sign`, `power` (scaling without rounding)
 //! and `laplace` (the expansion of a determinant over any ring). A group uses another one only
 //! through its front page, and `exact` uses no other group.
@@ -27,6 +29,7 @@ mod filters;
 mod laplace;
 mod lengths;
 mod power;
+mod segment;
 mod sign;
 mod volume;
 
@@ -41,6 +44,7 @@ pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exa
 pub(crate) use filters::Hyperplane;
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub use lengths::{distance, norm, shortest_distance};
+pub use segment::{in_diametral_ball, point_between};
 pub use sign::Sign;
 pub use volume::volume;
 

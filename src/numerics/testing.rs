@@ -228,3 +228,11 @@ pub fn is_close(value: f64, bound: f64, exponent: i64, quotient: (&IBig, &IBig))
 fn magnitude(value: IBig) -> IBig {
     if value < IBig::ZERO { -value } else { value }
 }
+
+/// `value` as a whole mantissa and the exponent of its unit; zero as (0, 0).
+pub fn decomposed(value: f64) -> (i64, i32) {
+    match super::power::decompose(value) {
+        (0, _) => (0, 0),
+        parts => parts,
+    }
+}

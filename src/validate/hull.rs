@@ -184,6 +184,7 @@ mod tests {
             domains: Vec::new(),
             precision_limited: vec![false; count],
             below_min_dihedral: Vec::new(),
+            boundary: Default::default(),
             parameters: Parameters::resolve(D, &Options::default()).unwrap(),
             stats: Stats::default(),
         };

@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::memory::{Array, TryGrow, copied, with_capacity};
 use crate::mesh::Stats;
 use crate::netmesh::refinement::refine_list::RefineList;
+use crate::netmesh::segments::Segments;
 use crate::netmesh::watch::Watch;
 use crate::netmesh::{Mesher, Stage, State};
 use crate::parameters::Parameters;
@@ -60,6 +61,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             | self.state.delaunay.point_count() as u64;
         let seed = u128::from(parameters.seed) << 64 | u128::from(number);
         let state = State {
+            // A mesh with segments has no partitions.
+            segments: Segments::default(),
             interface: Interface::new(domains.non_owned()?),
             stage: Stage::of_insertion(parameters.loose_bound()),
             template: copied(&self.state.template)?,

@@ -12,9 +12,13 @@ use crate::netmesh::refinement::steiner::SteinerPoint;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// CLEAN: refines until no cell is bad that doubles can mend.
     pub(in crate::netmesh) fn clean(&mut self, cavity: &mut Cavity) -> Result<()> {
+        self.recover_segments(cavity)?;
         while let Some(entry) = self.state.refine_list.pop() {
             let simplex = entry.simplex;
             if !self.state.delaunay.complex().is_live(simplex) {
+                continue;
+            }
+            if self.is_left_alone(simplex)? {
                 continue;
             }
             if self.is_bad(simplex) {
@@ -22,6 +26,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             } else if let Some(domain) = self.open_domain(simplex) {
                 self.narrow_cage_gap(simplex, domain, cavity)?;
             }
+            self.recover_segments(cavity)?;
             self.queue_again(entry)?;
         }
         Ok(())
@@ -83,6 +88,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.state.refine_list.limit(simplex);
             }
             return Ok(());
+        }
+        match self.split_encroached(&x, cavity)? {
+            Some(true) => return Ok(()),
+            Some(false) => {
+                self.state.refine_list.limit(simplex);
+                return Ok(());
+            }
+            None => {}
         }
         if !self.may_insert(&x, cavity) {
             self.state.refine_list.limit(simplex);

@@ -106,7 +106,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn is_any_open(&mut self) -> bool {
         let mut all = self.state.delaunay.complex().simplices();
         all.any(|simplex| {
-            self.state.delaunay.complex().is_live(simplex) && self.open_domain(simplex).is_some()
+            self.state.delaunay.complex().is_live(simplex)
+                && self.open_domain(simplex).is_some()
+                && !self.is_exempt(simplex)
         })
     }
 }

@@ -151,6 +151,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.
     fn queue(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        if self.is_exempt(simplex) {
+            return Ok(());
+        }
         let length = match self.state.parameters.criterion {
             _ if !self.state.refine_list.is_sorted() => 0.0,
             Criterion::VoronoiAspect => self.nearest_of(simplex),

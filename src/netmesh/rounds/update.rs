@@ -18,6 +18,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: VertexId,
         cavity: &Cavity,
     ) -> Result<()> {
+        if self.state.segments.is_active() {
+            self.note_insertion_near_segments(vertex, cavity)?;
+        }
         let created = &mut self.scratch.created;
         let work = 4 * cavity.boundary.len() as u32;
         self.state.delaunay.insert(vertex, cavity, created)?;
@@ -30,6 +33,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         )?;
         self.state.refine_list.forget(created, self.state.delaunay.complex().simplex_bound())?;
         self.state.interface.forget(created);
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.segments.regions.note_created(created, bound)?;
         if self.state.parameters.algorithm != Algorithm::Delaunay {
             self.update_star(vertex, cavity)?;
             if self.state.parameters.instruments {

@@ -53,7 +53,7 @@ impl Side {
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// After a vertex has left `x`: the cells of `neighbors` that it was the nearest of.
-    pub(super) fn note_departure(
+    pub(in crate::netmesh) fn note_departure(
         &mut self,
         x: &[f64; D],
         neighbors: &[VertexId],
@@ -81,7 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// After `simplex` came.
-    pub(super) fn note_corner(&mut self, simplex: SimplexId) {
+    pub(in crate::netmesh) fn note_corner(&mut self, simplex: SimplexId) {
         let complex = self.state.delaunay.complex();
         let Some(ball) = self.state.delaunay.ball(simplex) else { return };
         if complex.is_live(simplex) {

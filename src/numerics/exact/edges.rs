@@ -118,6 +118,18 @@ impl<const D: usize> Edges<D> {
         value.sign()
     }
 
+    /// The sign of the scalar product of the first two edges.
+    pub fn sign_of_product(&self) -> Sign {
+        debug_assert_eq!(self.count, 2);
+        let primes = primes_for(2 * self.bits + bits_of(D));
+        let mut value = Integer::<MANY>::NEW;
+        for field in (0..primes).map(Field::nth) {
+            let [a, b] = [0, 1].map(|edge| self.residues(field, edge));
+            value.push(field.sum_of_products(a.into_iter().zip(b)));
+        }
+        value.sign()
+    }
+
     /// The determinant of the components of `D` edges, m * 2^e as `(m, e)` with |m| in [1, 2), or
     /// m = 0, within 2 units of roundoff.
     pub fn determinant_of_components(&self) -> (f64, i64) {
@@ -204,11 +216,27 @@ impl<const D: usize> Edges<D> {
         entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
     }
 
-    fn matrix(&self, field: Field, columns: &[Column]) -> Residues {
+    /// The powers of the unit of a limb.
+    fn powers(&self, field: Field) -> [u64; MAX_LIMBS] {
         let mut powers = [1; MAX_LIMBS];
         for k in 1..=self.limbs {
             powers[k] = field.multiply(powers[k - 1], field.limb_unit());
         }
+        powers
+    }
+
+    /// The components of one edge.
+    fn residues(&self, field: Field, edge: usize) -> [u64; D] {
+        let powers = self.powers(field);
+        std::array::from_fn(|k| {
+            let [end, origin] =
+                [self.ends[edge][k], self.origin[k]].map(|x| x.residue(field, &powers));
+            field.subtract(end, origin)
+        })
+    }
+
+    fn matrix(&self, field: Field, columns: &[Column]) -> Residues {
+        let powers = self.powers(field);
         let residues = |p: &[Coordinate; D]| p.map(|x| x.residue(field, &powers));
         let origin = residues(&self.origin);
         let mut rows = [[[0; 2]; MAX_SIZE]; MAX_SIZE];

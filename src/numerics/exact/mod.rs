@@ -60,6 +60,11 @@ pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sig
     outward.flip()
 }
 
+/// The sign of the scalar product of the vectors from `q` to `a` and to `b`, for any finite points.
+pub fn scalar_product_exact<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D]) -> Sign {
+    Edges::new(q, [a, b].into_iter()).sign_of_product()
+}
+
 /// A point relative to a vertex: `center * 2^exponent` in real units. The largest magnitude among
 /// the components of `center` is in [1, 2), or all are zero; each is within 2 units of roundoff
 /// (2^-53) of the exact rational, relatively, or within 2^-1074 if smaller than 2^-1022.

@@ -1,0 +1,316 @@
+//! The chains of subsegments that segments have become.
+//!
+//! A *line* is a segment, or the part of one between inputs that are on it: its ends are inputs, or
+//! points where segments cross. It is a chain of subsegments from its first end to its second.
+
+use crate::complex::VertexId;
+use crate::memory::{AllocResult, Array, TryGrow, collected, enqueue};
+use std::collections::VecDeque;
+
+/// The chains, and the subsegments that wait for a look.
+#[derive(Default)]
+pub(in crate::netmesh) struct Chains {
+    pub lines: Vec<Line>,
+    /// The first subsegment of line i is number i.
+    subsegments: Vec<Subsegment>,
+    /// Vertex -> where it is on the chains; those beyond are not.
+    places: Array<Place>,
+    /// End number i of lines has `at_ends[starts[i]..starts[i + 1]]`, by rising other end.
+    starts: Vec<u32>,
+    at_ends: Vec<AtEnd>,
+    waiting: VecDeque<u32>,
+}
+
+/// See the module.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Line {
+    pub ends: [VertexId; 2],
+    /// The caller's segment that it is part of.
+    pub segment: u32,
+    /// At which ends it makes a sharp angle with another line.
+    pub is_sharp: [bool; 2],
+}
+
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Subsegment {
+    pub ends: [VertexId; 2],
+    /// Where the ends are on the line.
+    pub fractions: [Fraction; 2],
+    pub line: u32,
+    is_waiting: bool,
+    /// Doubles are too coarse for a vertex on it.
+    is_limited: bool,
+}
+
+/// A place on a line, as a part of its length, at most half of it, from the end with number `end`:
+/// so places near either end are told apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::netmesh) struct Fraction {
+    pub end: u8,
+    pub of_line: f64,
+}
+
+/// Where a vertex is on the chains.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    Elsewhere,
+    /// An end of lines, by its number.
+    End(u32),
+    /// Between two subsegments of one line.
+    Between([u32; 2]),
+}
+
+/// A line at one of its ends.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct AtEnd {
+    pub other: VertexId,
+    pub line: u32,
+}
+
+impl Fraction {
+    pub const ENDS: [Self; 2] = [Self { end: 0, of_line: 0.0 }, Self { end: 1, of_line: 0.0 }];
+
+    /// The place in the middle.
+    pub fn middle(self, other: Self) -> Self {
+        let sum = self.of_line + other.of_line;
+        match self.end == other.end {
+            true => Self { end: self.end, of_line: 0.5 * sum },
+            // The way from one to the other is 1 - sum.
+            false => {
+                let from_own = 0.5 * (1.0 - other.of_line + self.of_line);
+                let from_other = 0.5 * (1.0 - self.of_line + other.of_line);
+                match from_own <= from_other {
+                    true => Self { end: self.end, of_line: from_own },
+                    false => Self { end: other.end, of_line: from_other },
+                }
+            }
+        }
+    }
+
+    /// The part of the line's length from its end with number `end`.
+    pub fn seen_from(self, end: u8) -> f64 {
+        if self.end == end { self.of_line } else { 1.0 - self.of_line }
+    }
+
+    /// A part of the line's length from its end with number `end`, in [0, 1].
+    pub fn at(end: u8, part: f64) -> Self {
+        match part <= 0.5 {
+            true => Self { end, of_line: part },
+            false => Self { end: 1 - end, of_line: 1.0 - part },
+        }
+    }
+}
+
+impl Chains {
+    /// One subsegment for each line, all of them waiting. No two lines have the same ends.
+    pub fn new(lines: Vec<Line>, vertices: usize) -> AllocResult<Self> {
+        let mut places = Array::filled(vertices, Place::Elsewhere)?;
+        let mut starts = Vec::new();
+        let mut at_ends =
+            collected(lines.iter().enumerate().flat_map(|(line, &Line { ends, .. })| {
+                let line = line as u32;
+                [
+                    (ends[0], AtEnd { other: ends[1], line }),
+                    (ends[1], AtEnd { other: ends[0], line }),
+                ]
+            }))?;
+        at_ends.sort_unstable_by_key(|&(end, AtEnd { other, .. })| (end, other));
+        for (at, &(end, _)) in at_ends.iter().enumerate() {
+            if at == 0 || at_ends[at - 1].0 != end {
+                places[end] = Place::End(starts.len() as u32);
+                starts.try_push(at as u32)?;
+            }
+        }
+        starts.try_push(at_ends.len() as u32)?;
+        let subsegments = collected(lines.iter().enumerate().map(|(line, &Line { ends, .. })| {
+            let line = line as u32;
+            let fractions = Fraction::ENDS;
+            Subsegment { ends, fractions, line, is_waiting: true, is_limited: false }
+        }))?;
+        let mut waiting = VecDeque::new();
+        for number in 0..lines.len() {
+            enqueue(&mut waiting, number as u32)?;
+        }
+        let at_ends = collected(at_ends.into_iter().map(|(_, at_end)| at_end))?;
+        Ok(Self { lines, subsegments, places, starts, at_ends, waiting })
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
+    /// The number of subsegments.
+    pub fn len(&self) -> usize {
+        self.subsegments.len()
+    }
+
+    pub fn get(&self, subsegment: u32) -> &Subsegment {
+        &self.subsegments[subsegment as usize]
+    }
+
+    #[inline]
+    fn place(&self, vertex: VertexId) -> Place {
+        self.places.get(vertex.index()).copied().unwrap_or(Place::Elsewhere)
+    }
+
+    /// The line that `vertex` is on and no end of.
+    pub fn line_through(&self, vertex: VertexId) -> Option<u32> {
+        match self.place(vertex) {
+            Place::Between([before, _]) => Some(self.get(before).line),
+            _ => None,
+        }
+    }
+
+    /// The lines that end at `vertex`, by rising other end.
+    pub fn lines_at(&self, vertex: VertexId) -> &[AtEnd] {
+        match self.place(vertex) {
+            Place::End(at) => {
+                let [start, end] = [at, at + 1].map(|at| self.starts[at as usize] as usize);
+                &self.at_ends[start..end]
+            }
+            _ => &[],
+        }
+    }
+
+    /// The subsegment between two vertices.
+    #[inline]
+    pub fn between(&self, a: VertexId, b: VertexId) -> Option<u32> {
+        let (place, other) = (self.place(a), self.place(b));
+        if place == Place::Elsewhere || other == Place::Elsewhere {
+            return None;
+        }
+        self.between_places((a, place), (b, other))
+    }
+
+    fn between_places(&self, a: (VertexId, Place), b: (VertexId, Place)) -> Option<u32> {
+        let joins = |&subsegment: &u32| {
+            let ends = self.get(subsegment).ends;
+            ends == [a.0, b.0] || ends == [b.0, a.0]
+        };
+        match (a.1, b.1) {
+            (Place::Between(two), _) | (_, Place::Between(two)) => two.into_iter().find(joins),
+            _ => {
+                let lines = self.lines_at(a.0);
+                let at = lines.binary_search_by_key(&b.0, |at_end| at_end.other).ok()?;
+                Some(lines[at].line).filter(joins)
+            }
+        }
+    }
+
+    /// Splits `subsegment` at `vertex`, which is at `fraction` of its line. Both parts wait.
+    pub fn split(
+        &mut self,
+        subsegment: u32,
+        vertex: VertexId,
+        fraction: Fraction,
+    ) -> AllocResult<()> {
+        let whole = self.subsegments[subsegment as usize];
+        let second = self.subsegments.len() as u32;
+        let (mut first_half, mut second_half) = (whole, whole);
+        (first_half.ends[1], first_half.fractions[1]) = (vertex, fraction);
+        (second_half.ends[0], second_half.fractions[0]) = (vertex, fraction);
+        second_half.is_waiting = false;
+        self.subsegments.try_push(second_half)?;
+        self.subsegments[subsegment as usize] = first_half;
+        self.places.cover(vertex.index() + 1, Place::Elsewhere)?;
+        self.places[vertex] = Place::Between([subsegment, second]);
+        if let Place::Between(two) = &mut self.places[whole.ends[1]] {
+            two[0] = second;
+        }
+        self.wait(subsegment)?;
+        self.wait(second)
+    }
+
+    /// Has a look at `subsegment` in its turn.
+    pub fn wait(&mut self, subsegment: u32) -> AllocResult<()> {
+        let Subsegment { is_waiting, is_limited, .. } = &mut self.subsegments[subsegment as usize];
+        if *is_waiting || *is_limited {
+            return Ok(());
+        }
+        *is_waiting = true;
+        enqueue(&mut self.waiting, subsegment)
+    }
+
+    /// The next subsegment to look at.
+    pub fn next(&mut self) -> Option<u32> {
+        let next = self.waiting.pop_front()?;
+        self.subsegments[next as usize].is_waiting = false;
+        Some(next)
+    }
+
+    /// Doubles are too coarse for a vertex on `subsegment`: it is not split any more.
+    pub fn limit(&mut self, subsegment: u32) {
+        self.subsegments[subsegment as usize].is_limited = true;
+    }
+
+    pub fn is_limited(&self, subsegment: u32) -> bool {
+        self.get(subsegment).is_limited
+    }
+
+    /// All subsegments in the order of their lines, each from its line's first end on.
+    pub fn in_order(&self) -> impl Iterator<Item = &Subsegment> {
+        (0..self.lines.len() as u32).flat_map(|line| {
+            std::iter::successors(Some(self.get(line)), |subsegment| {
+                let [_, second] = subsegment.ends;
+                match self.place(second) {
+                    Place::Between([_, next]) => Some(self.get(next)),
+                    _ => None,
+                }
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vertex(number: usize) -> VertexId {
+        VertexId::new(number)
+    }
+
+    /// Two lines from vertex 0, and one between their other ends.
+    fn triangle() -> Chains {
+        let line = |a, b| Line { ends: [vertex(a), vertex(b)], segment: 0, is_sharp: [false; 2] };
+        Chains::new(vec![line(0, 1), line(2, 0), line(1, 2)], 4).unwrap()
+    }
+
+    #[test]
+    fn edges_are_found_from_both_ends_before_and_after_splits() {
+        let mut chains = triangle();
+        let ends = |chains: &Chains, a, b| {
+            let found = [(a, b), (b, a)].map(|(a, b)| chains.between(vertex(a), vertex(b)));
+            assert_eq!(found[0], found[1]);
+            found[0]
+        };
+        assert_eq!([ends(&chains, 0, 1), ends(&chains, 0, 2)], [Some(0), Some(1)]);
+        assert_eq!([ends(&chains, 1, 2), ends(&chains, 1, 3)], [Some(2), None]);
+        let middle = Fraction::ENDS[0].middle(Fraction::ENDS[1]);
+        chains.split(0, vertex(4), middle).unwrap();
+        let quarter = middle.middle(Fraction::ENDS[1]);
+        chains.split(3, vertex(5), quarter).unwrap();
+        assert_eq!(ends(&chains, 0, 1), None);
+        assert_eq!([ends(&chains, 0, 4), ends(&chains, 4, 5)], [Some(0), Some(3)]);
+        assert_eq!([ends(&chains, 5, 1), ends(&chains, 4, 1)], [Some(4), None]);
+        assert_eq!(chains.line_through(vertex(5)), Some(0));
+        assert_eq!(chains.line_through(vertex(0)), None);
+        let order: Vec<[VertexId; 2]> = chains.in_order().map(|part| part.ends).collect();
+        let expected = [(0, 4), (4, 5), (5, 1), (2, 0), (1, 2)];
+        assert_eq!(order, expected.map(|(a, b)| [vertex(a), vertex(b)]));
+        let waiting: Vec<u32> = std::iter::from_fn(|| chains.next()).collect();
+        assert_eq!(waiting, [0, 1, 2, 3, 4]);
+    }
+
+    #[test]
+    fn places_near_either_end_are_told_apart() {
+        let [mut place, end] = Fraction::ENDS;
+        for _ in 0..1000 {
+            place = end.middle(place);
+        }
+        assert_eq!(place, Fraction { end: 1, of_line: 2f64.powi(-1000) });
+        let quarter = Fraction { end: 0, of_line: 0.25 };
+        assert_eq!(quarter.middle(end), Fraction { end: 1, of_line: 0.375 });
+        assert_eq!(Fraction::at(1, 0.75), quarter);
+        assert_eq!((quarter.seen_from(0), quarter.seen_from(1)), (0.25, 0.75));
+    }
+}

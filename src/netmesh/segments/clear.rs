@@ -1,0 +1,30 @@
+//! Away with the Steiner vertices that the mesh of the points has before it knows of segments: with
+//! them the inputs went in fast, whatever their spread. Refinement that knows of the segments puts
+//! fewer vertices, and better ones, and none outside of the domain.
+
+use crate::complex::VertexId;
+use crate::delaunay::Hole;
+use crate::error::Result;
+use crate::netmesh::Mesher;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Removes all vertices that are neither inputs nor part of a cage.
+    pub(super) fn clear_steiner_vertices(&mut self) -> Result<()> {
+        let (mut hole, mut filled) = (Hole::default(), Vec::new());
+        for vertex in VertexId::range(self.state.inputs..self.state.delaunay.point_count()) {
+            self.watch.poll_after(32)?;
+            if self.state.hierarchy.cage_of(vertex).is_valid()
+                || !self.state.delaunay.find_hole(vertex, &mut hole)?
+            {
+                continue;
+            }
+            let x = *self.state.delaunay.point(vertex);
+            self.state.delaunay.remove(vertex, &hole, &mut filled)?;
+            let bound = self.state.delaunay.complex().simplex_bound();
+            self.state.refine_list.forget(&filled, bound)?;
+            filled.iter().for_each(|&simplex| self.note_corner(simplex));
+            self.note_departure(&x, &hole.vertices.ids)?;
+        }
+        Ok(())
+    }
+}

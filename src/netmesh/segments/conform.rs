@@ -1,0 +1,125 @@
+//! From the mesh of the points to one that conforms to segments.
+
+use super::Segments;
+use super::chain::{Chains, Line};
+use super::regions::OUTSIDE;
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Cavity;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{TryGrow, filled, with_capacity};
+use crate::mesh::{Arrangement, Region};
+use crate::netmesh::{Mesher, State};
+use crate::numerics::{Sign, orientation};
+use crate::options::Extent;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Makes all segments chains of edges, finds the regions between them, and refines, with the
+    /// loose bound, the simplices of those that are wanted.
+    pub(in crate::netmesh) fn conform(
+        &mut self,
+        arrangement: &Arrangement,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        self.clear_steiner_vertices()?;
+        let mut lines = self.lines_of(arrangement, cavity)?;
+        self.find_sharp_ends(&mut lines)?;
+        self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
+        self.recover_segments(cavity)?;
+        let State { delaunay, segments, .. } = &mut self.state;
+        let Segments { chains, regions, visited, .. } = segments;
+        regions.find(delaunay, chains, visited)?;
+        self.judge_regions(&arrangement.regions)?;
+        self.clean(cavity)
+    }
+
+    /// The lines of the arrangement. Crossings become vertices.
+    fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
+        let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
+        for (vertex, &input) in self.order.iter().enumerate() {
+            vertices[input.index()] = VertexId::new(vertex);
+        }
+        for x in &arrangement.crossings {
+            let x = std::array::from_fn(|axis| x[axis]);
+            let near = vertices.last().copied().unwrap_or(VertexId::new(0));
+            let vertex = self.crossing_at(&x, near, cavity)?;
+            vertices.try_push(vertex)?;
+        }
+        let mut lines = with_capacity(arrangement.subsegments.len())?;
+        for subsegment in &arrangement.subsegments {
+            let ends = subsegment.ends.map(|end| vertices[end as usize]);
+            lines.push(Line { ends, segment: subsegment.segment, is_sharp: [false; 2] });
+        }
+        Ok(lines)
+    }
+
+    /// The vertex at a point where segments cross, found or made.
+    fn crossing_at(
+        &mut self,
+        x: &[f64; D],
+        near: VertexId,
+        cavity: &mut Cavity,
+    ) -> Result<VertexId> {
+        let start = self.state.delaunay.complex().incident(near);
+        if let Some(vertex) = self.state.delaunay.vertex_at(start, x) {
+            return Ok(vertex);
+        }
+        let start = self.state.delaunay.locate(start, x).expect("no vertex is there");
+        self.state.delaunay.find_cavity(start, x, cavity)?;
+        let domain = self.enter_from_segment(x, cavity)?;
+        let vertex = self.add_vertex(*x)?;
+        self.state.stats.segment_points += 1;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(vertex)
+    }
+
+    /// Which regions belong to the domain, and what their seeds say of them.
+    fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
+        let count = self.state.segments.regions.len();
+        let mut is_inside = filled(count, true)?;
+        let mut labels = filled(count, 0)?;
+        is_inside[OUTSIDE as usize] = false;
+        let mut near = self.state.delaunay.complex().incident(VertexId::new(0));
+        for (number, seed) in seeds.iter().enumerate() {
+            let x = std::array::from_fn(|axis| seed.seed[axis]);
+            let Some(simplex) = self.state.delaunay.simplex_at(near, &x) else { continue };
+            near = simplex;
+            self.refuse_on_segment(number, &x, simplex)?;
+            let region = self.state.segments.regions.of(simplex);
+            let region = region.expect("all regions are known") as usize;
+            is_inside[region] &= !seed.is_hole;
+            if !seed.is_hole {
+                labels[region] = seed.label;
+            }
+        }
+        let is_all = self.state.parameters.extent == Extent::All;
+        let regions = &mut self.state.segments.regions;
+        for (is_refined, &is_inside) in regions.is_refined.iter_mut().zip(&is_inside) {
+            *is_refined = is_all || is_inside;
+        }
+        (regions.is_inside, regions.labels) = (is_inside, labels);
+        Ok(())
+    }
+
+    /// Refuses a seed on a segment, which is in no region.
+    fn refuse_on_segment(&self, number: usize, x: &[f64; D], simplex: SimplexId) -> Result<()> {
+        let vertices = self.state.delaunay.complex().vertices(simplex);
+        for index in 0..=D {
+            let mut points: [&[f64; D]; 3] =
+                std::array::from_fn(|at| self.state.delaunay.point(vertices[at]));
+            points[index] = x;
+            let edge = [1, 2].map(|step| vertices[(index + step) % 3]);
+            let line = self.state.segments.chains.between(edge[0], edge[1]);
+            if let (Some(subsegment), Sign::Zero) = (line, orientation(&points)) {
+                let line = self.state.segments.chains.get(subsegment).line;
+                let segment = self.state.segments.chains.lines[line as usize].segment;
+                let message = message!(
+                    "regions[{number}].seed is on segments[{segment}]; it must be in the interior \
+                     of a region"
+                );
+                return Err(Error::new(ErrorKind::InvalidArgument, message));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,76 @@
+//! What refinement leaves alone: simplices outside of the domain, and those that a sharp corner of
+//! the input forces. Two lines that meet at a small angle are split on the same shells about their
+//! end, and the triangle between two vertices of a shell has an edge as short as the angle makes
+//! it. To refine it would make the next shell, and so on; so it stays, as in G. L. Miller, S. E.
+//! Pav and N. J. Walkington, "When and why Delaunay refinement algorithms work" (2005).
+
+use crate::complex::{SimplexId, VertexId};
+use crate::error::Result;
+use crate::netmesh::segments::Segments;
+use crate::netmesh::{Mesher, State};
+use crate::numerics::{distance, shortest_distance};
+
+/// Two distances from an end are those of one shell if they differ by no more than this, relative
+/// to the larger.
+const SAME_SHELL: f64 = 1e-3;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Whether a live simplex is known to need no refinement.
+    pub(in crate::netmesh) fn is_exempt(&self, simplex: SimplexId) -> bool {
+        let segments = &self.state.segments;
+        if !segments.is_active() {
+            return false;
+        }
+        let is_outside = match segments.regions.of(simplex) {
+            Some(region) => !segments.regions.is_refined[region as usize],
+            None => false,
+        };
+        is_outside || self.is_forced(simplex)
+    }
+
+    /// As [`Self::is_exempt`], with regions that were not known. All subsegments are recovered.
+    pub(in crate::netmesh) fn is_left_alone(&mut self, simplex: SimplexId) -> Result<bool> {
+        let State { delaunay, segments, .. } = &mut self.state;
+        if !segments.is_active() || !segments.regions.is_known() {
+            return Ok(false);
+        }
+        let Segments { regions, chains, visited, .. } = segments;
+        let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
+        Ok(!regions.is_refined[region as usize] || self.is_forced(simplex))
+    }
+
+    /// Whether the shortest edge of a live simplex is between two lines that meet at a sharp end, on
+    /// one shell about that.
+    pub(in crate::netmesh) fn is_forced(&self, simplex: SimplexId) -> bool {
+        let vertices = self.state.delaunay.complex().vertices(simplex);
+        if vertices.contains(&VertexId::INFINITE) {
+            return false;
+        }
+        let points: [&[f64; D]; 3] =
+            std::array::from_fn(|index| self.state.delaunay.point(vertices[index]));
+        let (a, b, _) = shortest_distance(&points);
+        self.is_on_shell(vertices[a], vertices[b])
+    }
+
+    /// Whether a simplex beyond the bound stays for that.
+    pub(super) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
+        let radius = self.state.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
+        self.short_edge(simplex, radius).is_some() && self.is_forced(simplex)
+    }
+
+    fn is_on_shell(&self, a: VertexId, b: VertexId) -> bool {
+        let chains = &self.state.segments.chains;
+        let (Some(first), Some(second)) = (chains.line_through(a), chains.line_through(b)) else {
+            return false;
+        };
+        let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
+        let is_common =
+            |&end: &usize| first.is_sharp[end] && second.ends.contains(&first.ends[end]);
+        let Some(end) = (0..2).find(is_common).filter(|_| first.ends != second.ends) else {
+            return false;
+        };
+        let center = self.state.delaunay.point(first.ends[end]);
+        let [near, far] = [a, b].map(|vertex| distance(center, self.state.delaunay.point(vertex)));
+        (near - far).abs() <= SAME_SHELL * near.max(far)
+    }
+}

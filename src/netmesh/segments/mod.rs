@@ -1,0 +1,56 @@
+//! Segments in the plane (§1 and §14 expect that the method takes edges and faces; this is how):
+//! every segment becomes a chain of edges of the exactly Delaunay mesh.
+//!
+//! Conformity is that of J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional
+//! mesh generation" (1995), as Sparse Voronoi Refinement has it: a *subsegment* is an edge between
+//! neighbouring vertices of a segment; it is recovered when no vertex is in the ball of which it is
+//! a diameter, for then it is an edge of every Delaunay triangulation. A vertex in that ball
+//! *encroaches*. A subsegment that is not recovered is split; a Steiner point that would encroach
+//! one is not inserted, the subsegment is split instead.
+//!
+//! The mesh of the points comes first, with its loose bound. Its Steiner vertices go (`clear`), its
+//! cages stay but for those that a segment crosses: a component moves into a domain as a whole, or
+//! into none.
+//!
+//! - `conform`: all of it, in order.
+//! - `clear`: the mesh of the points without its Steiner vertices.
+//! - `chain`: the subsegments, and which edges they are.
+//! - `split`: where a subsegment is split; the shells about sharp corners.
+//! - `recover`: what is done until all subsegments are recovered.
+//! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
+//! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
+//! - `cut`: the result, with what belongs to segments and regions.
+
+mod chain;
+mod clear;
+mod conform;
+mod cut;
+mod exempt;
+mod recover;
+mod regions;
+mod split;
+#[cfg(test)]
+mod tests;
+
+use crate::complex::SimplexId;
+use chain::Chains;
+use regions::Regions;
+
+/// What a mesh with segments has beside the points.
+#[derive(Default)]
+pub(in crate::netmesh) struct Segments {
+    pub chains: Chains,
+    pub regions: Regions,
+    /// The subsegments that a point would encroach.
+    encroached: Vec<u32>,
+    /// Where a search for what is known of a region has been.
+    visited: Vec<SimplexId>,
+}
+
+impl Segments {
+    /// Whether the mesh has segments, and they are being recovered or have been.
+    #[inline]
+    pub fn is_active(&self) -> bool {
+        !self.chains.is_empty()
+    }
+}

@@ -1,0 +1,183 @@
+//! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
+
+use super::chain::Subsegment;
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::segments::Segments;
+use crate::netmesh::{Mesher, State};
+use crate::numerics::in_diametral_ball;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits subsegments until all that wait are recovered.
+    pub(in crate::netmesh) fn recover_segments(&mut self, cavity: &mut Cavity) -> Result<()> {
+        while let Some(subsegment) = self.state.segments.chains.next() {
+            self.recover(subsegment, cavity)?;
+        }
+        Ok(())
+    }
+
+    /// Splits `subsegment` unless it is recovered.
+    fn recover(&mut self, subsegment: u32, cavity: &mut Cavity) -> Result<()> {
+        self.watch.poll_after(8)?;
+        let [a, b] = self.state.segments.chains.get(subsegment).ends;
+        self.leave_domains(a, b)?;
+        let apexes = self.apexes(a, b)?;
+        let [from, to] = [a, b].map(|end| self.state.delaunay.point(end));
+        let encroaches = |&apex: &VertexId| {
+            apex.is_valid()
+                && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
+        };
+        if apexes.is_some_and(|apexes| !apexes.iter().any(encroaches))
+            || self.split(subsegment, cavity)?
+        {
+            return Ok(());
+        }
+        self.limit_subsegment(subsegment, apexes.is_some())
+    }
+
+    /// The vertices opposite the edge between `a` and `b`, if there is one.
+    fn apexes(&mut self, a: VertexId, b: VertexId) -> AllocResult<Option<[VertexId; 2]>> {
+        // The star of an end of many lines is large, that of a vertex between two is not.
+        let chains = &self.state.segments.chains;
+        let (center, other) = if chains.line_through(a).is_some() { (a, b) } else { (b, a) };
+        self.state.delaunay.star(center, &mut self.scratch.star)?;
+        let mut apexes = [VertexId::NONE; 2];
+        let mut count = 0;
+        for &simplex in &self.scratch.star {
+            let vertices = self.state.delaunay.complex().vertices(simplex);
+            if vertices.contains(&other) && count < 2 {
+                let apex = vertices.iter().find(|&&vertex| vertex != a && vertex != b);
+                apexes[count] = *apex.expect("a triangle has three vertices");
+                count += 1;
+            }
+        }
+        Ok((count == 2).then_some(apexes))
+    }
+
+    /// Leaves a subsegment as it is for which doubles are too coarse, if it is an edge of the mesh.
+    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> Result<()> {
+        let Subsegment { ends, line, .. } = *self.state.segments.chains.get(subsegment);
+        if !is_edge {
+            let segment = self.state.segments.chains.lines[line as usize].segment;
+            let message = message!(
+                "segments[{segment}] passes a point or another segment so closely that doubles \
+                 have no room for its subsegments"
+            );
+            return Err(Error::new(ErrorKind::Limit, message));
+        }
+        self.state.segments.chains.limit(subsegment);
+        ends.into_iter().for_each(|end| self.state.precision_limited[end] = true);
+        Ok(())
+    }
+
+    /// Splits `subsegment`; false where doubles have no room for a vertex on it.
+    fn split(&mut self, subsegment: u32, cavity: &mut Cavity) -> Result<bool> {
+        let Subsegment { ends: [a, _], line, .. } = *self.state.segments.chains.get(subsegment);
+        if self.state.segments.chains.is_limited(subsegment) {
+            return Ok(false);
+        }
+        let place = self.splitting_place(self.state.segments.chains.get(subsegment));
+        let x = self.point_at(line, place);
+        let near = self.state.delaunay.complex().incident(a);
+        if self.state.delaunay.vertex_at(near, &x).is_some() {
+            return Ok(false);
+        }
+        let Some(start) = self.state.delaunay.locate(near, &x) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, &x, cavity)?;
+        let domain = self.enter_from_segment(&x, cavity)?;
+        let vertex = self.add_vertex(x)?;
+        self.state.stats.segment_points += 1;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.state.segments.chains.split(subsegment, vertex, place)?;
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(true)
+    }
+
+    /// Releases the cages that a subsegment between two vertices crosses: those of the domains
+    /// that have one of them.
+    fn leave_domains(&mut self, a: VertexId, b: VertexId) -> AllocResult<()> {
+        loop {
+            let [first, second] = [a, b].map(|end| self.state.hierarchy.domain_of(end));
+            if first == second {
+                return Ok(());
+            }
+            let radius = |domain: DomainId| self.state.hierarchy.node(domain).radius;
+            let inner = if radius(first) < radius(second) { first } else { second };
+            self.release_cage(inner)?;
+        }
+    }
+
+    /// The innermost domain that holds `x`, which is on a segment, after the release of all whose
+    /// cages it is too close to from either side.
+    pub(super) fn enter_from_segment(
+        &mut self,
+        x: &[f64; D],
+        cavity: &Cavity,
+    ) -> AllocResult<DomainId> {
+        let mut domain = self.enter(x, cavity)?;
+        while let Some(encroached) = self.inner_encroached_from(domain, x) {
+            self.release_cage(encroached)?;
+            domain = self.state.hierarchy.find(domain);
+        }
+        debug_assert!(domain == ROOT || self.state.hierarchy.contains(domain, x));
+        Ok(domain)
+    }
+
+    /// Collects the recovered subsegments that a point with `cavity` would encroach.
+    pub(super) fn find_encroached(&mut self, x: &[f64; D], cavity: &Cavity) -> AllocResult<bool> {
+        let State { delaunay, segments, .. } = &mut self.state;
+        let Segments { chains, encroached, .. } = segments;
+        encroached.clear();
+        for &simplex in &cavity.simplices {
+            let vertices = delaunay.complex().vertices(simplex);
+            for [i, j] in [[0, 1], [1, 2], [2, 0]] {
+                let Some(subsegment) = chains.between(vertices[i], vertices[j]) else { continue };
+                let [a, b] = [vertices[i], vertices[j]].map(|vertex| delaunay.point(vertex));
+                if in_diametral_ball(a, b, x).is_positive() {
+                    encroached.try_push(subsegment)?;
+                }
+            }
+        }
+        Ok(!encroached.is_empty())
+    }
+
+    /// Before `vertex` goes in: what it encroaches waits.
+    pub(in crate::netmesh) fn note_insertion_near_segments(
+        &mut self,
+        vertex: VertexId,
+        cavity: &Cavity,
+    ) -> AllocResult<()> {
+        let x = *self.state.delaunay.point(vertex);
+        let is_any = self.find_encroached(&x, cavity)?;
+        let Segments { chains, regions, encroached, .. } = &mut self.state.segments;
+        for &subsegment in encroached.iter() {
+            chains.wait(subsegment)?;
+        }
+        regions.note_insertion(cavity, is_any)
+    }
+
+    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False if
+    /// there is none.
+    pub(in crate::netmesh) fn split_encroached(
+        &mut self,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> Result<Option<bool>> {
+        if !self.state.segments.is_active() || !self.find_encroached(x, cavity)? {
+            return Ok(None);
+        }
+        let mut encroached = std::mem::take(&mut self.state.segments.encroached);
+        encroached.sort_unstable();
+        encroached.dedup();
+        let mut is_any = false;
+        for &subsegment in &encroached {
+            is_any |= self.split(subsegment, cavity)?;
+        }
+        self.state.segments.encroached = encroached;
+        self.recover_segments(cavity)?;
+        Ok(Some(is_any))
+    }
+}

@@ -1,0 +1,113 @@
+//! Where a subsegment is split: in the middle, but at the ends of lines that make a sharp angle
+//! with others on concentric shells about that end, whose radii are powers of two. So the
+//! subsegments of all these lines are as long as each other there, and none encroaches another.
+
+use super::chain::{Fraction, Line, Subsegment};
+use crate::complex::VertexId;
+use crate::netmesh::Mesher;
+use crate::numerics::{distance, point_between};
+
+/// Angles below this, in degrees, are sharp: two lines at 60 degrees or more may be split in their
+/// middles without an end (Ruppert); what rounding adds is far below the rest.
+const SHARP: f64 = 61.0;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Where a subsegment is to be split.
+    pub(super) fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
+        let [first, second] = subsegment.fractions;
+        match self.shell_of(subsegment) {
+            Some((end, ratio)) => {
+                let far = if end == 0 { second } else { first };
+                Fraction::at(end, far.seen_from(end) * ratio)
+            }
+            None => first.middle(second),
+        }
+    }
+
+    /// The end of the line, if just that end of the subsegment is a sharp one, and how far from it
+    /// the shell is that comes nearest to the middle, relative to the length.
+    fn shell_of(&self, subsegment: &Subsegment) -> Option<(u8, f64)> {
+        let line = self.state.segments.chains.lines[subsegment.line as usize];
+        let is_at = |end: usize| subsegment.ends[end] == line.ends[end] && line.is_sharp[end];
+        let end = match [is_at(0), is_at(1)] {
+            [true, false] => 0,
+            [false, true] => 1,
+            _ => return None,
+        };
+        let [a, b] = subsegment.ends.map(|end| self.state.delaunay.point(end));
+        Some((end, ratio_of_shell(distance(a, b))))
+    }
+
+    /// The vertex at `place` of a line.
+    pub(super) fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
+        let Line { ends, .. } = self.state.segments.chains.lines[line as usize];
+        let [from, to] = match place.end {
+            0 => ends,
+            _ => [ends[1], ends[0]],
+        };
+        let point = |vertex: VertexId| self.state.delaunay.point(vertex);
+        point_between(point(from), point(to), place.of_line)
+    }
+
+    /// Marks the ends of lines at which they make a sharp angle with another. O(l log l) for l
+    /// lines.
+    pub(super) fn find_sharp_ends(&self, lines: &mut [Line]) -> crate::memory::AllocResult<()> {
+        use crate::memory::collected;
+        let mut at_ends = collected((0..lines.len()).flat_map(|line| {
+            [0, 1].map(|end| {
+                let ends = lines[line].ends;
+                let (from, to) = (ends[end], ends[1 - end]);
+                (from, self.direction(from, to), line, end)
+            })
+        }))?;
+        at_ends.sort_unstable_by(|a, b| {
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)).then(a.3.cmp(&b.3))
+        });
+        for at_vertex in at_ends.chunk_by(|a, b| a.0 == b.0) {
+            for (at, &(_, direction, line, end)) in at_vertex.iter().enumerate() {
+                let (_, next, other, other_end) = at_vertex[(at + 1) % at_vertex.len()];
+                let turn = (next - direction).rem_euclid(360.0);
+                // A full turn is that of a line alone, or a half of a degenerate angle.
+                if line != other && turn < SHARP {
+                    lines[line].is_sharp[end] = true;
+                    lines[other].is_sharp[other_end] = true;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The direction of the way between two vertices, in degrees.
+    fn direction(&self, from: VertexId, to: VertexId) -> f64 {
+        let [from, to] = [from, to].map(|vertex| self.state.delaunay.point(vertex));
+        let way = |axis: usize| 0.5 * to[axis] - 0.5 * from[axis];
+        way(1).atan2(way(0)).to_degrees()
+    }
+}
+
+/// The power of two between a third and two thirds of `length`, relative to it.
+fn ratio_of_shell(length: f64) -> f64 {
+    // The significand of a normal number, in [1, 2).
+    let significand = match length.is_normal() {
+        true => f64::from_bits(length.to_bits() & ((1 << 52) - 1) | 1023 << 52),
+        false => 1.0,
+    };
+    if significand < 1.5 { 0.5 / significand } else { 1.0 / significand }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ratio_of_shell;
+
+    #[test]
+    fn shells_are_powers_of_two_near_the_middle() {
+        for length in [1.0, 1.4, 1.499, 1.5, 1.99, 2.0, 3e100, 7e-200] {
+            let ratio = ratio_of_shell(length);
+            assert!((1.0 / 3.0..=2.0 / 3.0).contains(&ratio), "{length}: {ratio}");
+            let radius = length * ratio;
+            let nearest = 2f64.powi(radius.log2().round() as i32);
+            assert!((radius / nearest - 1.0).abs() < 1e-15, "{length}: {radius}");
+        }
+        assert_eq!(ratio_of_shell(0.25), 0.5);
+    }
+}

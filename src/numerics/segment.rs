@@ -1,0 +1,146 @@
+//! Segments: the ball that has one for its diameter, and the doubles nearest to points on it.
+
+use super::Sign;
+use super::exact::scalar_product_exact;
+use super::power::{biased_exponent, scale_by_power};
+
+/// Terms between these are products of differences that neither overflowed nor lost bits.
+const SAFE: std::ops::Range<f64> = 1e-250..1e250;
+
+/// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the ball of
+/// which the points `a` and `b` are the ends of a diameter: by the theorem of Thales, whether it
+/// sees them at an obtuse angle. Right for all finite points.
+#[inline]
+pub fn in_diametral_ball<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D]) -> Sign {
+    let (mut sum, mut size) = (0.0, 0.0);
+    for k in 0..D {
+        let product = (a[k] - q[k]) * (b[k] - q[k]);
+        sum += product;
+        size += product.abs();
+    }
+    // A product is within 3 units of roundoff, a sum of D terms adds D - 1.
+    let error = (D + 3) as f64 * f64::EPSILON * size;
+    match SAFE.contains(&size) && sum.abs() > error {
+        true => Sign::of(-sum),
+        false => scalar_product_exact(a, b, q).flip(),
+    }
+}
+
+/// The doubles nearest to the coordinates of `a + fraction (b - a)`, for a fraction in \[0, 1\].
+/// Where a coordinate is subnormal, or 2^900 times smaller than those of the ends, it is within a
+/// unit in the last place.
+pub fn point_between<const D: usize>(a: &[f64; D], b: &[f64; D], fraction: f64) -> [f64; D] {
+    std::array::from_fn(|k| coordinate_between(a[k], b[k], fraction))
+}
+
+/// The sum of `a`, and of `fraction` times the two parts of `b - a`, with all its bits: five
+/// numbers without a common bit, of which the largest is the sum, rounded (J. R. Shewchuk,
+/// "Adaptive Precision Floating-Point Arithmetic", 1997, theorem 10).
+fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
+    let exponent = i64::from(biased_exponent(a).max(biased_exponent(b)).max(1)) - 1023;
+    let [a, b] = [a, b].map(|x| scale_by_power(x, -exponent));
+    let (difference, rest) = sum_of(b, -a);
+    let (high, low) = product_of(fraction, difference);
+    let (rest_high, rest_low) = product_of(fraction, rest);
+    let mut parts = [0.0; 5];
+    for (count, term) in [rest_low, rest_high, low, high, a].into_iter().enumerate() {
+        let mut carried = term;
+        for part in &mut parts[..count] {
+            (carried, *part) = sum_of(carried, *part);
+        }
+        parts[count] = carried;
+    }
+    let sum = parts.into_iter().fold(0.0, |sum, part| sum + part);
+    scale_by_power(sum, exponent)
+}
+
+/// The sum, rounded, and what it lacks.
+fn sum_of(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// The product, rounded, and what it lacks.
+fn product_of(a: f64, b: f64) -> (f64, f64) {
+    let halves = |x: f64| {
+        let shifted = 134_217_729.0 * x;
+        let high = shifted - (shifted - x);
+        (high, x - high)
+    };
+    let (product, (a_high, a_low), (b_high, b_low)) = (a * b, halves(a), halves(b));
+    (product, (a_high * b_high - product + a_high * b_low + a_low * b_high) + a_low * b_low)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::testing::{FAMILIES, Random, points};
+    use dashu_int::IBig;
+
+    /// The coordinates in units of 2^-1200, which all are multiples of after a division.
+    fn whole(value: f64) -> IBig {
+        let (mantissa, exponent) = crate::numerics::power::decompose(value);
+        if mantissa == 0 { IBig::ZERO } else { IBig::from(mantissa) << (exponent + 1200) as usize }
+    }
+
+    #[test]
+    fn diametral_balls_hold_what_sees_the_diameter_at_an_obtuse_angle() {
+        for family in FAMILIES {
+            let mut random = Random(family as u64);
+            for _ in 0..500 {
+                let p = points::<2>(family, 3, &mut random);
+                let edge = |k: usize, end: &[f64; 2]| whole(end[k]) - whole(p[2][k]);
+                let product: IBig = (0..2).map(|k| edge(k, &p[0]) * edge(k, &p[1])).sum();
+                let expected = match product.cmp(&IBig::ZERO) {
+                    std::cmp::Ordering::Less => Sign::Positive,
+                    std::cmp::Ordering::Equal => Sign::Zero,
+                    std::cmp::Ordering::Greater => Sign::Negative,
+                };
+                assert_eq!(in_diametral_ball(&p[0], &p[1], &p[2]), expected, "{p:?}");
+            }
+        }
+        let right_angle = in_diametral_ball(&[0.0, 0.0], &[3.0, 4.0], &[0.0, 4.0]);
+        assert_eq!(right_angle, Sign::Zero);
+    }
+
+    /// Compared with neighbouring doubles: the exact point is in units of 2^-2400.
+    #[test]
+    fn points_of_segments_are_rounded_once() {
+        for family in FAMILIES {
+            let mut random = Random(100 + family as u64);
+            for _ in 0..300 {
+                let [a, b] = points::<2>(family, 2, &mut random)[..] else { unreachable!() };
+                let fraction = random.integer(0, 1 << 53) as f64 / (1u64 << 53) as f64;
+                let exact = |k: usize| {
+                    let (from, to, t) = (whole(a[k]), whole(b[k]), whole(fraction));
+                    (from.clone() << 1200) + t * (to - from)
+                };
+                for (k, x) in point_between(&a, &b, fraction).into_iter().enumerate() {
+                    let off = |x: f64| {
+                        let difference = (whole(x) << 1200) - exact(k);
+                        if difference < IBig::ZERO { -difference } else { difference }
+                    };
+                    if x != 0.0 && x.abs() < f64::MIN_POSITIVE {
+                        continue;
+                    }
+                    let least = off(x);
+                    for other in [x.next_up(), x.next_down()].into_iter().filter(|x| x.is_finite())
+                    {
+                        assert!(least <= off(other), "{family:?} {a:?} {b:?} {fraction} {k}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ends_and_middles_are_exact() {
+        let (a, b) = ([1.0, -f64::MAX], [3.0, f64::MAX]);
+        assert_eq!(point_between(&a, &b, 0.0), a);
+        assert_eq!(point_between(&a, &b, 1.0), b);
+        assert_eq!(point_between(&a, &b, 0.5), [2.0, 0.0]);
+        let tiny = f64::from_bits(2);
+        assert_eq!(point_between(&[0.0, 0.0], &[tiny, 1.0], 0.5), [f64::from_bits(1), 0.5]);
+    }
+}

@@ -168,6 +168,7 @@ void defaults() {
     CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
     CHECK(ours.min_angle == library.min_angle);
     CHECK(ours.min_dihedral == library.min_dihedral);
+    CHECK(ours.max_edge == library.max_edge && !ours.size && library.size == nullptr);
 }
 
 // Every option arrives: those with a range are refused by name, the others change the result.
@@ -190,6 +191,11 @@ void every_option_arrives() {
     refused(__LINE__, "root_scale", [](options& o) { o.root_scale = -1; });
     refused(__LINE__, "min_angle", [](options& o) { o.min_angle = 20; });  // in 2D only
     refused(__LINE__, "min_dihedral", [](options& o) { o.min_dihedral = -1; });
+    refused(__LINE__, "max_edge", [](options& o) { o.max_edge = -1; });
+    refused(__LINE__, "size answers", [](options& o) {
+        o.output = NM_OUTPUT_WELL_SPACED;
+        o.size = [](const double*) { return 0.0; };
+    });
     refused(__LINE__, "output", [](options& o) { o.output = static_cast<nm_output>(77); });
     refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
     refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });

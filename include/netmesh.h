@@ -815,6 +815,11 @@ enum nm_violation
      * for, and the run did not say so.
      */
     NM_VIOLATION_DIHEDRAL_ANGLE = 222,
+    /**
+     * A simplex that meets the box of the inputs is larger than nm_options.max_edge or
+     * nm_options.size asked for.
+     */
+    NM_VIOLATION_SIMPLEX_SIZE = 223,
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;
@@ -867,6 +872,17 @@ typedef struct nm_progress {
  * being run answers NM_STATE; other meshes may be used, and this one must not be freed.
  */
 typedef int32_t (*nm_progress_fn)(const struct nm_progress *progress, void *user_data);
+
+/**
+ * The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
+ * bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
+ * largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
+ * thread that called nm_run, at most once a vertex, in an order that depends on the inputs and the
+ * options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that
+ * has the point and the answer. During a call any use of the mesh being run answers NM_STATE; other
+ * meshes may be used, and this one must not be freed.
+ */
+typedef double (*nm_size_fn)(const double *x, void *user_data);
 
 /**
  * What nm_run shall do. Fill it with nm_options_init, then change what you need.
@@ -998,6 +1014,26 @@ typedef struct nm_options {
      * default 0: none.
      */
     double min_dihedral;
+    /**
+     * The length that no edge exceeds of simplices that meet the box of the inputs (the least and
+     * largest of their coordinates on each axis); their circumradius is at most that of the regular
+     * simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
+     * NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH, without min_dihedral. Above 0, default 0: none.
+     */
+    double max_edge;
+    /**
+     * The size at each point, on the same conditions: no simplex that meets the box of the inputs
+     * has a larger circumradius than the regular simplex whose edges have the least of the sizes
+     * at its vertices (for a vertex outside the box: at the nearest point of it). Most edges are
+     * between 0.6 times the size and the size, none is longer than twice that circumradius: 1.16 times the size
+     * in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between vertices is not
+     * seen. With max_edge both count. Default NULL: none.
+     */
+    nm_size_fn size;
+    /**
+     * Handed to size as it is; the library never looks at it. Default NULL.
+     */
+    void *size_user_data;
 } nm_options;
 
 /**

@@ -40,6 +40,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -58,6 +59,9 @@ inline std::string version() { return nm_version(); }
 // Sees a run's progress on the thread that called run(), about every 30 ms and where a round or a
 // stage ends; false cancels the run, which then fails with NM_CANCELLED.
 using progress_function = std::function<bool(const nm_progress &)>;
+
+// The size that is asked for at a point: x has dim doubles. Called on the thread that called run().
+using size_function = std::function<double(const double *x)>;
 
 // Receives an export piece by piece; false stops it, and it fails with NM_IO.
 using write_function = std::function<bool(const char *data, std::size_t size)>;
@@ -84,6 +88,8 @@ struct options {
     double distance_ratio = 0;
     double min_angle = 0;  // 2D only, in place of criterion and quality_bound
     double min_dihedral = 0;
+    double max_edge = 0;
+    size_function size = {};  // empty: none
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -189,8 +195,11 @@ public:
         copy(wanted, values);
         values.progress = wanted.progress ? &progress_call::invoke : nullptr;
         values.user_data = &call;
+        size_call asked{wanted.size, nullptr};
+        values.size = wanted.size ? &size_call::invoke : nullptr;
+        values.size_user_data = &asked;
         nm_status status = nm_run(handle_, &values);
-        return finished(status, call.thrown);
+        return finished(status, call.thrown ? call.thrown : asked.thrown);
     }
 
     result<nm_counts> try_counts() const { return filled<nm_counts>(nm_mesh_counts); }
@@ -675,6 +684,21 @@ private:
         }
     };
 
+    // An exception ends the run: no size is NaN.
+    struct size_call {
+        const size_function &function;
+        std::exception_ptr thrown;
+
+        static double invoke(const double *x, void *user_data) noexcept {
+            auto &call = *static_cast<size_call *>(user_data);
+            return detail::guarded([&]() -> double { return call.function(x); },
+                                   [&]() -> double {
+                                       call.thrown = std::current_exception();
+                                       return std::numeric_limits<double>::quiet_NaN();
+                                   });
+        }
+    };
+
     struct write_call {
         const write_function &sink;
         std::exception_ptr thrown;
@@ -724,6 +748,7 @@ private:
         to.distance_ratio = from.distance_ratio;
         to.min_angle = from.min_angle;
         to.min_dihedral = from.min_dihedral;
+        to.max_edge = from.max_edge;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

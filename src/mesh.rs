@@ -156,6 +156,9 @@ pub struct Triangulation {
     /// [`crate::Options::min_dihedral`], by rising id; none with vertices of several domains.
     pub below_min_dihedral: Vec<u32>,
     pub boundary: Boundary,
+    /// Vertex -> the size that was asked for there, infinite where there is no bound, and where
+    /// none was needed; empty without a function or values that tell sizes.
+    pub sizes: Vec<f64>,
     pub parameters: Parameters,
     pub stats: Stats,
 }

@@ -113,6 +113,9 @@ pub struct Options {
     pub min_dihedral: f64,
     /// How far the result reaches.
     pub extent: Extent,
+    /// The length that no edge exceeds of simplices that meet the box of the inputs; 0: none.
+    /// For [`Output::WellSpaced`].
+    pub max_edge: f64,
 }
 
 impl Default for Options {
@@ -138,6 +141,7 @@ impl Default for Options {
             min_angle: 0.0,
             min_dihedral: 0.0,
             extent: Extent::default(),
+            max_edge: 0.0,
         }
     }
 }
@@ -166,3 +170,7 @@ pub struct Progress {
 /// Called about every 30 ms, and where a round or a stage ends, on the thread that runs;
 /// `false` cancels the run.
 pub type ProgressFn<'a> = dyn FnMut(&Progress) -> bool + 'a;
+
+/// The size that is asked for at a point, in the box of the inputs: a number above 0, infinite
+/// where there is no bound. Any other answer ends the run. Called on the thread that runs.
+pub type SizeFn<'a> = dyn Fn(&[f64]) -> f64 + 'a;

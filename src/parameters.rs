@@ -3,6 +3,7 @@
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{Algorithm, Criterion, Extent, NetOrdering, Options, Output};
+use std::fmt::Display;
 
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
@@ -43,6 +44,8 @@ pub struct Parameters {
     pub min_dihedral: f64,
     /// How far the result reaches.
     pub extent: Extent,
+    /// 0: none.
+    pub max_edge: f64,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -93,6 +96,7 @@ impl Parameters {
             },
             min_dihedral: angle(dim, options)?,
             extent: options.extent,
+            max_edge: max_edge(options)?,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }
@@ -202,6 +206,36 @@ fn distance_ratio(options: &Options) -> Result<f64> {
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
     Ok(ratio)
+}
+
+/// A largest edge, if there is one.
+fn max_edge(options: &Options) -> Result<f64> {
+    let given = options.max_edge;
+    if given.is_nan() || given < 0.0 {
+        let message = message!("options.max_edge is {given}; it must be 0 (none) or above");
+        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    }
+    if given > 0.0 {
+        check_sized(options, "max_edge", given)?;
+    }
+    Ok(given)
+}
+
+/// Fails unless meshes by these `options` may have sizes. `option` asks for some.
+pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) -> Result<()> {
+    if options.min_dihedral != 0.0 {
+        let angle = options.min_dihedral;
+        let message = message!("options.min_dihedral is {angle}; it must be 0 with sizes");
+        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    }
+    if (options.output, options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
+        return Ok(());
+    }
+    let message = message!(
+        "options.{option} is {given}; sizes are for well-spaced output (options.output) of the \
+         algorithm netmesh"
+    );
+    Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
 fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::memory::copied;
 use crate::mesh::{Arrangement, Mesh};
 use crate::netmesh;
-use crate::options::{Crossings, Options, ProgressFn};
+use crate::options::{Crossings, Options, ProgressFn, SizeFn};
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
@@ -14,8 +14,22 @@ impl Mesh {
     /// `InvalidArgument` (an option out of range; segments that cross), `DegenerateInput` (plain Delaunay of inputs of
     /// lower affine rank), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
+        self.run_sized(options, None, progress)
+    }
+
+    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`].
+    ///
+    /// # Errors
+    /// As those of [`Mesh::run`]; `InvalidArgument` (an answer of `size` that is no size).
+    pub fn run_sized(
+        &mut self,
+        options: &Options,
+        size: Option<&SizeFn<'_>>,
+        progress: Option<&mut ProgressFn<'_>>,
+    ) -> Result<()> {
         let arrangement = self.arrangement()?;
-        let triangulation = netmesh::run(self.inputs(), arrangement.as_ref(), options, progress)?;
+        let triangulation =
+            netmesh::run_sized(self.inputs(), arrangement.as_ref(), options, size, progress)?;
         self.set_triangulation(triangulation);
         Ok(())
     }

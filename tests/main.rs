@@ -18,6 +18,7 @@ mod least_bounds;
 mod pages;
 mod progress;
 mod properties;
+mod size_fields;
 mod sizes;
 mod slivers;
 mod spread_curve;

@@ -170,6 +170,10 @@ pub struct Meshing {
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     pub min_dihedral: Option<f64>,
 
+    /// With --finish: the length that no edge exceeds in the box of the input
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    pub max_edge: Option<f64>,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -314,6 +318,7 @@ impl Arguments {
             distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
             min_angle: meshing.min_angle.unwrap_or(0.0),
             min_dihedral: meshing.min_dihedral.unwrap_or(0.0),
+            max_edge: meshing.max_edge.unwrap_or(0.0),
         }
     }
 }
@@ -436,7 +441,7 @@ mod tests {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
             --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --seed 7 --max-vertices 99 --threads 4 --ordering deterministic --stats";
+            --max-edge 0.5 --seed 7 --max-vertices 99 --threads 4 --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
             algorithm: Algorithm::Delaunay,
@@ -457,6 +462,7 @@ mod tests {
             instruments: true,
             min_angle: 0.0,
             min_dihedral: 5.0,
+            max_edge: 0.5,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();

@@ -108,6 +108,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.truth("instruments", parameters.instruments);
     options.number("min_angle", parameters.min_angle);
     options.number("min_dihedral", parameters.min_dihedral);
+    options.number("max_edge", parameters.max_edge);
 }
 
 fn add_quality(object: &mut Object, summary: &Summary<'_>) {

@@ -39,6 +39,7 @@ def mesh(
     distance_ratio: float = 0.0,
     min_angle: float = 0.0,
     min_dihedral: float = 0.0,
+    max_edge: float = 0.0,
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -82,6 +83,9 @@ def mesh(
         and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too.
     min_dihedral : float
         The least dihedral angle in degrees, at most 22, in 3D; 0 for none.
+    max_edge : float
+        With ``output='well_spaced'``: the length that no edge exceeds in the box of the points; 0
+        for none.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

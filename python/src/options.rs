@@ -60,6 +60,7 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "min_angle" => options.min_angle = number(name, value)?,
         "instruments" => options.instruments = value.is_truthy()?,
         "min_dihedral" => options.min_dihedral = number(name, value)?,
+        "max_edge" => options.max_edge = number(name, value)?,
         _ => return Err(PyTypeError::new_err(format!("there is no option {name}"))),
     }
     Ok(())

@@ -133,6 +133,7 @@ OPTIONS = {
     "distance_ratio": (0.3, "[0.05, 1]"),
     "min_angle": (25.0, "[0.6, 33.7]"),
     "min_dihedral": (12.0, "[0, 22]"),
+    "max_edge": (0.05, None),
 }
 
 
@@ -148,7 +149,7 @@ def test_options_reach_the_library(name):
     if name == "min_dihedral":
         points = np.random.default_rng(1).random((300, 3))
     value, range_ = OPTIONS[name]
-    others = {"output": "well_spaced"} if name == "distance_ratio" else {}
+    others = {"output": "well_spaced"} if name in ("distance_ratio", "max_edge") else {}
     default, other = netmesh.mesh(points, **others), netmesh.mesh(points, **others, **{name: value})
     differs = default.points.shape != other.points.shape or (default.points != other.points).any()
     if name == "instruments":

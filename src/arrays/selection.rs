@@ -127,6 +127,7 @@ impl<'a> Part<'a> {
                     .filter(|&s| s != NONE),
             )?,
             boundary: mesh.boundary.part(&new_vertex, &ids)?,
+            sizes: collected(kept.iter().filter_map(|&v| mesh.sizes.get(v as usize)).copied())?,
             parameters: mesh.parameters.clone(),
             stats: mesh.stats.clone(),
         };

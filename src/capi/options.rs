@@ -69,6 +69,9 @@ pub(super) fn encode(options: &Options) -> nm_options {
         distance_ratio: options.distance_ratio,
         min_angle: options.min_angle,
         min_dihedral: options.min_dihedral,
+        max_edge: options.max_edge,
+        size: None,
+        size_user_data: null_mut(),
     }
 }
 
@@ -95,6 +98,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         min_angle: options.min_angle,
         min_dihedral: options.min_dihedral,
         extent: Extent::default(),
+        max_edge: options.max_edge,
     })
 }
 
@@ -155,6 +159,7 @@ mod tests {
             min_angle: 14.0,
             min_dihedral: 15.0,
             extent: Extent::default(),
+            max_edge: 16.0,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
@@ -196,6 +201,9 @@ mod tests {
             120 + 2 * word,
             128 + 2 * word,
             136 + 2 * word,
+            144 + 2 * word,
+            144 + 3 * word,
+            144 + 4 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {

@@ -5,7 +5,7 @@ use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::read_struct;
 use super::options::{decode, encode};
 use super::structs::{nm_options, nm_progress};
-use crate::options::{Options, Progress};
+use crate::options::{Options, Progress, ProgressFn, SizeFn};
 
 /// Meshes the inputs. A second run replaces the first one's result. All or nothing: after any other
 /// status than NM_OK and NM_PANIC the mesh is as it was before the call.
@@ -35,17 +35,20 @@ pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) 
             unsafe { read_struct("options", options, defaults)? }
         };
         let options = decode(&given)?;
-        match given.progress {
-            None => mesh.run(&options, None),
-            Some(callback) => {
-                let mut report = |progress: &Progress| {
-                    let report = encode_progress(progress);
-                    // SAFETY: the caller's function, with the caller's `user_data`.
-                    unsafe { callback(&report, given.user_data) == 0 }
-                };
-                mesh.run(&options, Some(&mut report))
+        let mut report = given.progress.map(|callback| {
+            move |progress: &Progress| {
+                let report = encode_progress(progress);
+                // SAFETY: the caller's function, with the caller's `user_data`.
+                unsafe { callback(&report, given.user_data) == 0 }
             }
-        }
+        });
+        let size = given.size.map(|callback| {
+            // SAFETY: the caller's function, with the caller's `size_user_data`.
+            move |x: &[f64]| unsafe { callback(x.as_ptr(), given.size_user_data) }
+        });
+        let size = size.as_ref().map(|size| size as &SizeFn<'_>);
+        let report = report.as_mut().map(|report| report as &mut ProgressFn<'_>);
+        mesh.run_sized(&options, size, report)
     };
     // SAFETY: the caller gave NULL or a live handle.
     unsafe { with_mesh_mut(mesh, body) }

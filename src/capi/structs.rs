@@ -64,6 +64,16 @@ pub struct nm_progress {
 pub type nm_progress_fn =
     Option<unsafe extern "C" fn(progress: *const nm_progress, user_data: *mut c_void) -> i32>;
 
+/// The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
+/// bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
+/// largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
+/// thread that called nm_run, at most once a vertex, in an order that depends on the inputs and the
+/// options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that
+/// has the point and the answer. During a call any use of the mesh being run answers NM_STATE; other
+/// meshes may be used, and this one must not be freed.
+#[allow(non_camel_case_types)]
+pub type nm_size_fn = Option<unsafe extern "C" fn(x: *const f64, user_data: *mut c_void) -> f64>;
+
 /// What nm_run shall do. Fill it with nm_options_init, then change what you need.
 ///
 /// For each double and for max_vertices, 0 is the default for the dimension; anything else outside
@@ -149,6 +159,20 @@ pub struct nm_options {
     /// without distance_ratio, and without effect with NM_ALGORITHM_DELAUNAY. In [0, 22],
     /// default 0: none.
     pub min_dihedral: f64,
+    /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
+    /// largest of their coordinates on each axis); their circumradius is at most that of the regular
+    /// simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
+    /// NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH, without min_dihedral. Above 0, default 0: none.
+    pub max_edge: f64,
+    /// The size at each point, on the same conditions: no simplex that meets the box of the inputs
+    /// has a larger circumradius than the regular simplex whose edges have the least of the sizes
+    /// at its vertices (for a vertex outside the box: at the nearest point of it). Most edges are
+    /// between 0.6 times the size and the size, none is longer than twice that circumradius: 1.16 times the size
+    /// in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between vertices is not
+    /// seen. With max_edge both count. Default NULL: none.
+    pub size: nm_size_fn,
+    /// Handed to size as it is; the library never looks at it. Default NULL.
+    pub size_user_data: *mut c_void,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -165,14 +189,16 @@ unsafe impl Versioned for nm_options {
             size_of::<usize>()
         } else if size < offset_of!(nm_options, distance_ratio) {
             size_of::<u32>()
-        } else {
+        } else if size < offset_of!(nm_options, size) {
             size_of::<u64>()
+        } else {
+            size_of::<usize>()
         };
         size % width != 0
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 13 * 8 + 2 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

@@ -104,6 +104,9 @@ pub enum nm_violation {
     /// A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
     /// for, and the run did not say so.
     NM_VIOLATION_DIHEDRAL_ANGLE = 222,
+    /// A simplex that meets the box of the inputs is larger than nm_options.max_edge or
+    /// nm_options.size asked for.
+    NM_VIOLATION_SIMPLEX_SIZE = 223,
 }
 
 impl From<ViolationKind> for nm_violation {
@@ -155,6 +158,7 @@ impl From<ViolationKind> for nm_violation {
             ViolationKind::RadiusEdge => Self::NM_VIOLATION_RADIUS_EDGE,
             ViolationKind::NotFinished => Self::NM_VIOLATION_NOT_FINISHED,
             ViolationKind::DihedralAngle => Self::NM_VIOLATION_DIHEDRAL_ANGLE,
+            ViolationKind::SimplexSize => Self::NM_VIOLATION_SIMPLEX_SIZE,
         }
     }
 }

@@ -98,6 +98,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
         precision_limited: (0..vertices).map(|v| v == 1).collect(),
         below_min_dihedral: vec![0],
         boundary: Default::default(),
+        sizes: Vec::new(),
         parameters: Parameters::resolve(dim, &Options::default()).unwrap(),
         stats: Stats::default(),
         kinds,

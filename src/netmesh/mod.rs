@@ -30,8 +30,9 @@ mod watch;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
-use crate::options::{Algorithm, Options, Output, ProgressFn};
-use crate::parameters::{Parameters, with_segments};
+use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
+use crate::parameters::{Parameters, check_sized, with_segments};
+use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
 use watch::Watch;
@@ -46,6 +47,20 @@ pub fn run(
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
+    run_sized(inputs, arrangement, options, None, progress)
+}
+
+/// As [`run`], with sizes.
+///
+/// # Errors
+/// As those of [`run`]; `InvalidArgument` if `size` answers no size.
+pub fn run_sized(
+    inputs: &Inputs,
+    arrangement: Option<&Arrangement>,
+    options: &Options,
+    size: Option<&SizeFn<'_>>,
+    progress: Option<&mut ProgressFn<'_>>,
+) -> Result<Triangulation> {
     let parameters = match arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
@@ -54,9 +69,12 @@ pub fn run(
             ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
         },
     };
+    if size.is_some() {
+        check_sized(options, "size", "set")?;
+    }
     in_dimension!(
         inputs.dim(),
-        D => mesh::<D>(inputs, arrangement, parameters, progress),
+        D => mesh::<D>(inputs, arrangement, parameters, size, progress),
         _ => unreachable!("inputs of other dimensions are refused when they are made")
     )
 }
@@ -65,13 +83,16 @@ fn mesh<const D: usize>(
     inputs: &Inputs,
     arrangement: Option<&Arrangement>,
     parameters: Parameters,
+    size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
     let begun = Instant::now();
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
     watch.report()?;
+    let sizes = Sizes::new(inputs, &parameters, size);
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
+    mesher.sizes = sizes;
     let mut cavity = Cavity::default();
     if mesher.state.parameters.algorithm == Algorithm::Delaunay {
         mesher.start_delaunay()?;
@@ -94,6 +115,10 @@ fn mesh<const D: usize>(
         }
         mesher.refine_finally(&mut cavity)?;
         mesher.refine_by_distance(&mut cavity)?;
+        // What goes in for the one may break the other, where simplices reach out of the box.
+        while mesher.refine_by_size(&mut cavity)? && mesher.state.parameters.distance_ratio > 0.0 {
+            mesher.refine_by_distance(&mut cavity)?;
+        }
         if D == 3 && mesher.state.parameters.min_dihedral > 0.0 {
             mesher.remove_slivers(&mut cavity)?;
         }

@@ -36,6 +36,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut vertex_domains = with_capacity(vertices)?;
         let mut kinds = with_capacity(vertices)?;
         let mut limited = with_capacity(vertices)?;
+        let asked = self.sizes.take();
+        let mut sizes = Vec::new();
         for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..vertices)) {
             self.watch.poll_after(1)?;
             limited.push(precision_limited[vertex]);
@@ -47,6 +49,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 false => renumbered(self.state.hierarchy.domain_of(vertex)),
             });
             kinds.push(self.kind(vertex, cage));
+            if let Some(size) = asked.as_ref().and_then(|asked| asked.answer(vertex)) {
+                sizes.try_push(size)?;
+            }
         }
         self.count_vertices(&kinds, &limited);
         let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
@@ -63,6 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             precision_limited: limited,
             below_min_dihedral,
             boundary: Boundary::default(),
+            sizes,
             parameters: self.state.parameters,
             stats: self.state.stats,
         };

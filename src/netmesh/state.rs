@@ -5,6 +5,7 @@ use super::cages::domains::Hierarchy;
 use super::instruments::observations::Instruments;
 use super::partitions::interface::Interface;
 use super::refinement::refine_list::RefineList;
+use super::refinement::size::Sizes;
 use super::rounds::conflict_lists::ConflictLists;
 use super::rounds::order::{InputId, by_locality};
 use super::segments::Segments;
@@ -57,6 +58,8 @@ pub(super) struct Stage {
     pub is_final: bool,
     /// The fraction of the final refinement that is done.
     pub final_fraction: f64,
+    /// The fraction of the refinement by size that is done.
+    pub size_fraction: f64,
     /// The fraction of the work on slivers that is done.
     pub sliver_fraction: f64,
     /// The number of vertices when the final refinement began.
@@ -71,6 +74,7 @@ impl Stage {
             bound,
             is_final: false,
             final_fraction: 0.0,
+            size_fraction: 0.0,
             sliver_fraction: 0.0,
             vertices_before_final: 0,
         }
@@ -90,6 +94,8 @@ pub(super) struct Mesher<'a, 'b, const D: usize> {
     pub reported: [u64; 3],
     pub instruments: Instruments,
     pub scratch: Scratch,
+    /// The sizes that are asked for, if there are any. A partition has none.
+    pub sizes: Option<Sizes<'a, D>>,
 }
 
 /// The extent of a vertex's Voronoi cell.
@@ -184,6 +190,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             reported: [0; 3],
             instruments: Instruments::default(),
             scratch: Scratch::default(),
+            sizes: None,
         }
     }
 
@@ -280,6 +287,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             }
             Phase::Export => return 1.0,
         };
+        let sizes = if self.sizes.is_some() { 0.8 } else { 0.0 };
+        let before = (1.0 - sizes) * before + sizes * self.state.stage.size_fraction;
         (1.0 - slivers) * before + slivers * self.state.stage.sliver_fraction
     }
 

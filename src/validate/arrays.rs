@@ -31,6 +31,12 @@ fn check_lengths(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings)
         ("vertex_domains", mesh.vertex_domains.len(), vertices),
         ("cage_of", mesh.cage_of.len(), vertices),
         ("precision_limited", mesh.precision_limited.len(), vertices),
+        ("sizes", mesh.sizes.len(), if mesh.sizes.is_empty() { 0 } else { vertices }),
+        (
+            "sizes that are none",
+            mesh.sizes.iter().filter(|size| size.is_nan() || **size <= 0.0).count(),
+            0,
+        ),
         ("neighbors", mesh.neighbors.len(), mesh.simplices.len()),
         ("simplices beyond a multiple of dim + 1", mesh.simplices.len() % size, 0),
         ("simplices == 0", usize::from(mesh.simplices.is_empty()), 0),

@@ -185,6 +185,7 @@ mod tests {
             precision_limited: vec![false; count],
             below_min_dihedral: Vec::new(),
             boundary: Default::default(),
+            sizes: Vec::new(),
             parameters: Parameters::resolve(D, &Options::default()).unwrap(),
             stats: Stats::default(),
         };

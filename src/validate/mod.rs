@@ -32,6 +32,7 @@ mod inputs;
 mod links;
 mod report;
 mod signs;
+mod sizes;
 #[cfg(test)]
 mod tests;
 mod winding;
@@ -136,6 +137,7 @@ fn check_paper<const D: usize>(
         aspect::check(view, &cells, findings)?;
     }
     angles::check(view, findings)?;
+    sizes::check(inputs, view, findings)?;
     let finished = mesh.parameters.output == Output::WellSpaced;
     findings.check(!finished || mesh.domains.len() == 1, || {
         let message =

@@ -107,6 +107,8 @@ pub enum ViolationKind {
     /// A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
     /// for, and is not among those that the run has left.
     DihedralAngle = 222,
+    /// A simplex that meets the box of the inputs is larger than was asked for.
+    SimplexSize = 223,
 }
 
 impl ViolationKind {

@@ -191,6 +191,13 @@ static void test_before_a_run(void)
     nm_mesh_free(mesh);
 }
 
+static double answer_nothing(const double *x, void *user_data)
+{
+    (void)x;
+    (void)user_data;
+    return NAN;
+}
+
 static void test_options(void)
 {
     nm_mesh *mesh = create();
@@ -231,6 +238,8 @@ static void test_options(void)
     REFUSED(instruments, 2, "options.instruments is 2");
     REFUSED(reserved, 1, "options.reserved is 1");
     REFUSED(min_dihedral, 23.0, "min_dihedral is 23");
+    REFUSED(max_edge, -1.0, "max_edge is -1");
+    REFUSED(size, answer_nothing, "options.size is set");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);
     OK(nm_options_init(&newer.options, sizeof newer));

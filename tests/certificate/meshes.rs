@@ -30,6 +30,7 @@ pub fn plain<const D: usize>(points: &[[f64; D]], simplices: &[Vec<u32>]) -> Cas
         precision_limited: vec![false; points.len()],
         below_min_dihedral: Vec::new(),
         boundary: Default::default(),
+        sizes: Vec::new(),
         parameters: run(&corner::<D>(), &options).mesh.parameters,
         stats: Stats::default(),
     };

@@ -141,6 +141,9 @@ impl Attempt {
             distance_ratio: given.distance_ratio,
             min_angle: given.min_angle,
             min_dihedral: given.min_dihedral,
+            max_edge: 0.0,
+            size: None,
+            size_user_data: null_mut(),
         }
     }
 

@@ -21,7 +21,7 @@ fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
 }
 
 fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
-    mesh::<D>(inputs, None, parameters(D, options, threads), None).unwrap()
+    mesh::<D>(inputs, None, parameters(D, options, threads), None, None).unwrap()
 }
 
 fn assert_same(a: &Triangulation, b: &Triangulation) {
@@ -53,7 +53,7 @@ fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     assert_eq!(one.stats.input_vertices as usize, points.len());
     let undivided = Parameters::resolve(D, options).unwrap();
     assert!(points.len() < 2 * undivided.inputs_per_partition);
-    let undivided = mesh::<D>(&inputs, None, undivided, None).unwrap();
+    let undivided = mesh::<D>(&inputs, None, undivided, None, None).unwrap();
     assert_ne!(bits(&one.points), bits(&undivided.points));
     let ratio = one.vertex_count() as f64 / undivided.vertex_count() as f64;
     assert!((0.9..1.1).contains(&ratio), "{ratio} times the vertices");
@@ -183,7 +183,7 @@ fn higher_dimensions_go_as_one() {
         ..Parameters::resolve(4, &Options::default()).unwrap()
     };
     let [a, b] = [100, 1 << 20]
-        .map(|partition| mesh::<4>(&inputs, None, parameters(partition), None).unwrap());
+        .map(|partition| mesh::<4>(&inputs, None, parameters(partition), None, None).unwrap());
     assert_eq!(a.simplices, b.simplices);
 }
 
@@ -194,7 +194,7 @@ fn the_limit_is_that_of_the_global_mesh() {
     for threads in [1, 2] {
         let limited = |max_vertices| {
             let options = Options { max_vertices, ..Options::default() };
-            mesh::<2>(&inputs, None, parameters(2, &options, threads), None)
+            mesh::<2>(&inputs, None, parameters(2, &options, threads), None, None)
                 .map(|mesh| mesh.vertex_count())
         };
         assert_eq!(limited(size).unwrap() as u64, size);
@@ -215,7 +215,7 @@ fn runs_in_partitions_are_watched() {
             true
         };
         let options = parameters(3, &Options::default(), threads);
-        let mesh_of = mesh::<3>(&inputs, None, options.clone(), Some(&mut watch)).unwrap();
+        let mesh_of = mesh::<3>(&inputs, None, options.clone(), None, Some(&mut watch)).unwrap();
         for pair in calls.windows(2) {
             assert!(pair[0].fraction <= pair[1].fraction);
             assert!(pair[0].inputs_inserted <= pair[1].inputs_inserted);
@@ -226,7 +226,8 @@ fn runs_in_partitions_are_watched() {
         // Some of them are in the coarse mesh and at interfaces, which are made before partitions.
         for most in [2_500, 6_000, 12_500] {
             let mut stop = |progress: &Progress| progress.inputs_inserted < most;
-            let error = mesh::<3>(&inputs, None, options.clone(), Some(&mut stop)).unwrap_err();
+            let error =
+                mesh::<3>(&inputs, None, options.clone(), None, Some(&mut stop)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Cancelled);
         }
     }

@@ -4,7 +4,7 @@
 //! `refine_list` keeps those that are (REFINELIST), `steiner` places a point for one, `clean`
 //! inserts it or the input that it yields to (CLEAN, YIELDINGINSERT). `finish` dissolves the cages
 //! (FINISHMESH). `final_refinement` brings every cell to the caller's bound, `distance_ratio` then to a
-//! part of its distance from the inputs.
+//! part of its distance from the inputs, and `size` simplices to the sizes that are asked for.
 //!
 //! What tests or improves the shape of cells belongs here.
 
@@ -16,4 +16,5 @@ mod final_refinement;
 mod finish;
 mod quality;
 pub(super) mod refine_list;
+pub(super) mod size;
 mod steiner;

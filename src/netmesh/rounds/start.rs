@@ -148,6 +148,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll_after(1)?;
             radius = radius.max(distance(self.state.delaunay.point(input), center));
         }
+        if let Some(sizes) = &self.sizes {
+            radius = radius.max(sizes.reach(center));
+        }
         let spacing = 4.0 * REPRESENTABLE * spacing_near(center);
         let hull = self.state.parameters.cage_scale * self.state.parameters.hull_radius();
         Ok((self.state.parameters.root_scale.max(ROOM / hull) * radius).max(spacing))

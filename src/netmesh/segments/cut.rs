@@ -146,6 +146,10 @@ impl Order {
             cage_of: gathered(&whole.cage_of, &self.vertices, 1)?,
             precision_limited: gathered(&whole.precision_limited, &self.vertices, 1)?,
             boundary,
+            sizes: match whole.sizes.is_empty() {
+                true => Vec::new(),
+                false => gathered(&whole.sizes, &self.vertices, 1)?,
+            },
             ..whole
         })
     }
@@ -179,6 +183,7 @@ impl Order {
             precision_limited: copied(&whole.precision_limited[..vertices])?,
             below_min_dihedral: Vec::new(),
             boundary,
+            sizes: copied(&whole.sizes[..vertices.min(whole.sizes.len())])?,
             parameters: whole.parameters.clone(),
             stats: whole.stats.clone(),
         })

@@ -1,62 +1,107 @@
-//! The caller's segments as segments that meet only at their ends, exactly: duplicates merged.
+//! The caller's segments as pieces that meet only at their ends, exactly.
+//!
+//! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
+//!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
+//! - [`split`] makes vertices of crossings.
+//!
+//! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
+//! bends them: the pieces may pass other vertices than before, and cross others. So all is swept
+//! again, until a sweep finds no crossing; it proves by that that there is none. A piece that
+//! crosses another only since it is bent goes through an end of that one if it passes within a
+//! rounding: to make further vertices would make further crossings, of lines that nearly coincide
+//! more each time.
+//!
+//! This ends: a crossing is rounded to a point in the bounding rectangles of both pieces, which can be
+//! an end of one of them only. So a piece is split, and the two parts' rectangles have as many
+//! doubles on their sides together as that of the piece.
 
-use crate::error::Result;
-use crate::memory::{AllocResult, collected, filled, with_capacity};
+mod places;
+mod split;
+mod status;
+mod sweep;
+#[cfg(test)]
+mod tests;
+
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocResult, collected, copied, filled};
 use crate::mesh::{Arrangement, Inputs, Segments, Subsegment};
+use crate::numerics::coordinates;
 use crate::options::Crossings;
+use places::{Places, key_along};
+use split::split;
+use sweep::{Handling, Part, Swept, sweep};
 
-/// The arrangement of segments between inputs in the plane.
+/// The most sweeps. All but inputs that are made for it need two or three.
+const MOST_SWEEPS: usize = 200;
+
+/// The arrangement of segments between inputs in the plane. Of pieces that overlap, the first
+/// segment's counts.
+///
+/// Expected O((n + k) log n) for n inputs and segments and k crossings.
 ///
 /// # Errors
-/// `InvalidArgument` (segments that cross, where `crossings` refuses them), `OutOfMemory`.
-pub fn arrange(inputs: &Inputs, segments: &Segments, _crossings: Crossings) -> Result<Arrangement> {
-    let ends = |segment: u32| segments.inputs[segment as usize].map(|input| vertex(inputs, input));
-    let is_duplicate = duplicates(segments.count() as u32, ends)?;
-    let mut subsegments = with_capacity(segments.count())?;
-    for segment in 0..segments.count() as u32 {
-        if !is_duplicate[segment as usize] {
-            subsegments.push(Subsegment { ends: ends(segment), segment });
-        }
-    }
-    let duplicate_segments = (segments.count() - subsegments.len()) as u64;
-    Ok(Arrangement { subsegments, duplicate_segments, ..Arrangement::default() })
-}
-
-fn vertex(inputs: &Inputs, input: u32) -> u32 {
-    inputs.vertices()[input as usize]
-}
-
-/// Whether an earlier segment has the same ends, in either order.
-fn duplicates(count: u32, ends: impl Fn(u32) -> [u32; 2]) -> AllocResult<Vec<bool>> {
-    let key = |segment: u32| {
-        let [from, to] = ends(segment);
-        (from.min(to), from.max(to), segment)
+/// `InvalidArgument` (segments that cross, where `crossings` refuses them), `Limit`, `Capacity`
+/// (more vertices than 32-bit ids), `OutOfMemory`.
+pub fn arrange(inputs: &Inputs, segments: &Segments, crossings: Crossings) -> Result<Arrangement> {
+    let mut points = collected(
+        (0..inputs.distinct()).map(|vertex| *coordinates::<2>(inputs.distinct_point(vertex), 0)),
+    )?;
+    let ends = |ends: &[u32; 2]| ends.map(|input| inputs.vertices()[input as usize]);
+    let pieces = segments.inputs.iter().zip(0u32..);
+    let pieces = pieces.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment });
+    let segments = collected(pieces)?;
+    let mut pieces = copied(&segments)?;
+    let mut arrangement = Arrangement::default();
+    let mut handling = match crossings {
+        Crossings::Refuse => Handling::Refuse,
+        Crossings::Split => Handling::Round,
     };
-    let mut keys = collected((0..count).map(key))?;
-    keys.sort_unstable();
-    let mut is_duplicate = filled(count as usize, false)?;
-    for pair in keys.windows(2) {
-        let same = (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1);
-        is_duplicate[pair[1].2 as usize] = same;
+    for count in 0..MOST_SWEEPS {
+        let places = Places::new(&points)?;
+        let swept = sweep(&places, &pieces, handling)?;
+        if count == 0 {
+            arrangement.inputs_on_segments = swept.cuts;
+        }
+        if swept.found.is_empty() {
+            arrangement.subsegments = in_order(&places, &segments, &swept)?;
+            arrangement.covered_segments = covered(&segments, &arrangement.subsegments)?;
+            arrangement.crossings = copied(&points[inputs.distinct()..])?;
+            return Ok(arrangement);
+        }
+        let parts = swept.parts.len();
+        pieces = split(&places, swept, &mut points)?;
+        let has_split = pieces.len() > parts;
+        handling = if has_split { Handling::Snap } else { Handling::Round };
     }
-    Ok(is_duplicate)
+    let message = message!("segments still cross after {MOST_SWEEPS} roundings of their crossings");
+    Err(Error::new(ErrorKind::Limit, message))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// The parts by segments, along each in its direction.
+fn in_order(
+    places: &Places,
+    segments: &[Subsegment],
+    swept: &Swept,
+) -> AllocResult<Vec<Subsegment>> {
+    let point = |vertex: u32| places.point(places.ranks[vertex as usize]);
+    let along = |segment: u32, vertex: u32| {
+        let [from, to] = segments[segment as usize].ends.map(point);
+        key_along(point(vertex), [0, 1].map(|axis| to[axis] < from[axis]))
+    };
+    let mut pieces = collected(swept.parts.iter().map(|&Part { ends, segment, .. }| {
+        let mut ends = ends.map(|rank| places.vertices[rank as usize]);
+        if along(segment, ends[1]) < along(segment, ends[0]) {
+            ends.reverse();
+        }
+        Subsegment { ends, segment }
+    }))?;
+    pieces.sort_unstable_by_key(|piece| (piece.segment, along(piece.segment, piece.ends[0])));
+    Ok(pieces)
+}
 
-    #[test]
-    fn duplicates_belong_to_the_first() {
-        // Inputs 0 and 3 are the same point.
-        let inputs = Inputs::new(2, 4, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0], 0).unwrap();
-        let segments = Segments {
-            inputs: vec![[1, 0], [0, 2], [3, 1], [1, 2], [2, 1]],
-            markers: vec![1, 2, 3, 4, 5],
-        };
-        let arrangement = arrange(&inputs, &segments, Crossings::Refuse).unwrap();
-        let piece = |from, to, segment| Subsegment { ends: [from, to], segment };
-        assert_eq!(arrangement.subsegments, [piece(1, 0, 0), piece(0, 2, 1), piece(1, 2, 3)]);
-        assert_eq!(arrangement.duplicate_segments, 2);
-    }
+/// The number of segments without a piece.
+fn covered(segments: &[Subsegment], pieces: &[Subsegment]) -> AllocResult<u64> {
+    let mut has_piece = filled(segments.len(), false)?;
+    pieces.iter().for_each(|piece| has_piece[piece.segment as usize] = true);
+    Ok(has_piece.iter().filter(|&&has_piece| !has_piece).count() as u64)
 }

@@ -48,9 +48,9 @@ pub struct Arrangement {
     pub subsegments: Vec<Subsegment>,
     /// What the caller says of the regions between them.
     pub regions: Vec<Region>,
-    /// Segments that have the ends of an earlier one, in either order.
-    pub duplicate_segments: u64,
-    /// Inputs in the interior of segments, once for each.
+    /// Segments without a piece of their own: duplicates, and those that others cover.
+    pub covered_segments: u64,
+    /// How often an input is in the interior of a segment, or of several that overlap there.
     pub inputs_on_segments: u64,
 }
 

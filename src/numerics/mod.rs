@@ -40,6 +40,7 @@ mod timing;
 
 pub use affine::{AffineBasis, affine_basis};
 pub(crate) use exact::{Column, Edges};
+pub(crate) use exact::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exact};
 pub(crate) use filters::Hyperplane;
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};

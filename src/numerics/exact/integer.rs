@@ -1,7 +1,7 @@
 //! Integers in a fixed array, built from residues: as digits of mixed radix (Garner, "The Residue
 //! Number System", 1959), which tell the sign and the value.
 
-use super::natural::{Natural, quotient};
+use super::natural::{Natural, Quotient, quotient};
 use super::residues::Field;
 use crate::numerics::Sign;
 use crate::numerics::power::{biased_exponent, scale_by_power};
@@ -61,8 +61,9 @@ impl<const N: usize> Integer<N> {
         if sign.is_zero() {
             return (0.0, 0);
         }
-        let (quotient, shift) = quotient(self.magnitude(), denominator.magnitude());
-        let value = quotient as f64;
+        // Truncation is far below the rounding to a double.
+        let Quotient { value, shift, .. } = quotient(self.magnitude(), denominator.magnitude());
+        let value = value as f64;
         let exponent = i64::from(biased_exponent(value)) - 1023;
         let mantissa = f64::from(sign as i8) * scale_by_power(value, -exponent);
         (mantissa, exponent - shift)

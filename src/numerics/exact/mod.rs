@@ -13,8 +13,11 @@
 //!       sign                                  natural: quotients of the values
 //! ```
 //!
+//! `crossing` has the point where two lines cross, as the quotient of natural numbers.
+//!
 //! Only what is exact for every finite double may enter, and nothing that allocates.
 
+mod crossing;
 mod edges;
 mod integer;
 mod natural;
@@ -23,6 +26,7 @@ mod wide;
 
 use super::power::scale_by_power;
 use super::{MAX_SIZE, Sign};
+pub(crate) use crossing::{Lines, compare_crossings, compare_to_crossing, crossing};
 pub(crate) use edges::{Column, Edges};
 use wide::Rows;
 

@@ -1,31 +1,91 @@
-//! Natural numbers in a fixed array, as far as a quotient needs them.
+//! Natural numbers in a fixed array, as far as quotients need them.
+
+/// A quotient in binary.
+pub(super) struct Quotient {
+    /// 65 or 66 bits, rounded down.
+    pub value: u128,
+    /// The quotient is `value / 2^shift` and something less than one of its units.
+    pub shift: i64,
+    pub is_exact: bool,
+}
 
 /// A natural number: limbs from the lowest, zero from `length` on, the one before is not zero.
+#[derive(Clone)]
 pub(super) struct Natural<const N: usize> {
     limbs: [u64; N],
     length: usize,
 }
 
-/// `(q, s)` with q = `top * 2^s / bottom`, rounded down, of 65 or 66 bits: truncation is far below
-/// the rounding to a double. There must be room for one bit more than the longer one has.
-pub(super) fn quotient<const N: usize>(mut top: Natural<N>, mut bottom: Natural<N>) -> (u128, i64) {
+/// `top / bottom` in more bits than a double has. There must be room for one bit more than the longer
+/// one has.
+pub(super) fn quotient<const N: usize>(mut top: Natural<N>, mut bottom: Natural<N>) -> Quotient {
     let (top_bits, bottom_bits) = (top.bits(), bottom.bits());
     top.shift_left(bottom_bits.saturating_sub(top_bits));
     bottom.shift_left(top_bits.saturating_sub(bottom_bits));
-    let mut quotient = 0;
+    let mut value = 0;
     for _ in 0..=65 {
-        quotient <<= 1;
+        value <<= 1;
         if top.is_at_least(&bottom) {
             top.subtract(&bottom);
-            quotient |= 1;
+            value |= 1;
         }
         top.double();
     }
-    (quotient, 65 + bottom_bits as i64 - top_bits as i64)
+    let shift = 65 + bottom_bits as i64 - top_bits as i64;
+    Quotient { value, shift, is_exact: top.is_zero() }
 }
 
 impl<const N: usize> Natural<N> {
     pub const ZERO: Self = Self { limbs: [0; N], length: 0 };
+
+    /// `value * 2^shift`.
+    pub fn shifted(value: u64, shift: usize) -> Self {
+        let mut number = Self::ZERO;
+        number.append(value);
+        if value != 0 {
+            number.shift_left(shift);
+        }
+        number
+    }
+
+    pub fn is_zero(&self) -> bool {
+        self.length == 0
+    }
+
+    /// `self * other`, for which there must be room.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = Self::ZERO;
+        for (k, &factor) in other.limbs[..other.length].iter().enumerate() {
+            let mut carry = 0;
+            let limbs = &mut product.limbs[k..];
+            for (sum, &limb) in limbs.iter_mut().zip(&self.limbs[..self.length]) {
+                let term = u128::from(limb) * u128::from(factor) + u128::from(carry);
+                let term = term + u128::from(*sum);
+                *sum = term as u64;
+                carry = (term >> 64) as u64;
+            }
+            if carry != 0 {
+                limbs[self.length] = carry;
+            }
+        }
+        let longest = (self.length + other.length).min(N);
+        let significant = product.limbs[..longest].iter().rposition(|&limb| limb != 0);
+        product.length = significant.map_or(0, |last| last + 1);
+        product
+    }
+
+    /// `self + other`, for which there must be room.
+    pub fn add(&mut self, other: &Self) {
+        let mut carry = false;
+        self.length = self.length.max(other.length);
+        for (limb, other) in self.limbs[..self.length].iter_mut().zip(&other.limbs) {
+            let (sum, first) = limb.overflowing_add(*other);
+            let (sum, second) = sum.overflowing_add(u64::from(carry));
+            *limb = sum;
+            carry = first || second;
+        }
+        self.append(u64::from(carry));
+    }
 
     fn bits(&self) -> usize {
         match self.length {
@@ -68,13 +128,13 @@ impl<const N: usize> Natural<N> {
         self.multiply_add(1 << part, 0);
     }
 
-    fn is_at_least(&self, other: &Self) -> bool {
+    pub fn is_at_least(&self, other: &Self) -> bool {
         let length = self.length.max(other.length);
         self.limbs[..length].iter().rev().ge(other.limbs[..length].iter().rev())
     }
 
     /// `self - other`, which must not be negative.
-    fn subtract(&mut self, other: &Self) {
+    pub fn subtract(&mut self, other: &Self) {
         let mut borrow = false;
         for (limb, other) in self.limbs[..self.length].iter_mut().zip(&other.limbs) {
             let (difference, first) = limb.overflowing_sub(*other);
@@ -156,6 +216,15 @@ mod tests {
             assert_is(&value, &(large - small));
             value.subtract(&natural(&(large - small)));
             assert_is(&value, &UBig::ZERO);
+            let mut value = natural(&a);
+            value.add(&natural(&b));
+            assert_is(&value, &(&a + &b));
+            let [a, b] = [&a, &b].map(|x| x >> (x.bit_len() / 2 + 1));
+            assert_is(&natural(&a).times(&natural(&b)), &(&a * &b));
+            assert_is(
+                &Natural::shifted(factor, shift % 500),
+                &(UBig::from(factor) << (shift % 500)),
+            );
         }
     }
 
@@ -171,11 +240,12 @@ mod tests {
                 if top.is_zero() || top.bit_len().max(bottom.bit_len()) > 64 * (LIMBS - 1) {
                     continue;
                 }
-                let (quotient, shift) = quotient(natural(top), natural(&bottom));
+                let Quotient { value, shift, is_exact } = quotient(natural(top), natural(&bottom));
                 assert_eq!(shift, 65 + bottom.bit_len() as i64 - top.bit_len() as i64);
                 let (up, down) = (shift.max(0) as usize, (-shift).max(0) as usize);
-                assert_eq!(UBig::from(quotient), (top << up) / (&bottom << down));
-                assert!((65..=66).contains(&(128 - quotient.leading_zeros())));
+                assert_eq!(UBig::from(value), (top << up) / (&bottom << down));
+                assert_eq!(is_exact, ((top << up) % (&bottom << down)).is_zero());
+                assert!((65..=66).contains(&(128 - value.leading_zeros())));
             }
         }
     }

@@ -1,0 +1,480 @@
+//! One sweep over pieces of segments (Shamos and Hoey, "Geometric intersection problems", 1976;
+//! Bentley and Ottmann, 1979): cuts them at the vertices that they pass, exactly, and finds where
+//! they cross.
+//!
+//! Vertices and crossings come in their exact order, so that the order of the lines in the status is
+//! exact. Of lines that cross, two are neighbours before, which finds the crossing.
+
+use super::places::{Key, Places, key};
+use super::status::{ABOVE, BELOW, Status};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocError, AllocResult, Lists, TryGrow, collected, filled};
+use crate::mesh::{NONE, Subsegment};
+use crate::numerics::{Lines, Sign, compare_crossings, compare_to_crossing, crossing, orientation};
+use std::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+
+/// A piece of a line between two vertices, by their ranks, the left end first.
+#[derive(Clone, Copy)]
+pub(super) struct Part {
+    pub line: u32,
+    pub ends: [u32; 2],
+    pub segment: u32,
+}
+
+/// A crossing on a line, rounded.
+#[derive(Clone, Copy)]
+pub(super) struct Found {
+    pub line: u32,
+    /// The line's right end is lower than its left one.
+    pub falls: bool,
+    pub point: [f64; 2],
+}
+
+/// What a sweep makes of pieces: parts with no vertex in their interior, none of them twice, and the
+/// crossings of the parts.
+#[derive(Default)]
+pub(super) struct Swept {
+    pub parts: Vec<Part>,
+    pub found: Vec<Found>,
+    /// How often a vertex was in the interior of a line.
+    pub cuts: u64,
+}
+
+/// Pieces that overlap, as one: from the last vertex on them to the farthest end of them.
+#[derive(Clone, Copy)]
+struct Line {
+    from: u32,
+    to: u32,
+    /// Its node in the status, if it has one.
+    node: u32,
+    /// Which of the bundles has its pieces, if there are several.
+    bundle: u32,
+}
+
+/// Pieces of a line by rising segment, those that have ended perhaps among them.
+type Bundle = BinaryHeap<Reverse<(u32, u32)>>;
+
+/// Two lines change places where they cross. The next is the greatest.
+struct Swap {
+    /// Of the rounded crossing: by rounding, two coordinates may become equal, no more.
+    key: Key,
+    lower: u32,
+    upper: u32,
+    ends: [[[f64; 2]; 2]; 2],
+}
+
+impl Swap {
+    fn lines(&self) -> Lines<'_> {
+        self.ends.each_ref().map(|ends| ends.each_ref())
+    }
+
+    fn is_before(&self, vertex: &[f64; 2]) -> bool {
+        let (lines, other) = (self.lines(), key(vertex));
+        let exact = |axis: usize| compare_to_crossing(lines, axis, vertex[axis]);
+        let axis = |axis: usize| self.key[axis].cmp(&other[axis]).then_with(|| exact(axis));
+        axis(0).then_with(|| axis(1)).is_lt()
+    }
+}
+
+impl Ord for Swap {
+    fn cmp(&self, other: &Self) -> Ordering {
+        if self.ends == other.ends {
+            return Ordering::Equal;
+        }
+        let exact = |axis: usize| compare_crossings(self.lines(), other.lines(), axis);
+        let axis = |axis: usize| self.key[axis].cmp(&other.key[axis]).then_with(|| exact(axis));
+        axis(0).then_with(|| axis(1)).reverse()
+    }
+}
+
+impl PartialOrd for Swap {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Swap {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Swap {}
+
+struct Sweep<'a> {
+    places: &'a Places,
+    pieces: &'a [Subsegment],
+    handling: Handling,
+    /// A line has the number of the piece that it began with; ...
+    lines: Vec<Line>,
+    /// ... and this is the line that has a piece.
+    line_of: Vec<u32>,
+    has_ended: Vec<bool>,
+    bundles: Vec<Bundle>,
+    status: Status,
+    swaps: BinaryHeap<Swap>,
+    swept: Swept,
+}
+
+/// Where a vertex is in the status.
+#[derive(Default)]
+struct Around {
+    /// The nodes of the lines that it is on, from below to above.
+    nodes: Vec<u32>,
+    /// The next ones below and above, or [`NONE`].
+    sides: [u32; 2],
+}
+
+/// What becomes of a crossing.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Handling {
+    Refuse,
+    /// The nearest double becomes a vertex of both lines.
+    Round,
+    /// As `Round`, but a line that passes an end of the other within a rounding goes through that
+    /// end instead.
+    Snap,
+}
+
+/// Pieces between vertices of `places`; expected O((n + k) log n) for k crossings.
+///
+/// # Errors
+/// `InvalidArgument` (a crossing, where those are refused), `OutOfMemory`.
+pub(super) fn sweep(places: &Places, pieces: &[Subsegment], handling: Handling) -> Result<Swept> {
+    let count = pieces.len();
+    let line = |piece: &Subsegment| {
+        let [a, b] = piece.ends.map(|end| places.ranks[end as usize]);
+        Line { from: a.min(b), to: a.max(b), node: NONE, bundle: NONE }
+    };
+    let lines = collected(pieces.iter().map(line))?;
+    let vertices = places.points.len();
+    let starts = || lines.iter().zip(0u32..).map(|(line, piece)| (line.from, piece));
+    let ends = || lines.iter().zip(0u32..).map(|(line, piece)| (line.to, piece));
+    let starts = Lists::of_pairs(vertices, starts)?;
+    let ends = Lists::of_pairs(vertices, ends)?;
+    let mut sweep = Sweep {
+        places,
+        pieces,
+        handling,
+        lines,
+        line_of: collected(0..count as u32)?,
+        has_ended: filled(count, false)?,
+        bundles: Vec::new(),
+        status: Status::new(),
+        swaps: BinaryHeap::new(),
+        swept: Swept::default(),
+    };
+    let (mut around, mut fan) = (Around::default(), Vec::new());
+    for vertex in 0..vertices as u32 {
+        sweep.swap_before(vertex)?;
+        let (starts, ends) = (starts.of(vertex as usize), ends.of(vertex as usize));
+        if !(starts.is_empty() && sweep.status.is_empty()) {
+            sweep.find(vertex, ends, &mut around)?;
+            sweep.end_parts(vertex, ends, &around)?;
+            sweep.order_fan(vertex, starts, &around, &mut fan)?;
+            if !(around.nodes.is_empty() && fan.is_empty()) {
+                sweep.replace(&mut around, &fan)?;
+                sweep.test_sides(&around)?;
+            }
+        }
+    }
+    Ok(sweep.swept)
+}
+
+impl Sweep<'_> {
+    /// The side of a line that a vertex is on: positive above it.
+    #[inline]
+    fn side(&self, line: u32, vertex: u32) -> Sign {
+        let Line { from, to, .. } = self.lines[line as usize];
+        orientation(&[from, to, vertex].map(|rank| self.places.point(rank)))
+    }
+
+    /// How two lines through a vertex lie to the right of it: positive if the second is above.
+    fn turn(&self, vertex: u32, first: u32, second: u32) -> Sign {
+        let [first, second] = [first, second].map(|line| self.lines[line as usize].to);
+        orientation(&[vertex, first, second].map(|rank| self.places.point(rank)))
+    }
+
+    fn is_on(&self, line: u32, vertex: u32) -> bool {
+        let Line { from, to, .. } = self.lines[line as usize];
+        if !(from < vertex && vertex <= to) {
+            return false;
+        }
+        let [a, b, y] = [from, to, vertex].map(|rank| self.places.point(rank)[1]);
+        a.min(b) <= y && y <= a.max(b) && self.side(line, vertex).is_zero()
+    }
+
+    /// Where a vertex is; the lines that it is on are neighbours.
+    fn find(&self, vertex: u32, ends: &[u32], around: &mut Around) -> AllocResult<()> {
+        let status = &self.status;
+        around.nodes.clear();
+        let is_on = |node: u32| node != NONE && self.is_on(status.line(node), vertex);
+        // The node of a line that ends here spares the search.
+        let ending =
+            ends.iter().map(|&piece| self.lines[self.line_of[piece as usize] as usize].node);
+        let mut lowest = match ending.into_iter().find(|&node| is_on(node)) {
+            Some(node) => node,
+            None => status.lowest_not_below(|line| self.side(line, vertex).is_positive()),
+        };
+        let below = |node: u32| match node {
+            NONE => status.extreme(ABOVE),
+            _ => status.neighbor(node, BELOW),
+        };
+        while is_on(below(lowest)) {
+            lowest = below(lowest);
+        }
+        around.sides[BELOW] = below(lowest);
+        while is_on(lowest) {
+            around.nodes.try_push(lowest)?;
+            lowest = status.neighbor(lowest, ABOVE);
+        }
+        around.sides[ABOVE] = lowest;
+        Ok(())
+    }
+
+    /// Ends the parts of the lines on a vertex there.
+    fn end_parts(&mut self, vertex: u32, ends: &[u32], around: &Around) -> AllocResult<()> {
+        for &node in &around.nodes {
+            self.end_part(self.status.line(node), vertex)?;
+        }
+        ends.iter().for_each(|&piece| self.has_ended[piece as usize] = true);
+        Ok(())
+    }
+
+    fn end_part(&mut self, line: u32, vertex: u32) -> AllocResult<()> {
+        let from = self.lines[line as usize].from;
+        if let Some(segment) = self.segment(line) {
+            self.swept.parts.try_push(Part { line, ends: [from, vertex], segment })?;
+        }
+        self.lines[line as usize].from = vertex;
+        Ok(())
+    }
+
+    /// The first segment with a piece on the line that has not ended; none for a line that has.
+    fn segment(&mut self, line: u32) -> Option<u32> {
+        let Line { bundle, .. } = self.lines[line as usize];
+        if bundle == NONE {
+            let has_ended = self.has_ended[line as usize];
+            return (!has_ended).then(|| self.pieces[line as usize].segment);
+        }
+        let bundle = &mut self.bundles[bundle as usize];
+        while let Some(Reverse((segment, piece))) = bundle.peek() {
+            if !self.has_ended[*piece as usize] {
+                return Some(*segment);
+            }
+            bundle.pop();
+        }
+        None
+    }
+
+    /// The lines that leave a vertex to the right, from below to above.
+    fn order_fan(
+        &mut self,
+        vertex: u32,
+        starts: &[u32],
+        around: &Around,
+        fan: &mut Vec<u32>,
+    ) -> AllocResult<()> {
+        fan.clear();
+        for &node in &around.nodes {
+            let line = self.status.line(node);
+            self.lines[line as usize].node = NONE;
+            if self.segment(line).is_some() {
+                self.swept.cuts += 1;
+                fan.try_push(line)?;
+            }
+        }
+        fan.try_extend(starts)?;
+        if fan.len() < 2 {
+            return Ok(());
+        }
+        let is_new = |line: u32| starts.binary_search(&line).is_ok();
+        fan.sort_unstable_by(|&a, &b| match self.turn(vertex, a, b) {
+            Sign::Positive => Ordering::Less,
+            Sign::Negative => Ordering::Greater,
+            // Those that go on come first, and take in those that start.
+            Sign::Zero => (is_new(a), a).cmp(&(is_new(b), b)),
+        });
+        let mut kept = 1;
+        for at in 1..fan.len() {
+            let (line, last) = (fan[at], fan[kept - 1]);
+            if is_new(line) && self.turn(vertex, last, line).is_zero() {
+                self.join(last, line)?;
+            } else {
+                fan[kept] = line;
+                kept += 1;
+            }
+        }
+        fan.truncate(kept);
+        Ok(())
+    }
+
+    /// Adds a piece that starts on a line, in its direction, to it.
+    fn join(&mut self, line: u32, piece: u32) -> AllocResult<()> {
+        let entry = |piece: u32| Reverse((self.pieces[piece as usize].segment, piece));
+        let entries = [entry(line), entry(piece)];
+        let far = self.lines[piece as usize].to;
+        let line_data = &mut self.lines[line as usize];
+        line_data.to = line_data.to.max(far);
+        let is_first = line_data.bundle == NONE;
+        if is_first {
+            line_data.bundle = self.bundles.len() as u32;
+            self.bundles.try_push(Bundle::new())?;
+        }
+        let bundle = &mut self.bundles[line_data.bundle as usize];
+        bundle.try_reserve(2).map_err(AllocError::from)?;
+        bundle.extend(&entries[usize::from(!is_first)..]);
+        self.line_of[piece as usize] = line;
+        Ok(())
+    }
+
+    /// Puts the lines that leave a vertex in the place of those that reach it.
+    fn replace(&mut self, around: &mut Around, fan: &[u32]) -> AllocResult<()> {
+        let mut lower = around.sides[BELOW];
+        for (at, &line) in fan.iter().enumerate() {
+            lower = match around.nodes.get(at) {
+                Some(&node) => {
+                    self.status.set_line(node, line);
+                    node
+                }
+                None => {
+                    let node = self.status.insert_above(lower, line)?;
+                    around.nodes.try_push(node)?;
+                    node
+                }
+            };
+            self.lines[line as usize].node = lower;
+        }
+        for &node in &around.nodes[fan.len()..] {
+            self.status.remove(node)?;
+        }
+        around.nodes.truncate(fan.len());
+        Ok(())
+    }
+
+    /// Tests those that have become neighbours.
+    fn test_sides(&mut self, around: &Around) -> Result<()> {
+        let [below, above] = around.sides;
+        match (around.nodes.first(), around.nodes.last()) {
+            (Some(&lowest), Some(&highest)) => {
+                self.test(below, lowest)?;
+                self.test(highest, above)
+            }
+            _ => self.test(below, above),
+        }
+    }
+
+    /// Records the crossing of two neighbours, if there is one to the right that is no vertex.
+    fn test(&mut self, lower: u32, upper: u32) -> Result<()> {
+        if lower == NONE || upper == NONE {
+            return Ok(());
+        }
+        let [lower, upper] = [lower, upper].map(|node| self.status.line(node));
+        let [low, high] = [lower, upper].map(|line| self.lines[line as usize].to);
+        let cross = match low.cmp(&high) {
+            Ordering::Less => self.side(upper, low).is_positive(),
+            Ordering::Equal => false,
+            Ordering::Greater => self.side(lower, high).is_negative(),
+        };
+        if cross { self.record(lower, upper) } else { Ok(()) }
+    }
+
+    fn record(&mut self, lower: u32, upper: u32) -> Result<()> {
+        let ends = [lower, upper].map(|line| {
+            let Line { from, to, .. } = self.lines[line as usize];
+            [from, to].map(|rank| *self.places.point(rank))
+        });
+        let swap = Swap { key: [0; 2], lower, upper, ends };
+        // There is one: the lines are not parallel.
+        let Some(point) = crossing(swap.lines()) else { return Ok(()) };
+        if let Some(vertex) = self.places.find(&point) {
+            // If it is the exact crossing, it cuts both.
+            if [lower, upper].iter().all(|&line| self.side(line, vertex).is_zero()) {
+                return Ok(());
+            }
+        }
+        if self.handling == Handling::Refuse {
+            return Err(self.refusal(lower, upper, point));
+        }
+        let snapped = self.handling == Handling::Snap
+            && (self.snap(lower, ends[0], ends[1])? | self.snap(upper, ends[1], ends[0])?);
+        if !snapped {
+            self.add(lower, ends[0], point)?;
+            self.add(upper, ends[1], point)?;
+        }
+        self.swaps.try_reserve(1).map_err(AllocError::from)?;
+        self.swaps.push(Swap { key: key(&point), ..swap });
+        Ok(())
+    }
+
+    fn add(&mut self, line: u32, [from, to]: [[f64; 2]; 2], point: [f64; 2]) -> AllocResult<()> {
+        self.swept.found.try_push(Found { line, falls: to[1] < from[1], point })
+    }
+
+    /// Lets a line go through those ends of another that are the doubles nearest to it at their x or
+    /// at their y; whether there is one.
+    fn snap(&mut self, line: u32, ends: [[f64; 2]; 2], others: [[f64; 2]; 2]) -> AllocResult<bool> {
+        let mut is_snapped = false;
+        for other in others {
+            let is_near = (0..2).any(|axis| {
+                // Of the line through the end along the axis.
+                let mut far = other;
+                far[axis] = if other[axis] == 0.0 { 1.0 } else { 0.0 };
+                crossing([ends.each_ref(), [&other, &far]]) == Some(other)
+            });
+            let is_within = (0..2).all(|k| {
+                ends[0][k].min(ends[1][k]) <= other[k] && other[k] <= ends[0][k].max(ends[1][k])
+            });
+            if is_near && is_within {
+                self.add(line, ends, other)?;
+                is_snapped = true;
+            }
+        }
+        Ok(is_snapped)
+    }
+
+    fn refusal(&self, lower: u32, upper: u32, [x, y]: [f64; 2]) -> Error {
+        // The first of those that overlap and reach the other line.
+        let reaches = |piece: usize, other: u32, side: Sign| {
+            let ends = self.pieces[piece].ends.map(|end| self.places.ranks[end as usize]);
+            self.side(other, ends[0].max(ends[1])) == side
+        };
+        let first = |line: u32, other: u32, side: Sign| {
+            let on_line = |&piece: &usize| self.line_of[piece] == line && !self.has_ended[piece];
+            let pieces = (0..self.pieces.len()).filter(on_line);
+            let pieces = pieces.filter(|&piece| reaches(piece, other, side));
+            pieces.map(|piece| self.pieces[piece].segment).min().unwrap_or(NONE)
+        };
+        let mut segments =
+            [first(lower, upper, Sign::Positive), first(upper, lower, Sign::Negative)];
+        segments.sort_unstable();
+        let message = message!(
+            "segments[{}] and segments[{}] cross near ({x:?}, {y:?}), where no input is; \
+             options.crossings refuses that and may split them",
+            segments[0],
+            segments[1]
+        );
+        Error::new(ErrorKind::InvalidArgument, message)
+    }
+
+    /// Lets lines change places that cross before a vertex.
+    fn swap_before(&mut self, vertex: u32) -> Result<()> {
+        let places = self.places;
+        while self.swaps.peek().is_some_and(|swap| swap.is_before(places.point(vertex))) {
+            let Some(Swap { lower, upper, .. }) = self.swaps.pop() else { break };
+            let [below, above] = [lower, upper].map(|line| self.lines[line as usize].node);
+            // They have, or others cross at the same place, and they are tested again.
+            if self.status.neighbor(below, ABOVE) != above {
+                continue;
+            }
+            for (node, line) in [(below, upper), (above, lower)] {
+                self.status.set_line(node, line);
+                self.lines[line as usize].node = node;
+            }
+            self.test(self.status.neighbor(below, BELOW), below)?;
+            self.test(above, self.status.neighbor(above, ABOVE))?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,285 @@
+//! Arrangements against brute force with exact signs.
+
+use super::*;
+use crate::numerics::testing::{FAMILIES, Family, Random, points};
+use crate::numerics::{Sign, crossing, orientation};
+use std::collections::{BTreeMap, BTreeSet};
+
+type Point = [f64; 2];
+
+struct Case {
+    inputs: Inputs,
+    segments: Segments,
+}
+
+impl Case {
+    /// `None` if the points have too few distinct ones.
+    fn new(points: &[Point], ends: &[[u32; 2]]) -> Option<Self> {
+        let inputs = Inputs::new(2, points.len(), &points.concat(), 0).ok()?;
+        let differ = |ends: &&[u32; 2]| {
+            let [a, b] = ends.map(|end| inputs.vertices()[end as usize]);
+            a != b
+        };
+        let ends: Vec<_> = ends.iter().filter(differ).copied().collect();
+        let segments = Segments { markers: vec![0; ends.len()], inputs: ends };
+        Some(Self { inputs, segments })
+    }
+
+    fn random(family: Family, count: usize, segments: usize, random: &mut Random) -> Option<Self> {
+        let points = points::<2>(family, count, random);
+        let mut end = || random.integer(0, count as i64 - 1) as u32;
+        let ends: Vec<_> = (0..segments).map(|_| [end(), end()]).collect();
+        Self::new(&points, &ends)
+    }
+
+    fn vertices(&self) -> Vec<Point> {
+        (0..self.inputs.distinct())
+            .map(|v| self.inputs.distinct_point(v).try_into().unwrap())
+            .collect()
+    }
+
+    fn ends(&self, segment: usize) -> [u32; 2] {
+        self.segments.inputs[segment].map(|input| self.inputs.vertices()[input as usize])
+    }
+
+    fn run(&self, crossings: Crossings) -> Result<Arrangement> {
+        arrange(&self.inputs, &self.segments, crossings)
+    }
+}
+
+fn is_between(p: &Point, a: &Point, b: &Point) -> bool {
+    let within = |k: usize| a[k].min(b[k]) <= p[k] && p[k] <= a[k].max(b[k]);
+    within(0) && within(1)
+}
+
+/// Strictly inside the segment.
+fn is_on(p: &Point, a: &Point, b: &Point) -> bool {
+    p != a && p != b && is_between(p, a, b) && orientation(&[a, b, p]) == Sign::Zero
+}
+
+fn do_cross(a: [&Point; 2], b: [&Point; 2]) -> bool {
+    let sides = |p: [&Point; 2], q: [&Point; 2]| {
+        orientation(&[p[0], p[1], q[0]]) * orientation(&[p[0], p[1], q[1]])
+    };
+    sides(a, b).is_negative() && sides(b, a).is_negative()
+}
+
+/// The crossings of segments that are at no input, with both segments, each rounded.
+fn crossings_oracle(case: &Case) -> Vec<(usize, usize, Point)> {
+    let vertices = case.vertices();
+    let ends = |segment: usize| case.ends(segment).map(|v| &vertices[v as usize]);
+    let mut found = Vec::new();
+    for a in 0..case.segments.count() {
+        for b in 0..a {
+            let (p, q) = (ends(a), ends(b));
+            let is_on_both = |v: &Point| is_on(v, p[0], p[1]) && is_on(v, q[0], q[1]);
+            if do_cross(p, q) && !vertices.iter().any(is_on_both) {
+                found.push((b, a, crossing([p, q]).unwrap()));
+            }
+        }
+    }
+    found
+}
+
+/// The pieces of segments cut at the inputs on them, and the first segment of each.
+fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], u32> {
+    let vertices = case.vertices();
+    let mut pieces = BTreeMap::new();
+    for segment in (0..case.segments.count()).rev() {
+        let [from, to] = case.ends(segment);
+        let (a, b) = (&vertices[from as usize], &vertices[to as usize]);
+        let mut on: Vec<u32> =
+            (0..vertices.len() as u32).filter(|&v| is_on(&vertices[v as usize], a, b)).collect();
+        on.extend([from, to]);
+        on.sort_by(|&p, &q| vertices[p as usize].partial_cmp(&vertices[q as usize]).unwrap());
+        pieces.extend(on.windows(2).map(|pair| ([pair[0], pair[1]], segment as u32)));
+    }
+    pieces
+}
+
+/// Nothing meets but at ends, and pieces are in order.
+fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
+    let mut vertices = case.vertices();
+    vertices.extend(&arrangement.crossings);
+    let pieces = &arrangement.subsegments;
+    let point = |v: u32| &vertices[v as usize];
+    for (at, piece) in pieces.iter().enumerate() {
+        let [a, b] = piece.ends.map(point);
+        for v in &vertices {
+            assert!(!is_on(v, a, b), "{v:?} is on {a:?} {b:?}");
+        }
+        for other in &pieces[..at] {
+            let [c, d] = other.ends.map(point);
+            assert!(!do_cross([a, b], [c, d]), "{a:?} {b:?} crosses {c:?} {d:?}");
+            assert!([a, b] != [c, d] && [b, a] != [c, d], "{a:?} {b:?} is there twice");
+        }
+        let [from, to] = case.ends(piece.segment as usize).map(point);
+        assert!(is_between(a, from, to) && is_between(b, from, to));
+        assert!(is_between(a, from, b) && is_between(b, a, to), "the direction");
+        if at > 0 && pieces[at - 1].segment == piece.segment {
+            let last = point(pieces[at - 1].ends[1]);
+            assert!(is_between(last, from, a), "the order");
+        }
+        assert!(at == 0 || pieces[at - 1].segment <= piece.segment);
+    }
+    let distinct: BTreeSet<_> = vertices.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
+    assert_eq!(distinct.len(), vertices.len());
+    for segment in 0..case.segments.count() {
+        check_chain(case, arrangement, &vertices, segment);
+    }
+}
+
+/// From its first end a segment goes on to its second end, by pieces in its direction, through all
+/// the inputs that were on it and the doubles nearest to its crossings.
+fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segment: usize) {
+    let ends = case.ends(segment);
+    let [from, to] = ends.map(|v| &vertices[v as usize]);
+    let mut reached = BTreeSet::from([ends[0]]);
+    loop {
+        let before = reached.len();
+        for piece in &arrangement.subsegments {
+            for [a, b] in [piece.ends, [piece.ends[1], piece.ends[0]]] {
+                let [p, q] = [a, b].map(|v| &vertices[v as usize]);
+                if reached.contains(&a) && is_between(p, from, q) && is_between(q, from, to) {
+                    reached.insert(b);
+                }
+            }
+        }
+        if reached.len() == before {
+            break;
+        }
+    }
+    assert!(reached.contains(&ends[1]), "segment {segment} has a gap");
+}
+
+#[test]
+fn segments_without_crossings_are_cut_at_inputs_alone() {
+    let (mut accepted, mut refused) = (0, 0);
+    for family in FAMILIES {
+        let mut random = Random(family as u64 + 5000);
+        for trial in 0..300 {
+            let count = 3 + trial % 8;
+            let Some(case) = Case::random(family, count, 1 + trial % 7, &mut random) else {
+                continue;
+            };
+            let crossings = crossings_oracle(&case);
+            match case.run(Crossings::Refuse) {
+                Err(error) => {
+                    refused += 1;
+                    assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+                    let names = |&(a, b, [x, y]): &(usize, usize, Point)| {
+                        let pair =
+                            format!("segments[{a}] and segments[{b}] cross near ({x:?}, {y:?})");
+                        error.message().starts_with(&pair)
+                    };
+                    assert!(crossings.iter().any(names), "{} {crossings:?}", error.message());
+                }
+                Ok(arrangement) => {
+                    accepted += 1;
+                    assert_eq!(crossings, [], "{family:?}");
+                    let mut found = BTreeMap::new();
+                    for Subsegment { ends, segment } in &arrangement.subsegments {
+                        let vertices = case.vertices();
+                        let mut ends = *ends;
+                        ends.sort_by(|&p, &q| {
+                            vertices[p as usize].partial_cmp(&vertices[q as usize]).unwrap()
+                        });
+                        found.insert(ends, *segment);
+                    }
+                    assert_eq!(found, pieces_oracle(&case), "{family:?}");
+                    assert_eq!(found.len(), arrangement.subsegments.len());
+                    check_is_arrangement(&case, &arrangement);
+                }
+            }
+        }
+    }
+    assert!(accepted > 1000 && refused > 500, "{accepted} {refused}");
+}
+
+#[test]
+fn crossings_become_vertices() {
+    let mut split = 0;
+    for family in FAMILIES {
+        let mut random = Random(family as u64 + 6000);
+        for trial in 0..120 {
+            let count = 4 + trial % 12;
+            let Some(case) = Case::random(family, count, 2 + trial % 11, &mut random) else {
+                continue;
+            };
+            let arrangement = case.run(Crossings::Split).unwrap();
+            check_is_arrangement(&case, &arrangement);
+            let mut vertices = case.vertices();
+            vertices.extend(&arrangement.crossings);
+            for (a, b, point) in crossings_oracle(&case) {
+                split += 1;
+                assert!(vertices.contains(&point), "{family:?}: {a} and {b} cross at {point:?}");
+            }
+        }
+    }
+    assert!(split > 2000, "{split}");
+}
+
+/// Many segments on one line, and lattices of lines, overlap in all ways.
+#[test]
+fn overlapping_segments_are_cut_at_all_ends() {
+    let mut random = Random(17);
+    for trial in 0..30 {
+        let scale = 2f64.powi(random.integer(-1000, 1000) as i32);
+        let side = 3 + trial % 3;
+        let lattice: Vec<Point> = (0..side * side)
+            .map(|i| [(i % side) as f64 * scale, (i / side) as f64 * scale])
+            .collect();
+        let mut end = || random.integer(0, lattice.len() as i64 - 1) as u32;
+        let axis = |[a, b]: [u32; 2]| match trial % 2 {
+            0 => a % side as u32 == b % side as u32 || a / side as u32 == b / side as u32,
+            _ => true,
+        };
+        let count = if trial % 2 == 0 { 300 } else { 40 };
+        let ends: Vec<_> = (0..count).map(|_| [end(), end()]).filter(|&ends| axis(ends)).collect();
+        let case = Case::new(&lattice, &ends).unwrap();
+        let arrangement = case.run(Crossings::Split).unwrap();
+        check_is_arrangement(&case, &arrangement);
+        if trial % 2 == 0 {
+            assert_eq!(arrangement.subsegments.len(), pieces_oracle(&case).len());
+            assert_eq!(arrangement.crossings, [] as [Point; 0]);
+        }
+    }
+}
+
+#[test]
+fn counts_say_what_was_done() {
+    // A square with both diagonals, one of them twice, and a segment on the other.
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [3.0, 3.0], [1.0, 1.0]];
+    let ends = [[0, 2], [1, 3], [3, 1], [4, 5]];
+    let case = Case::new(&points, &ends).unwrap();
+    let message = case.run(Crossings::Refuse).unwrap_err().message().to_owned();
+    let expected = "segments[0] and segments[1] cross near (2.0, 2.0), where no input is; \
+                    options.crossings refuses that and may split them";
+    assert_eq!(message, expected);
+    let arrangement = case.run(Crossings::Split).unwrap();
+    assert_eq!(arrangement.crossings, [[2.0, 2.0]]);
+    assert_eq!((arrangement.covered_segments, arrangement.inputs_on_segments), (2, 2));
+    let piece = |from, to, segment| Subsegment { ends: [from, to], segment };
+    let first = [piece(0, 5, 0), piece(5, 6, 0), piece(6, 4, 0), piece(4, 2, 0)];
+    assert_eq!(arrangement.subsegments[..4], first);
+    assert_eq!(arrangement.subsegments[4..], [piece(1, 6, 1), piece(6, 3, 1)]);
+}
+
+/// Lines a few roundings apart: their crossings are rounded onto each other and onto inputs.
+#[test]
+fn bundles_of_lines_end() {
+    let mut random = Random(23);
+    let ulp = f64::EPSILON;
+    for trial in 0..40 {
+        let count = 4 + trial % 16;
+        let points: Vec<Point> = (0..2 * count)
+            .map(|i| {
+                let y = 1.0 + random.integer(-4, 4) as f64 * ulp;
+                [if i % 2 == 0 { 1.0 } else { 1.0 + (1 << (trial % 5)) as f64 * ulp * 8.0 }, y]
+            })
+            .collect();
+        let ends: Vec<_> = (0..count as u32).map(|i| [2 * i, 2 * i + 1]).collect();
+        let case = Case::new(&points, &ends).unwrap();
+        check_is_arrangement(&case, &case.run(Crossings::Split).unwrap());
+    }
+}

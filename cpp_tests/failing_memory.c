@@ -9,6 +9,7 @@
  * is counted, and nothing may. */
 #define _GNU_SOURCE
 #include <errno.h>
+#include <float.h>
 #include <netmesh.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -50,7 +51,7 @@ static struct {
 static long live;
 
 /* How a child ends that saw NM_PANIC. */
-enum { PANICKED = 3 };
+enum { PANICKED = 3, MOST_VERTICES = 1 << 14 };
 
 /* Forks a child in which the request at hand is refused; answers 1 in the child. */
 static int fork_child(enum refusal refusal, size_t size) {
@@ -205,6 +206,20 @@ static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
   return 0;
 }
 
+/* A run with sizes at the inputs and on a background: they ask for no vertices, but for memory. */
+static int run_sized(nm_mesh *mesh) {
+  static double values[MOST_VERTICES];
+  nm_counts counts = NM_COUNTS_INIT;
+  check(nm_mesh_counts(mesh, &counts) == NM_OK, "counts");
+  check(counts.inputs <= MOST_VERTICES && counts.vertices <= MOST_VERTICES, "room for sizes");
+  for (int i = 0; i < MOST_VERTICES; ++i) values[i] = DBL_MAX;
+  return succeeded(nm_mesh_set_sizes(mesh, counts.inputs, values), "nm_mesh_set_sizes") &&
+         succeeded(nm_mesh_set_background(mesh, mesh, counts.vertices, values), "background") &&
+         run(mesh, NM_OUTPUT_WELL_SPACED, NM_ALGORITHM_NETMESH) &&
+         succeeded(nm_mesh_set_sizes(mesh, 0, NULL), "nm_mesh_set_sizes") &&
+         succeeded(nm_mesh_set_background(mesh, NULL, 0, NULL), "nm_mesh_set_background");
+}
+
 static int measure(const nm_mesh *mesh) {
   nm_quality quality = NM_QUALITY_INIT;
   if (!succeeded(nm_mesh_quality(mesh, &quality), "nm_mesh_quality")) return 0;
@@ -232,7 +247,7 @@ static int use(const struct job *job, nm_mesh *mesh) {
          export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
          export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
          export(mesh, NM_FORMAT_VORONOI_JSON) && export(mesh, NM_FORMAT_DOMAINS_JSON) &&
-         run(mesh, NM_OUTPUT_WELL_SPACED, NM_ALGORITHM_NETMESH) && measure(mesh) &&
+         run(mesh, NM_OUTPUT_WELL_SPACED, NM_ALGORITHM_NETMESH) && measure(mesh) && run_sized(mesh) &&
          run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_DELAUNAY);
 }
 

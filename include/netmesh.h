@@ -877,10 +877,11 @@ typedef int32_t (*nm_progress_fn)(const struct nm_progress *progress, void *user
  * The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
  * bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
  * largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
- * thread that called nm_run, at most once a vertex, in an order that depends on the inputs and the
- * options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that
- * has the point and the answer. During a call any use of the mesh being run answers NM_STATE; other
- * meshes may be used, and this one must not be freed.
+ * thread that called nm_run, at most once a vertex, with nm_options.min_dihedral also at places that
+ * are tried for vertices, in an order that depends on the inputs and the options alone. Any other
+ * answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that has the point and the
+ * answer. During a call any use of the mesh being run answers NM_STATE; other meshes may be used,
+ * and this one must not be freed.
  */
 typedef double (*nm_size_fn)(const double *x, void *user_data);
 
@@ -1018,16 +1019,17 @@ typedef struct nm_options {
      * The length that no edge exceeds of simplices that meet the box of the inputs (the least and
      * largest of their coordinates on each axis); their circumradius is at most that of the regular
      * simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-     * NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH, without min_dihedral. Above 0, default 0: none.
+     * NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH. Above 0, default 0: none.
      */
     double max_edge;
     /**
      * The size at each point, on the same conditions: no simplex that meets the box of the inputs
      * has a larger circumradius than the regular simplex whose edges have the least of the sizes
-     * at its vertices (for a vertex outside the box: at the nearest point of it). Most edges are
-     * between 0.6 times the size and the size, none is longer than twice that circumradius: 1.16 times the size
-     * in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between vertices is not
-     * seen. With max_edge both count. Default NULL: none.
+     * at its vertices (for a vertex outside the box: at the nearest point of it). Most edges have
+     * between 0.6 times the size and the size; none is longer than twice that circumradius, 1.16
+     * times the size in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between
+     * vertices is not seen. With max_edge both count. nm_mesh_set_sizes and
+     * nm_mesh_set_background give sizes by values. Default NULL: none.
      */
     nm_size_fn size;
     /**
@@ -1562,6 +1564,48 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
  * thread; different meshes may be run at the same time.
  */
 NM_NODISCARD NM_API nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
+
+/**
+ * Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and
+ * nm_options.size, the least counts. Between the inputs sizes are linear in their Delaunay
+ * triangulation, which every run makes; beyond its hull, and everywhere if the inputs lie in a
+ * hyperplane, they are those of the nearest input. From 6D on that triangulation may be large, and
+ * a function is better.
+ *
+ * count: the number of inputs, duplicates included; 0 removes the sizes. values: count numbers
+ * above 0, infinite for no bound, which are copied; of equal inputs the first counts.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, values), NM_INVALID_ARGUMENT (count, a value, values not
+ * aligned), NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ *
+ * O(inputs). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_sizes(struct nm_mesh *mesh,
+                            uint64_t count,
+                            const double *values);
+
+/**
+ * Gives sizes by those at the vertices of another mesh, for the calls of nm_run that follow, in
+ * place of those of an earlier call: beside nm_options.max_edge, nm_options.size and
+ * nm_mesh_set_sizes, the least counts. Between the vertices sizes are linear, and beyond the
+ * background they are those of its nearest vertex.
+ *
+ * background: a mesh with a result, or NULL, which removes the sizes; what is needed of it is
+ * copied. It may be mesh itself: then the next run adapts the result of the last. count: the number of
+ * its vertices. values: count numbers above 0, infinite for no bound, which are copied.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, values), NM_INVALID_ARGUMENT (count, a value, values not
+ * aligned), NM_DIMENSION (the background has another one), NM_OUT_OF_MEMORY, NM_STATE (background has no
+ * result; another call is using one of the meshes, or it is poisoned).
+ *
+ * O(simplices of the background). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_background(struct nm_mesh *mesh,
+                                 const struct nm_mesh *background,
+                                 uint64_t count,
+                                 const double *values);
 
 /**
  * Writes how large the mesh is. O(1).

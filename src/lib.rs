@@ -18,6 +18,7 @@ pub mod prepared;
 pub mod quality;
 pub mod query;
 mod run;
+mod sizes;
 pub mod topology;
 pub mod validate;
 

@@ -4,6 +4,7 @@
 
 pub(crate) mod attribute;
 mod boundary;
+pub mod sizes;
 
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
@@ -11,6 +12,7 @@ pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
 use crate::parameters::Parameters;
+use sizes::GivenSizes;
 
 /// No id: a hull facet's missing neighbour, the root's missing parent.
 pub const NONE: u32 = u32::MAX;
@@ -367,6 +369,7 @@ pub struct Mesh {
     attributes: Vec<Attribute>,
     segments: Segments,
     regions: Vec<Region>,
+    given_sizes: GivenSizes,
 }
 
 impl Mesh {
@@ -382,8 +385,14 @@ impl Mesh {
     }
 
     fn of(inputs: Inputs, triangulation: Option<Triangulation>) -> Self {
-        let (attributes, regions) = (Vec::new(), Vec::new());
-        Self { inputs, triangulation, attributes, segments: Segments::default(), regions }
+        Self {
+            inputs,
+            triangulation,
+            attributes: Vec::new(),
+            segments: Segments::default(),
+            regions: Vec::new(),
+            given_sizes: GivenSizes::default(),
+        }
     }
 
     pub fn inputs(&self) -> &Inputs {
@@ -466,6 +475,11 @@ impl Mesh {
 
     pub fn regions(&self) -> &[Region] {
         &self.regions
+    }
+
+    /// The sizes that were given by values.
+    pub fn given_sizes(&self) -> &GivenSizes {
+        &self.given_sizes
     }
 
     /// Replaces the result.

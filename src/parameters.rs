@@ -223,11 +223,6 @@ fn max_edge(options: &Options) -> Result<f64> {
 
 /// Fails unless meshes by these `options` may have sizes. `option` asks for some.
 pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) -> Result<()> {
-    if options.min_dihedral != 0.0 {
-        let angle = options.min_dihedral;
-        let message = message!("options.min_dihedral is {angle}; it must be 0 with sizes");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
-    }
     if (options.output, options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
         return Ok(());
     }

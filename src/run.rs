@@ -6,6 +6,7 @@ use crate::memory::copied;
 use crate::mesh::{Arrangement, Mesh};
 use crate::netmesh;
 use crate::options::{Crossings, Options, ProgressFn, SizeFn};
+use crate::sizes::Field;
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
@@ -17,7 +18,8 @@ impl Mesh {
         self.run_sized(options, None, progress)
     }
 
-    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`].
+    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`] and the sizes that
+    /// the mesh was given by values: the least counts.
     ///
     /// # Errors
     /// As those of [`Mesh::run`]; `InvalidArgument` (an answer of `size` that is no size).
@@ -28,8 +30,15 @@ impl Mesh {
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
         let arrangement = self.arrangement()?;
-        let triangulation =
-            netmesh::run_sized(self.inputs(), arrangement.as_ref(), options, size, progress)?;
+        let (inputs, arrangement) = (self.inputs(), arrangement.as_ref());
+        let triangulation = match Field::new(self, size)? {
+            None => netmesh::run(inputs, arrangement, options, progress)?,
+            Some(field) => {
+                let size: &SizeFn<'_> = &|x| field.at(x);
+                let made = netmesh::run_sized(inputs, arrangement, options, Some(size), progress);
+                field.outcome(made)?
+            }
+        };
         self.set_triangulation(triangulation);
         Ok(())
     }

@@ -240,10 +240,8 @@ fn answers_that_are_no_sizes_end_the_run() {
 fn options_that_sizes_do_not_go_with_are_refused() {
     let sized = |options: Options| Options { max_edge: 0.1, ..options };
     let hierarchical = Options::default();
-    let slivers = Options { min_dihedral: 10.0, ..well_spaced() };
     for (options, words) in [
         (sized(hierarchical.clone()), "options.max_edge is 0.1; sizes are for well-spaced output"),
-        (sized(slivers.clone()), "options.min_dihedral is 10; it must be 0 with sizes"),
         (Options { max_edge: -1.0, ..well_spaced() }, "options.max_edge is -1; it must be 0"),
         (Options { max_edge: f64::NAN, ..well_spaced() }, "options.max_edge is NaN; it must be 0"),
     ] {
@@ -252,8 +250,10 @@ fn options_that_sizes_do_not_go_with_are_refused() {
         assert!(error.message().starts_with(words), "{error}");
     }
     let error = refusal(3, &hierarchical, Some(&|_| panic!("nobody asks")));
-    assert!(error.message().starts_with("options.size is set; sizes are for"), "{error}");
-    assert!(refusal(3, &slivers, Some(&|_| 1.0)).message().starts_with("options.min_dihedral"));
+    assert!(
+        error.message().starts_with("options.size is set, or values for it; sizes are for"),
+        "{error}"
+    );
     let infinite = Options { max_edge: f64::INFINITY, ..well_spaced() };
     run(3, &cube(3, 30, 1), &infinite, None);
 }
@@ -354,4 +354,107 @@ fn the_mesh_does_not_depend_on_threads() {
         assert_eq!((&one.simplices, &one.sizes), (&other.simplices, &other.sizes));
     }
     assert!(one.neighbors.contains(&NONE));
+}
+
+/// Slivers are mended after sizes, and keep them: with the radius-edge bound and with aspects.
+#[test]
+fn sizes_stay_when_slivers_are_mended() {
+    let points = cube(3, 100, 11);
+    let size = |x: &[f64]| 0.12 * (0.7 + 0.5 * x[0]);
+    for criterion in [Criterion::RadiusEdge, Criterion::VoronoiAspect] {
+        let with = |min_dihedral| {
+            let options = Options { criterion, min_dihedral, max_edge: 0.2, ..well_spaced() };
+            run(3, &points, &options, Some(&size))
+        };
+        let [plain, mended] = [0.0, 15.0].map(with);
+        let [plain, mended] = [&plain, &mended].map(|mesh| mesh.triangulation().unwrap());
+        let [radius, _, mean] = measured(mended, &size);
+        assert!(radius <= 1.0 && (0.6..=1.0).contains(&mean), "{radius}, {mean}");
+        assert!(measured(mended, &|_| 0.2)[1] <= 1.0);
+        let slivers = |mesh: &Triangulation| {
+            let mut mesh = mesh.clone();
+            mesh.parameters.min_dihedral = 15.0;
+            netmesh::quality::measure(&mesh).unwrap().below_min_dihedral
+        };
+        let counts = [slivers(plain), slivers(mended)];
+        assert!(counts[0] > 100 && counts[1] <= counts[0] / 50, "{counts:?}");
+        assert_eq!(counts[1], mended.below_min_dihedral.len() as u64);
+        for (v, &kept) in mended.sizes.iter().enumerate() {
+            let there = size(&clamped(mended.point(v as u32)));
+            assert!(kept == there || kept == f64::INFINITY, "{v}: {kept}, {there}");
+        }
+    }
+}
+
+/// An answer that is no size ends the run in this phase, too.
+#[test]
+fn answers_at_places_for_vertices_are_checked() {
+    let points = cube(3, 100, 11);
+    let options = Options { min_dihedral: 15.0, ..well_spaced() };
+    let count = Cell::new(0);
+    let asked = |_: &[f64]| {
+        count.set(count.get() + 1);
+        0.15
+    };
+    run(3, &points, &Options { min_dihedral: 0.0, ..options.clone() }, Some(&asked));
+    let before = count.replace(0);
+    run(3, &points, &options, Some(&asked));
+    assert!(count.get() > before + 100, "{before}, {}", count.get());
+    count.set(0);
+    let fails = |_: &[f64]| {
+        count.set(count.get() + 1);
+        if count.get() > before + 50 { f64::NAN } else { 0.15 }
+    };
+    let error = refused_by(&points, &options, &fails);
+    assert!(error.message().starts_with("options.size answers NaN at ["), "{error}");
+}
+
+fn refused_by(points: &[f64], options: &Options, size: &SizeFn<'_>) -> Error {
+    let mut mesh = Mesh::new(3, points.len() / 3, points, 0).unwrap();
+    mesh.run_sized(options, Some(size), None).unwrap_err()
+}
+
+/// At the inputs and on a background, linear between; the nearest input's where they are flat.
+#[test]
+fn sizes_by_values_are_linear_between() {
+    let field = |x: &[f64]| 0.04 + 0.1 * x[0] + 0.05 * x[1];
+    for dim in 2..=4 {
+        let scale = [1.0, 2.0, 6.0][dim - 2];
+        let size = |x: &[f64]| scale * field(x);
+        let points = cube(dim, 30, 12);
+        let by_function = run(dim, &points, &well_spaced(), Some(&size));
+        let by_function = by_function.triangulation().unwrap();
+        let mut mesh = Mesh::new(dim, points.len() / dim, &points, 0).unwrap();
+        let values: Vec<f64> = points.chunks(dim).map(size).collect();
+        mesh.set_sizes(&values).unwrap();
+        mesh.run(&well_spaced(), None).unwrap();
+        assert_sound(&mesh);
+        let [radius, _, mean] = measured(mesh.triangulation().unwrap(), &size);
+        assert!(radius < 1.0 + 1e-9 && (0.6..=1.0).contains(&mean), "{dim}D: {radius}, {mean}");
+        let count = mesh.triangulation().unwrap().vertex_count() as f64;
+        let ratio = count / by_function.vertex_count() as f64;
+        assert!((0.95..1.05).contains(&ratio), "{dim}D: {ratio}");
+        // A background of other vertices.
+        let coarse = cube(dim, 8, 13);
+        let mut background = Mesh::new(dim, coarse.len() / dim, &coarse, 0).unwrap();
+        background.run(&Options { max_edge: 0.5 * scale, ..well_spaced() }, None).unwrap();
+        let background = background.triangulation().unwrap();
+        let at: Vec<f64> = background.points.chunks(dim).map(|x| size(x).max(0.01)).collect();
+        let mut other = Mesh::new(dim, points.len() / dim, &points, 0).unwrap();
+        other.set_background(Some((background, &at))).unwrap();
+        other.run(&well_spaced(), None).unwrap();
+        assert_sound(&other);
+        let ratio = other.triangulation().unwrap().vertex_count() as f64 / count;
+        assert!((0.95..1.1).contains(&ratio), "{dim}D: {ratio}");
+    }
+    let line: Vec<f64> = (0..11).flat_map(|i| [0.1 * f64::from(i); 3]).collect();
+    let mut mesh = Mesh::new(3, 11, &line, 0).unwrap();
+    let values: Vec<f64> = (0..11).map(|i| if i < 5 { 0.1 } else { f64::INFINITY }).collect();
+    mesh.set_sizes(&values).unwrap();
+    mesh.run(&well_spaced(), None).unwrap();
+    assert_sound(&mesh);
+    let mesh = mesh.triangulation().unwrap();
+    let steiner = 11..mesh.vertex_count() as u32;
+    let low = steiner.clone().filter(|&v| mesh.point(v).iter().sum::<f64>() < 1.35).count();
+    assert!(low > 2 * (steiner.len() - low), "{low} of {}", steiner.len());
 }

@@ -4,7 +4,7 @@ use crate::exit_code;
 use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, Extent, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -174,6 +174,11 @@ pub struct Meshing {
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub max_edge: Option<f64>,
 
+    /// With --finish: a file with the length that edges shall have at each point of the input, as
+    /// TetGen's .mtr: the number of points, then one number a line
+    #[arg(long, value_name = "FILE")]
+    pub sizes: Option<PathBuf>,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -319,6 +324,7 @@ impl Arguments {
             min_angle: meshing.min_angle.unwrap_or(0.0),
             min_dihedral: meshing.min_dihedral.unwrap_or(0.0),
             max_edge: meshing.max_edge.unwrap_or(0.0),
+            extent: Extent::default(),
         }
     }
 }
@@ -463,6 +469,7 @@ mod tests {
             min_angle: 0.0,
             min_dihedral: 5.0,
             max_edge: 0.5,
+            extent: Extent::default(),
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();

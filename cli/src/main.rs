@@ -19,6 +19,7 @@ mod progress;
 mod record;
 mod same_file;
 mod session;
+mod sizes;
 mod standard;
 mod summary;
 

@@ -12,6 +12,7 @@ use crate::output;
 use crate::progress::Display;
 use crate::record;
 use crate::same_file;
+use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
 use netmesh::prepared::Prepared;
@@ -29,6 +30,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
+    if let Some(path) = &arguments.meshing.sizes {
+        sizes::set(&mut mesh, path)?;
+    }
     if let Some(output) = &arguments.output {
         require_output_format(&mesh, output, arguments)?;
     }

@@ -1,4 +1,4 @@
-/* Options, progress, and the three ways in which a run ends early. */
+/* Options, progress, sizes, and the three ways in which a run ends early. */
 #include "must.h"
 
 #include <time.h>
@@ -43,6 +43,30 @@ static void mesh_with_a_bound(nm_mesh *mesh)
     /* [end] */
     fputc('\n', stderr);
     expect(deadline.reports > 0, "the progress function was called");
+}
+
+/* [size] */
+static double finer_on_the_left(const double *x, void *user_data)
+{
+    const double *factor = user_data;
+    return *factor * (0.05 + 0.2 * x[0]); /* the length that edges shall have at x */
+}
+/* [end] */
+
+static void mesh_by_size(nm_mesh *mesh)
+{
+    const uint64_t before = vertices(mesh);
+    nm_options options;
+    must(nm_options_init(&options, sizeof options));
+    /* [sized] */
+    double factor = 0.5;
+    options.output = NM_OUTPUT_WELL_SPACED;
+    options.max_edge = 0.1; /* no edge is longer in the box of the points */
+    options.size = finer_on_the_left;
+    options.size_user_data = &factor;
+    must(nm_run(mesh, &options));
+    /* [end] */
+    expect(vertices(mesh) > before, "sizes make a finer mesh");
 }
 
 static void cancel(nm_mesh *mesh)
@@ -93,6 +117,7 @@ int main(void)
     free(points); /* the mesh has copied them */
     mesh_with_a_bound(mesh);
     expect(vertices(mesh) > POINTS, "the mesh is there");
+    mesh_by_size(mesh);
     cancel(mesh);
     limit(mesh);
     refuse(mesh);

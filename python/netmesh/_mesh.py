@@ -40,6 +40,7 @@ def mesh(
     min_angle: float = 0.0,
     min_dihedral: float = 0.0,
     max_edge: float = 0.0,
+    size: Any = None,
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -86,6 +87,12 @@ def mesh(
     max_edge : float
         With ``output='well_spaced'``: the length that no edge exceeds in the box of the points; 0
         for none.
+    size : float, array_like of float with shape (n,), or callable
+        With ``output='well_spaced'``: the length that edges shall have in the box of the points,
+        everywhere, at each point and linear between them, or as a function of a point tells: it is
+        called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
+        those of regular simplices with such edges, and most edges have between 0.6 times that
+        length and that length. ``inf`` for no bound. An exception of the function is raised here.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

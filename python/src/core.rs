@@ -5,6 +5,7 @@ use crate::errors::{detached, exception, invalid, raised};
 use crate::options::options;
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
+use crate::sizes::Sizes;
 use netmesh::io::{Format, write_file_with};
 use netmesh::mesh::{MAX_DIM, MIN_DIM};
 use netmesh::prepared::Prepared;
@@ -78,10 +79,13 @@ impl Core {
         };
         let mesh = Mesh::new(dim, n, coordinates, stride);
         let mut mesh = mesh.map_err(|error| exception(py, &error))?;
+        let sizes = Sizes::new(&mut mesh, given)?;
         let mut reporter = Reporter::new(progress);
-        let done =
-            detached(py, || mesh.run(&options, Some(&mut |progress| reporter.report(progress))));
-        match reporter.exception {
+        let done = detached(py, || {
+            let report = &mut |progress: &_| reporter.report(progress);
+            sizes.with(|size| mesh.run_sized(&options, size, Some(report)))
+        });
+        match reporter.exception.or(sizes.exception()) {
             Some(exception) => Err(exception),
             None => done.map(|()| {
                 let has_index = AtomicBool::new(false);

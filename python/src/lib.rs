@@ -10,6 +10,7 @@ mod progress;
 mod queries;
 mod selection;
 mod shapes;
+mod sizes;
 mod topology;
 mod voronoi;
 

@@ -61,6 +61,8 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "instruments" => options.instruments = value.is_truthy()?,
         "min_dihedral" => options.min_dihedral = number(name, value)?,
         "max_edge" => options.max_edge = number(name, value)?,
+        // It is no number alone: see `sizes`.
+        "size" => {}
         _ => return Err(PyTypeError::new_err(format!("there is no option {name}"))),
     }
     Ok(())

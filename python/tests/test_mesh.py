@@ -311,3 +311,71 @@ def test_attributes_are_exported(tmp_path, random):
     for name in ("", "a b", "kind", 65 * "a"):
         with pytest.raises(netmesh.InvalidArgumentError, match="name"):
             m.export(tmp_path / "mesh.csv", attributes={name: values})
+
+
+def box(count, dim=2):
+    corners = np.stack(np.meshgrid(*[[0.0, 1.0]] * dim), axis=-1).reshape(-1, dim)
+    return np.vstack([corners, np.random.default_rng(3).random((count, dim))])
+
+
+def longest(mesh):
+    """The longest edge and the largest circumradius over what size 0.05 allows, in the box."""
+    corners = mesh.points[mesh.simplices]
+    inside = ((corners >= 0) & (corners <= 1)).all(axis=(1, 2))
+    sides = np.linalg.norm(corners[inside] - np.roll(corners[inside], 1, axis=1), axis=2)
+    half = sides.sum(axis=1) / 2
+    area = np.sqrt(half * (half[:, None] - sides).prod(axis=1))
+    return sides.max(), (sides.prod(axis=1) / (4 * area)).max() * np.sqrt(3) / 0.05
+
+
+def test_sizes():
+    points = box(20)
+    finished = {"output": "well_spaced"}
+    plain = netmesh.mesh(points, **finished)
+    edges = netmesh.mesh(points, max_edge=0.05, **finished)
+    assert longest(edges)[0] <= 0.05
+    asked = []
+
+    def size(x):
+        asked.append(x.copy())
+        return 0.05
+
+    called = netmesh.mesh(points, size=size, **finished)
+    assert 0.9 < longest(called)[1] <= 1.0
+    assert len(asked) <= len(called.points) and asked[0].shape == (2,)
+    assert (np.array(asked) >= 0).all() and (np.array(asked) <= 1).all()
+    for same in (0.05, np.full(len(points), 0.05), [0.05] * len(points)):
+        other = netmesh.mesh(points, size=same, **finished)
+        assert (other.points.shape, longest(other)[1] <= 1.0) == (called.points.shape, True)
+    assert len(plain.points) < len(called.points) < len(edges.points)
+    # Linear between the points.
+    values = 0.02 + 0.1 * points[:, 0]
+    linear = netmesh.mesh(points, size=values, **finished)
+    function = netmesh.mesh(points, size=lambda x: 0.02 + 0.1 * x[0], **finished)
+    assert abs(len(linear.points) / len(function.points) - 1) < 0.02
+    assert linear.validate().level == 3
+
+
+def test_sizes_that_cannot_be():
+    points = box(20)
+    finished = {"output": "well_spaced"}
+    for size, words in [
+        (0.0, "size is 0"),
+        (-1, "size is -1"),
+        (float("nan"), "size is NaN"),
+        ([0.1] * 3, r"size has shape \(3,\); it must have one value for each of 24 points"),
+        ([0.1] * 23 + [0.0], r"values\[23\] is 0"),
+        (lambda x: 0.0, "size answers 0 at"),
+    ]:
+        with pytest.raises(netmesh.InvalidArgumentError, match=words):
+            netmesh.mesh(points, size=size, **finished)
+    with pytest.raises(netmesh.InvalidArgumentError, match="size is set"):
+        netmesh.mesh(points, size=0.1)
+
+    def fails(x):
+        raise KeyError("no size")
+
+    with pytest.raises(KeyError, match="no size"):
+        netmesh.mesh(points, size=fails, **finished)
+    with pytest.raises(TypeError):
+        netmesh.mesh(points, size=lambda x: "small", **finished)

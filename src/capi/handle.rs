@@ -138,6 +138,29 @@ pub(super) unsafe fn with_mesh_mut(
     unsafe { with_prepared_mut(mesh, body) }
 }
 
+/// As [`with_prepared_mut`], with another mesh for reading; `None` if that is NULL or the same.
+///
+/// # Safety
+/// As [`with_mesh`], for both.
+pub(super) unsafe fn with_background(
+    mesh: *mut nm_mesh,
+    background: *const nm_mesh,
+    body: impl FnOnce(&mut Mesh, Option<&Mesh>) -> Result<()>,
+) -> nm_status {
+    let is_other = !std::ptr::eq(mesh, background);
+    // SAFETY: NULL or live; only shared references are ever made to a handle.
+    let other = unsafe { background.as_ref() }.filter(|_| is_other);
+    let body = |handle: &nm_mesh| {
+        let held = &mut *handle.write()?;
+        match other {
+            None => body(&mut held.mesh, None),
+            Some(other) => body(&mut held.mesh, Some(&other.read()?.mesh)),
+        }
+    };
+    // SAFETY: the caller's promise.
+    unsafe { with_handle(mesh, body) }
+}
+
 /// # Safety
 /// As [`with_mesh`].
 unsafe fn with_handle(

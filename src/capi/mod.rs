@@ -30,6 +30,7 @@ mod create;
 mod options;
 
 mod run;
+mod sizes;
 
 mod getters;
 

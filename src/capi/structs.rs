@@ -67,10 +67,11 @@ pub type nm_progress_fn =
 /// The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
 /// bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
 /// largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
-/// thread that called nm_run, at most once a vertex, in an order that depends on the inputs and the
-/// options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that
-/// has the point and the answer. During a call any use of the mesh being run answers NM_STATE; other
-/// meshes may be used, and this one must not be freed.
+/// thread that called nm_run, at most once a vertex, with nm_options.min_dihedral also at places that
+/// are tried for vertices, in an order that depends on the inputs and the options alone. Any other
+/// answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that has the point and the
+/// answer. During a call any use of the mesh being run answers NM_STATE; other meshes may be used,
+/// and this one must not be freed.
 #[allow(non_camel_case_types)]
 pub type nm_size_fn = Option<unsafe extern "C" fn(x: *const f64, user_data: *mut c_void) -> f64>;
 
@@ -162,14 +163,15 @@ pub struct nm_options {
     /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
     /// largest of their coordinates on each axis); their circumradius is at most that of the regular
     /// simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-    /// NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH, without min_dihedral. Above 0, default 0: none.
+    /// NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH. Above 0, default 0: none.
     pub max_edge: f64,
     /// The size at each point, on the same conditions: no simplex that meets the box of the inputs
     /// has a larger circumradius than the regular simplex whose edges have the least of the sizes
-    /// at its vertices (for a vertex outside the box: at the nearest point of it). Most edges are
-    /// between 0.6 times the size and the size, none is longer than twice that circumradius: 1.16 times the size
-    /// in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between vertices is not
-    /// seen. With max_edge both count. Default NULL: none.
+    /// at its vertices (for a vertex outside the box: at the nearest point of it). Most edges have
+    /// between 0.6 times the size and the size; none is longer than twice that circumradius, 1.16
+    /// times the size in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between
+    /// vertices is not seen. With max_edge both count. nm_mesh_set_sizes and
+    /// nm_mesh_set_background give sizes by values. Default NULL: none.
     pub size: nm_size_fn,
     /// Handed to size as it is; the library never looks at it. Default NULL.
     pub size_user_data: *mut c_void,

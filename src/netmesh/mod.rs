@@ -70,7 +70,7 @@ pub fn run_sized(
         },
     };
     if size.is_some() {
-        check_sized(options, "size", "set")?;
+        check_sized(options, "size", "set, or values for it")?;
     }
     in_dimension!(
         inputs.dim(),

@@ -21,9 +21,10 @@ use crate::memory::{Array, TryGrow};
 use crate::mesh::{Inputs, MAX_DIM};
 use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::ROOT;
-use crate::numerics::distance;
+use crate::numerics::{Circumball, distance};
 use crate::options::SizeFn;
 use crate::parameters::Parameters;
+use std::cell::RefCell;
 
 /// Circumradii stay this far below what was asked for: the certificate rounds otherwise.
 const MARGIN: f64 = 1e-9;
@@ -41,6 +42,8 @@ pub(in crate::netmesh) struct Sizes<'a, const D: usize> {
     high: [f64; D],
     /// Vertex -> what the function answered.
     answers: Array<f64>,
+    /// An answer that was no size, while nobody could be told.
+    refusal: RefCell<Option<Error>>,
 }
 
 impl<'a, const D: usize> Sizes<'a, D> {
@@ -62,7 +65,8 @@ impl<'a, const D: usize> Sizes<'a, D> {
             }
         }
         let max_edge = if parameters.max_edge > 0.0 { parameters.max_edge } else { f64::INFINITY };
-        Some(Self { function, max_edge, low, high, answers: Array::new() })
+        let (answers, refusal) = (Array::new(), RefCell::new(None));
+        Some(Self { function, max_edge, low, high, answers, refusal })
     }
 
     /// The distance from a point to the farthest one of the box.
@@ -98,17 +102,59 @@ impl<'a, const D: usize> Sizes<'a, D> {
         if !self.meets_box(points) {
             return Ok(0.0);
         }
-        let mut size = self.max_edge;
+        let mut size = f64::INFINITY;
         for (&vertex, &point) in vertices.iter().zip(points) {
             size = size.min(self.ask(vertex, point)?);
         }
-        let radius = ball.radius();
-        let of_radius = radius / ((1.0 - MARGIN) * regular_circumradius(D) * size);
+        Ok(self.excess_of(points, ball.radius(), size))
+    }
+
+    /// Whether a simplex may be made that has these vertices, with the vertex number `apex` at `x`.
+    /// Where the function answers no size it may not, and [`Self::refusal`] has that.
+    pub fn allow(
+        &self,
+        delaunay: &Delaunay<D>,
+        vertices: &[VertexId],
+        apex: usize,
+        x: &[f64; D],
+    ) -> bool {
+        let mut points = [x; MAX_DIM + 1];
+        for (at, &vertex) in vertices.iter().enumerate().filter(|&(at, _)| at != apex) {
+            points[at] = delaunay.point(vertex);
+        }
+        let points = &points[..=D];
+        if !self.meets_box(points) {
+            return true;
+        }
+        let mut size = f64::INFINITY;
+        for (at, &vertex) in vertices.iter().enumerate() {
+            let known = self.answers.get(vertex.index()).filter(|answer| !answer.is_nan());
+            let answer = match (known, self.function) {
+                _ if at == apex => self.answer_at(x),
+                (Some(&known), _) => Ok(known),
+                (None, _) => self.answer_at(points[at]),
+            };
+            match answer {
+                Ok(answer) => size = size.min(answer),
+                Err(error) => {
+                    *self.refusal.borrow_mut() = Some(error);
+                    return false;
+                }
+            }
+        }
+        self.excess_of(points, Circumball::new(points).radius(), size) <= 1.0
+    }
+
+    /// By what factor a simplex is larger than its circumradius and edges may be, with the least
+    /// answer `size` at its vertices.
+    fn excess_of(&self, points: &[&[f64; D]], radius: f64, size: f64) -> f64 {
+        let allowed = regular_circumradius(D) * size.min(self.max_edge);
+        let of_radius = radius / ((1.0 - MARGIN) * allowed);
         // No edge is longer than the diameter.
         if of_radius > 1.0 || 2.0 * radius <= (1.0 - MARGIN) * self.max_edge {
-            return Ok(of_radius);
+            return of_radius;
         }
-        Ok(of_radius.max(longest_distance(points) / self.max_edge))
+        of_radius.max(longest_distance(points) / self.max_edge)
     }
 
     /// Whether the box of a simplex meets that of the inputs.
@@ -121,28 +167,30 @@ impl<'a, const D: usize> Sizes<'a, D> {
 
     /// The answer of the function for `vertex`, which is at `x`.
     fn ask(&mut self, vertex: VertexId, x: &[f64; D]) -> Result<f64> {
-        let Some(function) = self.function else { return Ok(f64::INFINITY) };
-        self.answers.cover(vertex.index() + 1, UNKNOWN)?;
-        let answer = &mut self.answers[vertex];
-        if answer.is_nan() {
-            let nearest: [f64; D] = std::array::from_fn(|k| x[k].clamp(self.low[k], self.high[k]));
-            *answer = asked_at(function, &nearest)?;
+        if self.function.is_none() {
+            return Ok(f64::INFINITY);
         }
-        Ok(*answer)
+        self.answers.cover(vertex.index() + 1, UNKNOWN)?;
+        if self.answers[vertex].is_nan() {
+            self.answers[vertex] = self.answer_at(x)?;
+        }
+        Ok(self.answers[vertex])
     }
-}
 
-/// The answer of a function, checked.
-fn asked_at<const D: usize>(function: &SizeFn<'_>, x: &[f64; D]) -> Result<f64> {
-    let answer = function(x);
-    // False if it is no number.
-    if answer > 0.0 {
-        return Ok(answer);
+    /// The answer of the function at `x`, or at the nearest point of the box.
+    fn answer_at(&self, x: &[f64; D]) -> Result<f64> {
+        let Some(function) = self.function else { return Ok(f64::INFINITY) };
+        let x: [f64; D] = std::array::from_fn(|k| x[k].clamp(self.low[k], self.high[k]));
+        let answer = function(&x);
+        // False if it is no number.
+        if answer > 0.0 {
+            return Ok(answer);
+        }
+        let message = message!(
+            "options.size answers {answer} at {x:?}; a size is above 0, or infinite for no bound"
+        );
+        Err(Error::new(ErrorKind::InvalidArgument, message))
     }
-    let message = message!(
-        "options.size answers {answer} at {x:?}; a size is above 0, or infinite for no bound"
-    );
-    Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
 /// The circumradius of the regular simplex with edges of length 1.
@@ -214,6 +262,36 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether segments leave a live simplex out of the domain.
     fn is_outside(&mut self, simplex: SimplexId) -> Result<bool> {
         Ok(self.is_left_alone(simplex)? && !self.is_forced(simplex))
+    }
+
+    /// After slivers were mended: the sizes at all vertices that count.
+    pub(in crate::netmesh) fn ask_all_sizes(&mut self) -> Result<()> {
+        if self.sizes.is_none() {
+            return Ok(());
+        }
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let Some(sizes) = &mut self.sizes else { return Ok(()) };
+            if self.state.delaunay.complex().is_live(simplex) {
+                sizes.excess(&self.state.delaunay, simplex)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// After `vertex` came or moved: the size there.
+    pub(in crate::netmesh) fn ask_size_again(&mut self, vertex: VertexId) -> Result<()> {
+        let Some(sizes) = &mut self.sizes else { return Ok(()) };
+        if let Some(answer) = sizes.answers.get_mut(vertex.index()) {
+            *answer = UNKNOWN;
+        }
+        sizes.ask(vertex, self.state.delaunay.point(vertex)).map(drop)
+    }
+
+    /// Fails if an answer was no size since the last call.
+    pub(in crate::netmesh) fn check_sizes(&self) -> Result<()> {
+        let refusal = self.sizes.as_ref().and_then(|sizes| sizes.refusal.take());
+        refusal.map_or(Ok(()), Err)
     }
 
     /// Inserts a point into the D-ball of `simplex`, or makes it precision-limited.

@@ -81,7 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> AllocResult<Option<(f64, bool)>> {
         let Some(domain) = self.common_domain(cavity) else { return Ok(None) };
         let Slivers { measure, penalties, cone, .. } = slivers;
-        let view = View::new(&self.state, penalties, measure);
+        let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
         if cavity.simplices.iter().any(is_infinite) || !view.hierarchy.contains(domain, x) {
             return Ok(None);
@@ -91,7 +91,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         cone_over(view, cavity, cone)?;
-        let gain = cone.judge(view, x, before, least).filter(|_| cone.keeps_cells(view, x));
+        let gain = cone
+            .judge(view, x, before, least)
+            .filter(|_| cone.keeps_cells(view, x) && cone.keeps_sizes(view, x));
         Ok(gain.map(|gain| (gain, gain >= before)))
     }
 
@@ -114,6 +116,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
         self.weigh_cone(slivers)?;
         self.note_arrival(vertex, &cavity.vertices.ids);
+        self.ask_size_again(vertex)?;
         Ok(vertex)
     }
 }

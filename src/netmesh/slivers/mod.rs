@@ -6,7 +6,8 @@
 //! its neighbours, `insertions` a further point, and `relaxation` a point that is worth it only
 //! after its neighbours have moved. What a place is worth is judged without a change: the
 //! tetrahedra that a point would make are the `cone` over its cavity; `vacancy` is the mesh without
-//! a vertex that may move. `cells` has what the Voronoi aspect needs beside.
+//! a vertex that may move. `cells` has what the Voronoi aspect needs beside, `sizes` what is
+//! asked for.
 //!
 //! Every change lets the objective fall by [`LEAST_GAIN`] or more, so the phase ends. No input
 //! moves, nor a vertex of a living cage or of the hull; no simplex goes beyond the bound of the
@@ -23,12 +24,14 @@ mod queue;
 mod random;
 mod relaxation;
 mod shape;
+mod sizes;
 mod vacancy;
 
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::memory::{AllocResult, Array, TryGrow};
 use crate::netmesh::cages::domains::Hierarchy;
+use crate::netmesh::refinement::size::Sizes;
 use crate::netmesh::{Cell, Mesher, State};
 use crate::options::Criterion;
 use cone::Cone;
@@ -66,16 +69,22 @@ struct View<'a, const D: usize> {
     measure: &'a Measure,
     /// Half the bound of the Voronoi aspect, if that is the criterion.
     half_aspect: Option<f64>,
+    sizes: Option<&'a Sizes<'a, D>>,
 }
 
 impl<'a, const D: usize> View<'a, D> {
-    fn new(state: &'a State<D>, penalties: &'a [f32], measure: &'a Measure) -> Self {
+    fn new(
+        state: &'a State<D>,
+        sizes: Option<&'a Sizes<'a, D>>,
+        penalties: &'a [f32],
+        measure: &'a Measure,
+    ) -> Self {
         let State { delaunay, hierarchy, cells, parameters, .. } = state;
         let half_aspect = match parameters.criterion {
             Criterion::VoronoiAspect => Some(0.5 * parameters.quality_bound),
             Criterion::RadiusEdge => None,
         };
-        Self { delaunay, hierarchy, cells, penalties, measure, half_aspect }
+        Self { delaunay, hierarchy, cells, penalties, measure, half_aspect, sizes }
     }
 
     /// What live simplices add to the objective.

@@ -74,7 +74,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         let domain = self.state.hierarchy.domain_of(vertex);
-        let view = View::new(&self.state, penalties, measure);
+        let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         vacancy.measure(view, vertex)?;
         let ball = into.and_then(|sliver| {
             let radius = view.delaunay.ball(sliver.simplex)?.radius();
@@ -139,6 +139,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         slivers.filled = filled;
         self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
         self.note_arrival(vertex, &cavity.vertices.ids);
-        Ok(())
+        self.ask_size_again(vertex)
     }
 }

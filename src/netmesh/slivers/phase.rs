@@ -39,6 +39,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 }
             }
         }
+        self.check_sizes()?;
+        self.ask_all_sizes()?;
         self.state.stage.sliver_fraction = 1.0;
         self.report_progress()
     }
@@ -151,11 +153,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<bool> {
         let random = &mut Random::of(sliver, effort);
         let times = 4usize.pow(effort);
-        if self.mend_by_move(sliver, times, random, slivers, cavity)?.is_some() {
+        let is_moved = self.mend_by_move(sliver, times, random, slivers, cavity)?.is_some();
+        self.check_sizes()?;
+        if is_moved {
             return Ok(true);
         }
         let numbers = [1, POINTS * times];
         let points = self.best_insertions(sliver, numbers, LEAST_GAIN, random, slivers, cavity)?;
+        self.check_sizes()?;
         if let Some(point) = points.first() {
             self.insert_point(sliver.simplex, &point.x, slivers, cavity)?;
             return Ok(true);

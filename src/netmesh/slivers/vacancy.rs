@@ -164,6 +164,7 @@ impl<const D: usize> Vacancy<D> {
         let gain = self.cone.judge(view, x, gain, least);
         Ok(gain
             .filter(|_| self.keeps_filling_cells(view) && self.cone.keeps_cells(view, x))
+            .filter(|_| self.keeps_filling_sizes(view) && self.cone.keeps_sizes(view, x))
             .map(|gain| Place { x: *x, gain, near, is_clean: gain >= before }))
     }
 
@@ -257,7 +258,12 @@ impl<const D: usize> Vacancy<D> {
                     || radius <= half_aspect * view.cells[vertex].nearest
             })
         };
-        (0..self.balls.len()).all(|number| self.is_inside[number] || is_good(number))
+        self.staying().all(|number| is_good(number as usize))
+    }
+
+    /// The simplices of the filling whose balls do not hold the place that is judged.
+    pub fn staying(&self) -> impl Iterator<Item = u32> {
+        (0..self.balls.len() as u32).filter(|&number| !self.is_inside[number as usize])
     }
 }
 

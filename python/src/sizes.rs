@@ -1,0 +1,89 @@
+//! The option `size`: a number, a value for each point, or a function.
+
+use crate::errors::{exception, invalid};
+use netmesh::Mesh;
+use netmesh::options::SizeFn;
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::sync::{Mutex, PoisonError};
+
+/// What tells sizes during a run. Values for the points are the mesh's own.
+pub enum Sizes {
+    Given,
+    Constant(f64),
+    Function(Function),
+}
+
+/// A callable of Python.
+pub struct Function {
+    callable: Py<PyAny>,
+    /// What it has raised.
+    exception: Mutex<Option<PyErr>>,
+}
+
+impl Sizes {
+    /// As `given` says; values for the points go to `mesh`.
+    pub fn new(mesh: &mut Mesh, given: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let py = given.py();
+        let Some(size) = given.get_item("size")?.filter(|size| !size.is_none()) else {
+            return Ok(Self::Given);
+        };
+        if size.is_callable() {
+            let callable = size.unbind();
+            return Ok(Self::Function(Function { callable, exception: Mutex::default() }));
+        }
+        if let Ok(size) = size.extract::<f64>() {
+            return match size > 0.0 {
+                true => Ok(Self::Constant(size)),
+                false => Err(invalid(py, format!("size is {size}; it must be above 0"))),
+            };
+        }
+        let array = py.import("numpy")?.call_method1("asarray", (&size, "float64"))?;
+        let shape = array.getattr("shape")?;
+        let count = mesh.inputs().count();
+        if shape.extract::<(usize,)>().ok() != Some((count,)) {
+            return Err(invalid(
+                py,
+                format!("size has shape {shape}; it must have one value for each of {count} points"),
+            ));
+        }
+        let values: PyReadonlyArray1<'_, f64> =
+            py.import("numpy")?.call_method1("ascontiguousarray", (array,))?.extract()?;
+        mesh.set_sizes(values.as_slice()?).map_err(|error| exception(py, &error))?;
+        Ok(Self::Given)
+    }
+
+    /// Calls `run` with what the library asks.
+    pub fn with<T>(&self, run: impl FnOnce(Option<&SizeFn<'_>>) -> T) -> T {
+        match self {
+            Self::Given => run(None),
+            Self::Constant(size) => run(Some(&|_| *size)),
+            Self::Function(function) => run(Some(&|x| function.at(x))),
+        }
+    }
+
+    /// The exception that ended a run.
+    pub fn exception(self) -> Option<PyErr> {
+        match self {
+            Self::Function(function) => {
+                function.exception.into_inner().unwrap_or_else(PoisonError::into_inner)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Function {
+    /// The size at a point; NaN after an exception, which ends the run.
+    fn at(&self, x: &[f64]) -> f64 {
+        Python::attach(|py| {
+            let x = PyArray1::from_slice(py, x);
+            let answer = self.callable.bind(py).call1((x,)).and_then(|answer| answer.extract());
+            answer.unwrap_or_else(|raised| {
+                *self.exception.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
+                f64::NAN
+            })
+        })
+    }
+}

@@ -132,7 +132,7 @@
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
-#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
@@ -339,6 +339,28 @@ enum nm_format
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
+#endif // __cplusplus
+
+/**
+ * nm_options.gives_way: what gives way where min_dihedral and quality_bound cannot both be had.
+ */
+enum nm_gives_way
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * The dihedral angle: the bound holds, and some simplices stay below the angle.
+     */
+    NM_GIVES_WAY_ANGLE = 0,
+    /**
+     * The bound: fewer simplices stay below the angle, and some cells (NM_CRITERION_VORONOI_ASPECT)
+     * or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
+     */
+    NM_GIVES_WAY_BOUND = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_gives_way;
 #endif // __cplusplus
 
 /**
@@ -1009,10 +1031,10 @@ typedef struct nm_options {
     double min_angle;
     /**
      * The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
-     * points move and further ones come until none is smaller. quality_bound goes before: where
-     * both cannot be had the angle stays, and nm_quality.below_min_dihedral counts it. In 3D only,
-     * without distance_ratio, and without effect with NM_ALGORITHM_DELAUNAY. In [0, 22],
-     * default 0: none.
+     * points move and further ones come until none is smaller. Where quality_bound cannot be had
+     * too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound count
+     * what is left. In 3D only, without distance_ratio, and without effect with
+     * NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
      */
     double min_dihedral;
     /**
@@ -1036,6 +1058,15 @@ typedef struct nm_options {
      * Handed to size as it is; the library never looks at it. Default NULL.
      */
     void *size_user_data;
+    /**
+     * What gives way where min_dihedral and quality_bound cannot both be had; without effect
+     * where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
+     */
+    nm_gives_way gives_way;
+    /**
+     * Zero.
+     */
+    uint32_t reserved_after_gives_way;
 } nm_options;
 
 /**
@@ -1224,6 +1255,11 @@ typedef struct nm_quality {
      * nothing of them.
      */
     uint64_t below_min_dihedral_between_domains;
+    /**
+     * Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
+     * simplices with a larger ratio. The figures above have them.
+     */
+    uint64_t beyond_bound;
 } nm_quality;
 
 /**
@@ -2350,8 +2386,8 @@ nm_status nm_export_alpha_shape(const struct nm_mesh *mesh,
  *
  * name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
  * else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
- * cell_domain, radius_edge. components: numbers an input; 0 removes the values of that name, and
- * values may be NULL then. values: inputs x components numbers, duplicates included, which are
+ * cell_domain, radius_edge, below_min_dihedral, beyond_bound. components: numbers an input; 0
+ * removes the values of that name, and values may be NULL then. values: inputs x components numbers, duplicates included, which are
  * copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
  * name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
  * .node file has no names: its attributes are in the order in which their names were set first.

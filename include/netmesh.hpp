@@ -90,6 +90,7 @@ struct options {
     double min_dihedral = 0;
     double max_edge = 0;
     size_function size = {};  // empty: none
+    nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -749,6 +750,7 @@ private:
         to.min_angle = from.min_angle;
         to.min_dihedral = from.min_dihedral;
         to.max_edge = from.max_edge;
+        to.gives_way = from.gives_way;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

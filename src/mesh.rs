@@ -161,6 +161,10 @@ pub struct Triangulation {
     /// Vertex -> the size that was asked for there, infinite where there is no bound, and where
     /// none was needed; empty without a function or values that tell sizes.
     pub sizes: Vec<f64>,
+    /// Where the bound gave way to the angle ([`crate::GivesWay::Bound`]), by rising id: with
+    /// [`crate::Criterion::VoronoiAspect`] the vertices with cells beyond the bound, with
+    /// [`crate::Criterion::RadiusEdge`] the simplices beyond it.
+    pub beyond_bound: Vec<u32>,
     pub parameters: Parameters,
     pub stats: Stats,
 }

@@ -73,6 +73,17 @@ pub enum Crossings {
     Split = 1,
 }
 
+/// What gives way where `min_dihedral` and `quality_bound` cannot both be had.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum GivesWay {
+    /// The dihedral angle: some simplices stay below it, [`crate::Triangulation::below_min_dihedral`].
+    #[default]
+    Angle = 0,
+    /// The bound: some cells or simplices go beyond it, [`crate::Triangulation::beyond_bound`].
+    Bound = 1,
+}
+
 /// Options of a run. All doubles and `max_vertices`: 0 = the default for the dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -109,13 +120,14 @@ pub struct Options {
     /// radius-edge ratio is bounded by `1 / (2 sin(min_angle))`.
     pub min_angle: f64,
     /// The least dihedral angle, in degrees, of simplices with all vertices in one domain; in 3D.
-    /// The quality bound goes before: what cannot have both is left, and counted.
     pub min_dihedral: f64,
     /// How far the result reaches.
     pub extent: Extent,
     /// The length that no edge exceeds of simplices that meet the box of the inputs; 0: none.
     /// For [`Output::WellSpaced`].
     pub max_edge: f64,
+    /// Of `min_dihedral` and the bound; without effect where no angle is asked for.
+    pub gives_way: GivesWay,
 }
 
 impl Default for Options {
@@ -142,6 +154,7 @@ impl Default for Options {
             min_dihedral: 0.0,
             extent: Extent::default(),
             max_edge: 0.0,
+            gives_way: GivesWay::default(),
         }
     }
 }

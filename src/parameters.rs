@@ -2,7 +2,7 @@
 //! Plain data that a result keeps; what the algorithm derives from them is its own affair.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::{Algorithm, Criterion, Extent, NetOrdering, Options, Output};
+use crate::options::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
 use std::fmt::Display;
 
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
@@ -46,6 +46,7 @@ pub struct Parameters {
     pub extent: Extent,
     /// 0: none.
     pub max_edge: f64,
+    pub gives_way: GivesWay,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -97,6 +98,7 @@ impl Parameters {
             min_dihedral: angle(dim, options)?,
             extent: options.extent,
             max_edge: max_edge(options)?,
+            gives_way: options.gives_way,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }

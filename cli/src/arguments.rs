@@ -4,7 +4,7 @@ use crate::exit_code;
 use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{Algorithm, Criterion, Extent, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -179,6 +179,10 @@ pub struct Meshing {
     #[arg(long, value_name = "FILE")]
     pub sizes: Option<PathBuf>,
 
+    /// What gives way where --min-dihedral and --bound cannot both be had
+    #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
+    pub gives_way: GivesWayName,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -245,6 +249,14 @@ pub enum CriterionName {
     Aspect,
     /// Circumradius over shortest edge of a simplex
     RadiusEdge,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GivesWayName {
+    /// The angle: some tetrahedra stay below it
+    Angle,
+    /// The bound: some cells, or tetrahedra, go beyond it
+    Bound,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -323,8 +335,12 @@ impl Arguments {
             distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
             min_angle: meshing.min_angle.unwrap_or(0.0),
             min_dihedral: meshing.min_dihedral.unwrap_or(0.0),
-            max_edge: meshing.max_edge.unwrap_or(0.0),
             extent: Extent::default(),
+            max_edge: meshing.max_edge.unwrap_or(0.0),
+            gives_way: match meshing.gives_way {
+                GivesWayName::Angle => GivesWay::Angle,
+                GivesWayName::Bound => GivesWay::Bound,
+            },
         }
     }
 }
@@ -447,7 +463,8 @@ mod tests {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
             --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --max-edge 0.5 --seed 7 --max-vertices 99 --threads 4 --ordering deterministic --stats";
+            --max-edge 0.5 --gives-way bound --seed 7 --max-vertices 99 --threads 4 \
+            --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
             algorithm: Algorithm::Delaunay,
@@ -468,8 +485,9 @@ mod tests {
             instruments: true,
             min_angle: 0.0,
             min_dihedral: 5.0,
-            max_edge: 0.5,
             extent: Extent::default(),
+            max_edge: 0.5,
+            gives_way: GivesWay::Bound,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();

@@ -5,7 +5,7 @@ use crate::alpha_shape::Measured;
 use crate::histograms::Table;
 use crate::json::Object;
 use crate::summary::Summary;
-use netmesh::{Algorithm, Criterion, NetOrdering, Output, Parameters, Stats};
+use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Output, Parameters, Stats};
 
 pub fn json(summary: &Summary<'_>) -> String {
     let mut record = Object::new();
@@ -109,6 +109,13 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.number("min_angle", parameters.min_angle);
     options.number("min_dihedral", parameters.min_dihedral);
     options.number("max_edge", parameters.max_edge);
+    options.text(
+        "gives_way",
+        match parameters.gives_way {
+            GivesWay::Angle => "angle",
+            GivesWay::Bound => "bound",
+        },
+    );
 }
 
 fn add_quality(object: &mut Object, summary: &Summary<'_>) {
@@ -123,6 +130,7 @@ fn add_quality(object: &mut Object, summary: &Summary<'_>) {
     object.count("precision_limited", quality.precision_limited);
     object.count("below_min_dihedral", quality.below_min_dihedral);
     object.count("below_min_dihedral_between_domains", quality.below_min_dihedral_between_domains);
+    object.count("beyond_bound", quality.beyond_bound);
 }
 
 /// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.

@@ -9,7 +9,8 @@ use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, Inputs, NetOrdering, Output, Triangulation, VertexKind,
+    Algorithm, Attribute, Criterion, GivesWay, Inputs, NetOrdering, Output, Triangulation,
+    VertexKind,
 };
 use std::fmt::Write;
 
@@ -163,6 +164,13 @@ impl Summary<'_> {
                 format!("{} below {asked} degrees", counted(left, "simplex", "simplices"));
             if gaps > 0 {
                 line += &format!(", and {} beside cages", grouped(gaps));
+            }
+            if self.triangulation.parameters.gives_way == GivesWay::Bound {
+                let (one, many) = match self.triangulation.parameters.criterion {
+                    Criterion::VoronoiAspect => ("cell", "cells"),
+                    Criterion::RadiusEdge => ("simplex", "simplices"),
+                };
+                line += &format!("; {} beyond the bound", counted(quality.beyond_bound, one, many));
             }
             lines.add("", line);
         }

@@ -10,4 +10,5 @@ pub mod oracle;
 pub mod readers;
 pub mod settings;
 pub mod signs;
+pub mod slivers;
 pub mod triangulations;

@@ -1,7 +1,7 @@
 //! Options of a run, inside and outside their documented ranges.
 
 use super::bytes::Bytes;
-use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Options, Output};
 
 /// The most vertices of a run, by dimension from 2: enough for cages, few enough for many runs.
 const MAX_VERTICES: [u64; 3] = [2000, 1000, 500];
@@ -43,6 +43,9 @@ impl Settings {
         let valid = choose_numbers(&mut options, bytes, dim);
         if dim == 3 && options.distance_ratio == 0.0 && bytes.once_in(4) {
             options.min_dihedral = f64::from(bytes.below(23) as u32);
+            if bytes.once_in(3) {
+                options.gives_way = GivesWay::Bound;
+            }
         }
         Self { options, valid }
     }

@@ -41,6 +41,7 @@ def mesh(
     min_dihedral: float = 0.0,
     max_edge: float = 0.0,
     size: Any = None,
+    gives_way: str = "angle",
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -93,6 +94,10 @@ def mesh(
         called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
         those of regular simplices with such edges, and most edges have between 0.6 times that
         length and that length. ``inf`` for no bound. An exception of the function is raised here.
+    gives_way : {'angle', 'bound'}
+        What gives way where `min_dihedral` and `quality_bound` cannot both be had:
+        `Quality.below_min_dihedral` counts simplices that stay below the angle,
+        `Quality.beyond_bound` what goes beyond the bound.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

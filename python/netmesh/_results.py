@@ -114,6 +114,8 @@ class Quality(NamedTuple):
     below_min_dihedral: int
     #: Such with vertices of several domains, of which `min_dihedral` says nothing.
     below_min_dihedral_between_domains: int
+    #: Cells, or simplices, beyond the bound where that gave way to the angle.
+    beyond_bound: int
 
 
 class Stats(NamedTuple):

@@ -1,7 +1,7 @@
 //! Options by keyword.
 
 use crate::errors::invalid;
-use netmesh::{Algorithm, Criterion, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Options, Output};
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -63,6 +63,10 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "max_edge" => options.max_edge = number(name, value)?,
         // It is no number alone: see `sizes`.
         "size" => {}
+        "gives_way" => {
+            let names = [("angle", GivesWay::Angle), ("bound", GivesWay::Bound)];
+            options.gives_way = choice(name, value, &names)?;
+        }
         _ => return Err(PyTypeError::new_err(format!("there is no option {name}"))),
     }
     Ok(())

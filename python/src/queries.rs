@@ -186,6 +186,7 @@ impl Core {
             precision_limited,
             below_min_dihedral,
             below_min_dihedral_between_domains,
+            beyond_bound,
         } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
@@ -199,6 +200,7 @@ impl Core {
         figures.set_item("below_min_dihedral", below_min_dihedral)?;
         figures
             .set_item("below_min_dihedral_between_domains", below_min_dihedral_between_domains)?;
+        figures.set_item("beyond_bound", beyond_bound)?;
         Ok(figures)
     }
 
@@ -230,7 +232,7 @@ impl Core {
         let figures = PyDict::new(py);
         macro_rules! set {
             ($($name:ident),* $(,)?) => {{
-                let Stats { $($name),* } = self.triangulation().stats.clone();
+                let Stats { $($name),*, .. } = self.triangulation().stats.clone();
                 $(figures.set_item(stringify!($name), $name)?;)*
             }};
         }

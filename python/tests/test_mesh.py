@@ -134,6 +134,7 @@ OPTIONS = {
     "min_angle": (25.0, "[0.6, 33.7]"),
     "min_dihedral": (12.0, "[0, 22]"),
     "max_edge": (0.05, None),
+    "gives_way": ("bound", "'angle' or 'bound'"),
 }
 
 
@@ -146,10 +147,12 @@ def clusters():
 @pytest.mark.parametrize("name", OPTIONS)
 def test_options_reach_the_library(name):
     points = clusters()
-    if name == "min_dihedral":
+    if name in ("min_dihedral", "gives_way"):
         points = np.random.default_rng(1).random((300, 3))
     value, range_ = OPTIONS[name]
     others = {"output": "well_spaced"} if name in ("distance_ratio", "max_edge") else {}
+    if name == "gives_way":
+        others = {"min_dihedral": 22, "quality_bound": 3}
     default, other = netmesh.mesh(points, **others), netmesh.mesh(points, **others, **{name: value})
     differs = default.points.shape != other.points.shape or (default.points != other.points).any()
     if name == "instruments":

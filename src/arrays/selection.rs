@@ -3,8 +3,9 @@
 use super::domains::{domain_of, is_within};
 use super::{Part, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Attribute, Inputs, Mesh, NONE, Triangulation};
+use crate::options::Criterion;
 use crate::query::check_arrays;
 
 /// The region of a selection.
@@ -120,14 +121,13 @@ impl<'a> Part<'a> {
             cage_of: collected(kept.iter().map(|&v| mesh.cage_of[v as usize]))?,
             domains: copied(&mesh.domains)?,
             precision_limited: collected(kept.iter().map(|&v| mesh.precision_limited[v as usize]))?,
-            below_min_dihedral: collected(
-                mesh.below_min_dihedral
-                    .iter()
-                    .map(|&s| new_simplex[s as usize])
-                    .filter(|&s| s != NONE),
-            )?,
             boundary: mesh.boundary.part(&new_vertex, &ids)?,
             sizes: collected(kept.iter().filter_map(|&v| mesh.sizes.get(v as usize)).copied())?,
+            below_min_dihedral: renumbered(&mesh.below_min_dihedral, &new_simplex)?,
+            beyond_bound: match mesh.parameters.criterion {
+                Criterion::VoronoiAspect => renumbered(&mesh.beyond_bound, &new_vertex)?,
+                Criterion::RadiusEdge => renumbered(&mesh.beyond_bound, &new_simplex)?,
+            },
             parameters: mesh.parameters.clone(),
             stats: mesh.stats.clone(),
         };
@@ -146,4 +146,9 @@ impl<'a> Part<'a> {
         }
         Ok((Mesh::from_parts(inputs.of_vertices(&kept)?, part), kept_attributes))
     }
+}
+
+/// The new numbers of those of `ids` that have one.
+fn renumbered(ids: &[u32], new: &[u32]) -> AllocResult<Vec<u32>> {
+    collected(ids.iter().map(|&id| new[id as usize]).filter(|&id| id != NONE))
 }

@@ -12,8 +12,8 @@ use std::ffi::c_char;
 ///
 /// name: 1 to 64 ASCII letters, digits, '_', '-' and '.'; not one that files have for something
 /// else: x, y, z, x0, x1 and so on, points, kind, domain, input, precision_limited, aspect,
-/// cell_domain, radius_edge. components: numbers an input; 0 removes the values of that name, and
-/// values may be NULL then. values: inputs x components numbers, duplicates included, which are
+/// cell_domain, radius_edge, below_min_dihedral, beyond_bound. components: numbers an input; 0
+/// removes the values of that name, and values may be NULL then. values: inputs x components numbers, duplicates included, which are
 /// copied; of equal inputs the first counts. In formats whose columns are single numbers, name_0,
 /// name_1 and so on are the components. Gmsh has vectors of two and three components as vectors. A
 /// .node file has no names: its attributes are in the order in which their names were set first.

@@ -5,7 +5,7 @@ use crate::arrays::{Extent, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
-use crate::options::{Algorithm, Criterion, NetOrdering, Output, Phase};
+use crate::options::{Algorithm, Criterion, GivesWay, NetOrdering, Output, Phase};
 use crate::quality::Measure;
 use crate::query::{Interpolation, Method, Outside};
 use crate::topology::FaceClass;
@@ -127,6 +127,18 @@ pub enum nm_criterion {
     /// A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in
     /// 2D is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
     NM_CRITERION_RADIUS_EDGE = 1,
+}
+
+/// nm_options.gives_way: what gives way where min_dihedral and quality_bound cannot both be had.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_gives_way {
+    /// The dihedral angle: the bound holds, and some simplices stay below the angle.
+    NM_GIVES_WAY_ANGLE = 0,
+    /// The bound: fewer simplices stay below the angle, and some cells (NM_CRITERION_VORONOI_ASPECT)
+    /// or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
+    NM_GIVES_WAY_BOUND = 1,
 }
 
 /// nm_progress.phase: where a run stands. Later versions may append phases.
@@ -352,6 +364,10 @@ pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criteri
     decode("options.criterion", raw, [Criterion::VoronoiAspect, Criterion::RadiusEdge])
 }
 
+pub(super) fn decode_gives_way(raw: MaybeUninit<nm_gives_way>) -> Result<GivesWay> {
+    decode("options.gives_way", raw, [GivesWay::Angle, GivesWay::Bound])
+}
+
 pub(super) fn decode_measure(raw: MaybeUninit<nm_measure>) -> Result<Measure> {
     let measures =
         [Measure::DihedralAngle, Measure::RadiusEdge, Measure::Aspect, Measure::SmallestAngle];
@@ -445,6 +461,7 @@ mod tests {
             assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_ordering(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_criterion(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_gives_way(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=2 {
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);

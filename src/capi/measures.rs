@@ -94,6 +94,7 @@ fn encode_quality(quality: &Quality) -> nm_quality {
         precision_limited: quality.precision_limited,
         below_min_dihedral: quality.below_min_dihedral,
         below_min_dihedral_between_domains: quality.below_min_dihedral_between_domains,
+        beyond_bound: quality.beyond_bound,
     }
 }
 
@@ -254,13 +255,14 @@ mod tests {
             precision_limited: 8,
             below_min_dihedral: 9,
             below_min_dihedral_between_domains: 10,
+            beyond_bound: 11,
         };
         let encoded = encode_quality(&quality);
         // SAFETY: numbers without padding.
-        let words: [u64; 10] = unsafe { std::mem::transmute(encoded) };
+        let words: [u64; 11] = unsafe { std::mem::transmute(encoded) };
         let doubles = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(f64::to_bits);
         assert_eq!((encoded.max_degree, &words[1..7]), (1, &doubles[..]));
-        assert_eq!(words[7..], [8, 9, 10]);
+        assert_eq!(words[7..], [8, 9, 10, 11]);
     }
 
     #[test]

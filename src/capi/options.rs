@@ -1,15 +1,14 @@
 //! Options, from C and to C.
 
 use super::enums::{
-    decode_algorithm, decode_criterion, decode_ordering, decode_output, nm_algorithm, nm_criterion,
-    nm_ordering, nm_output, nm_status,
+    decode_algorithm, decode_criterion, decode_gives_way, decode_ordering, decode_output,
+    nm_algorithm, nm_criterion, nm_gives_way, nm_ordering, nm_output, nm_status,
 };
 use super::handle::barrier;
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::Extent;
-use crate::options::{Algorithm, Criterion, NetOrdering, Options, Output};
+use crate::options::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
@@ -72,6 +71,11 @@ pub(super) fn encode(options: &Options) -> nm_options {
         max_edge: options.max_edge,
         size: None,
         size_user_data: null_mut(),
+        gives_way: MaybeUninit::new(match options.gives_way {
+            GivesWay::Angle => nm_gives_way::NM_GIVES_WAY_ANGLE,
+            GivesWay::Bound => nm_gives_way::NM_GIVES_WAY_BOUND,
+        }),
+        reserved_after_gives_way: 0,
     }
 }
 
@@ -99,14 +103,20 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         min_dihedral: options.min_dihedral,
         extent: Extent::default(),
         max_edge: options.max_edge,
+        gives_way: decode_gives_way(options.gives_way)?,
     })
 }
 
-/// The switch, and that the field after it is not in use.
+/// The switch, and that the fields between others are not in use.
 fn decode_instruments(options: &nm_options) -> Result<bool> {
     let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
-    if options.reserved != 0 {
-        return refuse(message!("options.reserved is {}; it must be 0", options.reserved));
+    for (name, value) in [
+        ("reserved", options.reserved),
+        ("reserved_after_gives_way", options.reserved_after_gives_way),
+    ] {
+        if value != 0 {
+            return refuse(message!("options.{name} is {value}; it must be 0"));
+        }
     }
     match options.instruments {
         0 => Ok(false),
@@ -160,6 +170,7 @@ mod tests {
             min_dihedral: 15.0,
             extent: Extent::default(),
             max_edge: 16.0,
+            gives_way: GivesWay::Bound,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
@@ -204,6 +215,8 @@ mod tests {
             144 + 2 * word,
             144 + 3 * word,
             144 + 4 * word,
+            148 + 4 * word,
+            152 + 4 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {
@@ -228,6 +241,7 @@ mod tests {
             ("algorithm", 3, nm_options { algorithm: from_c(3), ..good }),
             ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
             ("criterion", 2, nm_options { criterion: from_c(2), ..good }),
+            ("gives_way", 2, nm_options { gives_way: from_c(2), ..good }),
         ];
         for (field, value, options) in bad {
             let message = decode(&options).unwrap_err().message().to_owned();
@@ -241,6 +255,10 @@ mod tests {
         let refusals = [
             (nm_options { instruments: 2, ..good }, "options.instruments is 2; it must be 0 or 1"),
             (nm_options { reserved: 7, ..good }, "options.reserved is 7; it must be 0"),
+            (
+                nm_options { reserved_after_gives_way: 7, ..good },
+                "options.reserved_after_gives_way is 7; it must be 0",
+            ),
         ];
         for (options, message) in refusals {
             let error = decode(&options).unwrap_err();

@@ -1,6 +1,8 @@
 //! The structs of the boundary.
 
-use super::enums::{nm_algorithm, nm_criterion, nm_extent, nm_ordering, nm_output, nm_phase};
+use super::enums::{
+    nm_algorithm, nm_criterion, nm_extent, nm_gives_way, nm_ordering, nm_output, nm_phase,
+};
 use super::memory::Versioned;
 use super::violations::nm_violation;
 use std::ffi::{c_char, c_void};
@@ -155,10 +157,10 @@ pub struct nm_options {
     /// too; a few cells at the root's cage may then be given up (precision-limited).
     pub min_angle: f64,
     /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
-    /// points move and further ones come until none is smaller. quality_bound goes before: where
-    /// both cannot be had the angle stays, and nm_quality.below_min_dihedral counts it. In 3D only,
-    /// without distance_ratio, and without effect with NM_ALGORITHM_DELAUNAY. In [0, 22],
-    /// default 0: none.
+    /// points move and further ones come until none is smaller. Where quality_bound cannot be had
+    /// too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound count
+    /// what is left. In 3D only, without distance_ratio, and without effect with
+    /// NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
     pub min_dihedral: f64,
     /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
     /// largest of their coordinates on each axis); their circumradius is at most that of the regular
@@ -175,6 +177,11 @@ pub struct nm_options {
     pub size: nm_size_fn,
     /// Handed to size as it is; the library never looks at it. Default NULL.
     pub size_user_data: *mut c_void,
+    /// What gives way where min_dihedral and quality_bound cannot both be had; without effect
+    /// where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
+    pub gives_way: MaybeUninit<nm_gives_way>,
+    /// Zero.
+    pub reserved_after_gives_way: u32,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -193,14 +200,16 @@ unsafe impl Versioned for nm_options {
             size_of::<u32>()
         } else if size < offset_of!(nm_options, size) {
             size_of::<u64>()
-        } else {
+        } else if size < offset_of!(nm_options, gives_way) {
             size_of::<usize>()
+        } else {
+            size_of::<u32>()
         };
         size % width != 0
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 8 * 4 + 14 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 10 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
@@ -324,6 +333,9 @@ pub struct nm_quality {
     /// Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
     /// nothing of them.
     pub below_min_dihedral_between_domains: u64,
+    /// Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
+    /// simplices with a larger ratio. The figures above have them.
+    pub beyond_bound: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -331,7 +343,7 @@ unsafe impl Versioned for nm_quality {
     const TYPE: &'static str = "nm_quality";
 }
 
-const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 9 * 8);
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 10 * 8);
 
 /// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]

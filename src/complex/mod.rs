@@ -126,13 +126,6 @@ impl<const D: usize> Complex<D> {
         Ok(VertexId::new(self.incident.len() - 1))
     }
 
-    /// Takes the last vertex id back; it is not in the complex.
-    pub fn pop_vertex(&mut self) {
-        let last = self.incident.len() - 1;
-        debug_assert!(!self.incident[last].is_valid());
-        self.incident.truncate(last);
-    }
-
     /// Builds the complex of one finite, positively oriented simplex and its infinite neighbours.
     pub fn begin(&mut self, first: &[VertexId]) -> AllocResult<()> {
         assert!(self.records.is_empty() && first.len() == Self::VERTICES);

@@ -111,14 +111,6 @@ impl<const D: usize> Delaunay<D> {
         self.complex.add_vertex()
     }
 
-    /// Takes the last id back, whose point is not inserted.
-    pub fn pop_point(&mut self) {
-        let count = self.points.len() - 1;
-        self.points.truncate(count);
-        self.turns.truncate(count);
-        self.complex.pop_vertex();
-    }
-
     /// Gives a vertex that is not inserted another point.
     pub fn set_point(&mut self, vertex: VertexId, point: [f64; D]) {
         debug_assert!(!self.complex.contains_vertex(vertex));

@@ -99,6 +99,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
         below_min_dihedral: vec![0],
         boundary: Default::default(),
         sizes: Vec::new(),
+        beyond_bound: vec![1],
         parameters: Parameters::resolve(dim, &Options::default()).unwrap(),
         stats: Stats::default(),
         kinds,

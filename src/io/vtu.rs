@@ -4,6 +4,7 @@ use super::allocation_failed;
 use super::measures::Measures;
 use crate::arrays::domains::domain_of;
 use crate::mesh::{Attribute, Inputs, NONE, Triangulation};
+use crate::options::Criterion;
 use std::fmt;
 use std::io::{self, Write};
 
@@ -49,9 +50,10 @@ pub(super) fn write(
 <PointData Scalars="kind">
 "#
     )?;
+    let of_cells = of_cells(mesh);
     for (at, array) in arrays.iter().enumerate() {
         match at {
-            OF_CELLS => {
+            _ if at == of_cells => {
                 for attribute in attributes {
                     offset -= added(attribute);
                     let Attribute { name, components, .. } = attribute;
@@ -69,7 +71,7 @@ pub(super) fn write(
     }
     out.write_all(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
     for (at, array) in arrays.iter().enumerate().rev() {
-        if at + 1 == OF_CELLS {
+        if at + 1 == of_cells {
             for attribute in attributes.iter().rev() {
                 out.write_all(&(added(attribute) - 8).to_le_bytes())?;
                 attribute.values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?;
@@ -81,12 +83,19 @@ pub(super) fn write(
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
-/// Where the sections of the XML begin among the arrays: data of cells, ...
-const OF_CELLS: usize = 5;
+/// Where the sections of the XML begin among the arrays: data of cells, after the marks of vertices
+/// beyond the bound if it is one of vertices, ...
+fn of_cells(mesh: &Triangulation) -> usize {
+    match mesh.parameters.criterion {
+        Criterion::VoronoiAspect => BEYOND_BOUND + 1,
+        Criterion::RadiusEdge => BEYOND_BOUND,
+    }
+}
+const BEYOND_BOUND: usize = 5;
 /// ... the points, ...
-const POINTS: usize = 8;
+const POINTS: usize = 9;
 /// ... and the cells.
-const CELLS: usize = 9;
+const CELLS: usize = 10;
 
 struct Array {
     name: &'static str,
@@ -132,8 +141,9 @@ impl fmt::Display for Declaration<'_> {
 }
 
 /// The arrays in the order of the XML.
-fn arrays(mesh: &Triangulation) -> [Array; 12] {
+fn arrays(mesh: &Triangulation) -> [Array; 13] {
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let marked = bounded(mesh);
     let ids = mesh.simplices.len();
     let array = |name, scalar, scalar_size, tuples, write| Array {
         name,
@@ -143,7 +153,7 @@ fn arrays(mesh: &Triangulation) -> [Array; 12] {
         tuples,
         write,
     };
-    [
+    let mut arrays = [
         array("kind", "UInt8", 1, vertices, |source, out| {
             source.mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
         }),
@@ -163,6 +173,9 @@ fn arrays(mesh: &Triangulation) -> [Array; 12] {
         array("aspect", "Float64", 8, vertices, |source, out| {
             source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
+        array("beyond_bound", "UInt8", 1, marked, |source, out| {
+            write_marks(&source.mesh.beyond_bound, bounded(source.mesh), out)
+        }),
         // Not `domain`: viewers list the arrays of points and cells together.
         array("cell_domain", "UInt32", 4, cells, |source, out| {
             let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
@@ -174,11 +187,7 @@ fn arrays(mesh: &Triangulation) -> [Array; 12] {
             source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
         array("below_min_dihedral", "UInt8", 1, cells, |source, out| {
-            let mut left = source.mesh.below_min_dihedral.iter().peekable();
-            (0..source.mesh.simplex_count() as u32).try_for_each(|simplex| {
-                let is_left = left.next_if_eq(&&simplex).is_some();
-                out.write_all(&[u8::from(is_left)])
-            })
+            write_marks(&source.mesh.below_min_dihedral, source.mesh.simplex_count(), out)
         }),
         Array { components: 3, ..array("Points", "Float64", 8, vertices, write_points) },
         array("connectivity", "Int64", 8, ids, |source, out| {
@@ -194,7 +203,27 @@ fn arrays(mesh: &Triangulation) -> [Array; 12] {
             let cell_type = if source.mesh.dim == 2 { TRIANGLE } else { TETRA };
             (0..source.mesh.simplex_count()).try_for_each(|_| out.write_all(&[cell_type]))
         }),
-    ]
+    ];
+    // The marks of simplices come last among the data of cells.
+    arrays[of_cells(mesh)..POINTS].rotate_left(BEYOND_BOUND + 1 - of_cells(mesh));
+    arrays
+}
+
+/// The number of vertices if the bound is one of them, else that of simplices.
+fn bounded(mesh: &Triangulation) -> usize {
+    match mesh.parameters.criterion {
+        Criterion::VoronoiAspect => mesh.vertex_count(),
+        Criterion::RadiusEdge => mesh.simplex_count(),
+    }
+}
+
+/// 1 for each of `count` things that is among the `marked`, which rise, else 0.
+fn write_marks(marked: &[u32], count: usize, out: &mut dyn Write) -> io::Result<()> {
+    let mut marked = marked.iter().peekable();
+    (0..count as u32).try_for_each(|id| {
+        let is_marked = marked.next_if_eq(&&id).is_some();
+        out.write_all(&[u8::from(is_marked)])
+    })
 }
 
 /// VTK's points have three coordinates always.
@@ -211,6 +240,7 @@ fn write_points(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
 mod tests {
     use super::super::{Format, samples, write};
     use super::*;
+    use crate::Mesh;
     use crate::error::ErrorKind;
 
     /// The bytes of the array called `name`, found as a reader finds them; with `CellData/` before
@@ -284,10 +314,10 @@ mod tests {
                 name
             })
             .collect();
-        assert_eq!(names.len(), 12);
+        assert_eq!(names.len(), 13);
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), 12, "{names:?}");
+        assert_eq!(names.len(), 13, "{names:?}");
         let mut left = vec![0; samples::mesh(3).triangulation().unwrap().simplex_count()];
         left[0] = 1;
         assert_eq!(array_of(&file, "below_min_dihedral"), left);
@@ -298,6 +328,33 @@ mod tests {
             let name = format!("Name=\"{first}\"");
             assert!(after.lines().next().unwrap().contains(&name), "{section}");
         }
+    }
+
+    /// What goes beyond a bound is data of that which is bounded.
+    #[test]
+    fn marks_beyond_the_bound_stand_with_what_is_bounded() {
+        let count = |criterion, marked: Vec<u32>| {
+            let mut mesh = samples::mesh(3).triangulation().unwrap().clone();
+            mesh.parameters.criterion = criterion;
+            mesh.beyond_bound = marked;
+            let inputs = samples::mesh(3).inputs().clone();
+            let mut file = Vec::new();
+            write(&Mesh::from_parts(inputs, mesh), Format::Vtu, &mut file).unwrap();
+            let text = String::from_utf8_lossy(&file);
+            let end = text.find("</PointData>").unwrap();
+            let is_of_points = text.find("Name=\"beyond_bound\"").unwrap() < end;
+            (is_of_points, array_of(&file, "beyond_bound").to_vec())
+        };
+        let [vertices, simplices] = {
+            let mesh = samples::mesh(3);
+            let mesh = mesh.triangulation().unwrap();
+            [mesh.vertex_count(), mesh.simplex_count()]
+        };
+        let marks = |at: usize, count| (0..count).map(|i| u8::from(i == at)).collect::<Vec<_>>();
+        let of_vertices = count(Criterion::VoronoiAspect, vec![2]);
+        assert_eq!(of_vertices, (true, marks(2, vertices)));
+        let of_simplices = count(Criterion::RadiusEdge, vec![1]);
+        assert_eq!(of_simplices, (false, marks(1, simplices)));
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub struct Attribute {
 const NAME_BYTES: usize = 64;
 
 /// Names that files have for something else, beside `x0`, `x1` and so on.
-const RESERVED: [&str; 11] = [
+const RESERVED: [&str; 13] = [
     "x",
     "y",
     "z",
@@ -30,6 +30,8 @@ const RESERVED: [&str; 11] = [
     "aspect",
     "cell_domain",
     "radius_edge",
+    "below_min_dihedral",
+    "beyond_bound",
 ];
 
 impl Attribute {

@@ -116,6 +116,7 @@ fn arrays_of(mesh: &Triangulation) -> AllocResult<Triangulation> {
         domains: Vec::new(),
         precision_limited: Vec::new(),
         below_min_dihedral: Vec::new(),
+        beyond_bound: Vec::new(),
         boundary: Default::default(),
         sizes: Vec::new(),
         parameters: mesh.parameters.clone(),

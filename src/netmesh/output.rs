@@ -23,13 +23,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;
         let order = std::mem::take(&mut self.order);
-        let domain = self.domain_boundary(|vertex| output_id(&order, vertex))?;
-        self.order = order;
+        let removed = std::mem::take(&mut self.state.removed);
+        let domain = self.domain_boundary(|vertex| output_id(&order, &removed, vertex))?;
+        (self.order, self.state.removed) = (order, removed);
+        let cells_beyond = self.cells_beyond_bound()?;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices()?;
-        let vertices = self.state.delaunay.point_count();
-        let (domains, ids) = self.living_domains()?;
-        let renumbered = |domain: DomainId| ids.get(domain.index()).copied().unwrap_or(NONE);
+        let ids = self.state.delaunay.point_count();
+        let vertices = ids - self.state.removed.len();
+        let (domains, indices) = self.living_domains()?;
+        let renumbered = |domain: DomainId| indices.get(domain.index()).copied().unwrap_or(NONE);
         let places = self.places()?;
         let mut points = with_capacity(vertices * D)?;
         let mut cage_of = with_capacity(vertices)?;
@@ -38,8 +41,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut limited = with_capacity(vertices)?;
         let asked = self.sizes.take();
         let mut sizes = Vec::new();
-        for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..vertices)) {
+        for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..ids)) {
             self.watch.poll_after(1)?;
+            if self.state.removed.binary_search(&vertex).is_ok() {
+                continue;
+            }
             limited.push(precision_limited[vertex]);
             points.extend_from_slice(self.state.delaunay.point(vertex));
             let cage = renumbered(self.state.hierarchy.cage_of(vertex));
@@ -55,6 +61,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.count_vertices(&kinds, &limited);
         let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
+        let mut beyond_bound = self.simplices_beyond_bound(&points, &simplices, &vertex_domains)?;
+        for vertex in cells_beyond {
+            beyond_bound.try_push(output_id(&self.order, &self.state.removed, vertex))?;
+        }
+        beyond_bound.sort_unstable();
         self.state.stats.seconds = begun.elapsed().as_secs_f64();
         let whole = Triangulation {
             dim: D,
@@ -69,6 +80,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             below_min_dihedral,
             boundary: Boundary::default(),
             sizes,
+            beyond_bound,
             parameters: self.state.parameters,
             stats: self.state.stats,
         };
@@ -141,7 +153,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let row = &mut row[..=D];
                 for simplex in piece.filter(|&simplex| numbers[simplex] != NONE) {
                     for (number, &vertex) in row.iter_mut().zip(complex.vertices(simplex)) {
-                        *number = output_id(order, vertex);
+                        *number = output_id(order, &state.removed, vertex);
                     }
                     simplices.try_extend(row)?;
                     for (number, &neighbor) in row.iter_mut().zip(complex.neighbors(simplex)) {
@@ -180,7 +192,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let parent = self.state.hierarchy.parent(domain);
             let parent = ids.get(parent.index()).copied().unwrap_or(NONE);
             let node = self.state.hierarchy.node(domain);
-            let center = output_id(&self.order, node.center);
+            let center = output_id(&self.order, &self.state.removed, node.center);
             domains.push(Domain { center, parent, radius: node.radius });
         }
         Ok((domains, ids))
@@ -230,9 +242,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// The vertex of the result that `vertex` is.
-fn output_id(order: &[InputId], vertex: VertexId) -> u32 {
-    order.get(vertex.index()).map_or(vertex.number(), |input| input.number())
+/// The vertex of the result that `vertex` is, without those `removed`.
+fn output_id(order: &[InputId], removed: &[VertexId], vertex: VertexId) -> u32 {
+    let before = |vertex| removed.partition_point(|&other| other < vertex) as u32;
+    order.get(vertex.index()).map_or_else(|| vertex.number() - before(vertex), |i| i.number())
 }
 
 /// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.

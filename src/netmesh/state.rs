@@ -42,6 +42,8 @@ pub(super) struct State<const D: usize> {
     pub precision_limited: Vec<bool>,
     /// Number of distinct inputs.
     pub inputs: usize,
+    /// Ids that are no vertices any more, in rising order.
+    pub removed: Vec<VertexId>,
     /// Directions of the cage's vertices from its centre.
     pub template: Vec<[f64; D]>,
     /// Not used by a deterministic ordering.
@@ -167,6 +169,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             cells: Array::filled(count, Cell::NEW)?,
             precision_limited: filled(count, false)?,
             inputs: count,
+            removed: Vec::new(),
             template: Vec::new(),
             stats: Stats::default(),
             parameters,
@@ -255,7 +258,9 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     /// Inputs inserted, vertices and simplices.
     pub(super) fn progress_counts(&self) -> [u64; 3] {
         let inserted = self.state.inputs - self.state.conflict_lists.uninserted();
-        let vertices = self.state.delaunay.point_count() - self.state.conflict_lists.uninserted();
+        let vertices = self.state.delaunay.point_count()
+            - self.state.conflict_lists.uninserted()
+            - self.state.removed.len();
         let simplices = self.state.delaunay.complex().simplex_count();
         [inserted as u64, vertices as u64, simplices as u64]
     }
@@ -263,13 +268,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that
     /// need no more refinement, by their usual shares of the time.
     pub(super) fn done(&self) -> f64 {
-        let [insert, finish] = match (self.state.parameters.algorithm, self.state.parameters.output)
-        {
-            (Algorithm::Delaunay, _) => [1.0, 0.0],
-            (_, Output::Hierarchical) => [0.6, 0.0],
-            (_, Output::WellSpaced) => [0.3, 0.4],
-        };
-        let slivers = if self.state.parameters.min_dihedral > 0.0 { 0.6 } else { 0.0 };
+        let [insert, finish] = self.shares();
         let before = match self.state.stage.phase {
             Phase::Prepare | Phase::Insert => {
                 let inserted = self.state.inputs - self.state.conflict_lists.remaining();
@@ -287,9 +286,37 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             }
             Phase::Export => return 1.0,
         };
-        let sizes = if self.sizes.is_some() { 0.8 } else { 0.0 };
+        let [sizes, slivers] = self.shares_of_options();
         let before = (1.0 - sizes) * before + sizes * self.state.stage.size_fraction;
         (1.0 - slivers) * before + slivers * self.state.stage.sliver_fraction
+    }
+
+    /// What insertion and FINISHMESH are of a run without options that take longer. The rest is the
+    /// final refinement.
+    fn shares(&self) -> [f64; 2] {
+        match (self.state.parameters.algorithm, self.state.parameters.output) {
+            (Algorithm::Delaunay, _) => [1.0, 0.0],
+            (_, Output::Hierarchical) => [0.6, 0.0],
+            (_, Output::WellSpaced) => [0.3, 0.4],
+        }
+    }
+
+    /// What sizes are of what is before the slivers, and slivers of the whole run.
+    fn shares_of_options(&self) -> [f64; 2] {
+        let sizes = if self.sizes.is_some() { 0.8 } else { 0.0 };
+        let slivers = if self.state.parameters.min_dihedral > 0.0 { 0.6 } else { 0.0 };
+        [sizes, slivers]
+    }
+
+    /// The part of the run that is done when partitions are: they insert, and refine finally unless
+    /// cages are to be dissolved first.
+    pub(super) fn share_of_partitions(&self) -> f64 {
+        let [sizes, slivers] = self.shares_of_options();
+        let share = match self.state.parameters.output {
+            Output::Hierarchical => 0.95,
+            Output::WellSpaced => self.shares()[0],
+        };
+        (1.0 - sizes) * (1.0 - slivers) * share
     }
 
     /// What is bad in one place lets cells around it get bad, and most refinement may come at the

@@ -25,16 +25,20 @@ pub(super) struct Watch<'a, 'b> {
 pub(super) struct Tally {
     /// The number of inputs of the mesh.
     inputs: u64,
+    /// The part of the run that is done when all partitions are.
+    share: f64,
     /// Inputs inserted, vertices, simplices.
     counts: [AtomicU64; 3],
     is_stopped: AtomicBool,
 }
 
 impl Tally {
-    /// Begins with `counts`, what the mesh of `inputs` inputs had when it was cut.
-    pub fn new(inputs: usize, counts: [u64; 3]) -> Self {
+    /// Begins with `counts`, what the mesh of `inputs` inputs had when it was cut. `share`: the part
+    /// of the run that is done when all partitions are.
+    pub fn new(inputs: usize, share: f64, counts: [u64; 3]) -> Self {
         Self {
             inputs: inputs as u64,
+            share,
             counts: counts.map(AtomicU64::new),
             is_stopped: AtomicBool::new(false),
         }
@@ -135,8 +139,8 @@ impl<'a, 'b> Watch<'a, 'b> {
         let counts = tally.counts.each_ref().map(|count| count.load(Ordering::Relaxed));
         let [inserted, vertices, _] = counts;
         let added = vertices.saturating_sub(inserted).min(inserted);
-        let fraction = (0.6 * inserted as f64 + 0.35 * added as f64) / tally.inputs as f64;
-        self.note(Phase::Insert, fraction, counts);
+        let fraction = (0.63 * inserted as f64 + 0.37 * added as f64) / tally.inputs as f64;
+        self.note(Phase::Insert, tally.share * fraction, counts);
     }
 
     /// Calls the caller.

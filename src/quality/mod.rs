@@ -62,6 +62,8 @@ pub struct Quality {
     pub below_min_dihedral: u64,
     /// The same with vertices of several domains.
     pub below_min_dihedral_between_domains: u64,
+    /// Number of cells or simplices marked as beyond the bound, which gave way to the angle.
+    pub beyond_bound: u64,
 }
 
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
@@ -93,6 +95,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         worst_radius_edge: simplices.radius_edge,
         min_angle_degrees: simplices.angle_degrees(),
         precision_limited: limited as u64,
+        beyond_bound: mesh.beyond_bound.len() as u64,
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);

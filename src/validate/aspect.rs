@@ -6,7 +6,8 @@ use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
-use crate::options::Criterion;
+use crate::options::{Criterion, GivesWay};
+use crate::parameters::Parameters;
 use crate::quality::cells::{Cells, SimplexCell};
 use crate::quality::precision_limited_cages;
 use crate::quality::tree::DomainTree;
@@ -51,7 +52,16 @@ pub(super) fn check<const D: usize>(
 
 /// Whether the bound is promised for the cell of `v`.
 fn is_bounded<const D: usize>(view: View<'_, D>, v: usize) -> bool {
-    view.mesh.cage_of[v] == NONE && !view.mesh.precision_limited[v]
+    view.mesh.cage_of[v] == NONE && !view.mesh.precision_limited[v] && !gave_way(view, v)
+}
+
+/// Whether the run says that the bound gave way to the angle at a cell or a simplex, and was asked
+/// to let it.
+fn gave_way<const D: usize>(view: View<'_, D>, id: usize) -> bool {
+    let Parameters { gives_way, min_dihedral, .. } = view.mesh.parameters;
+    gives_way == GivesWay::Bound
+        && min_dihedral > 0.0
+        && view.mesh.beyond_bound.binary_search(&(id as u32)).is_ok()
 }
 
 /// Whether the bound is promised for a simplex: in a domain that is closed for every one, in others
@@ -61,6 +71,7 @@ fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
     let is_limited = |&v: &u32| view.mesh.precision_limited[v as usize];
     let all_corners = cell.domain != NONE && counts_all_corners(view, cell.domain);
     !vertices.iter().any(is_limited)
+        && !gave_way(view, cell.simplex)
         && (all_corners
             || cell.counts && vertices.iter().all(|&v| view.mesh.cage_of[v as usize] == NONE))
 }

@@ -186,6 +186,7 @@ mod tests {
             below_min_dihedral: Vec::new(),
             boundary: Default::default(),
             sizes: Vec::new(),
+            beyond_bound: Vec::new(),
             parameters: Parameters::resolve(D, &Options::default()).unwrap(),
             stats: Stats::default(),
         };

@@ -240,6 +240,8 @@ static void test_options(void)
     REFUSED(min_dihedral, 23.0, "min_dihedral is 23");
     REFUSED(max_edge, -1.0, "max_edge is -1");
     REFUSED(size, answer_nothing, "options.size is set");
+    REFUSED(gives_way, 2, "options.gives_way is 2");
+    REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);
     OK(nm_options_init(&newer.options, sizeof newer));

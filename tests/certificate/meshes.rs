@@ -31,6 +31,7 @@ pub fn plain<const D: usize>(points: &[[f64; D]], simplices: &[Vec<u32>]) -> Cas
         below_min_dihedral: Vec::new(),
         boundary: Default::default(),
         sizes: Vec::new(),
+        beyond_bound: Vec::new(),
         parameters: run(&corner::<D>(), &options).mesh.parameters,
         stats: Stats::default(),
     };

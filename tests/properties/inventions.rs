@@ -1,7 +1,7 @@
 //! What proptest invents.
 
 use super::checks::readers::FORMATS;
-use super::checks::{c_api, mesh, readers, signs};
+use super::checks::{c_api, mesh, readers, signs, slivers};
 use super::for_all;
 use netmesh::io::write;
 use netmesh::{Algorithm, Mesh, Options};
@@ -42,6 +42,11 @@ fn signs_of_structured_points() {
 #[test]
 fn meshes_of_any_bytes() {
     for_all(100, bytes(250), |data| mesh::check(&data));
+}
+
+#[test]
+fn meshes_of_degenerate_points_without_slivers() {
+    for_all(6, bytes(300), |data| slivers::check(&data));
 }
 
 #[test]

@@ -144,6 +144,8 @@ impl Attempt {
             max_edge: 0.0,
             size: None,
             size_user_data: null_mut(),
+            gives_way: from_c(given.gives_way as i32),
+            reserved_after_gives_way: 0,
         }
     }
 

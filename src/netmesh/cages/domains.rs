@@ -67,13 +67,6 @@ impl<const D: usize> Hierarchy<D> {
         self.places.try_push(Place::NOWHERE)
     }
 
-    /// Takes the last vertex back; it is part of no cage.
-    pub fn pop_vertex(&mut self) {
-        let last = self.places.len() - 1;
-        debug_assert!(!self.places[last].cage.is_valid());
-        self.places.truncate(last);
-    }
-
     /// Number of domains ever created; ids are below it.
     pub fn len(&self) -> usize {
         self.nodes.len()

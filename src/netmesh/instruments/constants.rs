@@ -35,7 +35,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if self.instruments.search.work > WORK {
                 break;
             }
-            self.compare_feature_sizes_at(VertexId::new(vertex))?;
+            if self.is_inserted(VertexId::new(vertex)) {
+                self.compare_feature_sizes_at(VertexId::new(vertex))?;
+            }
         }
         Ok(())
     }

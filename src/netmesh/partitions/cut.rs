@@ -64,6 +64,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             // A mesh with segments has no partitions.
             segments: Segments::default(),
             interface: Interface::new(domains.non_owned()?),
+            removed: Vec::new(),
             stage: Stage::of_insertion(parameters.loose_bound()),
             template: copied(&self.state.template)?,
             random: Pcg64Mcg::new(seed),

@@ -20,7 +20,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         partitions: Vec<Partition<D>>,
         moved: &mut [SimplexId],
     ) -> Result<()> {
-        let tally = Tally::new(self.state.inputs, self.progress_counts());
+        let tally =
+            Tally::new(self.state.inputs, self.share_of_partitions(), self.progress_counts());
         let threads = threads(self.state.parameters.threads).min(partitions.len());
         if threads > 1 {
             return self.refine_on(threads, partitions, &tally, moved);

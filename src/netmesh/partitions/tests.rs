@@ -4,7 +4,7 @@ use crate::mesh::{Inputs, Triangulation};
 use crate::netmesh::watch::Watch;
 use crate::netmesh::{Mesher, mesh};
 use crate::numerics::testing::Random;
-use crate::options::{Criterion, NetOrdering, Options, Output, Progress};
+use crate::options::{Criterion, NetOrdering, Options, Output, Phase, Progress};
 use crate::parameters::Parameters;
 use crate::validate::validate;
 
@@ -34,6 +34,7 @@ fn assert_same(a: &Triangulation, b: &Triangulation) {
     assert_eq!(a.domains, b.domains);
     assert_eq!(a.precision_limited, b.precision_limited);
     assert_eq!(a.below_min_dihedral, b.below_min_dihedral);
+    assert_eq!(a.beyond_bound, b.beyond_bound);
     let stats = |mesh: &Triangulation| crate::mesh::Stats { seconds: 0.0, ..mesh.stats };
     assert_eq!(stats(a), stats(b));
 }
@@ -230,6 +231,26 @@ fn runs_in_partitions_are_watched() {
                 mesh::<3>(&inputs, None, options.clone(), None, Some(&mut stop)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Cancelled);
         }
+    }
+}
+
+/// What comes after partitions has its share of what the caller is told.
+#[test]
+fn progress_goes_on_after_partitions() {
+    let inputs = inputs(&scattered::<3>(5000, 7));
+    for output in [Output::Hierarchical, Output::WellSpaced] {
+        let options = Options { output, min_dihedral: 15.0, ..Options::default() };
+        let mut highest = 0.0f64;
+        let mut watch = |progress: &Progress| {
+            if progress.phase == Phase::Insert {
+                highest = highest.max(progress.fraction);
+            }
+            true
+        };
+        let parameters = parameters(3, &options, 2);
+        mesh::<3>(&inputs, None, parameters, None, Some(&mut watch)).unwrap();
+        let most = if output == Output::Hierarchical { 0.4 } else { 0.15 };
+        assert!(0.6 * most < highest && highest < most, "{highest} {output:?}");
     }
 }
 

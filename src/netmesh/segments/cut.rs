@@ -182,6 +182,7 @@ impl Order {
             domains: copied(&whole.domains)?,
             precision_limited: copied(&whole.precision_limited[..vertices])?,
             below_min_dihedral: Vec::new(),
+            beyond_bound: Vec::new(),
             boundary,
             sizes: copied(&whole.sizes[..vertices.min(whole.sizes.len())])?,
             parameters: whole.parameters.clone(),

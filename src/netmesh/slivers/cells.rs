@@ -3,7 +3,6 @@
 
 use super::View;
 use super::cone::{Cone, Side};
-use super::shape::MARGIN_OF_BOUND;
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::netmesh::{Cell, Mesher};
@@ -14,8 +13,7 @@ impl Cone {
     /// at `x`, if that is the criterion. A vertex's nearest neighbour may be one that leaves: then
     /// the answer errs towards no.
     pub fn keeps_cells<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> bool {
-        let Some(half_aspect) = view.half_aspect else { return true };
-        let half_aspect = half_aspect * (1.0 - MARGIN_OF_BOUND);
+        let Some(half_aspect) = view.measure.half_aspect else { return true };
         let from_x = |vertex: VertexId| distance(x, view.delaunay.point(vertex));
         let mut nearest = f64::INFINITY;
         for side in &self.sides {

@@ -1,15 +1,20 @@
 //! Insertions: a further point in the D-ball of a sliver.
 
 use super::cone::Cone;
+use super::journal::Step;
 use super::queue::Sliver;
 use super::random::Random;
-use super::relaxation::Step;
 use super::{Slivers, View};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::Mesher;
+use crate::netmesh::{Cell, Mesher};
+
+/// The vertices of a sliver whose middles are tried. The middle of an edge is in the D-balls of all
+/// simplices round it, and most of those round an edge of slivers may be such: in a lattice a point
+/// so mends four of its cells.
+const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
 /// How far from the circumcentre a point may go, relative to the radius, in turns.
 const SPREADS: [f64; 3] = [0.25, 0.5, 0.85];
@@ -40,12 +45,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         };
         for number in 0..count {
             self.watch.poll_after(20)?;
-            let spread = match number {
-                0 => 0.0,
-                _ => radius * SPREADS[number % SPREADS.len()],
+            let x: [f64; D] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
+                None => center,
+                Some(Some(&ends)) => self.middle(ends.map(|at| sliver.vertices[at])),
+                Some(None) => {
+                    let spread = radius * SPREADS[number % SPREADS.len()];
+                    let way: [f64; D] = random.in_ball();
+                    std::array::from_fn(|k| center[k] + spread * way[k])
+                }
             };
-            let way: [f64; D] = random.in_ball();
-            let x = std::array::from_fn(|k| center[k] + spread * way[k]);
             let is_sound = x.iter().all(|x| x.is_finite())
                 && self.state.delaunay.in_conflict(sliver.simplex, &x);
             if !is_sound {
@@ -62,7 +70,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 best.try_push(Insertion { x, gain })?;
                 let last = best.len() - 1;
                 best[at.min(last)..].rotate_right(1);
-                if is_clean {
+                if is_clean && number >= EDGES.len() {
                     break;
                 }
             }
@@ -70,9 +78,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(best)
     }
 
+    fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
+        let [a, b] = ends.map(|end| self.state.delaunay.point(end));
+        std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
+    }
+
     /// What it is worth to insert `x`, whose conflicts are `cavity`, if that is more than `least`,
     /// and whether it would leave no sliver.
-    fn judge_insertion(
+    pub(super) fn judge_insertion(
         &mut self,
         x: &[f64; D],
         least: f64,
@@ -107,7 +120,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<VertexId> {
         self.state.delaunay.find_cavity(start, x, cavity)?;
         let domain = self.enter(x, cavity)?;
-        let vertex = self.add_vertex(*x)?;
+        let vertex = match slivers.free.pop() {
+            Some(vertex) => {
+                self.state.delaunay.set_point(vertex, *x);
+                self.state.cells[vertex] = Cell::NEW;
+                self.state.precision_limited[vertex] = false;
+                vertex
+            }
+            None => self.add_vertex(*x)?,
+        };
         self.state.stats.off_centers += 1;
         if let Some(journal) = &mut slivers.journal {
             journal.steps.try_push(Step::Inserted(vertex))?;

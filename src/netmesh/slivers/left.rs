@@ -21,7 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if D != 3 || degrees == 0.0 || !is_mended {
             return Ok(left);
         }
-        let measure = Measure::new(degrees, f64::INFINITY);
+        let measure = Measure::of_angles(degrees);
         for (simplex, vertices) in (0..).zip(simplices.chunks_exact(D + 1)) {
             self.watch.poll_after(1)?;
             let domain = |&vertex: &u32| domains[vertex as usize];

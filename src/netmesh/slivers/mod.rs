@@ -3,26 +3,33 @@
 //!
 //! `shape` says how bad a tetrahedron is; the objective is the sum over all. `queue` has those that
 //! are bad, the worst first. For each, `moves` tries its vertices at other places, then those of
-//! its neighbours, `insertions` a further point, and `relaxation` a point that is worth it only
-//! after its neighbours have moved. What a place is worth is judged without a change: the
-//! tetrahedra that a point would make are the `cone` over its cavity; `vacancy` is the mesh without
-//! a vertex that may move. `cells` has what the Voronoi aspect needs beside, `sizes` what is
-//! asked for.
+//! its neighbours; where nothing helps `insertions` finds a further point, which waits among the
+//! `offers`. `relaxation` has points that are worth it only after their neighbours have moved, and
+//! `removals` takes points out that others have made needless. What a place is worth is judged
+//! without a change: the tetrahedra that a point would make are the `cone` over its cavity;
+//! `vacancy` is the mesh without a vertex that may move. Changes that may not be worth it are in
+//! the `journal` till that is known. `cells` has what the Voronoi aspect needs beside, `sizes` what
+//! is asked for.
 //!
-//! Every change lets the objective fall by [`LEAST_GAIN`] or more, so the phase ends. No input
-//! moves, nor a vertex of a living cage or of the hull; no simplex goes beyond the bound of the
-//! criterion. Simplices with vertices of several domains are let alone. What is left when all
-//! efforts fail stays a sliver.
+//! Every change lets the objective fall by [`LEAST_GAIN`] or more, but that every point may be
+//! removed once without; so the phase ends. No input moves, nor a vertex of a living cage or of the
+//! hull. No simplex goes beyond the bound of the criterion, unless the caller lets the bound give
+//! way where all else fails (`beyond`). Simplices with vertices of several domains are let alone.
+//! What is left when all efforts fail stays a sliver.
 
+mod beyond;
 mod cells;
 mod cone;
 mod insertions;
+mod journal;
 mod left;
 mod moves;
+mod offers;
 mod phase;
 mod queue;
 mod random;
 mod relaxation;
+mod removals;
 mod shape;
 mod sizes;
 mod vacancy;
@@ -33,28 +40,38 @@ use crate::memory::{AllocResult, Array, TryGrow};
 use crate::netmesh::cages::domains::Hierarchy;
 use crate::netmesh::refinement::size::Sizes;
 use crate::netmesh::{Cell, Mesher, State};
-use crate::options::Criterion;
 use cone::Cone;
+use journal::Journal;
+use offers::Offers;
 use queue::{Queue, Sliver};
-use relaxation::Journal;
 use shape::Measure;
 use vacancy::Vacancy;
 
-/// A change is worth at least so much.
+/// A change is worth at least so much; ...
 const LEAST_GAIN: f64 = 0.001;
+
+/// ... one for which the bound gives way, about a sliver.
+const LEAST_GAIN_BEYOND: f64 = 0.999;
 
 /// What the phase works on beside the mesh.
 struct Slivers<const D: usize> {
     measure: Measure,
+    /// What a change is worth at least.
+    least_gain: f64,
     /// Simplex -> what it adds to the objective; stale for a dead one.
     penalties: Array<f32>,
+    /// Vertex -> the number of simplices made when its star changed last.
+    changed: Array<u64>,
     queue: Queue,
+    offers: Offers<D>,
     /// The phase ends when the mesh has taken as many exact tests.
     most_exact: u64,
     vacancy: Vacancy<D>,
     cone: Cone,
     /// The simplices that filled a hole.
     filled: Vec<SimplexId>,
+    /// Ids of vertices that were removed.
+    free: Vec<VertexId>,
     /// Changes that may be undone, while there are such.
     journal: Option<Journal<D>>,
 }
@@ -67,8 +84,6 @@ struct View<'a, const D: usize> {
     cells: &'a [Cell],
     penalties: &'a [f32],
     measure: &'a Measure,
-    /// Half the bound of the Voronoi aspect, if that is the criterion.
-    half_aspect: Option<f64>,
     sizes: Option<&'a Sizes<'a, D>>,
 }
 
@@ -79,12 +94,8 @@ impl<'a, const D: usize> View<'a, D> {
         penalties: &'a [f32],
         measure: &'a Measure,
     ) -> Self {
-        let State { delaunay, hierarchy, cells, parameters, .. } = state;
-        let half_aspect = match parameters.criterion {
-            Criterion::VoronoiAspect => Some(0.5 * parameters.quality_bound),
-            Criterion::RadiusEdge => None,
-        };
-        Self { delaunay, hierarchy, cells, penalties, measure, half_aspect, sizes }
+        let State { delaunay, hierarchy, cells, .. } = state;
+        Self { delaunay, hierarchy, cells, penalties, measure, sizes }
     }
 
     /// What live simplices add to the objective.
@@ -104,11 +115,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn weigh(&mut self, created: &[SimplexId], slivers: &mut Slivers<D>) -> AllocResult<()> {
         let bound = self.state.delaunay.complex().simplex_bound();
         slivers.penalties.cover(bound, 0.0)?;
+        slivers.changed.cover(self.state.delaunay.point_count(), 0)?;
         self.state.refine_list.forget(created, bound)?;
+        let now = self.now();
         for &simplex in created {
             let penalty = self.penalty(simplex, &slivers.measure);
             slivers.penalties[simplex] = penalty;
             self.note_corner(simplex);
+            for &vertex in self.state.delaunay.complex().vertices(simplex) {
+                if vertex.is_valid() {
+                    slivers.changed[vertex] = now;
+                }
+            }
             if penalty > 0.0 {
                 let sliver = self.sliver(simplex, penalty);
                 match &mut slivers.journal {
@@ -118,6 +136,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(())
+    }
+
+    /// The number of simplices made so far.
+    fn now(&self) -> u64 {
+        self.state.delaunay.simplices_created()
     }
 
     /// The same for the simplices of a vertex that went in.

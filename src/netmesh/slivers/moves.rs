@@ -1,10 +1,10 @@
-//! Moves: a vertex of a sliver goes elsewhere, or one of a simplex beside it does.
+//! Moves: a vertex of a sliver goes elsewhere or away, or one of a simplex beside it does.
 
+use super::journal::Step;
 use super::queue::Sliver;
 use super::random::Random;
-use super::relaxation::Step;
-use super::vacancy::{Place, may_leave};
-use super::{LEAST_GAIN, Slivers, View};
+use super::vacancy::Place;
+use super::{Slivers, View};
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
@@ -35,10 +35,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<Option<f64>> {
         for vertex in sliver.vertices {
-            let place = self.best_place(vertex, None, times, random, slivers)?;
-            if let Some(place) = place {
-                self.move_vertex(vertex, &place, slivers, cavity)?;
-                return Ok(Some(place.gain));
+            let gain = self.mend_by_vertex(vertex, None, times, random, slivers, cavity)?;
+            if gain.is_some() {
+                return Ok(gain);
             }
         }
         for index in 0..=D {
@@ -46,17 +45,45 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertices = self.state.delaunay.complex().vertices(neighbor);
             let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
             let Some(&apex) = apex.filter(|apex| apex.is_valid()) else { continue };
-            let place = self.best_place(apex, Some(sliver), times, random, slivers)?;
-            if let Some(place) = place {
-                self.move_vertex(apex, &place, slivers, cavity)?;
-                return Ok(Some(place.gain));
+            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers, cavity)?;
+            if gain.is_some() {
+                return Ok(gain);
             }
         }
         Ok(None)
     }
 
-    /// The place for `vertex` that is worth most. `into`: a sliver in whose D-ball the vertex would
-    /// destroy it.
+    /// Removes or moves `vertex` such that the objective falls. Returns what that was worth. `into`:
+    /// a sliver in whose D-ball the vertex would destroy it.
+    fn mend_by_vertex(
+        &mut self,
+        vertex: VertexId,
+        into: Option<&Sliver>,
+        times: usize,
+        random: &mut Random,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<Option<f64>> {
+        if !self.find_vacancy(vertex, slivers)? {
+            return Ok(None);
+        }
+        let Slivers { measure, penalties, vacancy, .. } = slivers;
+        let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
+        // What a journal has is often one point too many: that is not to go at once.
+        if slivers.journal.is_none() {
+            if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain) {
+                self.remove_vertex(vertex, slivers)?;
+                return Ok(Some(gain));
+            }
+        }
+        let place = self.best_place(vertex, into, times, random, slivers)?;
+        if let Some(place) = &place {
+            self.move_vertex(vertex, place, slivers, cavity)?;
+        }
+        Ok(place.map(|place| place.gain))
+    }
+
+    /// The place for the vertex that `slivers.vacancy` is without that is worth most.
     fn best_place(
         &mut self,
         vertex: VertexId,
@@ -65,17 +92,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         random: &mut Random,
         slivers: &mut Slivers<D>,
     ) -> Result<Option<Place<D>>> {
+        let least_gain = slivers.least_gain;
         let Slivers { measure, penalties, vacancy, .. } = slivers;
-        if !self.may_move(vertex)
-            || !may_leave(&mut self.state.delaunay, vertex, &mut vacancy.hole)?
-            || !self.state.hierarchy.same_domain(&vacancy.hole.vertices.ids)
-            || !self.state.hierarchy.same_domain(&[vertex, vacancy.hole.vertices.ids[0]])
-        {
-            return Ok(None);
-        }
         let domain = self.state.hierarchy.domain_of(vertex);
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
-        vacancy.measure(view, vertex)?;
         let ball = into.and_then(|sliver| {
             let radius = view.delaunay.ball(sliver.simplex)?.radius();
             view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
@@ -102,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                     std::array::from_fn(|k| from[k] + REACH * vacancy.nearest * way[k])
                 }
             };
-            let least = best.map_or(LEAST_GAIN, |best| best.gain);
+            let least = best.map_or(least_gain, |best| best.gain);
             if !x.iter().all(|x| x.is_finite()) || !view.hierarchy.contains(domain, &x) {
                 continue;
             }

@@ -1,5 +1,6 @@
 //! The phase: every sliver in turn, then passes over those left, with more and more effort.
 
+use super::offers::Offers;
 use super::queue::{Queue, Sliver};
 use super::random::Random;
 use super::shape::Measure;
@@ -9,19 +10,25 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
 use crate::netmesh::Mesher;
-use crate::options::Criterion;
+use crate::options::GivesWay;
+use crate::parameters::Parameters;
 
 /// Passes over the slivers that are left, with each effort. An effort tries four times as many
 /// places as the one before.
-const PASSES: [u32; 4] = [8, 4, 2, 1];
+const PASSES: [u32; 6] = [8, 4, 2, 1, 1, 1];
 
-/// Points that are tried for a sliver.
-const POINTS: usize = 12;
+/// An effort for which all slivers that are left would take more is not made: where that many are
+/// left, it is not for want of effort. In units of the places of one sliver with the least effort,
+/// beside as many as there were slivers at first.
+const MOST_PLACES: usize = 1 << 12;
+
+/// Points that are tried for a sliver with the least effort.
+pub(super) const POINTS: usize = 12;
 
 /// Exact tests that the phase may take, and as many again for each sliver: where doubles decide
 /// little, as among subnormals, the slivers that are left by then stay.
 const EXACT_TESTS: u64 = 20_000;
-const EXACT_TESTS_OF_SLIVER: u64 = 100;
+const EXACT_TESTS_OF_SLIVER: u64 = 250;
 
 /// What it takes to mend a sliver, in the units of the watch.
 const WORK: u32 = 400;
@@ -31,36 +38,57 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn remove_slivers(&mut self, cavity: &mut Cavity) -> Result<()> {
         let slivers = &mut self.find_slivers()?;
         let found = slivers.queue.len();
+        let first = self.state.delaunay.point_count();
         self.mend_waiting(found, slivers, cavity)?;
+        self.thin_out(first, slivers, cavity)?;
+        self.mend_waiting(found, slivers, cavity)?;
+        self.mend_with_effort(found, slivers, cavity)?;
+        if self.state.parameters.gives_way == GivesWay::Bound {
+            self.let_bound_give_way(found, slivers, cavity)?;
+        }
+        self.check_sizes()?;
+        self.ask_all_sizes()?;
+        self.state.removed = std::mem::take(&mut slivers.free);
+        self.state.removed.sort_unstable();
+        self.state.stage.sliver_fraction = 1.0;
+        self.report_progress()
+    }
+
+    /// Passes over the slivers that are left, with more and more effort.
+    pub(super) fn mend_with_effort(
+        &mut self,
+        found: usize,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let most = MOST_PLACES + found;
         for (effort, passes) in (0..).zip(PASSES) {
             for _ in 0..passes {
-                if !self.mend_failed(found, effort, slivers, cavity)? {
+                let is_too_much = slivers.queue.failed() * places(effort) > most;
+                if is_too_much || !self.mend_failed(found, effort, slivers, cavity)? {
                     break;
                 }
             }
         }
-        self.check_sizes()?;
-        self.ask_all_sizes()?;
-        self.state.stage.sliver_fraction = 1.0;
-        self.report_progress()
+        Ok(())
     }
 
     /// All slivers, queued.
     fn find_slivers(&mut self) -> Result<Slivers<D>> {
         let parameters = &self.state.parameters;
-        let bound = match parameters.criterion {
-            Criterion::RadiusEdge => parameters.quality_bound,
-            // The cells say.
-            Criterion::VoronoiAspect => f64::INFINITY,
-        };
+        let Parameters { min_dihedral, criterion, quality_bound, .. } = *parameters;
         let mut slivers = Slivers {
-            measure: Measure::new(parameters.min_dihedral, bound),
+            measure: Measure::new(min_dihedral, criterion, quality_bound),
+            least_gain: LEAST_GAIN,
             penalties: Array::with_capacity(self.state.delaunay.complex().simplex_bound())?,
+            changed: Array::filled(self.state.delaunay.point_count(), 0)?,
             queue: Queue::default(),
+            offers: Offers::default(),
             most_exact: 0,
             vacancy: Default::default(),
             cone: Default::default(),
             filled: Vec::new(),
+            free: Vec::new(),
             journal: None,
         };
         // From now on equal labels tell equal domains.
@@ -88,12 +116,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         slivers: &mut Slivers<D>,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        while let Some(sliver) = slivers.queue.pop() {
-            if self.is_spent(slivers) {
-                break;
-            }
+        while let Some(sliver) = self.next_sliver(slivers, cavity)? {
             if self.watch.is_due(WORK) {
-                let left = slivers.queue.len() as f64 / found as f64;
+                let left = (slivers.queue.len() + slivers.offers.len()) as f64 / found as f64;
                 let fraction = self.state.stage.sliver_fraction.max(1.0 - left);
                 self.state.stage.sliver_fraction = fraction;
                 self.report_progress()?;
@@ -101,8 +126,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if !self.is_current(&sliver, &slivers.penalties) {
                 continue;
             }
-            if !self.mend(&sliver, 0, slivers, cavity)? {
-                slivers.queue.fail(sliver)?;
+            let random = &mut Random::of(&sliver, 0);
+            let is_moved = self.mend_by_move(&sliver, 1, random, slivers, cavity)?.is_some();
+            self.check_sizes()?;
+            if !is_moved {
+                self.make_offer(&sliver, slivers, cavity)?;
             } else if self.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
             }
@@ -139,7 +167,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(any)
     }
 
-    fn is_spent(&self, slivers: &Slivers<D>) -> bool {
+    pub(super) fn is_spent(&self, slivers: &Slivers<D>) -> bool {
         self.state.delaunay.exact_fallbacks() > slivers.most_exact
     }
 
@@ -152,14 +180,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<bool> {
         let random = &mut Random::of(sliver, effort);
-        let times = 4usize.pow(effort);
+        let times = places(effort);
         let is_moved = self.mend_by_move(sliver, times, random, slivers, cavity)?.is_some();
         self.check_sizes()?;
         if is_moved {
             return Ok(true);
         }
         let numbers = [1, POINTS * times];
-        let points = self.best_insertions(sliver, numbers, LEAST_GAIN, random, slivers, cavity)?;
+        let points =
+            self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers, cavity)?;
         self.check_sizes()?;
         if let Some(point) = points.first() {
             self.insert_point(sliver.simplex, &point.x, slivers, cavity)?;
@@ -170,4 +199,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.relax(sliver, POINTS * times, random, slivers, cavity)
     }
+}
+
+/// How many times as many places an effort tries as the least does.
+fn places(effort: u32) -> usize {
+    4usize.pow(effort)
 }

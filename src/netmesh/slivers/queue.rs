@@ -61,6 +61,11 @@ impl Queue {
         std::mem::take(&mut self.failed)
     }
 
+    /// The number of those kept for another pass, stale ones too.
+    pub fn failed(&self) -> usize {
+        self.failed.len()
+    }
+
     /// The number of those that wait or have failed, stale ones too.
     pub fn len(&self) -> usize {
         self.waiting.len() + self.failed.len()

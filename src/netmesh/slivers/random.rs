@@ -1,6 +1,7 @@
 //! Random numbers of one sliver, which its vertices and the effort determine.
 
 use super::queue::Sliver;
+use crate::complex::VertexId;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014).
 pub(super) struct Random(u64);
@@ -13,6 +14,11 @@ impl Random {
             random.0 = random.bits();
         }
         random
+    }
+
+    /// The same, of one vertex.
+    pub fn of_vertex(vertex: VertexId) -> Self {
+        Self(u64::from(vertex.number()) << 32)
     }
 
     fn bits(&mut self) -> u64 {

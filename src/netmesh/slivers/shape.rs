@@ -2,6 +2,7 @@
 
 use crate::complex::VertexId;
 use crate::delaunay::Delaunay;
+use crate::options::Criterion;
 use std::ops::RangeInclusive;
 
 /// The vertices of a tetrahedron.
@@ -16,7 +17,7 @@ const VIOLATION: f64 = 1000.0;
 const MARGIN: f64 = 2e-8;
 
 /// The bound that is aimed at is smaller by this fraction, for the same reason.
-pub(super) const MARGIN_OF_BOUND: f64 = 1e-9;
+const MARGIN_OF_BOUND: f64 = 1e-9;
 
 /// Magnitudes of edges whose eighth powers neither over- nor underflow.
 const SAFE: RangeInclusive<f64> = 1e-30..=1e30;
@@ -29,14 +30,25 @@ pub(super) struct Measure {
     square_cosine: f64,
     /// The square of twice the largest radius-edge ratio.
     square_bound: f64,
+    /// Half the largest Voronoi aspect, if that is bounded.
+    pub half_aspect: Option<f64>,
 }
 
 impl Measure {
-    /// Dihedral angles of at least `degrees`, radius-edge ratios of at most `bound`.
-    pub fn new(degrees: f64, bound: f64) -> Self {
+    /// Dihedral angles of at least `degrees`; of the criterion's measure at most `bound`.
+    pub fn new(degrees: f64, criterion: Criterion, bound: f64) -> Self {
         let angle = degrees.to_radians() + MARGIN;
         let bound = bound * (1.0 - MARGIN_OF_BOUND);
-        Self { angle, square_cosine: angle.cos().powi(2), square_bound: 4.0 * bound * bound }
+        let (square_bound, half_aspect) = match criterion {
+            Criterion::RadiusEdge => (4.0 * bound * bound, None),
+            Criterion::VoronoiAspect => (f64::INFINITY, Some(0.5 * bound)),
+        };
+        Self { angle, square_cosine: angle.cos().powi(2), square_bound, half_aspect }
+    }
+
+    /// Of angles alone.
+    pub fn of_angles(degrees: f64) -> Self {
+        Self::new(degrees, Criterion::RadiusEdge, f64::INFINITY)
     }
 
     /// What a tetrahedron adds to the objective: nothing if its shape is good, 1 to 2 for a sliver,
@@ -175,7 +187,7 @@ mod tests {
     #[test]
     fn penalties_are_those_of_angles_and_radii_at_every_scale() {
         let mut random = Random(5);
-        let measure = Measure::new(15.0, 2.0);
+        let measure = Measure::new(15.0, Criterion::RadiusEdge, 2.0);
         let (mut slivers, mut beyond) = (0, 0);
         for _ in 0..2000 {
             let flatness = random.unit();

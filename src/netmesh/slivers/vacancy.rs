@@ -88,7 +88,7 @@ impl Seen {
 }
 
 /// Finds the hole of `vertex`; false if the vertex must stay: it is at the hull, or its neighbours
-/// are many or of other domains.
+/// are many.
 pub(super) fn may_leave<const D: usize>(
     delaunay: &mut Delaunay<D>,
     vertex: VertexId,
@@ -137,6 +137,14 @@ impl<const D: usize> Vacancy<D> {
         Ok(())
     }
 
+    /// What it is worth that the vertex goes away, if that is more than `least`.
+    pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Option<f64> {
+        let gain = self.star - self.penalties.iter().sum::<f64>();
+        self.is_inside[..self.balls.len()].fill(false);
+        (gain > least && self.keeps_filling_cells(view, None) && self.keeps_filling_sizes(view))
+            .then_some(gain)
+    }
+
     /// A simplex of the filling whose ball holds `x`.
     pub fn filling_at(&self, delaunay: &Delaunay<D>, x: &[f64; D]) -> Option<usize> {
         (0..self.hole.filling.len()).find(|&number| {
@@ -163,7 +171,7 @@ impl<const D: usize> Vacancy<D> {
         self.find_cone(view)?;
         let gain = self.cone.judge(view, x, gain, least);
         Ok(gain
-            .filter(|_| self.keeps_filling_cells(view) && self.cone.keeps_cells(view, x))
+            .filter(|_| self.keeps_filling_cells(view, Some(x)) && self.cone.keeps_cells(view, x))
             .filter(|_| self.keeps_filling_sizes(view) && self.cone.keeps_sizes(view, x))
             .map(|gain| Place { x: *x, gain, near, is_clean: gain >= before }))
     }
@@ -248,14 +256,16 @@ impl<const D: usize> Vacancy<D> {
 
     /// Whether the simplices of the filling that would stay keep the bound of the Voronoi aspect,
     /// if that is the criterion.
-    fn keeps_filling_cells(&self, view: View<'_, D>) -> bool {
-        let Some(half_aspect) = view.half_aspect else { return true };
+    /// `x` is where the vertex would be, if anywhere.
+    fn keeps_filling_cells(&self, view: View<'_, D>, x: Option<&[f64; D]>) -> bool {
+        let Some(half_aspect) = view.measure.half_aspect else { return true };
         let is_good = |number: usize| {
             let radius = self.balls[number].radius();
             let vertices = self.hole.filling.vertices(number as u32);
             vertices.iter().all(|&vertex| {
+                let from_x = x.map_or(f64::INFINITY, |x| distance(x, view.delaunay.point(vertex)));
                 view.hierarchy.cage_of(vertex).is_valid()
-                    || radius <= half_aspect * view.cells[vertex].nearest
+                    || radius <= half_aspect * view.cells[vertex].nearest.min(from_x)
             })
         };
         self.staying().all(|number| is_good(number as usize))

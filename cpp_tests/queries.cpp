@@ -174,6 +174,32 @@ void attributes_reach_all_vertices(const std::string &directory) {
     CHECK(mesh.try_set_attributes("heat", 2, heat).status() == NM_INVALID_ARGUMENT);
 }
 
+void segments_become_edges() {
+    const std::vector<double> points{0, 0, 1, 0, 1, 1, 0, 1};
+    netmesh::mesh mesh(2, points);
+    const std::vector<std::uint32_t> ends{0, 1, 1, 2, 2, 3, 3, 0, 0, 2};
+    const std::vector<std::int32_t> markers{1, 2, 3, 4, 5};
+    mesh.set_segments(ends, markers);
+    nm_region region = NM_REGION_INIT;
+    region.label = 7;
+    region.seed[0] = 0.75;
+    region.seed[1] = 0.25;
+    mesh.set_regions(std::vector<nm_region>{region});
+    CHECK(mesh.try_segments().status() == NM_STATE);
+    mesh.run();
+    const auto edges = mesh.segments();
+    const auto parents = mesh.segment_parents();
+    CHECK(edges.width() == 2 && edges.size() == parents.size() && parents.size() >= 5);
+    CHECK(edges[0][0] == 0 && parents.front() == 0 && parents.back() == 4);
+    const auto regions = mesh.simplex_regions();
+    CHECK(regions.size() == mesh.counts().simplices);
+    CHECK(std::count(regions.begin(), regions.end(), 7) > 0);
+    CHECK(mesh.try_set_segments(std::vector<std::uint32_t>{0, 1, 2}).status() == NM_INVALID_ARGUMENT);
+    CHECK(mesh.try_set_segments(std::vector<std::uint32_t>{0, 9}).status() == NM_INVALID_ARGUMENT);
+    region.is_hole = 2;
+    CHECK(mesh.try_set_regions(std::vector<nm_region>{region}).status() == NM_INVALID_ARGUMENT);
+}
+
 // Many threads ask a mesh that has no index yet.
 void threads_share_an_index() {
     const netmesh::mesh mesh = meshed(3, 500);
@@ -290,6 +316,7 @@ int main(int argc, char** argv) {
     }
     selections_are_parts(argv[1]);
     attributes_reach_all_vertices(argv[1]);
+    segments_become_edges();
     threads_share_an_index();
     filtrations_have_values();
     threads_share_arrays();

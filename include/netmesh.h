@@ -139,6 +139,8 @@
       0, 0, 0, 0 }
 /** The initial value of an nm_alpha_shape. */
 #define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
+/** The initial value of an nm_region. */
+#define NM_REGION_INIT { sizeof(nm_region), 0, { 0, 0 }, 0, 0, 0 }
 /** The initial value of an nm_report. */
 #define NM_REPORT_INIT                                                                             \
     { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
@@ -336,6 +338,11 @@ enum nm_format
      * The hierarchy of domains with their cages as JSON (.domains.json).
      */
     NM_FORMAT_DOMAINS_JSON = 11,
+    /**
+     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points may
+     * be in the .node file beside.
+     */
+    NM_FORMAT_POLY = 12,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -1189,6 +1196,37 @@ typedef struct nm_alpha_shape {
 } nm_alpha_shape;
 
 /**
+ * What a point of the plane says of the region around it, which segments bound.
+ */
+typedef struct nm_region {
+    /**
+     * Set by the caller to sizeof(nm_region); the same in all of an array, whose elements stand as
+     * many bytes apart.
+     */
+    uint32_t struct_size;
+    /**
+     * A number of the caller's for the region's simplices (nm_mesh_get_simplex_regions).
+     */
+    int32_t label;
+    /**
+     * A point of the region, not on a segment.
+     */
+    double seed[2];
+    /**
+     * The longest edge that the region may have; 0: any.
+     */
+    double max_edge;
+    /**
+     * 1: the region is no part of the domain. Otherwise 0.
+     */
+    uint32_t is_hole;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+} nm_region;
+
+/**
  * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
  * distance from its vertex to its farthest corner over half the distance to the nearest other
  * vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
@@ -1520,7 +1558,8 @@ nm_status nm_mesh_create(uint32_t dim,
                          struct nm_mesh **out);
 
 /**
- * Makes a mesh of the points of a file, as nm_mesh_create does.
+ * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY with its segments
+ * and regions, as by nm_mesh_set_segments and nm_mesh_set_regions.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -2431,6 +2470,87 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
                                  double *buf,
                                  uint64_t capacity,
                                  uint64_t *needed);
+
+/**
+ * Gives the mesh segments, which nm_run keeps as chains of edges; 2D only. They replace those of
+ * an earlier call; count 0 removes them. The result of a run stays as it is until the next.
+ *
+ * inputs: the ends, two numbers of inputs a segment, which must be different points. markers: a
+ * number of the caller's for each segment, or NULL for 0; by nm_mesh_get_segment_parents it is
+ * known of each piece. Both are copied.
+ *
+ * Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
+ * on them, exactly; where they overlap the first counts. What becomes of those that cross
+ * elsewhere, nm_options.crossings says.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
+ * is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
+ * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ *
+ * O(count). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
+                               uint64_t count,
+                               const uint32_t *inputs,
+                               const int32_t *markers);
+
+/**
+ * Tells what the regions are that segments bound: their labels, which of them are holes, and how
+ * large their simplices may be; 2D only. They replace those of an earlier call; count 0 removes
+ * them. The result of a run stays as it is until the next.
+ *
+ * regions: copied. Of several in one region the first counts.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
+ * message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
+ * (another call is using the mesh, or it is poisoned).
+ *
+ * O(count). Before nm_run and after.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_set_regions(struct nm_mesh *mesh,
+                              uint64_t count,
+                              const struct nm_region *regions);
+
+/**
+ * Writes the edges that segments have become: two vertex ids an edge, in the direction of the
+ * segment; by segments, and along each. None without segments.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_segments(const struct nm_mesh *mesh,
+                               uint32_t *buf,
+                               uint64_t capacity,
+                               uint64_t *needed);
+
+/**
+ * Writes for each edge of nm_mesh_get_segments the segment that it is a part of: its number in
+ * nm_mesh_set_segments. Of segments that overlap it is the first.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_segment_parents(const struct nm_mesh *mesh,
+                                      uint32_t *buf,
+                                      uint64_t capacity,
+                                      uint64_t *needed);
+
+/**
+ * Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
+ * its seed. None without segments.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_simplex_regions(const struct nm_mesh *mesh,
+                                      int32_t *buf,
+                                      uint64_t capacity,
+                                      uint64_t *needed);
 
 /**
  * Measures the quality of the mesh. O(vertices + simplices).

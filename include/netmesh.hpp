@@ -453,6 +453,43 @@ public:
             });
     }
 
+    // Segments that run() keeps as chains of edges, in 2D: two numbers of inputs each, and a number
+    // of the caller's for each or none. They replace those before.
+    result<void> try_set_segments(span<const std::uint32_t> inputs,
+                                  span<const std::int32_t> markers = {}) {
+        const std::size_t count = inputs.size() / 2;
+        if (inputs.size() % 2 != 0 || (!markers.empty() && markers.size() != count)) {
+            return wrong_size("inputs and markers", inputs.size(), "two and one a segment", 2 * count);
+        }
+        return detail::outcome(nm_mesh_set_segments(handle_, count, inputs.data(),
+                                                    markers.empty() ? nullptr : markers.data()));
+    }
+
+    // The regions between segments; each is NM_REGION_INIT before its fields are set. They replace
+    // those before.
+    result<void> try_set_regions(span<const nm_region> regions) {
+        return detail::outcome(nm_mesh_set_regions(handle_, regions.size(), regions.data()));
+    }
+
+    // The edges that segments have become: two vertices each.
+    result<table<std::uint32_t>> try_segments() const {
+        result<std::vector<std::uint32_t>> ends = array<std::uint32_t>(nm_mesh_get_segments);
+        if (!ends) {
+            return failure{ends.status(), ends.message()};
+        }
+        return table<std::uint32_t>(std::move(*ends), 2);
+    }
+
+    // The segment that each of these edges is a part of.
+    result<std::vector<std::uint32_t>> try_segment_parents() const {
+        return array<std::uint32_t>(nm_mesh_get_segment_parents);
+    }
+
+    // The label of each simplex's region; none without segments.
+    result<std::vector<std::int32_t>> try_simplex_regions() const {
+        return array<std::int32_t>(nm_mesh_get_simplex_regions);
+    }
+
     // Values at all vertices, components each, of those at the inputs.
     result<table<double>> try_extend_values(std::uint32_t components,
                                             span<const double> input_values) const {
@@ -653,6 +690,13 @@ public:
     std::vector<double> attributes(const std::string &name) const {
         return try_attributes(name).value();
     }
+    void set_segments(span<const std::uint32_t> inputs, span<const std::int32_t> markers = {}) {
+        try_set_segments(inputs, markers).value();
+    }
+    void set_regions(span<const nm_region> regions) { try_set_regions(regions).value(); }
+    table<std::uint32_t> segments() const { return try_segments().value(); }
+    std::vector<std::uint32_t> segment_parents() const { return try_segment_parents().value(); }
+    std::vector<std::int32_t> simplex_regions() const { return try_simplex_regions().value(); }
     nm_quality quality() const { return try_quality().value(); }
     histogram quality_histogram(nm_measure measure, span<const double> edges,
                                 bool at_hull = false) const {

@@ -323,6 +323,7 @@ fn extensions_stand_for_formats() {
         (&["npy"], Format::Npy),
         (&["voronoi.json", "Voronoi.JSON"], Format::VoronoiJson),
         (&["domains.json"], Format::DomainsJson),
+        (&["poly", "POLY"], Format::Poly),
     ] {
         for extension in extensions {
             let path = PathBuf::from(format!("a.b.{extension}"));
@@ -333,7 +334,7 @@ fn extensions_stand_for_formats() {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
         let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                     .voronoi.json or .domains.json";
+                     .poly, .voronoi.json or .domains.json";
         assert!(error.message().ends_with(known), "{error}");
     }
 }

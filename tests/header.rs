@@ -192,9 +192,10 @@ fn the_initialisers_set_the_size_and_zero_the_rest() {
         "    nm_stats stats = NM_STATS_INIT;",
         "    nm_report report = NM_REPORT_INIT;",
         "    nm_alpha_shape shape = NM_ALPHA_SHAPE_INIT;",
+        "    nm_region region = NM_REGION_INIT;",
         "    return !(is_clear(&counts, sizeof counts) && is_clear(&quality, sizeof quality) &&",
         "             is_clear(&stats, sizeof stats) && is_clear(&report, sizeof report) &&",
-        "             is_clear(&shape, sizeof shape));",
+        "             is_clear(&shape, sizeof shape) && is_clear(&region, sizeof region));",
         "}",
     ];
     for language in [Language::C99, Language::Cpp17] {
@@ -274,6 +275,7 @@ fn the_layouts_are_fixed() {
         "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 224);",
         "CHECK(report, sizeof(nm_report) == 200 && offsetof(nm_report, message) == 40);",
         "CHECK(shape, sizeof(nm_alpha_shape) == 136 && offsetof(nm_alpha_shape, betti) == 40);",
+        "CHECK(region, sizeof(nm_region) == 40 && offsetof(nm_region, is_hole) == 32);",
         "CHECK(kind, sizeof(nm_violation) == 4 && offsetof(nm_report, kind) == 24);",
         "CHECK(enums, sizeof(nm_status) == 4 && sizeof(nm_format) == 4 && NM_PANIC == 13);",
     ];

@@ -283,6 +283,8 @@ pub enum FormatName {
     VoronoiJson,
     /// The domains and their cages, write only (.domains.json)
     DomainsJson,
+    /// Triangle's points, segments and regions, read only (.poly)
+    Poly,
 }
 
 impl Arguments {
@@ -351,7 +353,7 @@ pub struct ReadableFormat(FormatName);
 
 impl ValueEnum for ReadableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const READABLE: [ReadableFormat; 8] = [
+        const READABLE: [ReadableFormat; 9] = [
             ReadableFormat(FormatName::Tetgen),
             ReadableFormat(FormatName::Gmsh),
             ReadableFormat(FormatName::Medit),
@@ -360,6 +362,7 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Xyz),
             ReadableFormat(FormatName::Csv),
             ReadableFormat(FormatName::Npy),
+            ReadableFormat(FormatName::Poly),
         ];
         &READABLE
     }
@@ -436,6 +439,7 @@ impl FormatName {
             Self::Npy => Format::Npy,
             Self::VoronoiJson => Format::VoronoiJson,
             Self::DomainsJson => Format::DomainsJson,
+            Self::Poly => Format::Poly,
         }
     }
 }

@@ -24,14 +24,7 @@ const NO_OTHER_COLUMNS: &str = "every column of the file is a coordinate";
 
 /// The points of the input with their attributes.
 fn mesh(arguments: &Arguments) -> Result<Mesh> {
-    let Table { points, attributes } = table(arguments)?;
-    let count = points.coordinates.len().checked_div(points.dim).unwrap_or(0);
-    let mut mesh = Mesh::new(points.dim, count, &points.coordinates, 0)?;
-    let is_extended = arguments.added_values == AddedValues::Linear;
-    for attribute in attributes {
-        mesh.set_attribute(&attribute.name, 1, &attribute.values, is_extended)?;
-    }
-    Ok(mesh)
+    table(arguments)?.mesh(arguments.added_values == AddedValues::Linear)
 }
 
 fn table(arguments: &Arguments) -> Result<Table> {

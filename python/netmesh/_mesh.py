@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _views
 from ._arrays import point_rows, query_points, shaped_values, value_columns, vertex_columns
+from ._boundary import boundary_of
 from ._filtration import Filtration
 from ._histogram import histogram
 from ._netmesh import Core
@@ -19,7 +20,11 @@ from ._results import DOMAIN, Quality, Report, Stats, Violation
 
 def mesh(
     points: Any,
+    segments: Any = None,
     *,
+    markers: Any = None,
+    regions: Any = None,
+    holes: Any = None,
     output: str = "hierarchical",
     algorithm: str = "netmesh",
     ordering: str = "sampled_net",
@@ -54,6 +59,15 @@ def mesh(
     points : array_like of float, shape (n, dim)
         At least two distinct points. Arrays of doubles whose rows are contiguous are read where
         they are.
+    segments : array_like of int, shape (segments, 2), optional
+        In 2D: pairs of points between which edges shall lie, cut at points on the way.
+    markers : array_like of int, shape (segments,), optional
+        Numbers of the segments, 0 by default; files have them.
+    regions : sequence of (x, y, label) or (x, y, label, max_edge), optional
+        Points of regions that segments bound, a label for the triangles of each, and the longest
+        edge there.
+    holes : array_like of float, shape (holes, 2), optional
+        Points of regions that are no part of the domain.
     output : {'hierarchical', 'well_spaced'}
         Stop at linear size, or refine across the scales too.
     algorithm : {'netmesh', 'delaunay', 'svr'}
@@ -122,8 +136,12 @@ def mesh(
     >>> m.simplices.shape[1], m.quality().worst_aspect_anywhere <= 2.5
     (3, True)
     """
-    given = {name: value for name, value in locals().items() if name not in ("points", "progress")}
-    return Mesh._run(points, given, progress)
+    others = ("points", "progress", "segments", "markers", "regions", "holes")
+    given = {name: value for name, value in locals().items() if name not in others}
+    boundary = None
+    if not all(value is None for value in (segments, markers, regions, holes)):
+        boundary = boundary_of(segments, markers, regions, holes)
+    return Mesh._run(points, given, progress, boundary)
 
 
 class Mesh(Arrays):
@@ -143,15 +161,19 @@ class Mesh(Arrays):
     """
 
     _options: dict
+    _boundary: tuple | None
 
     def __init__(self) -> None:
         raise TypeError("netmesh.mesh makes meshes")
 
     @classmethod
-    def _run(cls, points: Any, options: dict, progress: Any = None) -> Mesh:
+    def _run(
+        cls, points: Any, options: dict, progress: Any = None, boundary: tuple | None = None
+    ) -> Mesh:
         made = cls.__new__(cls)
-        made._core = Core(point_rows(points), reporter(progress), options)
+        made._core = Core(point_rows(points), reporter(progress), options, boundary)
         made._options = options
+        made._boundary = boundary
         return made
 
     def __repr__(self) -> str:
@@ -160,7 +182,7 @@ class Mesh(Arrays):
 
     def __reduce__(self) -> tuple:
         # The same points and options make the same mesh.
-        return Mesh._run, (self._core.input_points(), self._options)
+        return Mesh._run, (self._core.input_points(), self._options, None, self._boundary)
 
     def __copy__(self) -> Mesh:
         return self
@@ -215,6 +237,21 @@ class Mesh(Arrays):
     def input_vertices(self) -> np.ndarray:
         """Vertices of inputs, int32, shape (n,); equal inputs share one."""
         return self._core.input_vertices
+
+    @property
+    def segments(self) -> np.ndarray:
+        """The edges that segments have become, int32, shape (edges, 2), in their directions."""
+        return self._core.segments
+
+    @property
+    def segment_parents(self) -> np.ndarray:
+        """The segments that these edges are parts of, int32, shape (edges,)."""
+        return self._core.segment_parents
+
+    @property
+    def simplex_regions(self) -> np.ndarray:
+        """Labels of simplices' regions, int32, shape (simplices,); empty without segments."""
+        return self._core.simplex_regions
 
     @property
     def domains(self) -> np.ndarray:

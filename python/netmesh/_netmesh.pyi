@@ -33,8 +33,18 @@ class Progress:
 
 class Core:
     def __new__(
-        cls, points: _Doubles, progress: Optional[Callable[[Progress], Any]], given: dict[str, Any]
+        cls,
+        points: _Doubles,
+        progress: Optional[Callable[[Progress], Any]],
+        given: dict[str, Any],
+        boundary: Optional[tuple],
     ) -> Core: ...
+    @property
+    def segments(self) -> _Ids: ...
+    @property
+    def segment_parents(self) -> _Ids: ...
+    @property
+    def simplex_regions(self) -> _Ids: ...
     @property
     def points(self) -> _Doubles: ...
     @property

@@ -1,6 +1,7 @@
 //! A mesh with its arrays.
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
+use crate::boundary::{Boundary, set_boundary};
 use crate::errors::{detached, exception, invalid, raised};
 use crate::options::options;
 use crate::progress::Reporter;
@@ -60,6 +61,7 @@ impl Core {
         points: PyReadonlyArray2<'_, f64>,
         progress: Option<Py<PyAny>>,
         given: &Bound<'_, PyDict>,
+        boundary: Option<Boundary<'_>>,
     ) -> PyResult<Self> {
         let options = options(given)?;
         let (n, dim) = points.as_array().dim();
@@ -80,6 +82,9 @@ impl Core {
         let mesh = Mesh::new(dim, n, coordinates, stride);
         let mut mesh = mesh.map_err(|error| exception(py, &error))?;
         let sizes = Sizes::new(&mut mesh, given)?;
+        if let Some(boundary) = boundary {
+            set_boundary(py, &mut mesh, &boundary)?;
+        }
         let mut reporter = Reporter::new(progress);
         let done = detached(py, || {
             let report = &mut |progress: &_| reporter.report(progress);
@@ -145,6 +150,29 @@ impl Core {
         let inputs = this.get().mesh.inputs();
         // SAFETY: as above.
         unsafe { shared_ids_1(this.as_any(), inputs.vertices(), inputs.count()) }
+    }
+
+    #[getter]
+    fn segments<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
+        let mesh = this.get().triangulation();
+        let ends = mesh.boundary.subsegments.as_flattened();
+        // SAFETY: as above.
+        unsafe { shared_ids(this.as_any(), ends, 2, mesh.vertex_count()) }
+    }
+
+    #[getter]
+    fn segment_parents<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let core = this.get();
+        let parents = &core.triangulation().boundary.parents;
+        // SAFETY: as above.
+        unsafe { shared_ids_1(this.as_any(), parents, core.mesh.segments().count()) }
+    }
+
+    #[getter]
+    fn simplex_regions<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let labels = &*this.get().triangulation().boundary.simplex_regions;
+        // SAFETY: as above.
+        unsafe { shared(this.as_any(), &ArrayView::from(labels)) }
     }
 
     /// Centres, parents (-1 for none) and radii.

@@ -2,6 +2,7 @@
 //! defaults that Python's users see, which are in the package beside it.
 
 mod arrays;
+mod boundary;
 mod core;
 mod derived;
 mod errors;

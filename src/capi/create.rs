@@ -5,9 +5,9 @@ use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8, utf8_path};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::io::{self, Choice, PointCloud};
+use crate::io::{self, Choice};
 use crate::memory::with_capacity;
-use crate::mesh::{Attribute, MAX_DIM, MIN_DIM, Mesh, NONE};
+use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -47,7 +47,8 @@ pub unsafe extern "C" fn nm_mesh_create(
     }
 }
 
-/// Makes a mesh of the points of a file, as nm_mesh_create does.
+/// Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY with its segments
+/// and regions, as by nm_mesh_set_segments and nm_mesh_set_regions.
 ///
 /// path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
 /// the file's.
@@ -69,7 +70,8 @@ pub unsafe extern "C" fn nm_mesh_create_from_file(
     unsafe {
         hand_out(out, || {
             let path = utf8_path(path_utf8)?;
-            mesh_of(&io::read_points(path, decode_format(format)?)?)
+            let format = decode_format(format)?;
+            io::read_table_file(path, format, &Choice::default())?.mesh(true)
         })
     }
 }
@@ -105,12 +107,7 @@ pub unsafe extern "C" fn nm_mesh_create_from_columns(
                 coordinates: parsed("columns", columns)?,
                 attributes: parsed("attributes", attributes)?,
             };
-            let table = io::read_table_file(path, decode_format(format)?, &choice)?;
-            let mut mesh = mesh_of(&table.points)?;
-            for Attribute { name, components, values, .. } in &table.attributes {
-                mesh.set_attribute(name, *components, values, true)?;
-            }
-            Ok(mesh)
+            io::read_table_file(path, decode_format(format)?, &choice)?.mesh(true)
         })
     }
 }
@@ -128,11 +125,6 @@ pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
         // Dropping plain data does not panic; if it ever did, C could do nothing about it.
         let _ = catch_unwind(AssertUnwindSafe(|| drop(handle)));
     }
-}
-
-fn mesh_of(cloud: &PointCloud) -> Result<Mesh> {
-    let n = cloud.coordinates.len().checked_div(cloud.dim).unwrap_or(0);
-    Mesh::new(cloud.dim, n, &cloud.coordinates, 0)
 }
 
 /// The choice of columns in a C string of the caller's, which names itself in its errors; NULL

@@ -307,6 +307,9 @@ pub enum nm_format {
     NM_FORMAT_VORONOI_JSON = 10,
     /// The hierarchy of domains with their cages as JSON (.domains.json).
     NM_FORMAT_DOMAINS_JSON = 11,
+    /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points may
+    /// be in the .node file beside.
+    NM_FORMAT_POLY = 12,
 }
 
 /// What nm_mesh_quality_histogram counts.
@@ -342,6 +345,7 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
         Format::Npy,
         Format::VoronoiJson,
         Format::DomainsJson,
+        Format::Poly,
     ];
     decode("format", raw, formats)
 }

@@ -244,6 +244,16 @@ fn rows_to_fill<T>(
     Ok(Some(count))
 }
 
+/// The number of rows of so many bytes, if an array of them fits in memory.
+pub(super) fn check_rows(argument: &str, rows: u64, bytes: usize) -> Result<usize> {
+    let count = usize::try_from(rows).unwrap_or(usize::MAX);
+    if count > isize::MAX as usize / bytes {
+        let message = message!("{argument} would have {rows} elements, more than there is memory");
+        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    }
+    Ok(count)
+}
+
 fn check_room<T>(argument: &str, pointer: *const T, count: usize) -> Result<()> {
     if !pointer.is_aligned() {
         return Err(misaligned::<T>(argument));

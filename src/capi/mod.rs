@@ -53,6 +53,8 @@ mod topology_tests;
 
 mod attributes;
 
+mod boundary;
+
 mod measures;
 
 mod histogram;
@@ -72,6 +74,10 @@ pub use arrays::{
 };
 pub use attributes::{
     nm_mesh_get_attributes, nm_mesh_set_attributes, nm_mesh_set_input_attributes,
+};
+pub use boundary::{
+    nm_mesh_get_segment_parents, nm_mesh_get_segments, nm_mesh_get_simplex_regions,
+    nm_mesh_set_regions, nm_mesh_set_segments, nm_region,
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{

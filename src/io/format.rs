@@ -73,6 +73,11 @@ pub enum Format {
     /// The hierarchy of domains and their cages as JSON (`.domains.json`). Any dimension; cannot be
     /// read. `docs/formats.md` has the fields.
     DomainsJson = 11,
+    /// Triangle's `.poly`: points, segments, holes and regions of the plane. Ids from 0 or 1; where
+    /// it promises no points, they are in the `.node` file beside. A region's label is a whole
+    /// number, its largest area becomes the edge of the equilateral triangle of that area. TetGen's
+    /// facets are refused. Cannot be written.
+    Poly = 12,
 }
 
 impl Format {
@@ -93,11 +98,12 @@ impl Format {
             Some("npy") => Ok(Self::Npy),
             Some("voronoi.json") => Ok(Self::VoronoiJson),
             Some("domains.json") => Ok(Self::DomainsJson),
+            Some("poly") => Ok(Self::Poly),
             _ => Err(Error::new(
                 ErrorKind::InvalidArgument,
                 message!(
                     "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .msh, \
-                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .voronoi.json or .domains.json",
+                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .voronoi.json or .domains.json",
                     path.display()
                 ),
             )),
@@ -119,6 +125,7 @@ impl Format {
             Self::Npy => "NumPy",
             Self::VoronoiJson => "the Voronoi diagram",
             Self::DomainsJson => "the hierarchy of domains",
+            Self::Poly => "Triangle's .poly",
         }
     }
 
@@ -131,7 +138,8 @@ impl Format {
             | Self::Off
             | Self::Xyz
             | Self::VoronoiJson
-            | Self::DomainsJson => false,
+            | Self::DomainsJson
+            | Self::Poly => false,
         }
     }
 
@@ -144,7 +152,7 @@ impl Format {
         self.resolve(path).map_err(|_| {
             let message = message!(
                 "{}: the extension names no format that can be read; name the format, or use .node, \
-                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv or .npy",
+                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy or .poly",
                 path.display()
             );
             Error::new(ErrorKind::InvalidArgument, message)
@@ -158,7 +166,7 @@ impl Format {
                 ErrorKind::InvalidArgument,
                 message!(
                     "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, OFF, \
-                     PLY, XYZ, CSV and NumPy files",
+                     PLY, XYZ, CSV, NumPy and .poly files",
                     self.name()
                 ),
             )),

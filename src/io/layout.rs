@@ -57,6 +57,6 @@ impl Layout {
     pub fn finish(layout: Option<Self>) -> Result<Table> {
         let (points, values) =
             layout.map_or_else(Default::default, |layout| (layout.points, layout.values));
-        Ok(Table { points: points.finish()?, attributes: values.finish() })
+        Ok(Table::new(points.finish()?, values.finish()))
     }
 }

@@ -4,6 +4,7 @@
 //! |---|---|---|---|
 //! | [`Format::Vtu`] | `.vtu` | | mesh, d = 2, 3 |
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
+//! | [`Format::Poly`] | `.poly` | points, segments, regions, d = 2 | |
 //! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Medit`] | `.mesh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Off`] | `.off` | points | mesh |
@@ -45,6 +46,7 @@ mod medit;
 mod npy;
 mod off;
 mod ply;
+mod poly;
 mod replace;
 #[cfg(test)]
 pub(crate) mod samples;
@@ -62,7 +64,7 @@ pub use columns::Columns;
 pub use filtration::{FiltrationFormat, write_filtration, write_filtration_file};
 pub use format::Format;
 pub use surface::{SurfaceFormat, write_surface, write_surface_file};
-pub use values::Table;
+pub use values::{Outline, Table};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocError;
@@ -76,6 +78,12 @@ use std::path::{Path, PathBuf};
 pub struct PointCloud {
     pub dim: usize,
     pub coordinates: Vec<f64>,
+}
+
+impl PointCloud {
+    pub(crate) fn count(&self) -> usize {
+        self.coordinates.len().checked_div(self.dim).unwrap_or(0)
+    }
 }
 
 /// Reads the points of a file. Messages name the path, and where it applies line and column, both
@@ -103,11 +111,16 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
 pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<Table> {
     let format = format.resolve_input(path)?;
     let path = input_path(path, format)?;
+    in_file(&path, |input| read_named(input, format, choice, Some(&path)))
+}
+
+/// What `read` makes of a file, whose name it gives to errors.
+fn in_file<T>(path: &Path, read: impl FnOnce(&mut dyn BufRead) -> Result<T>) -> Result<T> {
     let in_file = |error: Error| {
         Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
     };
-    let file = File::open(&path).map_err(|error| in_file(io_error("cannot open", &error)))?;
-    read_table(&mut BufReader::with_capacity(1 << 16, file), format, choice).map_err(in_file)
+    let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
+    read(&mut BufReader::with_capacity(1 << 16, file)).map_err(in_file)
 }
 
 /// The file that [`read_points`] opens: of TetGen's pair the `.node` part.
@@ -156,6 +169,16 @@ pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
 /// # Errors
 /// As [`read_table_file`]; [`Format::Auto`] is refused, as there is no extension.
 pub fn read_table(input: &mut dyn BufRead, format: Format, choice: &Choice) -> Result<Table> {
+    read_named(input, format, choice, None)
+}
+
+/// `path` is that of the file, if there is one.
+fn read_named(
+    input: &mut dyn BufRead,
+    format: Format,
+    choice: &Choice,
+    path: Option<&Path>,
+) -> Result<Table> {
     format.check_readable()?;
     if !matches!(format, Format::Auto | Format::Xyz | Format::Csv | Format::Npy) {
         choice.coordinates.require_none(format.name())?;
@@ -169,12 +192,15 @@ pub fn read_table(input: &mut dyn BufRead, format: Format, choice: &Choice) -> R
         Format::Npy => return npy::read(input, choice),
         Format::Ply => return ply::read(input, &choice.attributes),
         Format::TetgenNode => return tetgen::read(text::Lines::new(input), &choice.attributes),
+        Format::Poly => {
+            return poly::read(text::Lines::new(input), &choice.attributes, path);
+        }
         Format::Gmsh => gmsh::read(text::Lines::new(input))?,
         Format::Medit => medit::read(text::Lines::new(input))?,
         Format::Off => off::read(text::Lines::new(input))?,
         _ => return Err(auto_without_path()),
     };
-    Ok(Table { points, attributes: Vec::new() })
+    Ok(Table::new(points, Vec::new()))
 }
 
 /// Writes `mesh` to `path`, all or nothing: to a new file beside it that is flushed, synchronised
@@ -304,6 +330,10 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
+            Format::Poly => {
+                let rule = "Triangle's .poly cannot be written, only read; write TetGen or Gmsh";
+                Err(Error::new(ErrorKind::InvalidArgument, rule))
+            }
         }
     }
 

@@ -4,7 +4,7 @@ use super::Table;
 use super::choice::{AttributeColumns, MAX_ATTRIBUTES};
 use super::text::{Line, Lines, Points, write_number, write_point};
 use super::values::Values;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::memory::collected;
 use crate::mesh::{Attribute, Triangulation};
 use std::ffi::OsString;
@@ -29,6 +29,28 @@ pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
 }
 
 pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Result<Table> {
+    match read_alone(&mut lines, attributes)? {
+        Some((table, _)) => Ok(table),
+        None => Err(Error::new(ErrorKind::Format, "the file holds no points")),
+    }
+}
+
+/// As [`read_points`], with nothing after the points.
+pub(super) fn read_alone(
+    lines: &mut Lines<'_>,
+    attributes: &AttributeColumns,
+) -> Result<Option<(Table, u64)>> {
+    let read = read_points(lines, attributes)?;
+    let count = read.as_ref().map_or(0, |(table, _)| table.points.count());
+    lines.require_end(&format!("the {count} points of the header"))?;
+    Ok(read)
+}
+
+/// The points that a header begins, and the id of the first; `None` where it promises none.
+pub(super) fn read_points(
+    lines: &mut Lines<'_>,
+    attributes: &AttributeColumns,
+) -> Result<Option<(Table, u64)>> {
     let first = lines.require(|| "a .node file begins with its counts".into())?;
     let header = Header::read(&first)?;
     let mut values = header.values(&first, attributes)?;
@@ -48,8 +70,10 @@ pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Resul
             return Err(line.error(format!("point id {id}; ids count up, {expected}")));
         }
     }
-    lines.require_end(&format!("the {} points of the header", header.points))?;
-    Ok(Table { points: points.finish()?, attributes: values.finish() })
+    if header.points == 0 {
+        return Ok(None);
+    }
+    Ok(Some((Table::new(points.finish()?, values.finish()), first_id)))
 }
 
 /// The first line of a `.node` file: `points dim attributes markers`, the last two optional.

@@ -4,7 +4,7 @@ use super::PointCloud;
 use super::text::Line;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::TryGrow;
-use crate::mesh::Attribute;
+use crate::mesh::{Attribute, Mesh, Region};
 
 /// What was read: points, and values of attributes at them.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +12,45 @@ pub struct Table {
     pub points: PointCloud,
     /// Of one component each, in the order of the choice.
     pub attributes: Vec<Attribute>,
+    pub outline: Outline,
+}
+
+/// Segments between the points, and regions: none in most formats.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outline {
+    /// Two points each.
+    pub segments: Vec<[u32; 2]>,
+    /// One a segment.
+    pub markers: Vec<i32>,
+    pub regions: Vec<Region>,
+}
+
+impl Table {
+    pub(super) fn new(points: PointCloud, attributes: Vec<Attribute>) -> Self {
+        Self { points, attributes, outline: Outline::default() }
+    }
+
+    /// A mesh of the points with their attributes, segments and regions. `is_extended`: as
+    /// [`Mesh::set_attribute`] has it.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`] and
+    /// [`Mesh::set_regions`].
+    pub fn mesh(&self, is_extended: bool) -> Result<Mesh> {
+        let PointCloud { dim, coordinates } = &self.points;
+        let mut mesh = Mesh::new(*dim, self.points.count(), coordinates, 0)?;
+        for Attribute { name, components, values, .. } in &self.attributes {
+            mesh.set_attribute(name, *components, values, is_extended)?;
+        }
+        let Outline { segments, markers, regions } = &self.outline;
+        if !segments.is_empty() {
+            mesh.set_segments(segments.as_flattened(), Some(markers))?;
+        }
+        if !regions.is_empty() {
+            mesh.set_regions(regions)?;
+        }
+        Ok(mesh)
+    }
 }
 
 /// The values of the attributes read so far, for all of them from the same points.

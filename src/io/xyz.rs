@@ -17,7 +17,7 @@ pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
         refuse_decimal_commas(&line)?;
         points.add(&line, fields(&line).enumerate())?;
     }
-    Ok(Table { points: points.finish()?, attributes: Vec::new() })
+    Ok(Table::new(points.finish()?, Vec::new()))
 }
 
 fn read_chosen(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {

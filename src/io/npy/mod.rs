@@ -122,7 +122,7 @@ impl Array<'_> {
             coordinates = transposed(&coordinates, &self.coordinates)?;
         }
         let points = PointCloud { dim, coordinates };
-        Ok(Table { points, attributes: self.values.finish() })
+        Ok(Table::new(points, self.values.finish()))
     }
 }
 

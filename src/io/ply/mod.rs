@@ -25,7 +25,7 @@ pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Re
             body::read_binary(&header, input, big_endian, &mut rows)?;
         }
     }
-    Ok(Table { points: rows.points.finish()?, attributes: rows.values.finish() })
+    Ok(Table::new(rows.points.finish()?, rows.values.finish()))
 }
 
 /// What was read of the vertices.

@@ -1,0 +1,63 @@
+"""Segments and regions in the plane."""
+
+import pickle
+
+import netmesh
+import numpy as np
+import pytest
+
+SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
+SIDES = [[0, 1], [1, 2], [2, 3], [3, 0]]
+
+
+def test_segments_become_chains_of_edges():
+    mesh = netmesh.mesh(SQUARE, SIDES + [[0, 2]], markers=[5, 6, 7, 8, 9])
+    edges, parents = mesh.segments, mesh.segment_parents
+    assert edges.shape == (len(parents), 2) and edges.dtype == np.int32
+    for parent, (start, end) in enumerate(SIDES + [[0, 2]]):
+        chain = edges[parents == parent]
+        assert chain[0, 0] == start and chain[-1, 1] == end
+        assert (chain[1:, 0] == chain[:-1, 1]).all()
+    sides = np.sort(mesh.simplices[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    assert {tuple(edge) for edge in np.sort(edges, axis=1)} <= {tuple(side) for side in sides}
+
+
+def test_regions_have_labels():
+    mesh = netmesh.mesh(SQUARE, SIDES + [[0, 2]], regions=[(0.75, 0.25, 4), (0.25, 0.75, -2, 0.5)])
+    x, y = mesh.points[mesh.simplices].mean(axis=1).T
+    inside = (x > 0) & (y > 0) & (x < 1) & (y < 1)
+    assert (mesh.simplex_regions == np.where(inside, np.where(x > y, 4, -2), 0)).all()
+
+
+def test_without_segments_there_is_nothing():
+    mesh = netmesh.mesh(SQUARE)
+    assert mesh.segments.shape == (0, 2) and mesh.simplex_regions.shape == (0,)
+
+
+def test_a_copy_by_pickle_has_the_segments():
+    mesh = netmesh.mesh(SQUARE, SIDES, holes=[[9, 9]])
+    again = pickle.loads(pickle.dumps(mesh))
+    assert (again.segments == mesh.segments).all() and (again.points == mesh.points).all()
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"segments": [[0, 1, 2]]}, "segments has shape (1, 3); it must be (segments, 2)"),
+        ({"segments": [[0.0, 1.0]]}, "segments has dtype float64; it must be of whole numbers"),
+        ({"segments": [[0, 1], [2, -1]]}, "segments[1] has the end -1;"),
+        ({"segments": [[0, 1], [2, 4]]}, "segments[1] has the end 4;"),
+        ({"segments": [[1, 1]]}, "segments[0] has input 1 as both ends;"),
+        ({"segments": SIDES, "markers": [1]}, "markers has shape (1,); it must be"),
+        ({"segments": [[0, 1]], "markers": [2**40]}, "markers[0] is 1099511627776;"),
+        ({"segments": [[0, 2], [1, 3]]}, "segments[0] and segments[1] cross near (0.5, 0.5),"),
+        ({"regions": [(1, 2)]}, "regions[0] has 2 values;"),
+        ({"regions": [(0, 0, 1.5)]}, "regions[0] has the label 1.5;"),
+        ({"regions": [(0.5, 0.5, 1, -3)]}, "regions[0].max_edge is -3;"),
+        ({"holes": [[1, 2, 3]]}, "holes[0] has 3 coordinates;"),
+    ],
+)
+def test_what_cannot_be_is_refused(given, message):
+    with pytest.raises(netmesh.InvalidArgumentError) as error:
+        netmesh.mesh(SQUARE, **given)
+    assert str(error.value).startswith(message)

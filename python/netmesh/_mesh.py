@@ -17,6 +17,9 @@ from ._part import Arrays, Part
 from ._progress import reporter
 from ._results import DOMAIN, Quality, Report, Stats, Violation
 
+# Arguments of `mesh` beside the options.
+_NO_OPTIONS = ("points", "progress", "segments", "markers", "regions", "holes")
+
 
 def mesh(
     points: Any,
@@ -136,8 +139,7 @@ def mesh(
     >>> m.simplices.shape[1], m.quality().worst_aspect_anywhere <= 2.5
     (3, True)
     """
-    others = ("points", "progress", "segments", "markers", "regions", "holes")
-    given = {name: value for name, value in locals().items() if name not in others}
+    given = {name: value for name, value in locals().items() if name not in _NO_OPTIONS}
     boundary = None
     if not all(value is None for value in (segments, markers, regions, holes)):
         boundary = boundary_of(segments, markers, regions, holes)

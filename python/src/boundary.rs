@@ -2,7 +2,6 @@
 
 use crate::errors::{exception, invalid};
 use netmesh::{Mesh, Region};
-use numpy::prelude::*;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 

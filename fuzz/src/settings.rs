@@ -74,6 +74,12 @@ fn choose_numbers(options: &mut Options, bytes: &mut Bytes<'_>, dim: usize) -> b
         options.distance_ratio = choose(bytes, lowest, highest);
         let ratio = options.distance_ratio;
         valid = ratio == 0.0 || (lowest..=highest).contains(&ratio);
+        options.max_edge = match bytes.byte() {
+            0..192 => 0.0,
+            192..250 => 2f64.powi(8 * (i32::from(bytes.byte()) - 128)),
+            _ => bytes.double(),
+        };
+        valid &= options.max_edge >= 0.0;
     }
     for (number, (lowest, highest)) in numbers {
         *number = choose(bytes, lowest, highest);

@@ -14,6 +14,7 @@ pub fn assert_same(left: &Triangulation, right: &Triangulation) {
     assert!(left.precision_limited == right.precision_limited, "marks differ");
     assert!(left.below_min_dihedral == right.below_min_dihedral, "slivers differ");
     assert!(left.beyond_bound == right.beyond_bound, "what is beyond the bound differs");
+    assert!(left.sizes == right.sizes, "sizes differ");
 }
 
 pub fn bits(values: &[f64]) -> Vec<u64> {

@@ -141,7 +141,7 @@ impl Attempt {
             distance_ratio: given.distance_ratio,
             min_angle: given.min_angle,
             min_dihedral: given.min_dihedral,
-            max_edge: 0.0,
+            max_edge: given.max_edge,
             size: None,
             size_user_data: null_mut(),
             gives_way: from_c(given.gives_way as i32),

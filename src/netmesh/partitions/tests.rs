@@ -35,6 +35,7 @@ fn assert_same(a: &Triangulation, b: &Triangulation) {
     assert_eq!(a.precision_limited, b.precision_limited);
     assert_eq!(a.below_min_dihedral, b.below_min_dihedral);
     assert_eq!(a.beyond_bound, b.beyond_bound);
+    assert_eq!(a.sizes, b.sizes);
     let stats = |mesh: &Triangulation| crate::mesh::Stats { seconds: 0.0, ..mesh.stats };
     assert_eq!(stats(a), stats(b));
 }
@@ -131,6 +132,13 @@ fn slivers_of_partitions_are_mended_alike_on_any_number_of_threads() {
     let two = run::<3>(&inputs, &options, 2);
     assert!(two.below_min_dihedral.is_empty());
     assert_same(&two, &run::<3>(&inputs, &options, 16));
+}
+
+#[test]
+fn sizes_do_not_depend_on_threads() {
+    let sized = |max_edge| Options { output: Output::WellSpaced, max_edge, ..Options::default() };
+    check::<2>(&scattered(4000, 3), &sized(0.04));
+    check::<3>(&scattered(3000, 4), &sized(0.2));
 }
 
 #[test]

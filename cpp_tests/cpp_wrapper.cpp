@@ -243,6 +243,43 @@ void progress_and_moves() {
     CHECK(first.get() == nullptr);
 }
 
+// Sizes by a function, at the inputs and on a background; what the function throws comes out.
+void sizes() {
+    const PointSet points = generate("uniform", 2, 50);
+    netmesh::mesh mesh(2, points.coordinates);
+    netmesh::options options;
+    options.output = NM_OUTPUT_WELL_SPACED;
+    const auto vertices = [&] {
+        mesh.run(options);
+        return mesh.counts().vertices;
+    };
+    const std::uint64_t plain = vertices();
+    mesh.set_sizes(std::vector<double>(50, 0.05));
+    const std::uint64_t sized = vertices();
+    CHECK(sized > plain + 100);
+    expect_error(__LINE__, NM_INVALID_ARGUMENT, "count is 49", [&] {
+        mesh.set_sizes(std::vector<double>(49, 0.05));
+    });
+    mesh.set_sizes(std::vector<double>());
+    CHECK_EQUAL(vertices(), plain);
+    mesh.set_background(mesh, std::vector<double>(plain, 0.05));
+    CHECK_EQUAL(vertices(), sized);
+    mesh.remove_background();
+    CHECK_EQUAL(vertices(), plain);
+    options.size = [](const double* x) { return 0.05 + 0 * x[1]; };
+    CHECK_EQUAL(vertices(), sized);
+    options.max_edge = 0.05;
+    CHECK(vertices() > sized);
+    options.size = [](const double*) -> double { throw std::length_error("mine"); };
+    bool caught = false;
+    try {
+        mesh.run(options);
+    } catch (const std::length_error& error) {
+        caught = std::string(error.what()) == "mine";
+    }
+    CHECK(caught);
+}
+
 void errors() {
     const std::vector<double> odd(5, 1.0);
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "5", [&] { netmesh::mesh(2, odd); });
@@ -351,6 +388,7 @@ int main(int count, char** arguments) {
     defaults();
     every_option_arrives();
     progress_and_moves();
+    sizes();
     errors();
     results(arguments[1]);
     return check::result("cpp_wrapper");

@@ -445,6 +445,22 @@ public:
             set(handle_, name.c_str(), values.empty() ? 0 : components, values.data()));
     }
 
+    // Gives the inputs sizes for the runs that follow, one each; none removes them.
+    result<void> try_set_sizes(span<const double> values) {
+        return detail::outcome(nm_mesh_set_sizes(handle_, values.size(), values.data()));
+    }
+
+    // Gives sizes by those at the vertices of another mesh, or of this one's last result, for the
+    // runs that follow.
+    result<void> try_set_background(const mesh &background, span<const double> values) {
+        return detail::outcome(nm_mesh_set_background(handle_, background.handle_, values.size(),
+                                                      values.data()));
+    }
+
+    result<void> try_remove_background() {
+        return detail::outcome(nm_mesh_set_background(handle_, nullptr, 0, nullptr));
+    }
+
     // The values of a name at all vertices, as files get them: vertices x components.
     result<std::vector<double>> try_attributes(const std::string &name) const {
         return detail::fetched<double>(
@@ -687,6 +703,11 @@ public:
                         span<const double> values, bool extended = true) {
         try_set_attributes(name, components, values, extended).value();
     }
+    void set_sizes(span<const double> values) { try_set_sizes(values).value(); }
+    void set_background(const mesh &background, span<const double> values) {
+        try_set_background(background, values).value();
+    }
+    void remove_background() { try_remove_background().value(); }
     std::vector<double> attributes(const std::string &name) const {
         return try_attributes(name).value();
     }

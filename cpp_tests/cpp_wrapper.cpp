@@ -33,7 +33,7 @@ static_assert(!std::is_convertible_v<const std::vector<double>&, netmesh::span<d
 static_assert(!std::is_convertible_v<std::vector<float>&, netmesh::span<const double>>);
 static_assert(std::is_convertible_v<netmesh::span<double>, netmesh::span<const double>>);
 // A field that nm_options got has to be in netmesh::options too.
-static_assert(sizeof(nm_options) == 152 + 4 * sizeof(void*));
+static_assert(sizeof(nm_options) == 160 + 4 * sizeof(void*));
 
 template <class Call>
 void expect_error(int line, nm_status expected, const char* word, Call call) {
@@ -167,6 +167,7 @@ void defaults() {
     CHECK(ours.seed == library.seed && ours.max_vertices == library.max_vertices);
     CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
     CHECK(ours.min_angle == library.min_angle);
+    CHECK(ours.extent == library.extent && ours.crossings == library.crossings);
     CHECK(ours.max_edge == library.max_edge && !ours.size && library.size == nullptr);
     CHECK(ours.min_dihedral == library.min_dihedral && ours.gives_way == library.gives_way);
 }
@@ -200,6 +201,8 @@ void every_option_arrives() {
     refused(__LINE__, "algorithm", [](options& o) { o.algorithm = static_cast<nm_algorithm>(77); });
     refused(__LINE__, "ordering", [](options& o) { o.ordering = static_cast<nm_ordering>(77); });
     refused(__LINE__, "gives_way", [](options& o) { o.gives_way = static_cast<nm_gives_way>(77); });
+    refused(__LINE__, "extent", [](options& o) { o.extent = NM_EXTENT_HULL; });  // in 2D only
+    refused(__LINE__, "crossings", [](options& o) { o.crossings = static_cast<nm_crossings>(77); });
     refused(__LINE__, "criterion", [](options& o) { o.criterion = static_cast<nm_criterion>(77); });
     options limited;
     limited.max_vertices = 201;

@@ -198,7 +198,29 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * nm_selection.extent: a region, and which simplices are in it.
+ * nm_options.crossings: what becomes of segments that cross where no input is.
+ */
+enum nm_crossings
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * The run answers NM_INVALID_ARGUMENT and names two of them.
+     */
+    NM_CROSSINGS_REFUSE = 0,
+    /**
+     * The double nearest to their crossing becomes a vertex of both.
+     */
+    NM_CROSSINGS_SPLIT = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_crossings;
+#endif // __cplusplus
+
+/**
+ * nm_selection.extent: a region, and which simplices are in it. nm_options.extent: how far the
+ * result reaches.
  */
 enum nm_extent
 #ifdef __cplusplus
@@ -217,6 +239,11 @@ enum nm_extent
      * The least box that holds the inputs, its sides along the axes.
      */
     NM_EXTENT_BOX = 2,
+    /**
+     * What segments enclose, without holes: all that cannot be reached from the hull without
+     * crossing one. For nm_options alone; nm_mesh_set_segments comes first.
+     */
+    NM_EXTENT_BOUNDARY = 3,
 };
 #ifndef __cplusplus
 typedef int32_t nm_extent;
@@ -1074,6 +1101,15 @@ typedef struct nm_options {
      * Zero.
      */
     uint32_t reserved_after_gives_way;
+    /**
+     * How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
+     * of edges. Above 2D NM_EXTENT_ALL. Default NM_EXTENT_ALL.
+     */
+    nm_extent extent;
+    /**
+     * What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+     */
+    nm_crossings crossings;
 } nm_options;
 
 /**

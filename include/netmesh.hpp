@@ -91,6 +91,8 @@ struct options {
     double max_edge = 0;
     size_function size = {};  // empty: none
     nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
+    nm_extent extent = NM_EXTENT_ALL;
+    nm_crossings crossings = NM_CROSSINGS_REFUSE;
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -816,6 +818,8 @@ private:
         to.min_dihedral = from.min_dihedral;
         to.max_edge = from.max_edge;
         to.gives_way = from.gives_way;
+        to.extent = from.extent;
+        to.crossings = from.crossings;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

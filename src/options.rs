@@ -62,6 +62,18 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
+impl Extent {
+    /// What messages call it.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::Hull => "hull",
+            Self::Box => "box",
+            Self::Boundary => "boundary",
+        }
+    }
+}
+
 /// What becomes of segments that cross where no input is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
@@ -123,6 +135,8 @@ pub struct Options {
     pub min_dihedral: f64,
     /// How far the result reaches.
     pub extent: Extent,
+    /// What becomes of segments that cross.
+    pub crossings: Crossings,
     /// The length that no edge exceeds of simplices that meet the box of the inputs; 0: none.
     /// For [`Output::WellSpaced`].
     pub max_edge: f64,
@@ -153,6 +167,7 @@ impl Default for Options {
             min_angle: 0.0,
             min_dihedral: 0.0,
             extent: Extent::default(),
+            crossings: Crossings::default(),
             max_edge: 0.0,
             gives_way: GivesWay::default(),
         }

@@ -113,8 +113,8 @@ pub fn with_segments(options: &Options) -> Result<Options> {
     let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
     if options.algorithm != Algorithm::Netmesh {
         return refuse(message!(
-            "options.algorithm is {:?}; with segments it must be Netmesh",
-            options.algorithm
+            "options.algorithm is {}; with segments it must be netmesh",
+            if options.algorithm == Algorithm::Svr { "svr" } else { "delaunay" }
         ));
     }
     if options.criterion == Criterion::VoronoiAspect && options.quality_bound != 0.0 {

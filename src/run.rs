@@ -1,19 +1,20 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::arrange;
-use crate::error::Result;
-use crate::memory::copied;
-use crate::mesh::{Arrangement, Mesh};
+use crate::arrangement::{arrange, with_extent};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{TryGrow, copied, with_capacity};
+use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
 use crate::netmesh;
-use crate::options::{Crossings, Options, ProgressFn, SizeFn};
+use crate::options::{Extent, Options, ProgressFn, SizeFn};
 use crate::sizes::Field;
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
     ///
     /// # Errors
-    /// `InvalidArgument` (an option out of range; segments that cross), `DegenerateInput` (plain Delaunay of inputs of
-    /// lower affine rank), `Limit`, `Cancelled`, `OutOfMemory`.
+    /// `InvalidArgument` (an option out of range; segments that cross), `DegenerateInput` (plain
+    /// Delaunay of inputs of lower affine rank, a hull or box without area), `Limit`, `Cancelled`,
+    /// `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
     }
@@ -29,7 +30,7 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
-        let arrangement = self.arrangement()?;
+        let arrangement = self.arrangement(options)?;
         let (inputs, arrangement) = (self.inputs(), arrangement.as_ref());
         let triangulation = match Field::new(self, size)? {
             None => netmesh::run(inputs, arrangement, options, progress)?,
@@ -43,16 +44,55 @@ impl Mesh {
         Ok(())
     }
 
-    /// `None` without segments.
-    fn arrangement(&self) -> Result<Option<Arrangement>> {
-        match self.segments().count() {
-            0 => Ok(None),
-            _ => {
-                let mut arrangement =
-                    arrange(self.inputs(), self.segments(), Crossings::default())?;
-                arrangement.regions = copied(self.regions())?;
-                Ok(Some(arrangement))
+    /// What the mesh must conform to, if there is something.
+    fn arrangement(&self, options: &Options) -> Result<Option<Arrangement>> {
+        let Options { extent, crossings, .. } = *options;
+        self.check_extent(extent)?;
+        let mut arrangement = match extent {
+            Extent::All if self.segments().count() == 0 => return Ok(None),
+            Extent::All | Extent::Boundary => arrange(self.inputs(), self.segments(), crossings)?,
+            Extent::Hull | Extent::Box => {
+                let (inputs, segments) = with_extent(self.inputs(), self.segments(), extent)?;
+                let arrangement = arrange(&inputs, &segments, crossings)?;
+                self.in_own_numbers(arrangement, &inputs)?
+            }
+        };
+        arrangement.regions = copied(self.regions())?;
+        Ok(Some(arrangement))
+    }
+
+    fn check_extent(&self, extent: Extent) -> Result<()> {
+        let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+        let dim = self.inputs().dim();
+        match extent {
+            Extent::All => Ok(()),
+            _ if dim != 2 => refuse(message!(
+                "options.extent is {} and the mesh has dimension {dim}; above 2D it must be all",
+                extent.word()
+            )),
+            Extent::Boundary if self.segments().count() == 0 => refuse(message!(
+                "options.extent is boundary and the mesh has no segments; set them first"
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// The arrangement of `extended` inputs and segments: corners of the extent that are no inputs
+    /// become the first crossings, and its edges belong to no segment ([`NONE`]).
+    fn in_own_numbers(&self, arrangement: Arrangement, extended: &Inputs) -> Result<Arrangement> {
+        let corners = self.inputs().distinct()..extended.distinct();
+        let mut crossings = with_capacity(corners.len() + arrangement.crossings.len())?;
+        crossings.extend(corners.map(|corner| {
+            let corner = extended.distinct_point(corner);
+            [corner[0], corner[1]]
+        }));
+        crossings.try_extend(&arrangement.crossings)?;
+        let mut own = Arrangement { crossings, ..arrangement };
+        for subsegment in &mut own.subsegments {
+            if subsegment.segment as usize >= self.segments().count() {
+                subsegment.segment = NONE;
             }
         }
+        Ok(own)
     }
 }

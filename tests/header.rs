@@ -256,7 +256,7 @@ fn the_layouts_are_fixed() {
         "#include \"netmesh.h\"",
         "#define CHECK(name, condition) typedef char name[(condition) ? 1 : -1]",
         "CHECK(progress, sizeof(nm_progress) == 40 && offsetof(nm_progress, fraction) == 8);",
-        "CHECK(options, sizeof(nm_options) == 152 + 4 * sizeof(void *));",
+        "CHECK(options, sizeof(nm_options) == 160 + 4 * sizeof(void *));",
         "CHECK(threads, offsetof(nm_options, threads) == 20);",
         "CHECK(quality_bound, offsetof(nm_options, quality_bound) == 24);",
         "CHECK(seed, offsetof(nm_options, seed) == 88);",

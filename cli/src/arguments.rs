@@ -4,7 +4,7 @@ use crate::exit_code;
 use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -183,6 +183,15 @@ pub struct Meshing {
     #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
     pub gives_way: GivesWayName,
 
+    /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or to
+    /// the boundary that segments are
+    #[arg(long, value_enum, default_value_t = ExtentName::All)]
+    pub extent: ExtentName,
+
+    /// What becomes of segments that cross: they are refused, or split where they do
+    #[arg(long, value_enum, default_value_t = CrossingsName::Refuse)]
+    pub crossings: CrossingsName,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -249,6 +258,22 @@ pub enum CriterionName {
     Aspect,
     /// Circumradius over shortest edge of a simplex
     RadiusEdge,
+}
+
+/// How far the mesh reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ExtentName {
+    All,
+    Hull,
+    Box,
+    Boundary,
+}
+
+/// What becomes of segments that cross.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CrossingsName {
+    Refuse,
+    Split,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -337,12 +362,13 @@ impl Arguments {
             distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
             min_angle: meshing.min_angle.unwrap_or(0.0),
             min_dihedral: meshing.min_dihedral.unwrap_or(0.0),
-            extent: Extent::default(),
             max_edge: meshing.max_edge.unwrap_or(0.0),
             gives_way: match meshing.gives_way {
                 GivesWayName::Angle => GivesWay::Angle,
                 GivesWayName::Bound => GivesWay::Bound,
             },
+            extent: meshing.extent.extent(),
+            crossings: meshing.crossings.crossings(),
         }
     }
 }
@@ -416,6 +442,26 @@ impl OrderingName {
     }
 }
 
+impl ExtentName {
+    fn extent(self) -> Extent {
+        match self {
+            Self::All => Extent::All,
+            Self::Hull => Extent::Hull,
+            Self::Box => Extent::Box,
+            Self::Boundary => Extent::Boundary,
+        }
+    }
+}
+
+impl CrossingsName {
+    fn crossings(self) -> Crossings {
+        match self {
+            Self::Refuse => Crossings::Refuse,
+            Self::Split => Crossings::Split,
+        }
+    }
+}
+
 impl CriterionName {
     fn criterion(self) -> Criterion {
         match self {
@@ -467,8 +513,8 @@ mod tests {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
             --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --max-edge 0.5 --gives-way bound --seed 7 --max-vertices 99 --threads 4 \
-            --ordering deterministic --stats";
+            --max-edge 0.5 --gives-way bound --extent hull --crossings split --seed 7 \
+            --max-vertices 99 --threads 4 --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
             algorithm: Algorithm::Delaunay,
@@ -489,9 +535,10 @@ mod tests {
             instruments: true,
             min_angle: 0.0,
             min_dihedral: 5.0,
-            extent: Extent::default(),
             max_edge: 0.5,
             gives_way: GivesWay::Bound,
+            extent: Extent::Hull,
+            crossings: Crossings::Split,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();

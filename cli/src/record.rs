@@ -5,7 +5,7 @@ use crate::alpha_shape::Measured;
 use crate::histograms::Table;
 use crate::json::Object;
 use crate::summary::Summary;
-use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Output, Parameters, Stats};
+use netmesh::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Output, Parameters, Stats};
 
 pub fn json(summary: &Summary<'_>) -> String {
     let mut record = Object::new();
@@ -114,6 +114,15 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
         match parameters.gives_way {
             GivesWay::Angle => "angle",
             GivesWay::Bound => "bound",
+        },
+    );
+    options.text(
+        "extent",
+        match parameters.extent {
+            Extent::All => "all",
+            Extent::Hull => "hull",
+            Extent::Box => "box",
+            Extent::Boundary => "boundary",
         },
     );
 }

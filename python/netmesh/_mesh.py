@@ -50,6 +50,8 @@ def mesh(
     max_edge: float = 0.0,
     size: Any = None,
     gives_way: str = "angle",
+    extent: str = "all",
+    crossings: str = "refuse",
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -115,6 +117,11 @@ def mesh(
         What gives way where `min_dihedral` and `quality_bound` cannot both be had:
         `Quality.below_min_dihedral` counts simplices that stay below the angle,
         `Quality.beyond_bound` what goes beyond the bound.
+    extent : {'all', 'hull', 'box', 'boundary'}
+        How far the mesh reaches, in 2D: to its outer cage, to the convex hull or the bounding box of
+        the points, or to the boundary that segments are. What lies beyond is cut away.
+    crossings : {'refuse', 'split'}
+        What becomes of segments that cross where no point is.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

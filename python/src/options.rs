@@ -1,7 +1,7 @@
 //! Options by keyword.
 
 use crate::errors::invalid;
-use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Options, Output};
+use netmesh::{Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output};
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -44,6 +44,19 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
                 ("radius_edge", Criterion::RadiusEdge),
             ];
             options.criterion = choice(name, value, &names)?;
+        }
+        "extent" => {
+            let names = [
+                ("all", Extent::All),
+                ("hull", Extent::Hull),
+                ("box", Extent::Box),
+                ("boundary", Extent::Boundary),
+            ];
+            options.extent = choice(name, value, &names)?;
+        }
+        "crossings" => {
+            let names = [("refuse", Crossings::Refuse), ("split", Crossings::Split)];
+            options.crossings = choice(name, value, &names)?;
         }
         "threads" => options.threads = whole(name, value, u32::MAX)?,
         "quality_bound" => options.quality_bound = number(name, value)?,

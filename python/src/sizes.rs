@@ -45,7 +45,9 @@ impl Sizes {
         if shape.extract::<(usize,)>().ok() != Some((count,)) {
             return Err(invalid(
                 py,
-                format!("size has shape {shape}; it must have one value for each of {count} points"),
+                format!(
+                    "size has shape {shape}; it must have one value for each of {count} points"
+                ),
             ));
         }
         let values: PyReadonlyArray1<'_, f64> =

@@ -135,6 +135,8 @@ OPTIONS = {
     "min_dihedral": (12.0, "[0, 22]"),
     "max_edge": (0.05, None),
     "gives_way": ("bound", "'angle' or 'bound'"),
+    "extent": ("hull", "'all' or 'hull' or 'box' or 'boundary'"),
+    "crossings": ("split", "'refuse' or 'split'"),
 }
 
 
@@ -158,7 +160,7 @@ def test_options_reach_the_library(name):
     if name == "instruments":
         assert (default.stats.max_ply, other.stats.max_ply > 0) == (0, True)
     # A mesh depends neither on threads nor on room that it does not need.
-    assert differs == (name not in ("threads", "max_vertices", "instruments"))
+    assert differs == (name not in ("threads", "max_vertices", "instruments", "crossings"))
     assert other.options[name] == value
     if range_:
         wrong = "Hierarchical" if isinstance(value, str) else 1000.0

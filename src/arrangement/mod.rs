@@ -15,12 +15,15 @@
 //! an end of one of them only. So a piece is split, and the two parts' rectangles have as many
 //! doubles on their sides together as that of the piece.
 
+mod extent;
 mod places;
 mod split;
 mod status;
 mod sweep;
 #[cfg(test)]
 mod tests;
+
+pub use extent::with_extent;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, collected, copied, filled};

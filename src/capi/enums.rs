@@ -5,7 +5,7 @@ use crate::arrays::{Extent, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
-use crate::options::{Algorithm, Criterion, GivesWay, NetOrdering, Output, Phase};
+use crate::options::{self, Algorithm, Criterion, Crossings, GivesWay, NetOrdering, Output, Phase};
 use crate::quality::Measure;
 use crate::query::{Interpolation, Method, Outside};
 use crate::topology::FaceClass;
@@ -215,7 +215,8 @@ pub enum nm_interpolation {
     NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
 }
 
-/// nm_selection.extent: a region, and which simplices are in it.
+/// nm_selection.extent: a region, and which simplices are in it. nm_options.extent: how far the
+/// result reaches.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -226,6 +227,20 @@ pub enum nm_extent {
     NM_EXTENT_HULL = 1,
     /// The least box that holds the inputs, its sides along the axes.
     NM_EXTENT_BOX = 2,
+    /// What segments enclose, without holes: all that cannot be reached from the hull without
+    /// crossing one. For nm_options alone; nm_mesh_set_segments comes first.
+    NM_EXTENT_BOUNDARY = 3,
+}
+
+/// nm_options.crossings: what becomes of segments that cross where no input is.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_crossings {
+    /// The run answers NM_INVALID_ARGUMENT and names two of them.
+    NM_CROSSINGS_REFUSE = 0,
+    /// The double nearest to their crossing becomes a vertex of both.
+    NM_CROSSINGS_SPLIT = 1,
 }
 
 /// Values of the faces of a mesh, which nm_mesh_filtration writes.
@@ -382,6 +397,16 @@ pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Resu
     decode(argument, raw, [Extent::All, Extent::Hull, Extent::Box])
 }
 
+/// That of a run.
+pub(super) fn decode_run_extent(raw: MaybeUninit<nm_extent>) -> Result<options::Extent> {
+    use options::Extent::{All, Boundary, Box, Hull};
+    decode("options.extent", raw, [All, Hull, Box, Boundary])
+}
+
+pub(super) fn decode_crossings(raw: MaybeUninit<nm_crossings>) -> Result<Crossings> {
+    decode("options.crossings", raw, [Crossings::Refuse, Crossings::Split])
+}
+
 /// Whether it is [`nm_filtration::NM_FILTRATION_MESH`].
 pub(super) fn decode_filtration(raw: MaybeUninit<nm_filtration>) -> Result<bool> {
     decode("filtration", raw, [false, true])
@@ -466,12 +491,14 @@ mod tests {
             assert_eq!(decode_ordering(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_criterion(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_gives_way(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_crossings(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=2 {
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=3 {
             assert_eq!(decode_measure(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_run_extent(from_c(value)).unwrap() as i32, value);
         }
         for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
             assert_eq!(vertex_kind_byte(kind), kind as u8);

@@ -1,14 +1,17 @@
 //! Options, from C and to C.
 
 use super::enums::{
-    decode_algorithm, decode_criterion, decode_gives_way, decode_ordering, decode_output,
-    nm_algorithm, nm_criterion, nm_gives_way, nm_ordering, nm_output, nm_status,
+    decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_ordering,
+    decode_output, decode_run_extent, nm_algorithm, nm_criterion, nm_crossings, nm_extent,
+    nm_gives_way, nm_ordering, nm_output, nm_status,
 };
 use super::handle::barrier;
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
+use crate::options::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output,
+};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
@@ -76,6 +79,16 @@ pub(super) fn encode(options: &Options) -> nm_options {
             GivesWay::Bound => nm_gives_way::NM_GIVES_WAY_BOUND,
         }),
         reserved_after_gives_way: 0,
+        extent: MaybeUninit::new(match options.extent {
+            Extent::All => nm_extent::NM_EXTENT_ALL,
+            Extent::Hull => nm_extent::NM_EXTENT_HULL,
+            Extent::Box => nm_extent::NM_EXTENT_BOX,
+            Extent::Boundary => nm_extent::NM_EXTENT_BOUNDARY,
+        }),
+        crossings: MaybeUninit::new(match options.crossings {
+            Crossings::Refuse => nm_crossings::NM_CROSSINGS_REFUSE,
+            Crossings::Split => nm_crossings::NM_CROSSINGS_SPLIT,
+        }),
     }
 }
 
@@ -101,7 +114,8 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         distance_ratio: options.distance_ratio,
         min_angle: options.min_angle,
         min_dihedral: options.min_dihedral,
-        extent: Extent::default(),
+        extent: decode_run_extent(options.extent)?,
+        crossings: decode_crossings(options.crossings)?,
         max_edge: options.max_edge,
         gives_way: decode_gives_way(options.gives_way)?,
     })
@@ -168,7 +182,8 @@ mod tests {
             distance_ratio: 13.0,
             min_angle: 14.0,
             min_dihedral: 15.0,
-            extent: Extent::default(),
+            extent: Extent::Boundary,
+            crossings: Crossings::Split,
             max_edge: 16.0,
             gives_way: GivesWay::Bound,
         };
@@ -217,6 +232,8 @@ mod tests {
             144 + 4 * word,
             148 + 4 * word,
             152 + 4 * word,
+            156 + 4 * word,
+            160 + 4 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {

@@ -1,7 +1,8 @@
 //! The structs of the boundary.
 
 use super::enums::{
-    nm_algorithm, nm_criterion, nm_extent, nm_gives_way, nm_ordering, nm_output, nm_phase,
+    nm_algorithm, nm_criterion, nm_crossings, nm_extent, nm_gives_way, nm_ordering, nm_output,
+    nm_phase,
 };
 use super::memory::Versioned;
 use super::violations::nm_violation;
@@ -182,6 +183,11 @@ pub struct nm_options {
     pub gives_way: MaybeUninit<nm_gives_way>,
     /// Zero.
     pub reserved_after_gives_way: u32,
+    /// How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
+    /// of edges. Above 2D NM_EXTENT_ALL. Default NM_EXTENT_ALL.
+    pub extent: MaybeUninit<nm_extent>,
+    /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+    pub crossings: MaybeUninit<nm_crossings>,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -209,7 +215,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 10 * 4 + 14 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

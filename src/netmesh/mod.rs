@@ -114,6 +114,9 @@ fn mesh<const D: usize>(
             mesher.conform(arrangement, &mut cavity)?;
         }
         mesher.refine_finally(&mut cavity)?;
+        if arrangement.is_some() {
+            mesher.coarsen()?;
+        }
         mesher.refine_by_distance(&mut cavity)?;
         // What goes in for the one may break the other, where simplices reach out of the box.
         while mesher.refine_by_size(&mut cavity)? && mesher.state.parameters.distance_ratio > 0.0 {

@@ -90,6 +90,10 @@ impl Prepared {
         let (result, inputs) = (mesh.result()?, mesh.inputs());
         match extent {
             Extent::All => Ok(&[]),
+            // The domain lies within the hull of the inputs.
+            _ if result.boundary.whole.is_some() => Ok(self
+                .in_hull
+                .get_or_make(|| Ok(filled(result.simplex_count(), Placement::Inside)?))?),
             Extent::Box => Ok(self.in_box.get_or_make(|| {
                 let points = &result.points[..inputs.distinct() * inputs.dim()];
                 placements_in_box(result, points)

@@ -27,6 +27,8 @@ pub struct Index {
     inputs: Option<Tree>,
     /// Vertex -> the least simplex that has it; [`NONE`] if none has.
     pub(super) least_simplex: Vec<u32>,
+    /// Of the whole triangulation that the mesh is cut from: walks go through that.
+    pub(super) whole: Option<Box<Index>>,
 }
 
 impl Index {
@@ -36,13 +38,17 @@ impl Index {
     /// `InvalidArgument` (arrays that do not fit together, or ids out of range), `OutOfMemory`.
     pub fn new(mesh: &Triangulation) -> Result<Self> {
         check_arrays(mesh)?;
+        if let Some(whole) = &mesh.boundary.whole {
+            check_whole(mesh, whole)?;
+        }
         Ok(in_dimension!(mesh.dim, D => build::<D>(mesh), _ => return no_dimension())?)
     }
 
     /// Bytes on the heap.
     pub fn bytes(&self) -> usize {
         let trees = self.all.bytes() + self.inputs.as_ref().map_or(0, Tree::bytes);
-        trees + size_of_val(&*self.least_simplex)
+        let whole = self.whole.as_ref().map_or(0, |whole| whole.bytes());
+        trees + size_of_val(&*self.least_simplex) + whole
     }
 
     pub(super) fn tree(&self, among: Among) -> &Tree {
@@ -78,6 +84,21 @@ pub(crate) fn check_arrays(mesh: &Triangulation) -> Result<()> {
     Ok(())
 }
 
+/// Fails unless `mesh` can be the first part of `whole`.
+fn check_whole(mesh: &Triangulation, whole: &Triangulation) -> Result<()> {
+    check_arrays(whole)?;
+    let fits = whole.dim == mesh.dim
+        && whole.vertex_count() >= mesh.vertex_count()
+        && whole.simplices.starts_with(&mesh.simplices);
+    match fits {
+        true => Ok(()),
+        false => {
+            let rule = "the mesh is not the first part of the one that it was cut from";
+            Err(Error::new(ErrorKind::InvalidArgument, rule))
+        }
+    }
+}
+
 pub(super) fn no_dimension<T>() -> Result<T> {
     Err(Error::new(ErrorKind::InvalidArgument, "the mesh's dim is out of range"))
 }
@@ -100,5 +121,9 @@ fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {
         all: Tree::of_all::<D>(&mesh.points)?,
         inputs,
         least_simplex,
+        whole: match &mesh.boundary.whole {
+            Some(whole) => Some(Box::new(build::<D>(whole)?)),
+            None => None,
+        },
     })
 }

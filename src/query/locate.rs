@@ -46,6 +46,8 @@ pub(super) struct Scratch {
 pub(super) struct Locator<'a, const D: usize> {
     pub view: View<'a, D>,
     pub index: &'a Index,
+    /// Simplices from this number on were cut away from the mesh.
+    end: u32,
     /// The state of a generator of numbers, which decide where a step looks first.
     random: u32,
 }
@@ -54,7 +56,12 @@ impl<'a, const D: usize> Locator<'a, D> {
     const ALL: u32 = (1 << (D + 1)) - 1;
 
     pub fn new(view: View<'a, D>, index: &'a Index) -> Self {
-        Self { view, index, random: 1 }
+        let end = view.mesh.simplex_count() as u32;
+        // The hull of a mesh that was cut need not be convex.
+        match (view.mesh.boundary.whole.as_deref(), index.whole.as_deref()) {
+            (Some(mesh), Some(index)) => Self { view: View { mesh }, index, end, random: 1 },
+            _ => Self { view, index, end, random: 1 },
+        }
     }
 
     /// Calls `take` with the number and the place of each of the points, near ones in turn.
@@ -78,7 +85,10 @@ impl<'a, const D: usize> Locator<'a, D> {
         let near = self.index.all.near(leaf, q);
         let start = near.map_or(NONE, |vertex| self.index.least_simplex[vertex as usize]);
         match self.holder(start, q) {
-            Some((simplex, face)) => self.least_place(simplex, face, set),
+            Some((simplex, face)) => {
+                let place = self.least_place(simplex, face, set)?;
+                Ok(if place.simplex < self.end { place } else { Place::OUTSIDE })
+            }
             None => Ok(Place::OUTSIDE),
         }
     }

@@ -1,7 +1,7 @@
 //! The questions that an index answers.
 
 use super::index::no_dimension;
-use super::interpolate::{Method, Values, interpolate_in};
+use super::interpolate::{Interpolation, Method, Values, interpolate_in};
 use super::locate::{Locator, Place, Scratch};
 use super::threads::{on_threads, piece, threads};
 use super::view::View;
@@ -101,6 +101,11 @@ impl Index {
         threads: u32,
         out: &mut [f64],
     ) -> Result<()> {
+        if mesh.boundary.whole.is_some() && method.interpolation != Interpolation::Linear {
+            let rule = "method is that of natural neighbours, which a mesh that is cut to its domain \
+                        has not; it must be linear";
+            return Err(Error::new(ErrorKind::InvalidArgument, rule));
+        }
         values.check("values", self.vertices, "vertices")?;
         let rule = "components is 0; it must be at least 1";
         let count = out.len().checked_div(values.components);

@@ -39,6 +39,7 @@ pub struct Filtration {
 /// `InvalidArgument` (a vertex that is no input; faces of another mesh; a flat simplex),
 /// `OutOfMemory`.
 pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtration> {
+    refuse_cut(mesh)?;
     if !has_inputs_alone(mesh) {
         let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and the \
                     mesh has other vertices";
@@ -51,6 +52,18 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
         _ => none()
     )?;
     Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0 })
+}
+
+/// Refuses a mesh that is cut to its domain: what is outside counts for the values.
+pub(super) fn refuse_cut(mesh: &Triangulation) -> Result<()> {
+    match mesh.boundary.whole {
+        None => Ok(()),
+        Some(_) => {
+            let rule = "a filtration needs all of the Delaunay triangulation, and the mesh is cut to \
+                        its domain; run it with extent all";
+            Err(Error::new(ErrorKind::InvalidArgument, rule))
+        }
+    }
 }
 
 /// Whether the mesh has alpha values: those are of a Delaunay triangulation of the inputs.

@@ -8,7 +8,7 @@
 //! proves that the factor between those bounds, of which the root is returned, is that of the
 //! interleaving.
 
-use super::alpha::{flat, radii};
+use super::alpha::{flat, radii, refuse_cut};
 use super::circumscribed::Radius;
 use super::reach::{fill_reaches, is_sound};
 use super::{Faces, Filtration, Level};
@@ -31,6 +31,7 @@ pub fn distances(
     index: &Index,
     threads: u32,
 ) -> Result<Filtration> {
+    refuse_cut(mesh)?;
     let cells = Cells::new(mesh, index, threads)?;
     let none = || Ok(None);
     let found = in_dimension!(

@@ -146,6 +146,8 @@ impl Attempt {
             size_user_data: null_mut(),
             gives_way: from_c(given.gives_way as i32),
             reserved_after_gives_way: 0,
+            extent: from_c(given.extent as i32),
+            crossings: from_c(given.crossings as i32),
         }
     }
 

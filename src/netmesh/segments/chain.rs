@@ -153,6 +153,11 @@ impl Chains {
         self.places.get(vertex.index()).copied().unwrap_or(Place::Elsewhere)
     }
 
+    /// Whether `vertex` is on a segment.
+    pub fn holds(&self, vertex: VertexId) -> bool {
+        self.place(vertex) != Place::Elsewhere
+    }
+
     /// The line that `vertex` is on and no end of.
     pub fn line_through(&self, vertex: VertexId) -> Option<u32> {
         match self.place(vertex) {

@@ -13,17 +13,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let (mut hole, mut filled) = (Hole::default(), Vec::new());
         for vertex in VertexId::range(self.state.inputs..self.state.delaunay.point_count()) {
             self.watch.poll_after(32)?;
-            if self.state.hierarchy.cage_of(vertex).is_valid()
-                || !self.state.delaunay.find_hole(vertex, &mut hole)?
-            {
-                continue;
+            if self.is_free(vertex) && self.state.delaunay.find_hole(vertex, &mut hole)? {
+                self.remove_with_regions(vertex, &hole, &mut filled)?;
             }
-            let x = *self.state.delaunay.point(vertex);
-            self.state.delaunay.remove(vertex, &hole, &mut filled)?;
-            let bound = self.state.delaunay.complex().simplex_bound();
-            self.state.refine_list.forget(&filled, bound)?;
-            filled.iter().for_each(|&simplex| self.note_corner(simplex));
-            self.note_departure(&x, &hole.vertices.ids)?;
         }
         Ok(())
     }

@@ -1,8 +1,8 @@
 //! From the mesh of the points to one that conforms to segments.
 
-use super::Segments;
 use super::chain::{Chains, Line};
 use super::regions::OUTSIDE;
+use super::{Segments, name_of};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -113,8 +113,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if let (Some(subsegment), Sign::Zero) = (line, orientation(&points)) {
                 let line = self.state.segments.chains.get(subsegment).line;
                 let segment = self.state.segments.chains.lines[line as usize].segment;
+                let name = name_of(segment);
                 let message = message!(
-                    "regions[{number}].seed is on segments[{segment}]; it must be in the interior \
+                    "regions[{number}].seed is on {name}; it must be in the interior \
                      of a region"
                 );
                 return Err(Error::new(ErrorKind::InvalidArgument, message));

@@ -19,10 +19,12 @@
 //! - `recover`: what is done until all subsegments are recovered.
 //! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
 //! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
+//! - `coarsen`: away with vertices that the bound does not need.
 //! - `cut`: the result, with what belongs to segments and regions.
 
 mod chain;
 mod clear;
+mod coarsen;
 mod conform;
 mod cut;
 mod exempt;
@@ -33,8 +35,11 @@ mod split;
 mod tests;
 
 use crate::complex::SimplexId;
+use crate::error::message;
+use crate::mesh::NONE;
 use chain::Chains;
 use regions::Regions;
+use std::borrow::Cow;
 
 /// What a mesh with segments has beside the points.
 #[derive(Default)]
@@ -45,6 +50,14 @@ pub(in crate::netmesh) struct Segments {
     encroached: Vec<u32>,
     /// Where a search for what is known of a region has been.
     visited: Vec<SimplexId>,
+}
+
+/// What an error calls a segment.
+fn name_of(segment: u32) -> Cow<'static, str> {
+    match segment {
+        NONE => "the boundary of options.extent".into(),
+        segment => message!("segments[{segment}]").into(),
+    }
 }
 
 impl Segments {

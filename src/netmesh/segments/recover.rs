@@ -1,6 +1,7 @@
 //! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
 
 use super::chain::Subsegment;
+use super::name_of;
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -62,8 +63,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Subsegment { ends, line, .. } = *self.state.segments.chains.get(subsegment);
         if !is_edge {
             let segment = self.state.segments.chains.lines[line as usize].segment;
+            let name = name_of(segment);
             let message = message!(
-                "segments[{segment}] passes a point or another segment so closely that doubles \
+                "{name} passes a point or another segment so closely that doubles \
                  have no room for its subsegments"
             );
             return Err(Error::new(ErrorKind::Limit, message));

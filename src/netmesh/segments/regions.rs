@@ -168,6 +168,24 @@ impl Regions {
         }
         Ok(())
     }
+
+    /// A vertex with this star is removed; what fills the hole is in the same region.
+    pub fn note_removal(&mut self, star: &[SimplexId]) {
+        self.coming.clear();
+        if let (true, Some(&first)) = (self.is_known(), star.first()) {
+            let region = self.of(first);
+            let is_same = star.iter().all(|&simplex| self.of(simplex) == region);
+            self.coming.push(region.filter(|_| is_same).unwrap_or(UNKNOWN));
+        }
+    }
+
+    /// The simplices that fill the hole.
+    pub fn note_filled(&mut self, filled: &[SimplexId], bound: usize) -> AllocResult<()> {
+        let Some(&region) = self.coming.first() else { return Ok(()) };
+        self.of.cover(bound, UNKNOWN)?;
+        filled.iter().for_each(|&simplex| self.of[simplex] = region);
+        Ok(())
+    }
 }
 
 /// The line that the facet opposite vertex number `index` is part of, and on which side of it the

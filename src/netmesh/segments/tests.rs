@@ -332,3 +332,70 @@ fn the_same_options_give_the_same_mesh() {
     assert_eq!((&a.points, &a.simplices), (&b.points, &b.simplices));
     assert_eq!(a.boundary.subsegments, b.boundary.subsegments);
 }
+
+/// Random points, cut to their hull and to their box.
+#[test]
+fn points_alone_are_cut_to_hull_and_box() {
+    let mut random = crate::numerics::testing::Random(5);
+    let mut draw = || random.unit();
+    let domain =
+        Domain { points: (0..300).map(|_| [draw(), draw()]).collect(), ..Domain::default() };
+    let low = |axis: usize| domain.points.iter().map(|p| p[axis]).fold(f64::MAX, f64::min);
+    let high = |axis: usize| domain.points.iter().map(|p| p[axis]).fold(f64::MIN, f64::max);
+    for (extent, corners) in [(Extent::Hull, 0), (Extent::Box, 4)] {
+        let mesh = domain.mesh(&Options { extent, ..inside(25.0) });
+        assert_cut(&mesh);
+        let result = mesh.result().unwrap();
+        assert!(least_angle(result) > 25.0 - 1e-6);
+        assert!(result.boundary.parents.iter().all(|&parent| parent == NONE));
+        if corners == 4 {
+            let sides =
+                [[low(0), low(1)], [high(0), low(1)], [high(0), high(1)], [low(0), high(1)]];
+            assert_eq!(area(result, |_| true), polygon_area(&sides));
+        } else {
+            let count = result.vertex_count();
+            let ends = result.boundary.subsegments.iter().flatten();
+            assert!(ends.clone().any(|&v| (v as usize) < 300) && count > 300);
+        }
+    }
+}
+
+#[test]
+fn extents_that_cannot_be_are_refused() {
+    let refusal = |dim: usize, extent| {
+        let mut mesh = Mesh::new(dim, 2, &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0][..2 * dim], 0).unwrap();
+        mesh.run(&Options { extent, ..Options::default() }, None).unwrap_err().message().to_owned()
+    };
+    assert!(
+        refusal(3, Extent::Box).starts_with("options.extent is box and the mesh has dimension 3;")
+    );
+    assert!(refusal(2, Extent::Boundary).contains("has no segments"));
+}
+
+/// What is cut away holds no point of a query.
+#[test]
+fn points_in_holes_are_outside() {
+    let (outer, inner) = (circle(40, [0.0; 2], 1.0), circle(10, [0.0; 2], 0.5));
+    let domain = Domain::default().curve(&outer).curve(&inner).hole([0.0; 2]);
+    let mesh = domain.mesh(&inside(30.0));
+    let result = mesh.result().unwrap();
+    let index = crate::query::Index::new(result).unwrap();
+    let points: Vec<f64> = (0..400)
+        .flat_map(|i| [f64::from(i % 20) / 9.5 - 1.0, f64::from(i / 20) / 9.5 - 1.0])
+        .collect();
+    let mut found = vec![0; 400];
+    index.locate(result, &points, 1, &mut found).unwrap();
+    for (x, &simplex) in points.chunks(2).zip(&found) {
+        let [x, y] = [whole(x[0]), whole(x[1])];
+        let holds = |simplex: usize| {
+            let [a, b, c] = [0, 1, 2].map(|i| point(result, result.simplex(simplex)[i]));
+            let q = [x.clone(), y.clone()];
+            [cross(&a, &b, &q), cross(&b, &c, &q), cross(&c, &a, &q)]
+                .iter()
+                .all(|s| *s >= IBig::ZERO)
+        };
+        let expected = (0..result.simplex_count()).find(|&simplex| holds(simplex));
+        assert_eq!(simplex, expected.map_or(NONE, |simplex| simplex as u32));
+    }
+    assert!(found.contains(&NONE) && found.iter().filter(|&&s| s != NONE).count() > 100);
+}

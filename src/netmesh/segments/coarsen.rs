@@ -1,0 +1,68 @@
+//! Away with Steiner vertices that the bound does not need: what stands near a segment was often
+//! put there for a triangle that others have mended since.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Hole;
+use crate::error::Result;
+use crate::memory::AllocResult;
+use crate::netmesh::Mesher;
+use crate::numerics::{Circumball, shortest_distance};
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Removes every Steiner vertex that is on no segment and in no cage and leaves no simplex
+    /// beyond the bound, the last one first. O(vertices) for vertices of few neighbours.
+    pub(in crate::netmesh) fn coarsen(&mut self) -> Result<()> {
+        let (mut hole, mut filled) = (Hole::default(), Vec::new());
+        for vertex in (self.state.inputs..self.state.delaunay.point_count()).rev() {
+            self.watch.poll_after(16)?;
+            let vertex = VertexId::new(vertex);
+            if self.is_free(vertex)
+                && self.state.delaunay.find_hole(vertex, &mut hole)?
+                && self.is_needless(vertex, &hole)
+            {
+                self.remove_with_regions(vertex, &hole, &mut filled)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether refinement made `vertex`, and it is in the mesh, but on no segment.
+    pub(super) fn is_free(&self, vertex: VertexId) -> bool {
+        self.is_inserted(vertex)
+            && !self.state.hierarchy.cage_of(vertex).is_valid()
+            && !self.state.segments.chains.holds(vertex)
+    }
+
+    /// Whether all simplices that would fill the hole of `vertex` are within the bound, and in its
+    /// domain.
+    fn is_needless(&self, vertex: VertexId, hole: &Hole<D>) -> bool {
+        let around = &hole.vertices.ids;
+        let bound = self.state.parameters.quality_bound;
+        self.state.hierarchy.same_domain(around)
+            && self.state.hierarchy.same_domain(&[vertex, around[0]])
+            && (0..hole.filling.len() as u32).all(|number| {
+                let vertices = hole.filling.vertices(number);
+                let points: [&[f64; D]; 3] =
+                    std::array::from_fn(|index| self.state.delaunay.point(vertices[index]));
+                let (_, _, shortest) = shortest_distance(&points);
+                Circumball::of(|index| points[index]).radius() <= bound * shortest
+            })
+    }
+
+    /// Removes `vertex`, whose hole is found. Its id is not used again.
+    pub(super) fn remove_with_regions(
+        &mut self,
+        vertex: VertexId,
+        hole: &Hole<D>,
+        filled: &mut Vec<SimplexId>,
+    ) -> AllocResult<()> {
+        let x = *self.state.delaunay.point(vertex);
+        self.state.segments.regions.note_removal(&hole.star);
+        self.state.delaunay.remove(vertex, hole, filled)?;
+        let bound = self.state.delaunay.complex().simplex_bound();
+        self.state.segments.regions.note_filled(filled, bound)?;
+        self.state.refine_list.forget(filled, bound)?;
+        filled.iter().for_each(|&simplex| self.note_corner(simplex));
+        self.note_departure(&x, &hole.vertices.ids)
+    }
+}

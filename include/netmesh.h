@@ -761,6 +761,14 @@ enum nm_violation
      */
     NM_VIOLATION_HULL_LINK = 18,
     /**
+     * The arrays of segments and regions do not fit each other or the mesh.
+     */
+    NM_VIOLATION_BOUNDARY_ARRAYS = 19,
+    /**
+     * The arrays of a domain that is cut out are not the first parts of those of the whole.
+     */
+    NM_VIOLATION_DOMAIN_ARRAYS = 20,
+    /**
      * A simplex is flat or negatively oriented.
      */
     NM_VIOLATION_ORIENTATION = 101,
@@ -780,6 +788,22 @@ enum nm_violation
      * The simplices round a face of codimension two go round it more than once.
      */
     NM_VIOLATION_WINDING = 105,
+    /**
+     * A subsegment is no edge of the mesh.
+     */
+    NM_VIOLATION_SUBSEGMENT_EDGE = 106,
+    /**
+     * A vertex is strictly inside the circle of which a subsegment is a diameter.
+     */
+    NM_VIOLATION_SUBSEGMENT_GABRIEL = 107,
+    /**
+     * Subsegments do not lead from one end of a segment to the other, or go back on the way.
+     */
+    NM_VIOLATION_SEGMENT_CHAIN = 108,
+    /**
+     * A vertex on a segment is farther from it than rounding makes it.
+     */
+    NM_VIOLATION_SEGMENT_LINE = 109,
     /**
      * An input's vertex does not exist or has other coordinates.
      */
@@ -876,6 +900,27 @@ enum nm_violation
      * nm_options.size asked for.
      */
     NM_VIOLATION_SIMPLEX_SIZE = 223,
+    /**
+     * Neighbours without a subsegment between them have different labels, or the label of a region
+     * is not that of its seed.
+     */
+    NM_VIOLATION_REGION_LABEL = 224,
+    /**
+     * The domain ends between two neighbours where no subsegment is.
+     */
+    NM_VIOLATION_DOMAIN_END = 225,
+    /**
+     * The domain has a region that is outside or a hole, or lacks one that is neither.
+     */
+    NM_VIOLATION_DOMAIN_PLACE = 226,
+    /**
+     * The simplices with one label have another area than the polygons about them.
+     */
+    NM_VIOLATION_REGION_AREA = 227,
+    /**
+     * A simplex is marked as forced by a small angle between segments, and is not.
+     */
+    NM_VIOLATION_FORCED_SIMPLEX = 228,
 };
 #ifndef __cplusplus
 typedef int32_t nm_violation;
@@ -2618,6 +2663,13 @@ NM_NODISCARD NM_API nm_status nm_mesh_stats(const struct nm_mesh *mesh, struct n
  * (orientations, convex hull, Delaunay on every facet); 3 also the promises (inputs kept bit for
  * bit, tree of disjoint domains, cages not encroached, quality). A mesh is right if report->level
  * equals level, or equivalently report->violations is 0.
+ *
+ * With segments: 1 also that the arrays of segments, regions and a domain that is cut out fit; 2
+ * also that subsegments are Gabriel edges, lead from end to end of every segment, and have no
+ * vertex farther from it than rounding makes it; 3 also that regions are what segments separate,
+ * with the labels and holes of nm_mesh_set_regions and exact areas, and that small angles between
+ * segments force the simplices that the quality is not promised for. The segments and regions are
+ * those of the last run.
  *
  * report: the caller sets struct_size.
  *

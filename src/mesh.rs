@@ -374,6 +374,9 @@ pub struct Mesh {
     segments: Segments,
     regions: Vec<Region>,
     given_sizes: GivenSizes,
+    /// What the result was made with, where the caller has set others since.
+    earlier_segments: Option<Segments>,
+    earlier_regions: Option<Vec<Region>>,
 }
 
 impl Mesh {
@@ -396,6 +399,8 @@ impl Mesh {
             segments: Segments::default(),
             regions: Vec::new(),
             given_sizes: GivenSizes::default(),
+            earlier_segments: None,
+            earlier_regions: None,
         }
     }
 
@@ -458,7 +463,11 @@ impl Mesh {
     /// no input, two ends that are the same point, the length of `markers`), `Capacity`,
     /// `OutOfMemory`.
     pub fn set_segments(&mut self, ends: &[u32], markers: Option<&[i32]>) -> Result<()> {
-        self.segments = Segments::new(&self.inputs, ends, markers)?;
+        let segments = Segments::new(&self.inputs, ends, markers)?;
+        let earlier = std::mem::replace(&mut self.segments, segments);
+        if self.triangulation.is_some() {
+            self.earlier_segments.get_or_insert(earlier);
+        }
         Ok(())
     }
 
@@ -473,7 +482,11 @@ impl Mesh {
     /// `InvalidArgument` (a mesh that is not in the plane; a negative or infinite `max_edge`),
     /// `NonFinite` (a seed), `OutOfMemory`.
     pub fn set_regions(&mut self, regions: &[Region]) -> Result<()> {
-        self.regions = boundary::checked_regions(&self.inputs, regions)?;
+        let regions = boundary::checked_regions(&self.inputs, regions)?;
+        let earlier = std::mem::replace(&mut self.regions, regions);
+        if self.triangulation.is_some() {
+            self.earlier_regions.get_or_insert(earlier);
+        }
         Ok(())
     }
 
@@ -486,8 +499,15 @@ impl Mesh {
         &self.given_sizes
     }
 
+    /// The segments and regions that the result was made with.
+    pub(crate) fn outline_of_result(&self) -> (&Segments, &[Region]) {
+        let segments = self.earlier_segments.as_ref().unwrap_or(&self.segments);
+        (segments, self.earlier_regions.as_ref().unwrap_or(&self.regions))
+    }
+
     /// Replaces the result.
     pub(crate) fn set_triangulation(&mut self, triangulation: Triangulation) {
+        (self.earlier_segments, self.earlier_regions) = (None, None);
         self.triangulation = Some(triangulation);
     }
 

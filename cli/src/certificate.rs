@@ -1,14 +1,14 @@
 //! What `--validate` asks for: the whole certificate, or exit code 7.
 
 use crate::exit_code::{ExitCode, Failure};
-use netmesh::validate::{Report, validate};
-use netmesh::{Inputs, Triangulation};
+use netmesh::Mesh;
+use netmesh::validate::{Report, validate_mesh};
 
 /// Topology, geometry and the paper's promises.
 const LEVEL: u32 = 3;
 
-pub fn check(inputs: &Inputs, triangulation: &Triangulation) -> Result<Report, Failure> {
-    Ok(validate(inputs, triangulation, LEVEL)?)
+pub fn check(mesh: &Mesh) -> Result<Report, Failure> {
+    Ok(validate_mesh(mesh, LEVEL)?)
 }
 
 pub fn holds(report: &Report) -> bool {

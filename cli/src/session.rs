@@ -41,9 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = match arguments.validate {
         true => Some({
             let _stage = display.stage("certifying");
-            timed(&mut times.validate, || {
-                certificate::check(mesh.inputs(), triangulation_of(&mesh)?)
-            })?
+            timed(&mut times.validate, || certificate::check(&mesh))?
         }),
         false => None,
     };

@@ -6,7 +6,7 @@ use super::families;
 use super::settings::Settings;
 use super::triangulations::{assert_same, bits};
 use netmesh::quality::measure;
-use netmesh::validate::validate;
+use netmesh::validate::validate_mesh;
 use netmesh::{Algorithm, ErrorKind, Mesh, Options};
 use std::collections::HashSet;
 
@@ -78,7 +78,7 @@ fn check_run(mesh: &mut Mesh, settings: &Settings) -> bool {
 
 fn check_certificate(mesh: &Mesh) {
     let result = mesh.triangulation().expect("it was meshed");
-    let report = validate(mesh.inputs(), result, 3).expect("the level is right");
+    let report = validate_mesh(mesh, 3).expect("the level is right");
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
     let limited = result.precision_limited.iter().filter(|&&marked| marked).count();
     let quality = measure(result).expect("there is memory");

@@ -161,9 +161,7 @@ impl Core {
     /// domain and message.
     fn validate(&self, py: Python<'_>, level: u32) -> PyResult<Report> {
         let made = Arc::clone(&self.made);
-        let report = abandonable(py, move || {
-            validate::validate(made.mesh.inputs(), made.triangulation(), level)
-        })?;
+        let report = abandonable(py, move || validate::validate_mesh(&made.mesh, level))?;
         let id = |id| (id != netmesh::NONE).then_some(id);
         let first = report.first.map(|first| {
             let ids = (id(first.simplex), id(first.vertex), id(first.domain));

@@ -9,7 +9,7 @@ use super::structs::{nm_quality, nm_report, nm_stats};
 use super::violations::nm_violation;
 use crate::mesh::{Mesh, NONE, Stats};
 use crate::quality::{Quality, measure};
-use crate::validate::{Report, validate};
+use crate::validate::{Report, validate_mesh};
 use std::ffi::c_char;
 
 /// Measures the quality of the mesh. O(vertices + simplices).
@@ -59,6 +59,13 @@ pub unsafe extern "C" fn nm_mesh_stats(mesh: *const nm_mesh, stats: *mut nm_stat
 /// bit, tree of disjoint domains, cages not encroached, quality). A mesh is right if report->level
 /// equals level, or equivalently report->violations is 0.
 ///
+/// With segments: 1 also that the arrays of segments, regions and a domain that is cut out fit; 2
+/// also that subsegments are Gabriel edges, lead from end to end of every segment, and have no
+/// vertex farther from it than rounding makes it; 3 also that regions are what segments separate,
+/// with the labels and holes of nm_mesh_set_regions and exact areas, and that small angles between
+/// segments force the simplices that the quality is not promised for. The segments and regions are
+/// those of the last run.
+///
 /// report: the caller sets struct_size.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level, report->struct_size),
@@ -74,7 +81,7 @@ pub unsafe extern "C" fn nm_mesh_validate(
     let body = |mesh: &Mesh| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let out = unsafe { OutStruct::new("report", report)? };
-        out.write(&encode_report(&validate(mesh.inputs(), result(mesh)?, level)?));
+        out.write(&encode_report(&validate_mesh(mesh, level)?));
         Ok(())
     };
     // SAFETY: the caller gave NULL or a live handle.

@@ -47,6 +47,10 @@ pub enum nm_violation {
     NM_VIOLATION_HULL_DISCONNECTED = 17,
     /// The hull facets round a vertex are not connected through ridges at that vertex.
     NM_VIOLATION_HULL_LINK = 18,
+    /// The arrays of segments and regions do not fit each other or the mesh.
+    NM_VIOLATION_BOUNDARY_ARRAYS = 19,
+    /// The arrays of a domain that is cut out are not the first parts of those of the whole.
+    NM_VIOLATION_DOMAIN_ARRAYS = 20,
     /// A simplex is flat or negatively oriented.
     NM_VIOLATION_ORIENTATION = 101,
     /// Two neighbours lie on the same side of the facet that they share.
@@ -57,6 +61,14 @@ pub enum nm_violation {
     NM_VIOLATION_NON_CONVEX_HULL = 104,
     /// The simplices round a face of codimension two go round it more than once.
     NM_VIOLATION_WINDING = 105,
+    /// A subsegment is no edge of the mesh.
+    NM_VIOLATION_SUBSEGMENT_EDGE = 106,
+    /// A vertex is strictly inside the circle of which a subsegment is a diameter.
+    NM_VIOLATION_SUBSEGMENT_GABRIEL = 107,
+    /// Subsegments do not lead from one end of a segment to the other, or go back on the way.
+    NM_VIOLATION_SEGMENT_CHAIN = 108,
+    /// A vertex on a segment is farther from it than rounding makes it.
+    NM_VIOLATION_SEGMENT_LINE = 109,
     /// An input's vertex does not exist or has other coordinates.
     NM_VIOLATION_INPUT_VERTEX = 201,
     /// The vertex of a distinct input does not have that input's bits.
@@ -107,6 +119,17 @@ pub enum nm_violation {
     /// A simplex that meets the box of the inputs is larger than nm_options.max_edge or
     /// nm_options.size asked for.
     NM_VIOLATION_SIMPLEX_SIZE = 223,
+    /// Neighbours without a subsegment between them have different labels, or the label of a region
+    /// is not that of its seed.
+    NM_VIOLATION_REGION_LABEL = 224,
+    /// The domain ends between two neighbours where no subsegment is.
+    NM_VIOLATION_DOMAIN_END = 225,
+    /// The domain has a region that is outside or a hole, or lacks one that is neither.
+    NM_VIOLATION_DOMAIN_PLACE = 226,
+    /// The simplices with one label have another area than the polygons about them.
+    NM_VIOLATION_REGION_AREA = 227,
+    /// A simplex is marked as forced by a small angle between segments, and is not.
+    NM_VIOLATION_FORCED_SIMPLEX = 228,
 }
 
 impl From<ViolationKind> for nm_violation {
@@ -159,6 +182,17 @@ impl From<ViolationKind> for nm_violation {
             ViolationKind::NotFinished => Self::NM_VIOLATION_NOT_FINISHED,
             ViolationKind::DihedralAngle => Self::NM_VIOLATION_DIHEDRAL_ANGLE,
             ViolationKind::SimplexSize => Self::NM_VIOLATION_SIMPLEX_SIZE,
+            ViolationKind::BoundaryArrays => Self::NM_VIOLATION_BOUNDARY_ARRAYS,
+            ViolationKind::DomainArrays => Self::NM_VIOLATION_DOMAIN_ARRAYS,
+            ViolationKind::SubsegmentEdge => Self::NM_VIOLATION_SUBSEGMENT_EDGE,
+            ViolationKind::SubsegmentGabriel => Self::NM_VIOLATION_SUBSEGMENT_GABRIEL,
+            ViolationKind::SegmentChain => Self::NM_VIOLATION_SEGMENT_CHAIN,
+            ViolationKind::SegmentLine => Self::NM_VIOLATION_SEGMENT_LINE,
+            ViolationKind::RegionLabel => Self::NM_VIOLATION_REGION_LABEL,
+            ViolationKind::DomainEnd => Self::NM_VIOLATION_DOMAIN_END,
+            ViolationKind::DomainPlace => Self::NM_VIOLATION_DOMAIN_PLACE,
+            ViolationKind::RegionArea => Self::NM_VIOLATION_REGION_AREA,
+            ViolationKind::ForcedSimplex => Self::NM_VIOLATION_FORCED_SIMPLEX,
         }
     }
 }
@@ -215,6 +249,17 @@ mod tests {
             ViolationKind::CageAspect,
             ViolationKind::RadiusEdge,
             ViolationKind::NotFinished,
+            ViolationKind::BoundaryArrays,
+            ViolationKind::DomainArrays,
+            ViolationKind::SubsegmentEdge,
+            ViolationKind::SubsegmentGabriel,
+            ViolationKind::SegmentChain,
+            ViolationKind::SegmentLine,
+            ViolationKind::RegionLabel,
+            ViolationKind::DomainEnd,
+            ViolationKind::DomainPlace,
+            ViolationKind::RegionArea,
+            ViolationKind::ForcedSimplex,
         ];
         for kind in kinds {
             assert_eq!(nm_violation::from(kind) as u32, kind as u32);

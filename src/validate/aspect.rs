@@ -2,6 +2,7 @@
 //! inputs ([`counts_all_corners`]), otherwise over those within the corner
 //! restriction.
 
+use super::boundary::Promised;
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
 use crate::memory::AllocResult;
@@ -24,11 +25,12 @@ const SURROUNDED: f64 = 0.8;
 pub(super) fn survey<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
+    promised: Promised<'_>,
     findings: &mut Findings,
 ) -> AllocResult<Cells> {
     let per_simplex = view.mesh.parameters.criterion == Criterion::RadiusEdge;
     Cells::survey(view, Some(tree), 1.0 - SLACK, |cell| {
-        if per_simplex && is_promised(view, cell) {
+        if per_simplex && promised.includes(cell.simplex) && is_promised(view, cell) {
             check_simplex(view, cell, findings);
         }
         Ok(())

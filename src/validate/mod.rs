@@ -9,6 +9,7 @@
 //! - Level 3, the paper: inputs are vertices with their bits, the domains are a tree of disjoint
 //!   balls, cages are not encroached (Definition 2), and cells have the promised quality
 //!   (Definition 4), precision-limited ones apart.
+//! - Segments and regions of the plane have rules in each level: see [`boundary`].
 //!
 //! Quality conventions at level 3: Definition 4 holds over all corners in a domain whose cage
 //! surrounds its inputs: the root, and every domain if `epsilon <= 0.8 cage_scale`. In others a
@@ -19,10 +20,13 @@
 //! bound may give way to the dihedral angle. With the criterion `RadiusEdge` the bound holds for each simplex without
 //! an exempt vertex whose vertices are all of one such domain; otherwise for each whose vertices
 //! are in no cage and whose corner counts in the domain of each; union cells are not bounded then.
+//! With segments, this is asked only of simplices in the domain that no small angle between segments
+//! forces.
 
 mod angles;
 mod arrays;
 mod aspect;
+mod boundary;
 mod boxes;
 mod cages;
 mod facets;
@@ -38,13 +42,15 @@ mod sizes;
 mod tests;
 mod winding;
 
+pub use boundary::Outline;
 pub use report::{Report, Violation, ViolationKind};
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};
-use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Triangulation, in_dimension};
+use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Mesh, Triangulation, in_dimension};
 use crate::options::{Algorithm, Output};
 use crate::quality::view::View;
+use boundary::Promised;
 use report::Findings;
 use signs::{Adaptive, Robust, Signs};
 
@@ -54,40 +60,90 @@ use signs::{Adaptive, Robust, Signs};
 /// level 1 holds; level 3 also where level 2 does not. O(m log m) for m simplices in a fixed
 /// dimension; level 1 counts faces, which costs a factor of up to 2^D.
 ///
+/// Of a domain that is cut out, the triangulation that it is cut from is checked, and that the
+/// domain is the part of it that it must be. Without the caller's segments ([`validate_outlined`])
+/// nothing is asked of where subsegments lead, or of what is a hole.
+///
 /// # Errors
 /// `InvalidArgument` if `level` is not 1, 2 or 3.
 pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> Result<Report> {
+    check_levels(inputs, None, triangulation, level)
+}
+
+/// As [`validate`], with what the caller of the run gave beside the points.
+///
+/// # Errors
+/// As [`validate`].
+pub fn validate_outlined(
+    inputs: &Inputs,
+    outline: Outline<'_>,
+    triangulation: &Triangulation,
+    level: u32,
+) -> Result<Report> {
+    check_levels(inputs, Some(outline), triangulation, level)
+}
+
+/// As [`validate_outlined`], for the result of the last run of `mesh`.
+///
+/// # Errors
+/// As [`validate`], and `State` before a run.
+pub fn validate_mesh(mesh: &Mesh, level: u32) -> Result<Report> {
+    let (segments, regions) = mesh.outline_of_result();
+    validate_outlined(mesh.inputs(), Outline { segments, regions }, mesh.result()?, level)
+}
+
+fn check_levels(
+    inputs: &Inputs,
+    outline: Option<Outline<'_>>,
+    triangulation: &Triangulation,
+    level: u32,
+) -> Result<Report> {
     if !(1..=3).contains(&level) {
         let message = message!("level is {level}; it must be 1, 2 or 3");
         return Err(Error::new(ErrorKind::InvalidArgument, message));
     }
+    let whole = triangulation.boundary.whole.as_deref().unwrap_or(triangulation);
+    let case = Case { inputs, outline, result: triangulation };
     let findings = in_dimension!(
-        triangulation.dim,
-        D => check::<D>(inputs, triangulation, level),
-        _ => wrong_dimension(triangulation.dim)
+        whole.dim,
+        D => check::<D>(case, View { mesh: whole }, level),
+        _ => wrong_dimension(whole.dim)
     );
     Ok(report(findings?))
 }
 
+/// What is checked beside the triangulation of all of the hull.
+#[derive(Clone, Copy)]
+struct Case<'a> {
+    inputs: &'a Inputs,
+    outline: Option<Outline<'a>>,
+    /// That triangulation or what is cut from it.
+    result: &'a Triangulation,
+}
+
 /// The findings of each level that was asked for and could be checked.
 fn check<const D: usize>(
-    inputs: &Inputs,
-    mesh: &Triangulation,
+    case: Case<'_>,
+    view: View<'_, D>,
     level: u32,
 ) -> AllocResult<Vec<Findings>> {
-    let view = View::<D> { mesh };
+    let Case { inputs, outline, result } = case;
     let mut topology = Findings::default();
     check_topology(inputs, view, &mut topology)?;
+    boundary::check_arrays(outline, result, view.mesh, &mut topology);
     let holds = topology.clean();
     let mut levels = collected([topology])?;
     if holds && level >= 2 {
         let mut findings = Findings::default();
         check_geometry(view, &mut Signs::<Robust>::default(), &mut findings)?;
+        boundary::check_geometry(inputs, outline, view, &mut findings)?;
         levels.try_push(findings)?;
     }
     if holds && level >= 3 {
         let mut findings = Findings::default();
-        check_paper(inputs, view, &mut findings)?;
+        let promised = Promised::of(result);
+        boundary::check_regions(inputs, outline, view, promised, &mut findings)?;
+        check_paper(inputs, view, promised, &mut findings)?;
         levels.try_push(findings)?;
     }
     Ok(levels)
@@ -124,6 +180,7 @@ fn check_topology<const D: usize>(
 fn check_paper<const D: usize>(
     inputs: &Inputs,
     view: View<'_, D>,
+    promised: Promised<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let mesh = view.mesh;
@@ -133,7 +190,7 @@ fn check_paper<const D: usize>(
         return Ok(());
     }
     if let Some(tree) = hierarchy::check(view, findings)? {
-        let cells = aspect::survey(view, &tree, findings)?;
+        let cells = aspect::survey(view, &tree, promised, findings)?;
         cages::check(view, &tree, &cells, findings)?;
         aspect::check(view, &cells, findings)?;
     }

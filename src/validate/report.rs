@@ -49,6 +49,10 @@ pub enum ViolationKind {
     HullDisconnected = 17,
     /// The hull facets round a vertex are not connected through ridges at that vertex.
     HullLink = 18,
+    /// The arrays of segments and regions do not fit each other or the mesh.
+    BoundaryArrays = 19,
+    /// The arrays of a domain that is cut out are not the first parts of those of the whole.
+    DomainArrays = 20,
 
     /// A simplex is flat or negatively oriented.
     Orientation = 101,
@@ -60,6 +64,14 @@ pub enum ViolationKind {
     NonConvexHull = 104,
     /// The simplices round a face of codimension two go round it more than once.
     Winding = 105,
+    /// A subsegment is no edge of the mesh.
+    SubsegmentEdge = 106,
+    /// A vertex is strictly inside the circle of which a subsegment is a diameter.
+    SubsegmentGabriel = 107,
+    /// Subsegments do not lead from one end of a segment to the other, or go back on the way.
+    SegmentChain = 108,
+    /// A vertex on a segment is farther from it than rounding makes it.
+    SegmentLine = 109,
 
     /// An input's vertex does not exist or has other coordinates.
     InputVertex = 201,
@@ -109,6 +121,17 @@ pub enum ViolationKind {
     DihedralAngle = 222,
     /// A simplex that meets the box of the inputs is larger than was asked for.
     SimplexSize = 223,
+    /// Neighbours without a subsegment between them have different labels, or the label of a region
+    /// is not that of its seed.
+    RegionLabel = 224,
+    /// The domain ends between two neighbours where no subsegment is.
+    DomainEnd = 225,
+    /// The domain has a region that is outside or a hole, or lacks one that is neither.
+    DomainPlace = 226,
+    /// The simplices with one label have another area than the polygons about them.
+    RegionArea = 227,
+    /// A simplex is marked as forced by a small angle between segments, and is not.
+    ForcedSimplex = 228,
 }
 
 impl ViolationKind {

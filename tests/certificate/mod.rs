@@ -6,6 +6,7 @@ mod histograms;
 mod measures;
 mod meshes;
 mod paper;
+mod segments;
 mod sizes;
 
 use meshes::{Case, brute_force, by_hand, pairs, random_points, run};

@@ -85,7 +85,7 @@ pub(crate) fn unit<const D: usize>(origin: &[f64; D], ends: &[&[f64; D]]) -> i32
 }
 
 /// A double as an odd integer times a power of two; zero as zero.
-fn parts(x: f64) -> (i64, i32) {
+pub(crate) fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let (biased, fraction) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
     let magnitude = if biased == 0 { fraction } else { fraction | 1 << 52 };

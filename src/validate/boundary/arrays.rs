@@ -1,0 +1,149 @@
+//! Level 1: the arrays of segments and regions fit the mesh, and those of a domain that is cut out
+//! are the first parts of those of the whole.
+
+use super::Outline;
+use crate::error::message;
+use crate::mesh::{NONE, Triangulation};
+use crate::options::Extent;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Checks the arrays of `result`, which is cut from `whole` or the same.
+pub(super) fn check(
+    outline: Option<Outline<'_>>,
+    result: &Triangulation,
+    whole: &Triangulation,
+    findings: &mut Findings,
+) {
+    if check_lengths(whole, findings) {
+        check_ids(outline, whole, findings);
+        check_forced(result, whole, findings);
+    }
+    if result.boundary.whole.is_some() {
+        check_parts(result, whole, findings);
+        check_neighbors(result, whole, findings);
+    }
+}
+
+fn check_lengths(mesh: &Triangulation, findings: &mut Findings) -> bool {
+    let boundary = &mesh.boundary;
+    let has_segments = !boundary.subsegments.is_empty();
+    let labels = if has_segments { mesh.simplex_count() } else { 0 };
+    let rows = [
+        ("parents", boundary.parents.len(), boundary.subsegments.len()),
+        ("simplex_regions", boundary.simplex_regions.len(), labels),
+        ("a whole of the whole", usize::from(boundary.whole.is_some()), 0),
+        ("segments beyond the plane", usize::from(has_segments && mesh.dim != 2), 0),
+        ("forced simplices without segments", usize::from(misplaced(mesh)), 0),
+    ];
+    let mut holds = true;
+    for (what, found, needed) in rows {
+        holds &= findings.check(found == needed, || {
+            let message = message!("{what}: {found}, but the mesh needs {needed}");
+            Violation::new(ViolationKind::BoundaryArrays, message)
+        });
+    }
+    holds
+}
+
+fn misplaced(mesh: &Triangulation) -> bool {
+    !mesh.boundary.forced.is_empty() && mesh.boundary.subsegments.is_empty()
+}
+
+/// Subsegments name two vertices and a segment, and stand by segments. An extent has a boundary
+/// of no segment.
+fn check_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut Findings) {
+    let vertices = mesh.vertex_count();
+    let segments = outline.map_or(NONE as usize, |outline| outline.segments.count());
+    let has_frame = matches!(mesh.parameters.extent, Extent::Hull | Extent::Box);
+    let mut last = 0;
+    for (at, (&[a, b], &parent)) in
+        mesh.boundary.subsegments.iter().zip(&mesh.boundary.parents).enumerate()
+    {
+        let names_two = a != b && (a.max(b) as usize) < vertices;
+        findings.check(names_two, || {
+            let message = message!("subsegment {at} is from vertex {a} to {b} of {vertices}");
+            Violation::new(ViolationKind::BoundaryArrays, message)
+        });
+        let is_known = if parent == NONE { has_frame } else { (parent as usize) < segments };
+        findings.check(is_known && parent >= last, || {
+            let message =
+                message!("subsegment {at} is of segment {parent}, after one of segment {last}");
+            Violation::new(ViolationKind::BoundaryArrays, message)
+        });
+        last = parent;
+    }
+}
+
+fn check_forced(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
+    let (forced, count) = (&whole.boundary.forced, result.simplex_count());
+    let ascends = forced.windows(2).all(|pair| pair[0] < pair[1]);
+    let last = forced.last().copied();
+    findings.check(ascends && last.is_none_or(|last| (last as usize) < count), || {
+        let message = message!(
+            "forced simplices, the last of them {last:?}, are not {count} simplices' by rising id"
+        );
+        Violation::new(ViolationKind::BoundaryArrays, message)
+    });
+}
+
+/// Whether `part` is what comes first of `whole`.
+fn begins<T: PartialEq>(part: &[T], whole: &[T]) -> bool {
+    whole.starts_with(part)
+}
+
+fn bits(values: &[f64], others: &[f64]) -> bool {
+    let pairs = values.iter().zip(others);
+    values.len() <= others.len() && pairs.into_iter().all(|(a, b)| a.to_bits() == b.to_bits())
+}
+
+fn check_parts(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
+    let (own, all) = (&result.boundary, &whole.boundary);
+    let (vertices, simplices) = (result.vertex_count(), result.simplex_count());
+    let kept = all.subsegments.iter().zip(&all.parents);
+    let kept = kept.filter(|([a, b], _)| (*a.max(b) as usize) < vertices);
+    let rows = [
+        ("dim", result.dim == whole.dim),
+        ("points", result.points.len() == vertices * whole.dim),
+        ("points", bits(&result.points, &whole.points)),
+        ("kinds", begins(&result.kinds, &whole.kinds)),
+        ("vertex_domains", begins(&result.vertex_domains, &whole.vertex_domains)),
+        ("vertex_domains", result.vertex_domains.len() == vertices),
+        ("cage_of", begins(&result.cage_of, &whole.cage_of) && result.cage_of.len() == vertices),
+        ("precision_limited", begins(&result.precision_limited, &whole.precision_limited)),
+        ("precision_limited", result.precision_limited.len() == vertices),
+        ("sizes", bits(&result.sizes, &whole.sizes)),
+        ("sizes", result.sizes.len() == whole.sizes.len().min(vertices)),
+        ("simplices", begins(&result.simplices, &whole.simplices)),
+        ("simplices", result.simplices.len() == simplices * (whole.dim + 1)),
+        ("domains", result.domains == whole.domains),
+        ("simplex_regions", begins(&own.simplex_regions, &all.simplex_regions)),
+        ("simplex_regions", own.simplex_regions.len() == simplices),
+        ("forced", own.forced == all.forced),
+        ("subsegments", kept.eq(own.subsegments.iter().zip(&own.parents))),
+        ("parents", own.parents.len() == own.subsegments.len()),
+        ("parameters", result.parameters == whole.parameters),
+    ];
+    for (what, holds) in rows {
+        findings.check(holds, || {
+            let message = message!("{what} of the domain are not the first of the whole's");
+            Violation::new(ViolationKind::DomainArrays, message)
+        });
+    }
+}
+
+/// Neighbours are those of the whole, but none where the domain ends.
+fn check_neighbors(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
+    let count = result.simplex_count();
+    let end = result.simplices.len().min(whole.neighbors.len());
+    let is_cut = |&id: &u32| if (id as usize) < count { id } else { NONE };
+    let expected = whole.neighbors[..end].iter().map(is_cut);
+    let differs = match result.neighbors.len() == end {
+        true => expected.zip(&result.neighbors).position(|(a, &b)| a != b),
+        false => Some(0),
+    };
+    findings.check(differs.is_none(), || {
+        let at = differs.unwrap_or(0) / (whole.dim + 1);
+        let message = message!("neighbours of simplex {at} are not those in the domain");
+        Violation::new(ViolationKind::DomainArrays, message).simplex(at)
+    });
+}

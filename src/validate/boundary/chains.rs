@@ -1,0 +1,183 @@
+//! Level 2: subsegments lead from one end of each of the caller's segments to the other. Where
+//! segments overlap, the subsegments are the first one's, and those of the others lead from one end
+//! of that part to the other.
+
+use super::edges::Edges;
+use super::exact::{Point, meets, unit_in_last_place};
+use super::lines::{advances, is_anchor};
+use crate::error::message;
+use crate::memory::{AllocResult, TryGrow, filled};
+use crate::mesh::{Inputs, NONE, Segments};
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Where segments cross, a vertex is the double nearest to where the parts cross that earlier
+/// roundings have bent. Each rounding moves it by half a unit in the last place at most; this is
+/// how many units of the segment's larger coordinate all of them may.
+const BENT: f64 = 4.0;
+
+struct Chains<'a> {
+    view: View<'a, 2>,
+    edges: &'a Edges,
+    inputs: usize,
+    /// Vertex -> from where the search of a way has come to it, and in which search.
+    reached: Vec<(u32, u32)>,
+    searches: u32,
+    /// The vertices of the chain at hand, and those that a search has yet to leave.
+    path: Vec<u32>,
+    waiting: Vec<u32>,
+}
+
+/// A segment between two vertices.
+#[derive(Clone, Copy)]
+struct Way {
+    segment: u32,
+    ends: [u32; 2],
+}
+
+pub(super) fn check(
+    inputs: &Inputs,
+    segments: &Segments,
+    view: View<'_, 2>,
+    edges: &Edges,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let reached = filled(view.vertex_count(), (NONE, NONE))?;
+    let (path, waiting) = Default::default();
+    let inputs_count = inputs.distinct();
+    let mut chains =
+        Chains { view, edges, inputs: inputs_count, reached, searches: 0, path, waiting };
+    for (segment, ends) in segments.inputs.iter().enumerate() {
+        let vertex = |end: u32| inputs.vertices().get(end as usize).copied().unwrap_or(NONE);
+        let way = Way { segment: segment as u32, ends: ends.map(vertex) };
+        let exist = way.ends.iter().all(|&end| (end as usize) < view.vertex_count())
+            && way.ends[0] != way.ends[1];
+        let found = if exist { chains.follow(way)? } else { Err(way.ends[0]) };
+        findings.check(found.is_ok(), || describe(way, found.err().unwrap_or(NONE)));
+        if found.is_ok() {
+            chains.check_anchors(way, findings)?;
+        }
+    }
+    Ok(())
+}
+
+fn describe(way: Way, vertex: u32) -> Violation {
+    let message = message!(
+        "no subsegments lead on from vertex {vertex} on segment {}, from vertex {} to {}",
+        way.segment,
+        way.ends[0],
+        way.ends[1]
+    );
+    Violation::new(ViolationKind::SegmentChain, message).vertex(vertex as usize)
+}
+
+impl Chains<'_> {
+    /// Fills `path` with the vertices of a segment from end to end; the vertex where they end
+    /// before that otherwise.
+    fn follow(&mut self, way: Way) -> AllocResult<Result<(), u32>> {
+        let boundary = &self.view.mesh.boundary;
+        let own = boundary.parents.partition_point(|&parent| parent < way.segment)
+            ..boundary.parents.partition_point(|&parent| parent <= way.segment);
+        let mut last = way.ends[0];
+        self.path.clear();
+        self.path.try_push(last)?;
+        for &[from, to] in &boundary.subsegments[own] {
+            if !self.cross_gap(way, last, from)? {
+                return Ok(Err(last));
+            }
+            if !self.advances(way, from, to) {
+                return Ok(Err(from));
+            }
+            self.path.try_push(to)?;
+            last = to;
+        }
+        Ok(if self.cross_gap(way, last, way.ends[1])? { Ok(()) } else { Err(last) })
+    }
+
+    fn advances(&self, way: Way, a: u32, b: u32) -> bool {
+        let [from, to] = way.ends.map(|end| self.view.point(end));
+        advances(from, to, self.view.point(a), self.view.point(b))
+    }
+
+    /// Appends the vertices from `from` to `to`, along subsegments of earlier segments.
+    fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
+        if from == to {
+            return Ok(true);
+        }
+        self.searches += 1;
+        self.waiting.clear();
+        self.waiting.try_push(from)?;
+        while let Some(vertex) = self.waiting.pop() {
+            if vertex == to {
+                return self.append_way(from, to);
+            }
+            let edges = self.edges;
+            for &subsegment in edges.at.of(vertex as usize) {
+                let next = self.next_of_gap(way, subsegment, vertex, to)?;
+                let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
+                if let Some(next) = next.filter(is_new) {
+                    self.reached[next as usize] = (vertex, self.searches);
+                    self.waiting.try_push(next)?;
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// The other end of a subsegment of an earlier segment, if it is on the way to `to`.
+    fn next_of_gap(
+        &self,
+        way: Way,
+        subsegment: u32,
+        vertex: u32,
+        to: u32,
+    ) -> AllocResult<Option<u32>> {
+        let boundary = &self.view.mesh.boundary;
+        let [a, b] = boundary.subsegments[subsegment as usize];
+        let next = if a == vertex { b } else { a };
+        let is_on = boundary.parents[subsegment as usize] < way.segment
+            && self.advances(way, vertex, next)
+            && (next == to || self.advances(way, next, to))
+            && self.is_near(way, next, true)?;
+        Ok(is_on.then_some(next))
+    }
+
+    fn append_way(&mut self, from: u32, to: u32) -> AllocResult<bool> {
+        let start = self.path.len();
+        let mut vertex = to;
+        while vertex != from {
+            self.path.try_push(vertex)?;
+            vertex = self.reached[vertex as usize].0;
+        }
+        self.path[start..].reverse();
+        Ok(true)
+    }
+
+    /// Whether `vertex` is within half a unit in the last place of the segment, or if that
+    /// `is_bent` within some units of its ends.
+    fn is_near(&self, way: Way, vertex: u32, is_bent: bool) -> AllocResult<bool> {
+        let [from, to]: [&Point; 2] = way.ends.map(|end| self.view.point(end));
+        let p = self.view.point(vertex);
+        let width = |axis: usize| match is_bent {
+            true => 2.0 * BENT * unit_in_last_place(from[axis].abs().max(to[axis].abs())),
+            false => unit_in_last_place(p[axis]),
+        };
+        meets(from, to, p, [width(0), width(1)])
+    }
+
+    /// The anchors on the way are near the segment itself, not only near each other's lines.
+    fn check_anchors(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
+        let between = &self.path[1..self.path.len() - 1];
+        let is_anchor =
+            |&&vertex: &&u32| is_anchor(self.view.mesh, self.inputs, self.edges, vertex);
+        let is_bent = between.iter().filter(is_anchor).any(|&v| v as usize >= self.inputs);
+        for &vertex in between.iter().filter(is_anchor) {
+            let is_near = self.is_near(way, vertex, is_bent)?;
+            findings.check(is_near, || {
+                let message = message!("vertex {vertex} is too far from segment {}", way.segment);
+                Violation::new(ViolationKind::SegmentLine, message).vertex(vertex as usize)
+            });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,110 @@
+//! Level 2: every subsegment is an edge of the triangulation, and Gabriel.
+
+use super::exact::{Point, side_of_diametral_circle};
+use crate::error::message;
+use crate::memory::{AllocResult, Lists, filled};
+use crate::mesh::NONE;
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+use std::cmp::Ordering;
+
+/// Which edges of the triangles are subsegments.
+pub(super) struct Edges {
+    /// Vertex -> the subsegments that end there.
+    pub at: Lists,
+    /// Triangle and slot -> the subsegment opposite the vertex there, or [`NONE`].
+    pub of_slots: Vec<u32>,
+    /// Subsegment -> the triangles on its left and on its right, or [`NONE`].
+    pub sides: Vec<[u32; 2]>,
+}
+
+impl Edges {
+    /// Ids must be in range. O(simplices) but for vertices with many subsegments.
+    pub fn new(view: View<'_, 2>) -> AllocResult<Self> {
+        let subsegments = &view.mesh.boundary.subsegments;
+        let at = Lists::of_pairs(view.vertex_count(), || {
+            let ends = subsegments.as_flattened().iter().enumerate();
+            ends.map(|(slot, &vertex)| (vertex, (slot / 2) as u32))
+        })?;
+        let mut of_slots = filled(3 * view.simplex_count(), NONE)?;
+        let mut sides = filled(subsegments.len(), [NONE; 2])?;
+        for simplex in 0..view.simplex_count() {
+            for slot in 0..3 {
+                let edge = edge(view, simplex, slot);
+                if let Some(subsegment) = between(subsegments, &at, edge) {
+                    // Triangles turn to the left: they are on the left of their edges.
+                    let side = usize::from(subsegments[subsegment as usize] != edge);
+                    sides[subsegment as usize][side] = simplex as u32;
+                    of_slots[3 * simplex + slot] = subsegment;
+                }
+            }
+        }
+        Ok(Self { at, of_slots, sides })
+    }
+
+    /// The subsegment across which `simplex` has its neighbour at `slot`, or [`NONE`].
+    pub fn across(&self, simplex: usize, slot: usize) -> u32 {
+        self.of_slots[3 * simplex + slot]
+    }
+}
+
+/// The edge opposite the vertex at `slot`, in the direction of the triangle.
+fn edge(view: View<'_, 2>, simplex: usize, slot: usize) -> [u32; 2] {
+    let vertices = view.simplex(simplex);
+    [vertices[(slot + 1) % 3], vertices[(slot + 2) % 3]]
+}
+
+/// The first subsegment between two vertices.
+fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32> {
+    let [of_a, of_b] = [a, b].map(|vertex| at.of(vertex as usize));
+    let shorter = if of_a.len() < of_b.len() { of_a } else { of_b };
+    let joins = |&&subsegment: &&u32| {
+        let ends = subsegments[subsegment as usize];
+        ends == [a, b] || ends == [b, a]
+    };
+    shorter.iter().find(joins).copied()
+}
+
+pub(super) fn check(view: View<'_, 2>, edges: &Edges, findings: &mut Findings) -> AllocResult<()> {
+    for (at, sides) in edges.sides.iter().enumerate() {
+        let [a, b] = view.mesh.boundary.subsegments[at];
+        let is_edge = findings.check(*sides != [NONE; 2], || {
+            let message = message!(
+                "subsegment {at} from vertex {a} to {b} is no edge of the mesh, or is there twice"
+            );
+            Violation::new(ViolationKind::SubsegmentEdge, message).vertex(a as usize)
+        });
+        // Doubles are too coarse there to split it.
+        let is_limited = [a, b].iter().all(|&end| view.mesh.precision_limited[end as usize]);
+        if is_edge && !is_limited {
+            check_gabriel(view, at, *sides, findings)?;
+        }
+    }
+    Ok(())
+}
+
+/// With the mesh Delaunay, the vertices of the two triangles speak for all.
+fn check_gabriel(
+    view: View<'_, 2>,
+    at: usize,
+    sides: [u32; 2],
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let ends = view.mesh.boundary.subsegments[at];
+    let [a, b]: [&Point; 2] = ends.map(|end| view.point(end));
+    for &side in sides.iter().filter(|&&side| side != NONE) {
+        let simplex = view.simplex(side as usize);
+        for &apex in simplex.iter().filter(|vertex| !ends.contains(vertex)) {
+            let sign = side_of_diametral_circle(a, b, view.point(apex))?;
+            findings.check(sign != Ordering::Less, || {
+                let message = message!(
+                    "vertex {apex} is inside the diametral circle of subsegment {at}, from {} to {}",
+                    ends[0], ends[1]
+                );
+                let violation = Violation::new(ViolationKind::SubsegmentGabriel, message);
+                violation.simplex(side as usize).vertex(apex as usize)
+            });
+        }
+    }
+    Ok(())
+}

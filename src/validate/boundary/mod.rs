@@ -1,0 +1,111 @@
+//! The rules of boundaries in the plane: segments, regions, and the domain that is cut out.
+//!
+//! - Level 1, `arrays`: they fit each other and the mesh.
+//! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as near
+//!   to them as doubles can be; `chains`, subsegments lead from end to end of every segment.
+//! - Level 3: `regions`, what segments separate, with the labels of seeds; `areas`, of the regions;
+//!   `forced`, the triangles that small angles between segments excuse.
+//!
+//! `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
+//! triangles alone.
+
+mod areas;
+mod arrays;
+mod chains;
+mod edges;
+mod exact;
+mod forced;
+mod lines;
+mod regions;
+mod sum;
+#[cfg(test)]
+mod tests;
+
+use super::report::Findings;
+use crate::memory::AllocResult;
+use crate::mesh::{Inputs, Region, Segments, Triangulation};
+use crate::quality::view::View;
+use edges::Edges;
+use lines::Lines;
+
+/// What the caller of a run gave beside the points.
+#[derive(Clone, Copy, Debug)]
+pub struct Outline<'a> {
+    pub segments: &'a Segments,
+    pub regions: &'a [Region],
+}
+
+/// The simplices that quality is promised for.
+#[derive(Clone, Copy)]
+pub(super) struct Promised<'a> {
+    /// The number of simplices in the domain, which come first.
+    count: usize,
+    /// Others are cut away.
+    is_cut: bool,
+    forced: &'a [u32],
+}
+
+impl<'a> Promised<'a> {
+    pub fn of(result: &'a Triangulation) -> Self {
+        let (count, boundary) = (result.simplex_count(), &result.boundary);
+        Self { count, is_cut: boundary.whole.is_some(), forced: &boundary.forced }
+    }
+
+    pub fn includes(self, simplex: usize) -> bool {
+        simplex < self.count && self.forced.binary_search(&(simplex as u32)).is_err()
+    }
+}
+
+/// Level 1, of `result`, which is cut from `whole` or the same.
+pub(super) fn check_arrays(
+    outline: Option<Outline<'_>>,
+    result: &Triangulation,
+    whole: &Triangulation,
+    findings: &mut Findings,
+) {
+    arrays::check(outline, result, whole, findings);
+}
+
+/// Level 2, of a mesh for which level 1 holds.
+pub(super) fn check_geometry<const D: usize>(
+    inputs: &Inputs,
+    outline: Option<Outline<'_>>,
+    whole: View<'_, D>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
+    let edges = Edges::new(view)?;
+    edges::check(view, &edges, findings)?;
+    if let Some(Outline { segments, .. }) = outline {
+        chains::check(inputs, segments, view, &edges, findings)?;
+    }
+    lines::check(view, &Lines::new(view.mesh, inputs.distinct(), &edges)?, findings)
+}
+
+/// Level 3, of a mesh for which level 1 holds.
+pub(super) fn check_regions<const D: usize>(
+    inputs: &Inputs,
+    outline: Option<Outline<'_>>,
+    whole: View<'_, D>,
+    promised: Promised<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
+    let edges = Edges::new(view)?;
+    if !view.mesh.boundary.subsegments.is_empty() {
+        regions::check(outline, view, &edges, promised, findings)?;
+        areas::check(view, &edges, promised.count, findings)?;
+    }
+    let lines = Lines::new(view.mesh, inputs.distinct(), &edges)?;
+    forced::check(view, &edges, &lines, inputs.distinct(), findings)
+}
+
+/// `None` without segments, which only the plane has.
+fn in_the_plane<'a, const D: usize>(
+    outline: Option<Outline<'_>>,
+    whole: View<'a, D>,
+) -> Option<View<'a, 2>> {
+    let is_any = !whole.mesh.boundary.subsegments.is_empty()
+        || outline.is_some_and(|outline| outline.segments.count() > 0);
+    (D == 2 && is_any).then_some(View { mesh: whole.mesh })
+}

@@ -1,0 +1,187 @@
+//! Level 3: regions are what subsegments separate, the seeds of the caller say what is a hole and
+//! which labels there are, and the domain is what is neither outside nor a hole.
+
+use super::edges::Edges;
+use super::{Outline, Promised};
+use crate::error::message;
+use crate::memory::{AllocResult, TryGrow, filled};
+use crate::mesh::{NONE, Region};
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+use crate::validate::signs::{Robust, Signs};
+use std::cmp::Ordering;
+
+/// The sets of triangles that are connected without crossing a subsegment.
+struct Parts {
+    /// Triangle -> its part.
+    of: Vec<u32>,
+    parts: Vec<Part>,
+}
+
+struct Part {
+    /// Its first triangle.
+    first: usize,
+    /// It reaches to the hull.
+    is_outside: bool,
+    /// The last seed that says so.
+    hole: Option<usize>,
+    label: Option<i32>,
+}
+
+pub(super) fn check(
+    outline: Option<Outline<'_>>,
+    view: View<'_, 2>,
+    edges: &Edges,
+    promised: Promised<'_>,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    check_neighbors(view, edges, promised.count, findings);
+    let mut parts = Parts::find(view, edges)?;
+    if let Some(outline) = outline {
+        parts.add_seeds(view, outline.regions)?;
+    }
+    for part in &parts.parts {
+        if promised.is_cut {
+            check_place(part, part.first < promised.count, outline.is_some(), findings);
+        }
+        if outline.is_some() {
+            check_label(view, part, findings);
+        }
+    }
+    Ok(())
+}
+
+/// Neighbours without a subsegment between them have the same label, and both or neither of them
+/// are in the domain.
+fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mut Findings) {
+    let labels = &view.mesh.boundary.simplex_regions;
+    for simplex in 0..view.simplex_count() {
+        for (slot, &neighbor) in view.neighbors(simplex).iter().enumerate() {
+            let beyond = neighbor as usize;
+            if neighbor == NONE || beyond < simplex || edges.across(simplex, slot) != NONE {
+                continue;
+            }
+            findings.check(labels[simplex] == labels[beyond], || {
+                let message = message!(
+                    "neighbours {simplex} and {beyond} have the labels {} and {} and no subsegment \
+                     between them",
+                    labels[simplex],
+                    labels[beyond]
+                );
+                Violation::new(ViolationKind::RegionLabel, message).simplex(simplex)
+            });
+            findings.check((simplex < count) == (beyond < count), || {
+                let message = message!(
+                    "the domain ends between neighbours {simplex} and {beyond}, where no \
+                     subsegment is"
+                );
+                Violation::new(ViolationKind::DomainEnd, message).simplex(simplex)
+            });
+        }
+    }
+}
+
+fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut Findings) {
+    let first = part.first;
+    findings.check(!(is_inside && part.is_outside), || {
+        let message = message!("simplex {first} of the domain can be reached from outside");
+        Violation::new(ViolationKind::DomainPlace, message).simplex(first)
+    });
+    findings.check(!is_inside || part.hole.is_none(), || {
+        let seed = part.hole.unwrap_or(0);
+        let message = message!("simplex {first} of the domain is in the hole of regions[{seed}]");
+        Violation::new(ViolationKind::DomainPlace, message).simplex(first)
+    });
+    let belongs = knows_holes && !part.is_outside && part.hole.is_none();
+    findings.check(is_inside || !belongs, || {
+        let message =
+            message!("simplex {first} is neither outside nor in a hole, and not in the domain");
+        Violation::new(ViolationKind::DomainPlace, message).simplex(first)
+    });
+}
+
+fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
+    let (first, expected) = (part.first, part.label.unwrap_or(0));
+    let label = view.mesh.boundary.simplex_regions[first];
+    findings.check(label == expected, || {
+        let message =
+            message!("simplex {first} has the label {label}, the seed in its region {expected}");
+        Violation::new(ViolationKind::RegionLabel, message).simplex(first)
+    });
+}
+
+impl Parts {
+    fn find(view: View<'_, 2>, edges: &Edges) -> AllocResult<Self> {
+        let mut found = Self { of: filled(view.simplex_count(), NONE)?, parts: Vec::new() };
+        let mut waiting = Vec::new();
+        for first in 0..view.simplex_count() {
+            if found.of[first] != NONE {
+                continue;
+            }
+            let number = found.parts.len() as u32;
+            let mut part = Part { first, is_outside: false, hole: None, label: None };
+            found.of[first] = number;
+            waiting.try_push(first)?;
+            while let Some(simplex) = waiting.pop() {
+                for (slot, &neighbor) in view.neighbors(simplex).iter().enumerate() {
+                    if edges.across(simplex, slot) != NONE {
+                        continue;
+                    }
+                    if neighbor == NONE {
+                        part.is_outside = true;
+                    } else if found.of[neighbor as usize] == NONE {
+                        found.of[neighbor as usize] = number;
+                        waiting.try_push(neighbor as usize)?;
+                    }
+                }
+            }
+            found.parts.try_push(part)?;
+        }
+        Ok(found)
+    }
+
+    /// Of several seeds in a part the last one's label counts, and any hole.
+    fn add_seeds(&mut self, view: View<'_, 2>, regions: &[Region]) -> AllocResult<()> {
+        let (mut signs, mut near) = (Signs::<Robust>::default(), 0);
+        for (number, region) in regions.iter().enumerate() {
+            let Some(simplex) = locate(view, near, &region.seed, &mut signs)? else { continue };
+            near = simplex;
+            let part = &mut self.parts[self.of[simplex] as usize];
+            match region.is_hole {
+                true => part.hole = Some(number),
+                false => part.label = Some(region.label),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None` outside of
+/// the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity theorem for
+/// cell complexes in d dimensions", 1990); in another it is given up.
+fn locate(
+    view: View<'_, 2>,
+    near: usize,
+    x: &[f64; 2],
+    signs: &mut Signs<Robust>,
+) -> AllocResult<Option<usize>> {
+    let mut simplex = near;
+    for _ in 0..view.simplex_count() {
+        let vertices = view.simplex(simplex);
+        let mut beyond = None;
+        for slot in 0..3 {
+            let mut points = [0, 1, 2].map(|at| view.point(vertices[at]));
+            points[slot] = x;
+            if signs.orientation(&points)? == Ordering::Less {
+                beyond = Some(view.neighbors(simplex)[slot]);
+                break;
+            }
+        }
+        match beyond {
+            None => return Ok(Some(simplex)),
+            Some(NONE) => return Ok(None),
+            Some(neighbor) => simplex = neighbor as usize,
+        }
+    }
+    Ok(None)
+}

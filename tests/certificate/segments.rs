@@ -1,0 +1,433 @@
+//! Corruptions of segments, regions and the domain that they enclose.
+
+use super::meshes::{Case, run};
+use netmesh::options::{Algorithm, Extent, Options, Output};
+use netmesh::validate::{Outline, Report, ViolationKind as Kind, validate_mesh, validate_outlined};
+use netmesh::{Mesh, NONE, Region, Segments, Triangulation, VertexKind};
+
+/// A result and what it was made of.
+#[derive(Clone)]
+struct Domain {
+    case: Case,
+    segments: Segments,
+    regions: Vec<Region>,
+}
+
+impl Domain {
+    fn of(points: &[[f64; 2]], segments: &[[u32; 2]], regions: &[Region]) -> (Mesh, Self) {
+        let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
+        mesh.set_segments(segments.as_flattened(), None).unwrap();
+        mesh.set_regions(regions).unwrap();
+        let (extent, output) = (Extent::Boundary, Output::WellSpaced);
+        let options = Options { extent, output, min_angle: 25.0, ..Options::default() };
+        mesh.run(&options, None).unwrap();
+        let case = Case { inputs: mesh.inputs().clone(), mesh: mesh.result().unwrap().clone() };
+        let segments = mesh.segments().clone();
+        (mesh, Self { case, segments, regions: regions.to_vec() })
+    }
+
+    fn report(&self, level: u32) -> Report {
+        let outline = Outline { segments: &self.segments, regions: &self.regions };
+        validate_outlined(&self.case.inputs, outline, &self.case.mesh, level).unwrap()
+    }
+
+    fn whole(&self) -> &Triangulation {
+        self.case.mesh.boundary.whole.as_ref().unwrap()
+    }
+
+    fn whole_mut(&mut self) -> &mut Triangulation {
+        self.case.mesh.boundary.whole.as_mut().unwrap()
+    }
+
+    /// The domain cut from the whole again, as its first `count` simplices.
+    fn recut(&mut self, count: usize) {
+        let whole = self.whole().clone();
+        let last = whole.simplices[..3 * count].iter().max().unwrap();
+        let vertices = (*last as usize + 1).max(self.case.inputs.distinct());
+        let all = &whole.boundary;
+        let kept = |ends: &[u32; 2]| ends.iter().all(|&end| (end as usize) < vertices);
+        let of_kept = all.subsegments.iter().zip(&all.parents).filter(|(ends, _)| kept(ends));
+        let mut cut = whole.clone();
+        cut.points.truncate(2 * vertices);
+        cut.kinds.truncate(vertices);
+        cut.vertex_domains.truncate(vertices);
+        cut.cage_of.truncate(vertices);
+        cut.precision_limited.truncate(vertices);
+        cut.simplices.truncate(3 * count);
+        cut.neighbors.truncate(3 * count);
+        for id in cut.neighbors.iter_mut().filter(|id| **id as usize >= count) {
+            *id = NONE;
+        }
+        cut.boundary.simplex_regions.truncate(count);
+        (cut.boundary.subsegments, cut.boundary.parents) = of_kept.unzip();
+        cut.boundary.whole = Some(Box::new(whole));
+        self.case.mesh = cut;
+    }
+
+    /// Corrupts the whole, and cuts as before.
+    fn corrupt(&mut self, corrupt: impl Fn(&mut Triangulation)) {
+        let count = self.case.mesh.simplex_count();
+        corrupt(self.whole_mut());
+        self.recut(count);
+    }
+}
+
+fn circle(count: usize, center: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+    let angle = |i: usize| 0.3 + std::f64::consts::TAU * i as f64 / count as f64;
+    let point = |i| [center[0] + radius * angle(i).cos(), center[1] + radius * angle(i).sin()];
+    (0..count).map(point).collect()
+}
+
+fn closed(first: u32, count: u32) -> Vec<[u32; 2]> {
+    (0..count).map(|i| [first + i, first + (i + 1) % count]).collect()
+}
+
+/// A quadrilateral with an island near a side and a region of its own label.
+fn lake() -> Domain {
+    let mut points = vec![[-1.0, -1.0], [1.01, -1.02], [1.1, 0.9], [-0.97, 1.05]];
+    points.extend(circle(9, [0.1, -0.7], 0.2));
+    points.extend(circle(7, [-0.3, 0.4], 0.25));
+    let segments = [closed(0, 4), closed(4, 9), closed(13, 7)].concat();
+    let hole = Region { seed: [0.1, -0.7], is_hole: true, ..Region::default() };
+    let label = Region { seed: [-0.3, 0.4], label: 7, ..Region::default() };
+    Domain::of(&points, &segments, &[hole, label]).1
+}
+
+/// Segments from one point at small angles to each other, in a box.
+fn star() -> Domain {
+    let mut points = vec![[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0], [0.0, 0.0]];
+    let angles = (0..12).map(|i| 0.3 + 0.004 * 1.5f64.powi(i));
+    points.extend(angles.map(|angle| [angle.cos(), angle.sin()]));
+    let mut segments = closed(0, 4);
+    segments.extend((5..17).map(|end| [4, end]));
+    Domain::of(&points, &segments, &[]).1
+}
+
+fn assert_sound(domain: &Domain) {
+    let report = domain.report(3);
+    assert_eq!((report.level, report.violations, report.first), (3, 0, None));
+}
+
+fn assert_violates(domain: &Domain, kind: Kind) {
+    let report = domain.report(3);
+    let first = report.first.unwrap_or_else(|| panic!("{kind:?} went unseen"));
+    assert_eq!(first.kind, kind, "{}", first.message);
+    assert_eq!(report.level, kind.level() - 1);
+}
+
+/// A subsegment that ends where the next of its segment begins, at a vertex that is no input.
+fn before_split(domain: &Domain) -> usize {
+    let boundary = &domain.whole().boundary;
+    let pairs = boundary.subsegments.windows(2);
+    let is_split = |pair: &[[u32; 2]]| {
+        pair[0][1] == pair[1][0] && pair[0][1] as usize >= domain.case.inputs.distinct()
+    };
+    pairs.into_iter().position(is_split).expect("a segment in parts")
+}
+
+#[test]
+fn domains_hold() {
+    for domain in [lake(), star()] {
+        assert_sound(&domain);
+        let mut same = domain.clone();
+        same.recut(domain.case.mesh.simplex_count());
+        assert_sound(&same);
+    }
+    assert!(!star().case.mesh.boundary.forced.is_empty());
+}
+
+/// A result is checked with the segments that it was made of.
+#[test]
+fn later_segments_are_not_those_of_the_result() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let (mut mesh, _) = Domain::of(&points, &closed(0, 4), &[]);
+    assert_eq!(validate_mesh(&mesh, 3).unwrap().level, 3);
+    mesh.set_segments(&[0, 2], None).unwrap();
+    mesh.set_segments(&[1, 3], None).unwrap();
+    mesh.set_regions(&[Region { seed: [0.5, 0.25], is_hole: true, ..Region::default() }]).unwrap();
+    assert_eq!(validate_mesh(&mesh, 3).unwrap().violations, 0);
+    mesh.set_regions(&[]).unwrap();
+    mesh.set_segments(&closed(0, 4)[..3].concat(), None).unwrap();
+    let options = Options { algorithm: Algorithm::Netmesh, ..Options::default() };
+    mesh.run(&options, None).unwrap();
+    assert_eq!(mesh.result().unwrap().boundary.parents.last(), Some(&2));
+    assert_eq!(validate_mesh(&mesh, 3).unwrap().violations, 0);
+}
+
+#[test]
+fn arrays_that_do_not_fit() {
+    let corruptions: [fn(&mut Triangulation); 8] = [
+        |mesh| {
+            mesh.boundary.parents.pop();
+        },
+        |mesh| {
+            mesh.boundary.simplex_regions.pop();
+        },
+        |mesh| mesh.boundary.parents[3] = 99,
+        |mesh| mesh.boundary.parents[0] = 1,
+        |mesh| *mesh.boundary.parents.last_mut().unwrap() = NONE,
+        |mesh| mesh.boundary.subsegments[5][1] = mesh.vertex_count() as u32,
+        |mesh| mesh.boundary.subsegments[5][1] = mesh.boundary.subsegments[5][0],
+        |mesh| mesh.boundary.whole = Some(Box::new(mesh.clone())),
+    ];
+    for corrupt in corruptions {
+        let mut domain = lake();
+        corrupt(domain.whole_mut());
+        assert_violates(&domain, Kind::BoundaryArrays);
+    }
+    let forced: [fn(usize) -> Vec<u32>; 3] =
+        [|_| vec![2, 1], |_| vec![3, 3], |count| vec![count as u32]];
+    for forced in forced {
+        let mut domain = lake();
+        let forced = forced(domain.case.mesh.simplex_count());
+        domain.corrupt(|whole| whole.boundary.forced = forced.clone());
+        assert_violates(&domain, Kind::BoundaryArrays);
+    }
+}
+
+#[test]
+fn domains_that_are_no_part_of_the_whole() {
+    let corruptions: [fn(&mut Triangulation); 12] = [
+        |mesh| mesh.points[2] = -mesh.points[2],
+        |mesh| mesh.points.truncate(mesh.points.len() - 2),
+        |mesh| mesh.kinds[0] = VertexKind::Steiner,
+        |mesh| mesh.vertex_domains[1] = 5,
+        |mesh| mesh.cage_of[1] = 0,
+        |mesh| mesh.precision_limited[2] = true,
+        |mesh| mesh.simplices.swap(0, 1),
+        |mesh| mesh.neighbors[4] = NONE - 1,
+        |mesh| mesh.boundary.simplex_regions[3] += 1,
+        |mesh| {
+            mesh.boundary.subsegments.pop();
+        },
+        |mesh| mesh.boundary.forced.push(0),
+        |mesh| mesh.domains[0].radius *= 2.0,
+    ];
+    for (number, corrupt) in corruptions.into_iter().enumerate() {
+        let mut domain = lake();
+        corrupt(&mut domain.case.mesh);
+        let report = domain.report(3);
+        assert_eq!(report.first.unwrap().kind, Kind::DomainArrays, "{number}");
+        assert_eq!(report.level, 0);
+    }
+}
+
+#[test]
+fn a_subsegment_that_is_no_edge() {
+    for mut domain in [lake(), star()] {
+        let at = before_split(&domain);
+        domain.corrupt(|whole| {
+            let boundary = &mut whole.boundary;
+            boundary.subsegments[at][1] = boundary.subsegments[at + 1][1];
+            boundary.subsegments.remove(at + 1);
+            boundary.parents.remove(at + 1);
+        });
+        assert_violates(&domain, Kind::SubsegmentEdge);
+    }
+}
+
+#[test]
+fn a_subsegment_twice() {
+    let mut domain = lake();
+    domain.corrupt(|whole| {
+        let boundary = &mut whole.boundary;
+        let parent = boundary.parents[0];
+        boundary.subsegments.insert(1, boundary.subsegments[0]);
+        boundary.parents.insert(1, parent);
+    });
+    assert_violates(&domain, Kind::SubsegmentEdge);
+}
+
+/// Plain triangulations with subsegments: up to level 2.
+fn by_hand(
+    points: &[[f64; 2]],
+    inputs: usize,
+    segments: &[[u32; 2]],
+    parts: &[[u32; 3]],
+) -> Domain {
+    let options = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+    let mut case = run(points, &options);
+    case.inputs = run(&points[..inputs], &Options::default()).inputs;
+    let mut mesh = Mesh::new(2, inputs, points[..inputs].as_flattened(), 0).unwrap();
+    mesh.set_segments(segments.as_flattened(), None).unwrap();
+    let boundary = &mut case.mesh.boundary;
+    boundary.subsegments = parts.iter().map(|part| [part[0], part[1]]).collect();
+    boundary.parents = parts.iter().map(|part| part[2]).collect();
+    boundary.simplex_regions = vec![0; case.mesh.simplices.len() / 3];
+    Domain { case, segments: mesh.segments().clone(), regions: Vec::new() }
+}
+
+fn kind_by_hand(domain: &Domain) -> Option<Kind> {
+    domain.report(2).first.map(|first| first.kind)
+}
+
+#[test]
+fn a_subsegment_that_is_not_gabriel() {
+    let domain = |y: f64| {
+        let points = [[0.0, 0.0], [4.0, 0.0], [1.0, y]];
+        by_hand(&points, 3, &[[0, 1]], &[[0, 1, 0]])
+    };
+    assert_eq!(kind_by_hand(&domain(3f64.sqrt().next_up())), None);
+    assert_eq!(kind_by_hand(&domain(3f64.sqrt().next_down())), Some(Kind::SubsegmentGabriel));
+    let mut limited = domain(1.0);
+    limited.case.mesh.precision_limited[..2].fill(true);
+    assert_eq!(kind_by_hand(&limited), None);
+}
+
+#[test]
+fn segments_that_overlap_share_subsegments() {
+    let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [1.6, 1.7], [1.3, -1.8]];
+    let segments = [[0, 2], [1, 3], [3, 0], [2, 0]];
+    let kind = |parts: &[[u32; 3]]| kind_by_hand(&by_hand(&points, 6, &segments, parts));
+    assert_eq!(kind(&[[0, 1, 0], [1, 2, 0], [2, 3, 1]]), None);
+    for wrong in [
+        &[[0, 1, 0], [1, 2, 1], [2, 3, 1]][..],
+        &[[0, 1, 0], [1, 2, 0], [2, 3, 2]],
+        &[[0, 1, 0], [2, 1, 0], [2, 3, 1]],
+        &[[0, 1, 0], [1, 2, 0]],
+        &[[0, 1, 0], [1, 2, 0], [2, 3, 1], [4, 2, 3]],
+        &[[0, 4, 0], [4, 2, 0], [2, 3, 1]],
+    ] {
+        let kind = kind(wrong).unwrap_or_else(|| panic!("{wrong:?} went unseen"));
+        let kinds = [Kind::SegmentChain, Kind::SegmentLine, Kind::SubsegmentGabriel];
+        assert!(kinds.contains(&kind), "{wrong:?}: {kind:?}");
+    }
+}
+
+#[test]
+fn segments_cross_at_the_nearest_double() {
+    let kind = |y: f64| {
+        let points = [[0.0, 0.0], [3.0, 1.0], [1.0, -1.0], [1.0, 2.0], [1.0, y]];
+        let parts = [[0, 4, 0], [4, 1, 0], [2, 4, 1], [4, 3, 1]];
+        kind_by_hand(&by_hand(&points, 4, &[[0, 1], [2, 3]], &parts))
+    };
+    let third: f64 = 1.0 / 3.0;
+    assert_eq!(kind(third), None);
+    assert_eq!(kind(third + 3.0 * f64::EPSILON), None);
+    assert_eq!(kind(third + 20.0 * f64::EPSILON), Some(Kind::SegmentLine));
+}
+
+#[test]
+fn a_vertex_off_its_segment() {
+    for mut domain in [lake(), star()] {
+        let at = before_split(&domain);
+        let vertex = domain.whole().boundary.subsegments[at][1] as usize;
+        domain.corrupt(|whole| {
+            let x = &mut whole.points[2 * vertex + 1];
+            *x = x.next_up().next_up();
+        });
+        assert_violates(&domain, Kind::SegmentLine);
+    }
+}
+
+#[test]
+fn an_input_off_a_segment() {
+    let points = |y: f64| [[-1.0, 0.5], [3.0, 0.5], [1.0, y], [1.1, 3.0], [0.9, -2.0]];
+    let kind = |y: f64| {
+        let parts = [[0, 2, 0], [2, 1, 0]];
+        kind_by_hand(&by_hand(&points(y), 5, &[[0, 1]], &parts))
+    };
+    assert_eq!(kind(0.5), None);
+    assert_eq!(kind(0.5f64.next_up()), Some(Kind::SegmentLine));
+}
+
+#[test]
+fn a_chain_with_a_gap() {
+    for domain in [lake(), star()] {
+        for at in 0..domain.whole().boundary.subsegments.len() {
+            let mut domain = domain.clone();
+            domain.corrupt(|whole| {
+                whole.boundary.subsegments.remove(at);
+                whole.boundary.parents.remove(at);
+            });
+            assert_violates(&domain, Kind::SegmentChain);
+        }
+    }
+}
+
+#[test]
+fn a_subsegment_of_another_segment() {
+    let mut domain = lake();
+    let parents = &domain.whole().boundary.parents;
+    let at = parents.iter().rposition(|&parent| parent == 2).unwrap();
+    domain.corrupt(|whole| whole.boundary.parents[at] = 3);
+    assert_violates(&domain, Kind::SegmentChain);
+}
+
+#[test]
+fn a_subsegment_turned_round() {
+    let mut domain = lake();
+    domain.corrupt(|whole| whole.boundary.subsegments[0].reverse());
+    assert_violates(&domain, Kind::SegmentChain);
+}
+
+#[test]
+fn a_label_that_is_not_its_regions() {
+    let domain = lake();
+    for simplex in 0..domain.whole().simplex_count() {
+        let mut domain = domain.clone();
+        domain.corrupt(|whole| whole.boundary.simplex_regions[simplex] += 1);
+        assert_violates(&domain, Kind::RegionLabel);
+    }
+    let mut domain = domain;
+    domain.corrupt(|whole| {
+        let labels = whole.boundary.simplex_regions.iter_mut();
+        labels.filter(|label| **label == 7).for_each(|label| *label = 8);
+    });
+    assert_violates(&domain, Kind::RegionLabel);
+}
+
+#[test]
+fn a_domain_with_a_simplex_too_few_or_too_many() {
+    let domain = lake();
+    let count = domain.case.mesh.simplex_count();
+    for count in [count - 1, count + 1] {
+        let mut domain = domain.clone();
+        domain.recut(count);
+        assert_violates(&domain, Kind::DomainEnd);
+    }
+}
+
+#[test]
+fn a_domain_with_a_region_too_few_or_too_many() {
+    let mut domain = lake();
+    domain.recut(domain.whole().simplex_count());
+    assert_violates(&domain, Kind::DomainPlace);
+    let mut domain = lake();
+    domain.regions[1].is_hole = true;
+    assert_violates(&domain, Kind::DomainPlace);
+    let mut domain = lake();
+    domain.regions.remove(0);
+    assert_violates(&domain, Kind::DomainPlace);
+}
+
+#[test]
+fn a_simplex_that_nothing_forces() {
+    let mut domain = lake();
+    domain.corrupt(|whole| whole.boundary.forced = vec![5]);
+    assert_violates(&domain, Kind::ForcedSimplex);
+    // One beyond the bound that is not between two segments.
+    let mut domain = star();
+    domain.corrupt(|whole| whole.parameters.quality_bound = 0.9);
+    let report = domain.report(3);
+    let first = report.first.expect("the bound is broken");
+    assert_eq!(first.kind, Kind::RadiusEdge);
+    domain.corrupt(|whole| {
+        let forced = &mut whole.boundary.forced;
+        forced.push(first.simplex);
+        forced.sort_unstable();
+    });
+    assert_eq!(domain.report(3).violations, report.violations);
+}
+
+#[test]
+fn a_forced_simplex_that_is_not_owned_up_to() {
+    let domain = star();
+    for at in 0..domain.case.mesh.boundary.forced.len() {
+        let mut domain = domain.clone();
+        domain.corrupt(|whole| {
+            whole.boundary.forced.remove(at);
+        });
+        assert_violates(&domain, Kind::RadiusEdge);
+    }
+}

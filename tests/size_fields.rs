@@ -459,3 +459,43 @@ fn sizes_by_values_are_linear_between() {
     let low = steiner.clone().filter(|&v| mesh.point(v).iter().sum::<f64>() < 1.35).count();
     assert!(low > 2 * (steiner.len() - low), "{low} of {}", steiner.len());
 }
+
+/// The corners of the box may be farther out than every input: the mesh reaches beyond them.
+#[test]
+fn the_box_is_in_the_mesh() {
+    for dim in [3, 4] {
+        let axis = |k: usize| (0..dim).map(move |at| if at == k { 1.0 } else { 0.0 });
+        let ends = (0..dim).flat_map(|k| axis(k).chain(axis(k).map(|x: f64| -x)));
+        let points: Vec<f64> = ends.chain(vec![0.0; dim]).collect();
+        // A cage that is round, and no larger than it must be.
+        let delta = if dim == 3 { 0.4 } else { 0.0 };
+        let options = Options { delta, root_scale: 2.0, ..well_spaced() };
+        let mesh = run(dim, &points, &options, Some(&|_| f64::INFINITY));
+        let mesh = mesh.triangulation().unwrap();
+        let corners: Vec<f64> = cube(dim, 0, 1).iter().map(|x| 2.0 * x - 1.0).collect();
+        let mut found = vec![NONE; 1 << dim];
+        let index = netmesh::query::Index::new(mesh).unwrap();
+        index.locate(mesh, &corners, 1, &mut found).unwrap();
+        assert!(!found.contains(&NONE), "{dim}D: {found:?}");
+    }
+}
+
+/// What segments enclose, and no more, is refined by size, to its boundary.
+#[test]
+fn sizes_fill_a_domain_of_segments() {
+    let points = cube(2, 20, 14);
+    let mut mesh = Mesh::new(2, points.len() / 2, &points, 0).unwrap();
+    mesh.set_segments(&[0, 1, 1, 3, 3, 2, 2, 0], None).unwrap();
+    let options = Options { extent: netmesh::Extent::Boundary, max_edge: 0.09, ..well_spaced() };
+    let size = |x: &[f64]| 0.04 + 0.06 * x[0];
+    mesh.run_sized(&options, Some(&size), None).unwrap();
+    let mesh = mesh.triangulation().unwrap();
+    assert!(mesh.points.iter().all(|x| (0.0..=1.0).contains(x)));
+    assert_eq!(mesh.sizes.len(), mesh.vertex_count());
+    for (v, &kept) in mesh.sizes.iter().enumerate() {
+        assert_eq!(kept, size(mesh.point(v as u32)));
+    }
+    let [radius, _, mean] = measured(mesh, &size);
+    assert!(radius <= 1.0 && (0.6..=1.0).contains(&mean), "{radius}, {mean}");
+    assert!(measured(mesh, &|_| 0.09)[1] <= 1.0);
+}

@@ -1294,7 +1294,7 @@ typedef struct nm_region {
      */
     double seed[2];
     /**
-     * The longest edge that the region may have; 0: any.
+     * The longest edge that the region may have, for NM_OUTPUT_WELL_SPACED; 0: any.
      */
     double max_edge;
     /**

@@ -235,6 +235,18 @@ pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) 
     Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
+/// The same for sizes of regions; with segments the algorithm is netmesh.
+pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
+    match options.output {
+        Output::WellSpaced => Ok(()),
+        Output::Hierarchical => {
+            let rule = "regions have a max_edge, and options.output is hierarchical; sizes are for \
+                        well-spaced output";
+            Err(Error::new(ErrorKind::InvalidArgument, rule))
+        }
+    }
+}
+
 fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {
     if given == 0.0 {
         return Ok(default);

@@ -21,7 +21,7 @@ pub struct nm_region {
     pub label: i32,
     /// A point of the region, not on a segment.
     pub seed: [f64; 2],
-    /// The longest edge that the region may have; 0: any.
+    /// The longest edge that the region may have, for NM_OUTPUT_WELL_SPACED; 0: any.
     pub max_edge: f64,
     /// 1: the region is no part of the domain. Otherwise 0.
     pub is_hole: u32,
@@ -254,8 +254,9 @@ mod tests {
         let mut mesh = square();
         let inputs = [0, 1, 1, 3, 3, 4, 4, 2, 0, 3, 3, 0];
         assert_eq!(set(&mut mesh, &inputs, Some(&[7, 8, 9, 10, 11, 12])), nm_status::NM_OK);
-        let below = nm_region { label: 9, seed: [0.5, 0.25], ..GOOD };
-        assert_eq!(regions(&mut mesh, &[GOOD, below]), (nm_status::NM_OK, String::new()));
+        let above = nm_region { max_edge: 0.0, ..GOOD };
+        let below = nm_region { label: 9, seed: [0.5, 0.25], ..above };
+        assert_eq!(regions(&mut mesh, &[above, below]), (nm_status::NM_OK, String::new()));
         let mut needed = 0;
         // SAFETY: a live handle; NULL asks for the size.
         let status = unsafe { nm_mesh_get_segments(&mesh, null_mut(), 0, &mut needed) };

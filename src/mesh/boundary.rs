@@ -72,6 +72,13 @@ pub struct Boundary {
     pub whole: Option<Box<Triangulation>>,
 }
 
+impl Arrangement {
+    /// Whether a region has a largest edge.
+    pub(crate) fn has_sizes(&self) -> bool {
+        self.regions.iter().any(|region| region.max_edge > 0.0)
+    }
+}
+
 impl Boundary {
     /// That of a part with these simplices, of a mesh whose vertices get new numbers there, or
     /// [`NONE`].

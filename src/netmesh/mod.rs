@@ -31,7 +31,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_sized, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, check_sized, with_segments};
 use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
@@ -72,6 +72,9 @@ pub fn run_sized(
     if size.is_some() {
         check_sized(options, "size", "set, or values for it")?;
     }
+    if arrangement.is_some_and(Arrangement::has_sizes) {
+        check_region_sizes(options)?;
+    }
     in_dimension!(
         inputs.dim(),
         D => mesh::<D>(inputs, arrangement, parameters, size, progress),
@@ -90,7 +93,8 @@ fn mesh<const D: usize>(
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
     watch.report()?;
-    let sizes = Sizes::new(inputs, &parameters, size);
+    let by_region = arrangement.is_some_and(Arrangement::has_sizes);
+    let sizes = Sizes::new(inputs, &parameters, size, by_region);
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
     mesher.sizes = sizes;
     let mut cavity = Cavity::default();

@@ -47,13 +47,14 @@ pub(in crate::netmesh) struct Sizes<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Sizes<'a, D> {
-    /// `None` if no size is asked for.
+    /// `None` if no size is asked for. `by_region`: whether regions have some.
     pub fn new(
         inputs: &Inputs,
         parameters: &Parameters,
         function: Option<&'a SizeFn<'a>>,
+        by_region: bool,
     ) -> Option<Self> {
-        if parameters.max_edge == 0.0 && function.is_none() {
+        if parameters.max_edge == 0.0 && function.is_none() && !by_region {
             return None;
         }
         let mut low = [f64::INFINITY; D];
@@ -88,10 +89,11 @@ impl<'a, const D: usize> Sizes<'a, D> {
     }
 
     /// By what factor a live simplex is larger than it may be; 0 where nothing is asked for.
+    /// `max_edge`: that of its region.
     ///
     /// # Errors
     /// `InvalidArgument` if the function answers no size.
-    fn excess(&mut self, delaunay: &Delaunay<D>, simplex: SimplexId) -> Result<f64> {
+    fn excess(&mut self, delaunay: &Delaunay<D>, simplex: SimplexId, max_edge: f64) -> Result<f64> {
         let Some(ball) = delaunay.ball(simplex) else { return Ok(0.0) };
         let vertices = delaunay.complex().vertices(simplex);
         let mut points = [delaunay.point(vertices[0]); MAX_DIM + 1];
@@ -106,7 +108,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         for (&vertex, &point) in vertices.iter().zip(points) {
             size = size.min(self.ask(vertex, point)?);
         }
-        Ok(self.excess_of(points, ball.radius(), size))
+        Ok(excess_of(points, ball.radius(), size, max_edge.min(self.max_edge)))
     }
 
     /// Whether a simplex may be made that has these vertices, with the vertex number `apex` at `x`.
@@ -142,19 +144,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
                 }
             }
         }
-        self.excess_of(points, Circumball::new(points).radius(), size) <= 1.0
-    }
-
-    /// By what factor a simplex is larger than its circumradius and edges may be, with the least
-    /// answer `size` at its vertices.
-    fn excess_of(&self, points: &[&[f64; D]], radius: f64, size: f64) -> f64 {
-        let allowed = regular_circumradius(D) * size.min(self.max_edge);
-        let of_radius = radius / ((1.0 - MARGIN) * allowed);
-        // No edge is longer than the diameter.
-        if of_radius > 1.0 || 2.0 * radius <= (1.0 - MARGIN) * self.max_edge {
-            return of_radius;
-        }
-        of_radius.max(longest_distance(points) / self.max_edge)
+        excess_of(points, Circumball::new(points).radius(), size, self.max_edge) <= 1.0
     }
 
     /// Whether the box of a simplex meets that of the inputs.
@@ -191,6 +181,18 @@ impl<'a, const D: usize> Sizes<'a, D> {
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }
+}
+
+/// By what factor a simplex is larger than its circumradius and edges may be, with the least answer
+/// `size` at its vertices.
+fn excess_of<const D: usize>(points: &[&[f64; D]], radius: f64, size: f64, max_edge: f64) -> f64 {
+    let allowed = regular_circumradius(D) * size.min(max_edge);
+    let of_radius = radius / ((1.0 - MARGIN) * allowed);
+    // No edge is longer than the diameter.
+    if of_radius > 1.0 || 2.0 * radius <= (1.0 - MARGIN) * max_edge {
+        return of_radius;
+    }
+    of_radius.max(longest_distance(points) / max_edge)
 }
 
 /// The circumradius of the regular simplex with edges of length 1.
@@ -251,11 +253,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// By what factor a live simplex is larger than it may be; 0 where nothing is asked for, or
     /// nothing can be done.
     fn excess(&mut self, simplex: SimplexId) -> Result<f64> {
+        if self.sizes.is_none() || self.state.refine_list.is_limited(simplex) {
+            return Ok(0.0);
+        }
+        let max_edge = self.max_edge_of_region(simplex)?;
         match &mut self.sizes {
-            Some(sizes) if !self.state.refine_list.is_limited(simplex) => {
-                sizes.excess(&self.state.delaunay, simplex)
-            }
-            _ => Ok(0.0),
+            Some(sizes) => sizes.excess(&self.state.delaunay, simplex, max_edge),
+            None => Ok(0.0),
         }
     }
 
@@ -273,7 +277,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll_after(1)?;
             let Some(sizes) = &mut self.sizes else { return Ok(()) };
             if self.state.delaunay.complex().is_live(simplex) {
-                sizes.excess(&self.state.delaunay, simplex)?;
+                sizes.excess(&self.state.delaunay, simplex, f64::INFINITY)?;
             }
         }
         Ok(())

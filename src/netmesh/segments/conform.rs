@@ -78,6 +78,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let count = self.state.segments.regions.len();
         let mut is_inside = filled(count, true)?;
         let mut labels = filled(count, 0)?;
+        let mut max_edges = filled(count, f64::INFINITY)?;
         is_inside[OUTSIDE as usize] = false;
         let mut near = self.state.delaunay.complex().incident(VertexId::new(0));
         for (number, seed) in seeds.iter().enumerate() {
@@ -90,6 +91,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             is_inside[region] &= !seed.is_hole;
             if !seed.is_hole {
                 labels[region] = seed.label;
+                if seed.max_edge > 0.0 {
+                    max_edges[region] = seed.max_edge;
+                }
             }
         }
         let is_all = self.state.parameters.extent == Extent::All;
@@ -98,6 +102,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             *is_refined = is_all || is_inside;
         }
         (regions.is_inside, regions.labels) = (is_inside, labels);
+        regions.max_edges = max_edges;
         Ok(())
     }
 

@@ -39,6 +39,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(!regions.is_refined[region as usize] || self.is_forced(simplex))
     }
 
+    /// The longest edge that the region of a live simplex may have, infinite for any.
+    pub(in crate::netmesh) fn max_edge_of_region(&mut self, simplex: SimplexId) -> Result<f64> {
+        let State { delaunay, segments, .. } = &mut self.state;
+        if !segments.is_active() || !segments.regions.is_known() {
+            return Ok(f64::INFINITY);
+        }
+        let Segments { regions, chains, visited, .. } = segments;
+        let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
+        Ok(regions.max_edges[region as usize])
+    }
+
     /// Whether the shortest edge of a live simplex is between two lines that meet at a sharp end, on
     /// one shell about that.
     pub(in crate::netmesh) fn is_forced(&self, simplex: SimplexId) -> bool {

@@ -25,6 +25,8 @@ pub(in crate::netmesh) struct Regions {
     /// Region -> whether it belongs to the domain, and the caller's number for its simplices.
     pub is_inside: Vec<bool>,
     pub labels: Vec<i32>,
+    /// Region -> the longest edge that it may have.
+    pub max_edges: Vec<f64>,
     /// The regions of the simplices to come.
     coming: Vec<u32>,
 }

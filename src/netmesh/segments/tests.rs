@@ -399,3 +399,31 @@ fn points_in_holes_are_outside() {
     }
     assert!(found.contains(&NONE) && found.iter().filter(|&&s| s != NONE).count() > 100);
 }
+
+/// A region with a largest edge keeps it, and the other one stays coarse.
+#[test]
+fn regions_have_sizes_of_their_own() {
+    let mut domain =
+        Domain::default().curve(&square(1.0)).curve(&square(0.25)).region([0.75, 0.0], 1);
+    let fine = Region { seed: [0.0; 2], label: 2, is_hole: false, max_edge: 0.03 };
+    domain.regions.push(fine);
+    let mesh = domain.mesh(&inside(20.0));
+    assert_good(&domain, &mesh, 20.0);
+    let result = mesh.result().unwrap();
+    let edge = |simplex: usize, i: usize| {
+        let [p, q] = [i, (i + 1) % 3].map(|i| result.point(result.simplex(simplex)[i]));
+        crate::numerics::norm(&[p[0] - q[0], p[1] - q[1]])
+    };
+    let longest = |label: i32| {
+        let of_label = |&simplex: &usize| result.boundary.simplex_regions[simplex] == label;
+        let edges = |simplex| (0..3).map(|i| edge(simplex, i)).fold(0.0, f64::max);
+        (0..result.simplex_count()).filter(of_label).map(edges).fold(0.0, f64::max)
+    };
+    assert!(longest(2) <= 0.03 && longest(1) > 0.2, "{} {}", longest(2), longest(1));
+    let mut mesh = Mesh::new(2, domain.points.len(), domain.points.as_flattened(), 0).unwrap();
+    mesh.set_segments(domain.segments.as_flattened(), None).unwrap();
+    mesh.set_regions(&domain.regions).unwrap();
+    let hierarchical = Options { output: Output::Hierarchical, ..inside(20.0) };
+    let error = mesh.run(&hierarchical, None).unwrap_err();
+    assert!(error.message().starts_with("regions have a max_edge"), "{}", error.message());
+}

@@ -391,6 +391,12 @@ impl Mesh {
         Self::of(inputs, Some(triangulation))
     }
 
+    /// A mesh whose result has segments with these markers.
+    pub fn with_markers(self, markers: Vec<i32>) -> Self {
+        let segments = Segments { inputs: Vec::new(), markers };
+        Self { earlier_segments: Some(segments), ..self }
+    }
+
     fn of(inputs: Inputs, triangulation: Option<Triangulation>) -> Self {
         Self {
             inputs,
@@ -473,6 +479,11 @@ impl Mesh {
 
     pub fn segments(&self) -> &Segments {
         &self.segments
+    }
+
+    /// The markers of the segments that the result has, by [`Boundary::parents`].
+    pub fn markers_of_result(&self) -> &[i32] {
+        &self.outline_of_result().0.markers
     }
 
     /// What the next run makes of the regions between segments. They replace those before; the

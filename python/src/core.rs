@@ -232,6 +232,7 @@ impl Core {
         detached(py, || {
             let part = self.prepared.part(&self.mesh, &selection)?;
             let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
+            let mesh = mesh.with_markers(self.mesh.markers_of_result().to_vec());
             write_file_with(&mesh, &attributes, &path, format)
         })
     }

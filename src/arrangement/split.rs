@@ -67,3 +67,42 @@ fn add_crossings(places: &Places, swept: &Swept, points: &mut Vec<[f64; 2]>) -> 
     }
     Ok(points.try_extend(&new)?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Line 0 is (0, 0) to (4, 4), line 1 the diagonal above it, from (0, 1) to (4, 5).
+    fn pieces(found: &[(u32, [f64; 2])]) -> (Vec<[u32; 2]>, usize) {
+        let mut points = vec![[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [4.0, 5.0]];
+        let places = Places::new(&points).unwrap();
+        let part = |line: u32| {
+            let ends = [2 * line, 2 * line + 1].map(|vertex| places.ranks[vertex as usize]);
+            Part { line, ends, segment: line }
+        };
+        let found = found.iter().map(|&(line, point)| Found { line, falls: false, point });
+        let swept =
+            Swept { parts: vec![part(1), part(0)], found: found.collect(), ..Swept::default() };
+        let pieces = split(&places, swept, &mut points).unwrap();
+        (pieces.iter().map(|piece| piece.ends).collect(), points.len())
+    }
+
+    #[test]
+    fn parts_are_split_in_order_and_only_between_their_ends() {
+        let whole = [[0, 1], [2, 3]];
+        // Vertices 4 and 5 in the order of sweeps; twice found is once there.
+        let found = [(0, [2.0, 2.0]), (0, [1.0, 1.0]), (0, [2.0, 2.0])];
+        assert_eq!(pieces(&found), (vec![[0, 4], [4, 5], [5, 1], [2, 3]], 6));
+        // Before the last one in y, or past the end: not on the way.
+        let (back, past) = ((0, [2.0, 0.5]), (0, [3.0, 4.5]));
+        assert_eq!(pieces(&[(0, [1.0, 1.0]), back]).0, [[0, 4], [4, 1], [2, 3]]);
+        assert_eq!(pieces(&[past]).0, whole);
+    }
+
+    #[test]
+    fn what_is_at_the_end_of_a_line_does_not_split_the_next() {
+        // Its key is past the end of line 0, and it is between the ends of line 1.
+        assert_eq!(pieces(&[(0, [4.0, 4.5])]).0, [[0, 1], [2, 3]]);
+        assert_eq!(pieces(&[(0, [4.0, 4.0]), (1, [0.0, 1.0])]).0, [[0, 1], [2, 3]]);
+    }
+}

@@ -10,6 +10,7 @@ use super::structs::nm_selection;
 use crate::arrays::Selection;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::{self, Buffered, Format};
+use crate::memory::copied;
 use crate::mesh::{Attribute, Mesh};
 use std::ffi::{c_char, c_void};
 use std::io::Write;
@@ -142,8 +143,9 @@ unsafe fn with_selected(
             result(mesh)?;
             let attributes = prepared.vertex_attributes(mesh)?;
             let part = prepared.part(mesh, &selection)?;
+            let markers = copied(mesh.markers_of_result())?;
             let (mesh, attributes) = part.to_mesh(mesh.inputs(), attributes)?;
-            body(&mesh, &attributes)
+            body(&mesh.with_markers(markers), &attributes)
         })
     }
 }
@@ -279,9 +281,9 @@ mod tests {
             assert_eq!(last_message(), "path_utf8 is NULL");
             let null_mesh = nm_export(null(), c"mesh.vtu".as_ptr(), vtu());
             assert_eq!(null_mesh, nm_status::NM_NULL_ARGUMENT);
-            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(12));
+            let format = nm_export(&mesh, c"mesh.vtu".as_ptr(), from_c(13));
             assert_eq!(format, nm_status::NM_INVALID_ARGUMENT);
-            assert!(last_message().starts_with("format is 12;"));
+            assert!(last_message().starts_with("format is 13;"));
             let null_write = nm_export_write(&mesh, vtu(), None, null_mut());
             assert_eq!(null_write, nm_status::NM_NULL_ARGUMENT);
             assert_eq!(last_message(), "write is NULL");

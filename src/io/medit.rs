@@ -4,7 +4,7 @@ use super::PointCloud;
 use super::text::{Line, Lines, Points, write_point};
 use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::Triangulation;
+use crate::mesh::{Boundary, Triangulation};
 use std::io::{self, Write};
 
 pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
@@ -92,7 +92,12 @@ fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points
     Ok(points)
 }
 
-pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
+/// With segments, edges have their markers as references, and triangles the labels of their regions.
+pub(super) fn write(
+    triangulation: &Triangulation,
+    markers: &[i32],
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let dim = triangulation.dim;
     write!(out, "MeshVersionFormatted 2\nDimension {dim}\n")?;
     writeln!(out, "Vertices\n{}", triangulation.vertex_count())?;
@@ -100,11 +105,22 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
         write_point(out, point, " ")?;
         writeln!(out, " {}", *kind as u8)?;
     }
+    let Boundary { subsegments, simplex_regions, .. } = &triangulation.boundary;
+    if !subsegments.is_empty() {
+        writeln!(out, "Edges\n{}", subsegments.len())?;
+        for (ends, marker) in triangulation.boundary.marked(markers) {
+            let [from, to] = ends.map(|end| u64::from(end) + 1);
+            writeln!(out, "{from} {to} {marker}")?;
+        }
+    }
     let field = if dim == 2 { "Triangles" } else { "Tetrahedra" };
     writeln!(out, "{field}\n{}", triangulation.simplex_count())?;
-    for (simplex, domain) in simplices(triangulation) {
+    for (at, (simplex, domain)) in simplices(triangulation).enumerate() {
         simplex.iter().try_for_each(|vertex| write!(out, "{} ", u64::from(*vertex) + 1))?;
-        writeln!(out, "{domain}")?;
+        match simplex_regions.get(at) {
+            Some(label) => writeln!(out, "{label}")?,
+            None => writeln!(out, "{domain}")?,
+        }
     }
     out.write_all(b"End\n")
 }
@@ -145,6 +161,15 @@ mod tests {
         write(&samples::square(), Format::Medit, &mut text).unwrap();
         let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n\
             Triangles\n2\n1 2 3 0\n1 3 4 0\nEnd\n";
+        assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn markers_and_labels_are_references() {
+        let mut text = Vec::new();
+        write(&samples::square_with_segments(), Format::Medit, &mut text).unwrap();
+        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n\
+            Edges\n2\n1 3 -5\n2 1 6\nTriangles\n2\n1 2 3 7\n1 3 4 -8\nEnd\n";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
     }
 }

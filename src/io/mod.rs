@@ -136,15 +136,16 @@ pub fn input_path(path: &Path, format: Format) -> Result<PathBuf> {
     }
 }
 
-/// The files that [`write_file`] makes: one, of TetGen's format two.
+/// The files that [`write_file`] makes: one, of TetGen's format two, and with segments four.
 ///
 /// # Errors
 /// `InvalidArgument`: an extension that names no format.
 pub fn output_paths(path: &Path, format: Format) -> Result<Vec<PathBuf>> {
     match format.resolve(path)? {
         Format::TetgenNode => {
-            let (node, ele) = tetgen::paths(path);
-            Ok(vec![node, ele])
+            let ((node, ele), (edge, poly)) =
+                (tetgen::paths(path), tetgen::paths_of_segments(path));
+            Ok(vec![node, ele, edge, poly])
         }
         _ => Ok(vec![path.to_path_buf()]),
     }
@@ -208,8 +209,8 @@ fn read_named(
 /// old file is untouched and nothing is left beside it.
 ///
 /// `TetgenNode` writes two files. `a.node` and `a.ele` both stand for the pair; any other name `b`
-/// is that of the `.node` part and the other is `b.ele`. Both are complete before either is
-/// renamed.
+/// is that of the `.node` part and the other is `b.ele`. With segments there are an `.edge` part and a
+/// `.poly` part too. All are complete before any is renamed.
 ///
 /// A symbolic link is followed, a read-only file is refused; a device or a pipe, which cannot be
 /// replaced, is written as by [`write()`].
@@ -238,12 +239,18 @@ pub fn write_file_with(
         return content.write(&mut stream);
     }
     match content {
-        Content::Tetgen(triangulation, attributes) => {
-            let (node, ele) = tetgen::paths(path);
-            replace::replace(&[
+        Content::Tetgen(mesh, triangulation, attributes) => {
+            let ((node, ele), (edge, poly)) =
+                (tetgen::paths(path), tetgen::paths_of_segments(path));
+            let (markers, regions) = (mesh.markers_of_result(), mesh.outline_of_result().1);
+            let files: [(&Path, replace::Body<'_>); 4] = [
                 (&node, &|out| tetgen::write_node(triangulation, attributes, out)),
                 (&ele, &|out| tetgen::write_ele(triangulation, out)),
-            ])
+                (&edge, &|out| tetgen::write_edge(triangulation, markers, out)),
+                (&poly, &|out| tetgen::write_poly(triangulation, markers, regions, out)),
+            ];
+            let has_segments = !triangulation.boundary.subsegments.is_empty();
+            replace::replace(if has_segments { &files } else { &files[..2] })
         }
         _ => replace::replace(&[(path, &|out| content.write_unbuffered(out))]),
     }
@@ -281,9 +288,9 @@ pub fn write_with(
 /// What goes into a file: everything that can be refused has been.
 enum Content<'a> {
     Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
-    Tetgen(&'a Triangulation, &'a [Attribute]),
+    Tetgen(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Gmsh(&'a Triangulation, &'a [Attribute]),
-    Medit(&'a Triangulation),
+    Medit(&'a Mesh, &'a Triangulation),
     Off(&'a Triangulation),
     Ply(&'a Triangulation, &'a [Attribute]),
     Xyz(&'a Mesh),
@@ -320,9 +327,9 @@ impl<'a> Content<'a> {
         match format {
             Format::Auto => Err(auto_without_path()),
             Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, attributes)),
-            Format::TetgenNode => Ok(Self::Tetgen(triangulation()?, attributes)),
+            Format::TetgenNode => Ok(Self::Tetgen(mesh, triangulation()?, attributes)),
             Format::Gmsh => Ok(Self::Gmsh(triangulation()?, attributes)),
-            Format::Medit => triangulation().map(Self::Medit),
+            Format::Medit => Ok(Self::Medit(mesh, triangulation()?)),
             Format::Off => triangulation().map(Self::Off),
             Format::Ply => Ok(Self::Ply(triangulation()?, attributes)),
             Format::Xyz => Ok(Self::Xyz(mesh)),
@@ -349,12 +356,14 @@ impl<'a> Content<'a> {
             Self::Vtu(mesh, triangulation, attributes) => {
                 vtu::write(mesh.inputs(), triangulation, attributes, out)
             }
-            Self::Tetgen(triangulation, attributes) => {
+            Self::Tetgen(_, triangulation, attributes) => {
                 tetgen::write_node(triangulation, attributes, out)?;
                 tetgen::write_ele(triangulation, out)
             }
             Self::Gmsh(triangulation, attributes) => gmsh::write(triangulation, attributes, out),
-            Self::Medit(triangulation) => medit::write(triangulation, out),
+            Self::Medit(mesh, triangulation) => {
+                medit::write(triangulation, mesh.markers_of_result(), out)
+            }
             Self::Off(triangulation) => off::write(triangulation, out),
             Self::Ply(triangulation, attributes) => ply::write(triangulation, attributes, out),
             Self::Xyz(mesh) => xyz::write(mesh, out),

@@ -1,7 +1,7 @@
 //! Meshes made by hand, for the tests of the writers, and a reader that fails. A writer looks at no
 //! geometry: the coordinates are there to be hard to write, not to make a mesh.
 
-use crate::mesh::{Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
+use crate::mesh::{Boundary, Inputs, Mesh, NONE, Stats, Triangulation, VertexKind};
 use crate::options::{Algorithm, Options, Output};
 use crate::parameters::Parameters;
 
@@ -55,6 +55,19 @@ pub fn square() -> Mesh {
 /// Options for the triangulation of the inputs alone.
 pub fn delaunay() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
+}
+
+/// The square with its diagonal and a side as segments, and labels of its triangles.
+pub fn square_with_segments() -> Mesh {
+    let square = square();
+    let mut triangulation = square.triangulation().unwrap().clone();
+    triangulation.boundary = Boundary {
+        subsegments: vec![[0, 2], [1, 0]],
+        parents: vec![1, 0],
+        simplex_regions: vec![7, -8],
+        ..Boundary::default()
+    };
+    Mesh::from_parts(square.inputs().clone(), triangulation).with_markers(vec![6, -5])
 }
 
 /// A mesh of one domain that a run made.

@@ -6,10 +6,16 @@ use super::text::{Line, Lines, Points, write_number, write_point};
 use super::values::Values;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::collected;
-use crate::mesh::{Attribute, Triangulation};
+use crate::mesh::{Attribute, Region, Triangulation};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+/// The files that there are beside the pair, with segments: `.edge` part, `.poly` part.
+pub(super) fn paths_of_segments(path: &Path) -> (PathBuf, PathBuf) {
+    let (_, ele) = paths(path);
+    (ele.with_extension("edge"), ele.with_extension("poly"))
+}
 
 /// The files of the pair that `path` names: `.node` part, `.ele` part.
 pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
@@ -169,12 +175,49 @@ pub(super) fn write_node(
 
 pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let vertices = triangulation.dim + 1;
-    writeln!(out, "{} {vertices} 0", triangulation.simplex_count())?;
+    let labels = &triangulation.boundary.simplex_regions;
+    let attributes = u8::from(!labels.is_empty());
+    writeln!(out, "{} {vertices} {attributes}", triangulation.simplex_count())?;
     for (id, simplex) in triangulation.simplices.chunks_exact(vertices).enumerate() {
         write!(out, "{id}")?;
         for vertex in simplex {
             write!(out, " {vertex}")?;
         }
+        if let Some(label) = labels.get(id) {
+            write!(out, " {label}")?;
+        }
+        out.write_all(b"\n")?;
+    }
+    Ok(())
+}
+
+/// The edges that segments have become, with the markers of their segments.
+pub(super) fn write_edge(
+    triangulation: &Triangulation,
+    markers: &[i32],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    writeln!(out, "{} 1", triangulation.boundary.subsegments.len())?;
+    for (id, ([from, to], marker)) in triangulation.boundary.marked(markers).enumerate() {
+        writeln!(out, "{id} {from} {to} {marker}")?;
+    }
+    Ok(())
+}
+
+/// As [`write_edge`], as segments between the points of the `.node` part, and the holes.
+pub(super) fn write_poly(
+    triangulation: &Triangulation,
+    markers: &[i32],
+    regions: &[Region],
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    out.write_all(b"0 2 0 1\n")?;
+    write_edge(triangulation, markers, out)?;
+    let holes = || regions.iter().filter(|region| region.is_hole);
+    writeln!(out, "{}", holes().count())?;
+    for (id, hole) in holes().enumerate() {
+        write!(out, "{id} ")?;
+        write_point(out, &hole.seed, " ")?;
         out.write_all(b"\n")?;
     }
     Ok(())
@@ -231,5 +274,40 @@ mod tests {
         assert_eq!(pair("d.x/a.NODE"), expected("d.x/a.NODE", "d.x/a.ele"));
         assert_eq!(pair("a.1"), expected("a.1", "a.1.ele"));
         assert_eq!(pair("a"), expected("a", "a.ele"));
+    }
+
+    #[test]
+    fn segments_have_files_of_their_own() {
+        let mesh = samples::square_with_segments();
+        let (triangulation, markers) = (mesh.triangulation().unwrap(), mesh.markers_of_result());
+        let mut text = Vec::new();
+        write_ele(triangulation, &mut text).unwrap();
+        write_edge(triangulation, markers, &mut text).unwrap();
+        let hole = Region { seed: [0.5, -0.25], is_hole: true, ..Region::default() };
+        let regions = [Region::default(), hole];
+        write_poly(triangulation, markers, &regions, &mut text).unwrap();
+        let edges = "2 1\n0 0 2 -5\n1 1 0 6\n";
+        let expected =
+            format!("2 3 1\n0 0 1 2 7\n1 0 2 3 -8\n{edges}0 2 0 1\n{edges}1\n0 0.5 -0.25\n");
+        assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+
+    #[test]
+    fn all_four_files_are_written_and_read_back() {
+        let directory = std::env::temp_dir().join(format!("netmesh-{}-edge", std::process::id()));
+        std::fs::create_dir_all(&directory).unwrap();
+        let mesh = samples::square_with_segments();
+        super::super::write_file(&mesh, &directory.join("a.node"), Format::Auto).unwrap();
+        assert!(directory.join("a.edge").exists());
+        let choice = super::super::Choice::default();
+        let path = directory.join("a.poly");
+        let table = super::super::read_table_file(&path, Format::Auto, &choice).unwrap();
+        super::super::write_file(&samples::square(), &directory.join("b"), Format::TetgenNode)
+            .unwrap();
+        assert!(directory.join("b.ele").exists() && !directory.join("b.poly").exists());
+        std::fs::remove_dir_all(&directory).unwrap();
+        assert_eq!(table.points.coordinates, mesh.triangulation().unwrap().points);
+        assert_eq!(table.outline.segments, [[0, 2], [1, 0]]);
+        assert_eq!(table.outline.markers, [-5, 6]);
     }
 }

@@ -80,6 +80,16 @@ impl Arrangement {
 }
 
 impl Boundary {
+    /// The edges that segments have become, with the markers of their segments; 0 for those that
+    /// have none.
+    pub(crate) fn marked<'a>(
+        &'a self,
+        markers: &'a [i32],
+    ) -> impl Iterator<Item = ([u32; 2], i32)> + 'a {
+        let marker = |&parent: &u32| markers.get(parent as usize).copied().unwrap_or(0);
+        self.subsegments.iter().copied().zip(self.parents.iter().map(marker))
+    }
+
     /// That of a part with these simplices, of a mesh whose vertices get new numbers there, or
     /// [`NONE`].
     pub(crate) fn part(&self, new_vertex: &[u32], simplices: &[u32]) -> AllocResult<Self> {
@@ -237,6 +247,20 @@ mod tests {
         assert_eq!(bad(&[3, 0], None), same);
         let markers = "markers has length 1; it must be that of the segments, 2";
         assert_eq!(bad(&[0, 1, 1, 2], Some(&[5])), markers);
+    }
+
+    #[test]
+    fn markers_are_those_of_the_segments_that_were_meshed() {
+        let mut mesh = mesh();
+        mesh.set_segments(&[0, 1], Some(&[7])).unwrap();
+        mesh.run(&Default::default(), None).unwrap();
+        assert_eq!(mesh.markers_of_result(), [7]);
+        for marker in [8, 9] {
+            mesh.set_segments(&[1, 2], Some(&[marker])).unwrap();
+            assert_eq!(mesh.markers_of_result(), [7]);
+        }
+        mesh.run(&Default::default(), None).unwrap();
+        assert_eq!(mesh.markers_of_result(), [9]);
     }
 
     #[test]

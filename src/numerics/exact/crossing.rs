@@ -245,6 +245,18 @@ mod tests {
         }
     }
 
+    /// At height 1/2 + 2^-55, on a line from 0 to the least double: just above the tie, which a
+    /// rounding to 53 bits first would make one.
+    #[test]
+    fn subnormal_coordinates_are_rounded_once() {
+        let least = f64::from_bits(1);
+        let steep = [&[0.0, 0.0], &[least, 1.0]];
+        let crossing = |y: f64| crossing([steep, [&[-1.0, 0.5], &[3.0, y]]]).unwrap();
+        assert_eq!(crossing(0.5 + f64::EPSILON / 2.0), [least, 0.5]);
+        // And just below both ties.
+        assert_eq!(crossing(0.5 - f64::EPSILON / 2.0), [0.0, 0.5f64.next_down()]);
+    }
+
     #[test]
     fn exact_coordinates_are_ordered() {
         let mut seen = [0; 3];

@@ -4,19 +4,22 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Hole;
 use crate::error::Result;
-use crate::memory::AllocResult;
+use crate::memory::{AllocResult, filled};
 use crate::netmesh::Mesher;
+use crate::netmesh::cages::domains::DomainId;
 use crate::numerics::{Circumball, shortest_distance};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Removes every Steiner vertex that is on no segment and in no cage and leaves no simplex
-    /// beyond the bound, the last one first. O(vertices) for vertices of few neighbours.
+    /// Removes every Steiner vertex that is on no segment, in no cage and no domain's centre, and
+    /// leaves no simplex beyond the bound, the last one first. O(vertices) for vertices of few neighbours.
     pub(in crate::netmesh) fn coarsen(&mut self) -> Result<()> {
         let (mut hole, mut filled) = (Hole::default(), Vec::new());
+        let is_center = self.centers()?;
         for vertex in (self.state.inputs..self.state.delaunay.point_count()).rev() {
             self.watch.poll_after(16)?;
             let vertex = VertexId::new(vertex);
             if self.is_free(vertex)
+                && !is_center[vertex]
                 && self.state.delaunay.find_hole(vertex, &mut hole)?
                 && self.is_needless(vertex, &hole)
             {
@@ -24,6 +27,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(())
+    }
+
+    /// Vertex -> whether it is the centre of a living domain: its cage is found from there.
+    pub(super) fn centers(&self) -> AllocResult<Vec<bool>> {
+        let mut is_center = filled(self.state.delaunay.point_count(), false)?;
+        for domain in (0..self.state.hierarchy.len()).map(DomainId::new) {
+            let node = self.state.hierarchy.node(domain);
+            if node.alive {
+                is_center[node.center] = true;
+            }
+        }
+        Ok(is_center)
     }
 
     /// Whether refinement made `vertex`, and it is in the mesh, but on no segment.

@@ -8,7 +8,7 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Boundary, NONE, Triangulation, VertexKind};
+use crate::mesh::{self, Boundary, NONE, Triangulation, VertexKind};
 use crate::netmesh::segments::Segments;
 use crate::netmesh::{Mesher, State};
 use crate::options::Extent;
@@ -97,9 +97,10 @@ impl Order {
         for simplex in all.filter(|simplex| !inside(simplex)) {
             simplices.try_push(simplex)?;
         }
-        // 0: of no simplex, 1: of one outside, 2: of the domain, as all inputs are.
+        // 0: of no simplex, 1: of one outside, 2: of the domain, as all inputs and centres are.
         let mut rank = filled(whole.vertex_count(), 0u8)?;
         rank[..inputs].fill(2);
+        whole.domains.iter().for_each(|domain| rank[domain.center as usize] = 2);
         for (simplex, &is_inside) in is_inside.iter().enumerate() {
             for &vertex in whole.simplex(simplex) {
                 let rank = &mut rank[vertex as usize];
@@ -145,6 +146,12 @@ impl Order {
             vertex_domains: gathered(&whole.vertex_domains, &self.vertices, 1)?,
             cage_of: gathered(&whole.cage_of, &self.vertices, 1)?,
             precision_limited: gathered(&whole.precision_limited, &self.vertices, 1)?,
+            domains: collected(
+                whole
+                    .domains
+                    .iter()
+                    .map(|&domain| mesh::Domain { center: vertex(domain.center), ..domain }),
+            )?,
             boundary,
             sizes: match whole.sizes.is_empty() {
                 true => Vec::new(),

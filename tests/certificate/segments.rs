@@ -136,6 +136,23 @@ fn domains_hold() {
     assert!(!star().case.mesh.boundary.forced.is_empty());
 }
 
+/// Of many points in a square a few come so close to Steiner vertices that these get cages. They
+/// keep their places when vertices get new numbers.
+#[test]
+fn domains_in_a_cut_hierarchy_have_their_centres() {
+    let mut points = super::meshes::random_points::<2>(50_000, 1);
+    let first = points.len() as u32;
+    points.extend([[-0.1, -0.1], [1.1, -0.1], [1.1, 1.1], [-0.1, 1.1]]);
+    let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
+    mesh.set_segments(closed(first, 4).as_flattened(), None).unwrap();
+    let options = Options { extent: Extent::Boundary, min_angle: 30.0, ..Options::default() };
+    mesh.run(&options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations, report.first), (3, 0, None));
+    let mut centers = mesh.result().unwrap().domains.iter().map(|domain| domain.center);
+    assert!(centers.any(|center| center as usize >= points.len()));
+}
+
 /// A result is checked with the segments that it was made of.
 #[test]
 fn later_segments_are_not_those_of_the_result() {
@@ -294,6 +311,17 @@ fn segments_that_overlap_share_subsegments() {
     }
 }
 
+/// Other segments lead from end to end, by a detour.
+#[test]
+fn a_segment_without_subsegments() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 1.5]];
+    let kind = |segments: &[[u32; 2]]| {
+        kind_by_hand(&by_hand(&points, 3, segments, &[[0, 2, 0], [2, 1, 1]]))
+    };
+    assert_eq!(kind(&[[0, 2], [2, 1]]), None);
+    assert_eq!(kind(&[[0, 2], [2, 1], [0, 1]]), Some(Kind::SegmentChain));
+}
+
 #[test]
 fn segments_cross_at_the_nearest_double() {
     let kind = |y: f64| {
@@ -393,6 +421,10 @@ fn a_domain_with_a_region_too_few_or_too_many() {
     let mut domain = lake();
     domain.recut(domain.whole().simplex_count());
     assert_violates(&domain, Kind::DomainPlace);
+    // Without a hole only what is outside is too much.
+    let mut domain = star();
+    domain.recut(domain.whole().simplex_count());
+    assert_violates(&domain, Kind::DomainPlace);
     let mut domain = lake();
     domain.regions[1].is_hole = true;
     assert_violates(&domain, Kind::DomainPlace);
@@ -405,6 +437,10 @@ fn a_domain_with_a_region_too_few_or_too_many() {
 fn a_simplex_that_nothing_forces() {
     let mut domain = lake();
     domain.corrupt(|whole| whole.boundary.forced = vec![5]);
+    assert_violates(&domain, Kind::ForcedSimplex);
+    // Those that would be forced if they were beyond the bound.
+    let mut domain = star();
+    domain.corrupt(|whole| whole.parameters.quality_bound = 1e9);
     assert_violates(&domain, Kind::ForcedSimplex);
     // One beyond the bound that is not between two segments.
     let mut domain = star();

@@ -2,7 +2,7 @@
 
 use super::edges::Edges;
 use super::lines::{self, Lines};
-use super::{Promised, areas, regions};
+use super::{Promised, areas, forced, regions};
 use crate::mesh::{Mesh, Triangulation};
 use crate::options::{Algorithm, Extent, Options, Output};
 use crate::quality::view::View;
@@ -85,4 +85,35 @@ fn lines_do_not_go_back() {
     assert_eq!(check(&[0, 2], &[[0, 1], [1, 2]]), None);
     assert_eq!(check(&[0, 1], &[[0, 2], [2, 1]]), Some(ViolationKind::SegmentChain));
     assert_eq!(check(&[0, 2], &[[0, 3], [3, 2]]), Some(ViolationKind::SegmentLine));
+}
+
+/// A triangle whose shortest edge is between two segments from the origin: at `angle` degrees, and
+/// at the distances 1 and `distance`.
+fn between_segments(angle: f64, distance: f64) -> Option<ViolationKind> {
+    let (sine, cosine) = angle.to_radians().sin_cos();
+    let far = [4.0 * cosine, 4.0 * sine];
+    let near = [distance * cosine, distance * sine];
+    let points = [[0.0, 0.0], [4.0, 0.0], far, [2.2, 2.0], [1.0, 0.0], near];
+    let mut mesh = Mesh::new(2, 6, points.as_flattened(), 0).unwrap();
+    mesh.run(&Options { algorithm: Algorithm::Delaunay, ..Options::default() }, None).unwrap();
+    let mut result = mesh.result().unwrap().clone();
+    let is_between =
+        |&simplex: &usize| [3, 4, 5].iter().all(|v| result.simplex(simplex).contains(v));
+    let simplex = (0..result.simplex_count()).find(is_between).unwrap();
+    result.boundary.subsegments = vec![[0, 4], [4, 1], [0, 5], [5, 2]];
+    result.boundary.parents = vec![0, 0, 1, 1];
+    result.boundary.forced = vec![simplex as u32];
+    result.parameters.quality_bound = 0.6;
+    findings(&result, |view, edges, _, found| {
+        let lines = Lines::new(view.mesh, 4, edges).unwrap();
+        forced::check(view, edges, &lines, 4, found).unwrap();
+    })
+}
+
+#[test]
+fn small_angles_force_what_is_on_one_shell() {
+    assert_eq!(between_segments(50.0, 1.0), None);
+    assert_eq!(between_segments(50.0, 1.0005), None);
+    assert_eq!(between_segments(50.0, 1.01), Some(ViolationKind::ForcedSimplex));
+    assert_eq!(between_segments(80.0, 1.0), Some(ViolationKind::ForcedSimplex));
 }

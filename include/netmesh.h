@@ -1351,7 +1351,8 @@ typedef struct nm_quality {
      * Worst circumradius over shortest edge of the simplices without a vertex on the hull.
      * NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
      * the hull included, and in a hierarchical mesh for the simplices with all vertices in one
-     * domain.
+     * domain. Of a domain that segments bound and that is cut out, all simplices count but those
+     * that a small angle between segments forces.
      */
     double worst_radius_edge;
     /**

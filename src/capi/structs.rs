@@ -325,7 +325,8 @@ pub struct nm_quality {
     /// Worst circumradius over shortest edge of the simplices without a vertex on the hull.
     /// NM_CRITERION_RADIUS_EDGE bounds this ratio for every simplex of a well-spaced mesh, those at
     /// the hull included, and in a hierarchical mesh for the simplices with all vertices in one
-    /// domain.
+    /// domain. Of a domain that segments bound and that is cut out, all simplices count but those
+    /// that a small angle between segments forces.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and more), in degrees, of the simplices without a
     /// vertex on the hull.

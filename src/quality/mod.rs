@@ -50,7 +50,8 @@ pub struct Quality {
     /// Cages with a precision-limited vertex or centre are left out.
     pub worst_cage_aspect: f64,
     /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
-    /// on the hull, which is the root's cage. Their corners are not restricted.
+    /// on the hull, which is the root's cage. Their corners are not restricted. Of a domain that is
+    /// cut out, those at its boundary count too. Forced simplices never do.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees; 0 below
     /// about 1e-14, where the directions of two facets are no longer told apart.
@@ -108,7 +109,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull.
+/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones.
 struct SimplexMeasures {
     radius_edge: f64,
     /// Of half the smallest angle.
@@ -123,7 +124,10 @@ impl SimplexMeasures {
         on_hull: &[bool],
     ) -> AllocResult<()> {
         let vertices = view.simplex(cell.simplex);
-        if vertices.iter().any(|&v| on_hull[v as usize]) {
+        let boundary = &view.mesh.boundary;
+        let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
+        let at_cage = boundary.whole.is_none() && vertices.iter().any(|&v| on_hull[v as usize]);
+        if is_forced || at_cage {
             return Ok(());
         }
         let points = view.points_of(vertices);

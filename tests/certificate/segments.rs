@@ -2,6 +2,7 @@
 
 use super::meshes::{Case, run};
 use netmesh::options::{Algorithm, Extent, Options, Output};
+use netmesh::quality::measure;
 use netmesh::validate::{Outline, Report, ViolationKind as Kind, validate_mesh, validate_outlined};
 use netmesh::{Mesh, NONE, Region, Segments, Triangulation, VertexKind};
 
@@ -169,6 +170,21 @@ fn later_segments_are_not_those_of_the_result() {
     mesh.run(&options, None).unwrap();
     assert_eq!(mesh.result().unwrap().boundary.parents.last(), Some(&2));
     assert_eq!(validate_mesh(&mesh, 3).unwrap().violations, 0);
+}
+
+/// Triangles at the boundary of the domain are measured, and forced ones are not.
+#[test]
+fn measures_are_those_of_the_domain() {
+    let points = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]];
+    let quality = |domain: &Domain| measure(&domain.case.mesh).unwrap();
+    let (_, strip) = Domain::of(&points, &closed(0, 4), &[]);
+    assert!(quality(&strip).min_angle_degrees > 25.0 - 1e-6);
+    let mut star = star();
+    let bounded = quality(&star);
+    assert!(bounded.min_angle_degrees > 25.0 - 1e-6, "{bounded:?}");
+    assert!(bounded.worst_radius_edge <= star.case.mesh.parameters.quality_bound);
+    star.corrupt(|whole| whole.boundary.forced.clear());
+    assert!(quality(&star).min_angle_degrees < 1.0);
 }
 
 #[test]

@@ -96,10 +96,20 @@ impl Measure {
         let is_small = cosines.iter().fold(false, |any, &(cosine, scale)| {
             any | ((cosine > 0.0) & (cosine * cosine > self.square_cosine * scale))
         });
-        if volume > 0.0 && !is_small {
+        // Where edges differ by more than a hundred magnitudes the products are 0.
+        let least_square = squares[0].min(squares[1]).min(squares[2].min(squares[3]));
+        let is_told = least_square * least_square >= f64::MIN_POSITIVE;
+        if volume > 0.0 && is_told && !is_small {
             return violation;
         }
-        violation + 2.0 - least_angle(volume, &cosines).min(self.angle) / self.angle
+        let angle = match is_told {
+            true => least_angle(volume, &cosines),
+            false => least_angle_at_any_scale([a, b, c]),
+        };
+        match is_told || angle < self.angle {
+            true => violation + 2.0 - angle.min(self.angle) / self.angle,
+            false => violation,
+        }
     }
 }
 
@@ -118,6 +128,30 @@ fn least_angle(volume: f64, cosines: &[(f64, f64); 6]) -> f64 {
     }
     let cosines = cosines.iter().map(|(cosine, scale)| cosine / scale.sqrt());
     cosines.fold(0.0, f64::max).min(1.0).acos()
+}
+
+/// The least dihedral angle of a positively oriented tetrahedron, given its edges from one vertex,
+/// by normals that are each of length 1. 0 where a face has none.
+#[cold]
+#[inline(never)]
+fn least_angle_at_any_scale([a, b, c]: [[f64; 3]; 3]) -> f64 {
+    let scaled = |x: [f64; 3]| {
+        let unit = power_below(x.iter().fold(0.0, |largest, x| f64::max(largest, x.abs())));
+        x.map(|x| x / unit)
+    };
+    let normal = |a, b| {
+        let normal = scaled(cross(scaled(a), scaled(b)));
+        let length = square(normal).sqrt();
+        normal.map(|x| x / length)
+    };
+    let (ab, bc, ca) = (normal(a, b), normal(b, c), normal(c, a));
+    let abc = normal(minus(b, a), minus(c, b));
+    let cosines =
+        [-dot(bc, ca), -dot(ca, ab), -dot(ab, bc), dot(abc, bc), dot(abc, ca), dot(abc, ab)];
+    match cosines.iter().any(|cosine| cosine.is_nan()) {
+        true => 0.0,
+        false => cosines.into_iter().fold(-1.0, f64::max).clamp(-1.0, 1.0).acos(),
+    }
 }
 
 /// The points of `vertices`, which are in space.
@@ -214,5 +248,23 @@ mod tests {
         }
         assert!(slivers > 300 && beyond > 100, "{slivers} {beyond}");
         assert!(measure.penalty(&[[1.0; 3]; 4]) >= 2.0);
+    }
+
+    /// One that a fuzz target found, whose normals' lengths differ by 90 magnitudes, and one with
+    /// right angles of such edges.
+    #[test]
+    fn penalties_are_right_where_edges_differ_by_many_magnitudes() {
+        let measure = Measure::new(22.0, Criterion::RadiusEdge, f64::INFINITY);
+        let found: Corners = [
+            [-1.0, 4.916776677396771e-107, -5.446961927974371e-106],
+            [-1.0, 3.0648550058978346e-106, -3.395344069343827e-105],
+            [-1.0, -5.366831325673711e-106, 1.3934003177632725e-106],
+            [-1.0000000000000002, 1.8093035546805378e-267, -1.0561379816539002e-266],
+        ];
+        let penalty = measure.penalty(&found);
+        assert!((penalty - (2.0 - 8.258783835087407 / 22.0)).abs() < 1e-6, "{penalty}");
+        let (long, short) = (1e-16, 1e-106);
+        let needle: Corners = [[0.0; 3], [long, 0.0, 0.0], [0.0, short, 0.0], [0.0, 0.0, short]];
+        assert_eq!(measure.penalty(&needle), 0.0);
     }
 }

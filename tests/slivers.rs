@@ -119,6 +119,22 @@ fn no_angle_is_smaller_than_asked_for() {
     }
 }
 
+/// Of these points, by SplitMix64, the last sliver goes when a point comes and its neighbours move.
+#[test]
+fn the_last_sliver_takes_a_relaxation() {
+    let mut state = 1u64;
+    let mut unit = || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let points: Vec<f64> = (0..3 * 2000).map(|_| unit()).collect();
+    let mesh = run(&points, &options(22.0));
+    assert_eq!(below(mesh.triangulation().unwrap(), 22.0), [0, 0]);
+}
+
 /// The simplices beside cages stay, and are counted apart.
 #[test]
 fn in_domains_no_angle_is_smaller_but_those_counted() {

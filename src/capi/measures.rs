@@ -81,6 +81,7 @@ pub unsafe extern "C" fn nm_mesh_validate(
     let body = |mesh: &Mesh| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let out = unsafe { OutStruct::new("report", report)? };
+        result(mesh)?; // Says what is missing in C's words.
         out.write(&encode_report(&validate_mesh(mesh, level)?));
         Ok(())
     };

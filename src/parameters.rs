@@ -2,7 +2,9 @@
 //! Plain data that a result keeps; what the algorithm derives from them is its own affair.
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Options, Output};
+use crate::options::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output,
+};
 use std::fmt::Display;
 
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
@@ -44,6 +46,8 @@ pub struct Parameters {
     pub min_dihedral: f64,
     /// How far the result reaches.
     pub extent: Extent,
+    /// What becomes of segments that cross.
+    pub crossings: Crossings,
     /// 0: none.
     pub max_edge: f64,
     pub gives_way: GivesWay,
@@ -97,6 +101,7 @@ impl Parameters {
             },
             min_dihedral: angle(dim, options)?,
             extent: options.extent,
+            crossings: options.crossings,
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
             inputs_per_partition: INPUTS_PER_PARTITION,

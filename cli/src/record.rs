@@ -5,7 +5,9 @@ use crate::alpha_shape::Measured;
 use crate::histograms::Table;
 use crate::json::Object;
 use crate::summary::Summary;
-use netmesh::{Algorithm, Criterion, Extent, GivesWay, NetOrdering, Output, Parameters, Stats};
+use netmesh::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Output, Parameters, Stats,
+};
 
 pub fn json(summary: &Summary<'_>) -> String {
     let mut record = Object::new();
@@ -123,6 +125,13 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
             Extent::Hull => "hull",
             Extent::Box => "box",
             Extent::Boundary => "boundary",
+        },
+    );
+    options.text(
+        "crossings",
+        match parameters.crossings {
+            Crossings::Refuse => "refuse",
+            Crossings::Split => "split",
         },
     );
 }

@@ -45,9 +45,10 @@ fn streams_need_a_format_that_fits() {
     bench
         .run_with_input("- --input-format xyz", "0 0\n1 zero\n")
         .assert_failure(3, &["standard input: line 2, column 2"]);
-    bench
-        .run_with_input("- --input-format vtu", SQUARE)
-        .assert_failure(2, &["--input-format", "tetgen, gmsh, medit, off, ply, xyz, csv, npy]"]);
+    bench.run_with_input("- --input-format vtu", SQUARE).assert_failure(
+        2,
+        &["--input-format", "tetgen, gmsh, medit, off, ply, xyz, csv, npy, poly]"],
+    );
 }
 
 #[test]

@@ -8,8 +8,18 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 
 namespace {
+
+int without_exceptions(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
 
 [[noreturn]] void fail(const char* call) {
     std::perror(call);
@@ -32,7 +42,7 @@ std::string in_child(unsigned most_seconds, const std::function<int()>& work) {
         const rlimit no_core{0, 0};
         setrlimit(RLIMIT_CORE, &no_core);
         alarm(most_seconds);
-        const int code = work();
+        const int code = without_exceptions(work);
         std::fflush(nullptr);
         _exit(code);
     }

@@ -8,7 +8,7 @@
 
 // Runs the work in a child that lives for at most that many seconds (0: for as long as it likes) and
 // answers what became of it: nothing where the work ended well, otherwise a few words. The work
-// returns its exit code; what it leaves behind for the parent has to be in shared_bytes.
+// returns its exit code, 1 where it throws; what it leaves behind for the parent has to be in shared_bytes.
 std::string in_child(unsigned most_seconds, const std::function<int()>& work);
 
 // Zeroed memory that parent and children share, for as long as the process lives.

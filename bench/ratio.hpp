@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -18,6 +19,16 @@ inline void require(nm_status status, const char* call) {
     nm_last_error(message, sizeof message);
     std::fprintf(stderr, "%s: %s: %s\n", call, nm_status_name(status), message);
     std::exit(1);
+}
+
+// All that a getter has.
+template <class Item, class Getter>
+std::vector<Item> get(const nm_mesh* mesh, Getter getter, const char* call) {
+    std::uint64_t needed = 0;
+    require(getter(mesh, nullptr, 0, &needed), call);
+    std::vector<Item> items(needed);
+    require(getter(mesh, items.data(), needed, nullptr), call);
+    return items;
 }
 
 // NaN of nothing.

@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,15 +40,6 @@ struct Medians {
     double ours = 0.0, theirs = 0.0;
     double ratio = 0.0;
 };
-
-template <class Item, class Getter>
-std::vector<Item> get(const nm_mesh* mesh, Getter getter, const char* call) {
-    std::uint64_t needed = 0;
-    require(getter(mesh, nullptr, 0, &needed), call);
-    std::vector<Item> items(needed);
-    require(getter(mesh, items.data(), needed, nullptr), call);
-    return items;
-}
 
 int run_netmesh(const PointSet& input, double bound, Turn& turn) {
     const auto start = std::chrono::steady_clock::now();
@@ -79,14 +69,7 @@ int run_tetgen(const PointSet& input, double bound, Turn& turn) {
 
 // Answers whether there is a figure; says why where there is none.
 bool take_turn(const char* mesher, const std::function<int()>& work) {
-    const std::string trouble = in_child(most_seconds, [&] {
-        try {
-            return work();
-        } catch (const std::exception& error) {
-            std::fprintf(stderr, "%s\n", error.what());
-            return 1;
-        }
-    });
+    const std::string trouble = in_child(most_seconds, work);
     if (!trouble.empty()) std::printf("%6s %s: %s\n", "", mesher, trouble.c_str());
     return trouble.empty();
 }

@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <functional>
 #include <map>
 #include <string>
@@ -116,15 +115,6 @@ void measure(const Mesh& mesh, double degrees, Row& row) {
     }
 }
 
-template <class Item, class Getter>
-std::vector<Item> get(const nm_mesh* mesh, Getter getter, const char* call) {
-    std::uint64_t needed = 0;
-    require(getter(mesh, nullptr, 0, &needed), call);
-    std::vector<Item> items(needed);
-    require(getter(mesh, items.data(), needed, nullptr), call);
-    return items;
-}
-
 int run_netmesh(const PointSet& input, double asked, double degrees, Row& row) {
     const auto start = std::chrono::steady_clock::now();
     nm_mesh* mesh = nullptr;
@@ -157,14 +147,7 @@ void repeat(const char* name, std::size_t n, int turns, const std::function<int(
     static Row& row = shared<Row>();
     std::vector<double> seconds;
     for (int turn = 0; turn < turns; ++turn) {
-        const std::string trouble = in_child(most_seconds, [&] {
-            try {
-                return work(row);
-            } catch (const std::exception& error) {
-                std::fprintf(stderr, "%s\n", error.what());
-                return 1;
-            }
-        });
+        const std::string trouble = in_child(most_seconds, [&] { return work(row); });
         if (!trouble.empty()) {
             std::printf("%-28s %s\n", name, trouble.c_str());
             return;

@@ -104,7 +104,7 @@ def panel(rows, key, left, top):
 
 
 def drawing(rows):
-    height = 2 * (TOP + HEIGHT + 36) + 30
+    height = 2 * (TOP + HEIGHT + 36) + 44
     yield (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
         f'width="{WIDTH}" font-family="sans-serif">'
@@ -117,6 +117,10 @@ def drawing(rows):
         left = LEFT + 140 * number
         yield f'<rect x="{left}" y="{height - 24}" width="14" height="4" fill="{color}"/>'
         yield f'<text x="{left + 20}" y="{height - 18}" font-size="12">{mesher}</text>'
+    yield (
+        f'<text x="{LEFT}" y="{height - 38}" font-size="11">'
+        "across: points; up: microseconds a point, one thread</text>"
+    )
     yield "</svg>"
 
 

@@ -201,7 +201,7 @@ static int run(nm_mesh *mesh, nm_output output, nm_algorithm algorithm) {
   check(fingerprint(mesh) == before, "a failed run changed the mesh");
   relent();
   /* Runs are long and failure points many: one in a while. */
-  if (plan.points % 16 == 0)
+  if (plan.points % 64 == 0)
     check(nm_run(mesh, &options) == NM_OK, "the mesh is not usable after a failed run");
   return 0;
 }

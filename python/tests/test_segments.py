@@ -23,7 +23,8 @@ def test_segments_become_chains_of_edges():
 
 
 def test_regions_have_labels():
-    mesh = netmesh.mesh(SQUARE, SIDES + [[0, 2]], regions=[(0.75, 0.25, 4), (0.25, 0.75, -2, 0.5)])
+    regions = [(0.75, 0.25, 4), (0.25, 0.75, -2, 0.5)]
+    mesh = netmesh.mesh(SQUARE, SIDES + [[0, 2]], regions=regions, output="well_spaced")
     x, y = mesh.points[mesh.simplices].mean(axis=1).T
     inside = (x > 0) & (y > 0) & (x < 1) & (y < 1)
     assert (mesh.simplex_regions == np.where(inside, np.where(x > y, 4, -2), 0)).all()

@@ -12,8 +12,8 @@
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
 //!
 //! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
-//! options in full, `output` writes the result, and `instruments` measures what the theorems
-//! promise.
+//! options in full, `output` writes the result, and `instruments` measures what the
+//! theorems promise.
 
 mod cages;
 mod instruments;
@@ -102,20 +102,9 @@ fn mesh<const D: usize>(
         mesher.start_delaunay()?;
         mesher.insert_rounds(&mut cavity)?;
     } else {
-        mesher.start_netmesh(&mut cavity)?;
-        match mesher.state.parameters.algorithm {
-            Algorithm::Svr => mesher.insert_sparsely(&mut cavity)?,
-            _ => {
-                mesher.insert_rounds_until(Mesher::is_ready_for_partitions, &mut cavity)?;
-                mesher.insert_in_partitions(&mut cavity)?;
-                mesher.insert_rounds(&mut cavity)?;
-            }
-        }
-        if mesher.state.parameters.output == Output::WellSpaced {
-            mesher.finish_mesh(&mut cavity)?;
-        }
-        if let Some(arrangement) = arrangement {
-            mesher.conform(arrangement, &mut cavity)?;
+        match arrangement {
+            Some(arrangement) => mesher.conform(arrangement, &mut cavity)?,
+            None => mesher.mesh_points(&mut cavity)?,
         }
         mesher.refine_finally(&mut cavity)?;
         if arrangement.is_some() {
@@ -132,4 +121,23 @@ fn mesh<const D: usize>(
     }
     drop(cavity);
     mesher.into_triangulation(begun)
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// The mesh of the inputs, with the loose bound.
+    fn mesh_points(&mut self, cavity: &mut Cavity) -> Result<()> {
+        self.start_netmesh(cavity)?;
+        match self.state.parameters.algorithm {
+            Algorithm::Svr => self.insert_sparsely(cavity)?,
+            _ => {
+                self.insert_rounds_until(Mesher::is_ready_for_partitions, cavity)?;
+                self.insert_in_partitions(cavity)?;
+                self.insert_rounds(cavity)?;
+            }
+        }
+        match self.state.parameters.output {
+            Output::WellSpaced => self.finish_mesh(cavity),
+            Output::Hierarchical => Ok(()),
+        }
+    }
 }

@@ -58,6 +58,33 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.make_room_outside(cage, &yielded, cavity)
     }
 
+    /// The cage of a domain that has all its vertices already. There is none where the domain has
+    /// been released, or its ball is not inside that of its parent.
+    pub(in crate::netmesh) fn make_cage(
+        &mut self,
+        cage: DomainId,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let node = self.state.hierarchy.node(cage);
+        let (center, point, radius) = (node.center, node.point, node.radius);
+        if !node.alive {
+            return Ok(());
+        }
+        let parent = self.state.hierarchy.parent(cage);
+        if radius > self.room_inside(parent, center) {
+            return Ok(self.release_cage(cage)?);
+        }
+        let mut start = self.state.delaunay.complex().incident(center);
+        let turn = self.turn_of(cage);
+        let directions = turned(&self.state.template, turn)?;
+        for x in cage_points(&directions, &point, self.sphere_radius(cage))? {
+            if let Some(vertex) = self.insert_cage_vertex(cage, x, start, cavity)? {
+                start = self.state.delaunay.complex().incident(vertex);
+            }
+        }
+        Ok(self.measure_clearance(cage)?)
+    }
+
     /// What turns the template for `cage`: random bits, or in a deterministic ordering those of a
     /// fixed sequence (the fractions of multiples of the golden ratio).
     fn turn_of(&mut self, cage: DomainId) -> u64 {

@@ -78,6 +78,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(radius.map(|radius| CageSite { center, radius, parent }))
     }
 
+    /// The radius of a cage for a cluster that reaches no farther than `reach` from the vertex
+    /// `center`, if there is `room` times as much as it needs within the `gap` around the cluster.
+    pub(in crate::netmesh) fn concentrated_radius(
+        &self,
+        center: VertexId,
+        reach: f64,
+        gap: f64,
+        room: f64,
+    ) -> Option<f64> {
+        let radius = self.radius_for(reach).max(self.smallest_radius(center));
+        (room * radius <= self.radius_within(gap)).then_some(radius)
+    }
+
     fn spare_room(&self) -> f64 {
         match self.state.parameters.output {
             Output::WellSpaced => ROOM_IF_FINISHED,
@@ -97,7 +110,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With
     /// epsilon at most 0.5 the clearance asks for less.
-    fn room_inside(&self, parent: DomainId, center: VertexId) -> f64 {
+    pub(in crate::netmesh) fn room_inside(&self, parent: DomainId, center: VertexId) -> f64 {
         let radius = self.state.hierarchy.node(parent).radius;
         let distance =
             self.state.hierarchy.distance_to_center(parent, self.state.delaunay.point(center));

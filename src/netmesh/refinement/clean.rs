@@ -108,6 +108,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             false => self.state.stats.off_centers += 1,
         }
         self.state.hierarchy.set_domain(vertex, domain);
-        self.insert_into_cavity(vertex, cavity)
+        self.insert_off_segments(vertex, cavity)
     }
 }

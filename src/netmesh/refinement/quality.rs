@@ -10,7 +10,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
-use crate::netmesh::cages::domains::DomainId;
+use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::{Cell, Mesher, Scratch, State};
 use crate::numerics::shortest_distance;
 use crate::options::Criterion;
@@ -233,6 +233,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         radius: f64,
     ) -> Option<(VertexId, VertexId, f64)> {
         let edge = self.short_edge(simplex, radius)?;
+        if self.state.hierarchy.is_single() {
+            // One domain is that of all.
+            let vertices = self.state.delaunay.complex().vertices(simplex);
+            let is_free = |&vertex: &VertexId| !self.state.hierarchy.cage_of(vertex).is_valid();
+            let counts = vertices.iter().all(is_free) && self.is_well_inside(simplex, ROOT);
+            return counts.then_some(edge);
+        }
         let counts = (0..=D).all(|index| {
             let vertex = self.state.delaunay.complex().vertices(simplex)[index];
             self.counts_for(simplex, vertex)

@@ -18,9 +18,16 @@ pub(in crate::netmesh) const REPRESENTABLE: f64 = 16.0;
 const ROOM: f64 = 1.25;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
-    /// root domain has a vertex at its centre (Definition 3) without a Steiner point.
+    /// The outer cage, with all inputs on conflict lists.
     pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
+        let center = self.start_outer_cage(cavity)?;
+        self.assign_inputs(center)?;
+        self.clean(cavity)
+    }
+
+    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
+    /// root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns that.
+    pub(in crate::netmesh) fn start_outer_cage(&mut self, cavity: &mut Cavity) -> Result<VertexId> {
         let most = self.state.parameters.max_vertices;
         self.state.template =
             cage_template::<D>(self.state.parameters.delta, most, &mut self.watch)?;
@@ -63,8 +70,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 near = vertex;
             }
         }
-        self.assign_inputs(center)?;
-        self.clean(cavity)
+        Ok(center)
     }
 
     fn insert_outer_cage_vertex(

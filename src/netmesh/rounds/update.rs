@@ -21,6 +21,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.state.segments.is_active() {
             self.note_insertion_near_segments(vertex, cavity)?;
         }
+        self.insert_noted(vertex, cavity)
+    }
+
+    /// The same for a vertex that encroaches no subsegment.
+    pub(in crate::netmesh) fn insert_off_segments(
+        &mut self,
+        vertex: VertexId,
+        cavity: &Cavity,
+    ) -> Result<()> {
+        if self.state.segments.is_active() {
+            self.note_insertion_off_segments(cavity)?;
+        }
+        self.insert_noted(vertex, cavity)
+    }
+
+    fn insert_noted(&mut self, vertex: VertexId, cavity: &Cavity) -> Result<()> {
         let created = &mut self.scratch.created;
         let work = 4 * cavity.boundary.len() as u32;
         self.state.delaunay.insert(vertex, cavity, created)?;

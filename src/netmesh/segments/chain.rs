@@ -4,7 +4,7 @@
 //! points where segments cross. It is a chain of subsegments from its first end to its second.
 
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, Array, TryGrow, collected, enqueue};
+use crate::memory::{AllocResult, Array, TryGrow, collected, enqueue, filled};
 use std::collections::VecDeque;
 
 /// The chains, and the subsegments that wait for a look.
@@ -65,6 +65,8 @@ enum Place {
 pub(in crate::netmesh) struct AtEnd {
     pub other: VertexId,
     pub line: u32,
+    /// Whether it has been split.
+    is_split: bool,
 }
 
 impl Fraction {
@@ -104,35 +106,48 @@ impl Fraction {
 impl Chains {
     /// One subsegment for each line, all of them waiting. No two lines have the same ends.
     pub fn new(lines: Vec<Line>, vertices: usize) -> AllocResult<Self> {
-        let mut places = Array::filled(vertices, Place::Elsewhere)?;
-        let mut starts = Vec::new();
-        let mut at_ends =
-            collected(lines.iter().enumerate().flat_map(|(line, &Line { ends, .. })| {
-                let line = line as u32;
-                [
-                    (ends[0], AtEnd { other: ends[1], line }),
-                    (ends[1], AtEnd { other: ends[0], line }),
-                ]
-            }))?;
-        at_ends.sort_unstable_by_key(|&(end, AtEnd { other, .. })| (end, other));
-        for (at, &(end, _)) in at_ends.iter().enumerate() {
-            if at == 0 || at_ends[at - 1].0 != end {
-                places[end] = Place::End(starts.len() as u32);
-                starts.try_push(at as u32)?;
-            }
-        }
-        starts.try_push(at_ends.len() as u32)?;
-        let subsegments = collected(lines.iter().enumerate().map(|(line, &Line { ends, .. })| {
-            let line = line as u32;
+        let mut chains =
+            Self { places: Array::filled(vertices, Place::Elsewhere)?, ..Self::default() };
+        chains.subsegments = collected((0..).zip(&lines).map(|(line, &Line { ends, .. })| {
             let fractions = Fraction::ENDS;
             Subsegment { ends, fractions, line, is_waiting: true, is_limited: false }
         }))?;
-        let mut waiting = VecDeque::new();
         for number in 0..lines.len() {
-            enqueue(&mut waiting, number as u32)?;
+            enqueue(&mut chains.waiting, number as u32)?;
         }
-        let at_ends = collected(at_ends.into_iter().map(|(_, at_end)| at_end))?;
-        Ok(Self { lines, subsegments, places, starts, at_ends, waiting })
+        chains.lines = lines;
+        chains.collect_ends(vertices)?;
+        Ok(chains)
+    }
+
+    /// Finds which lines are at which ends.
+    fn collect_ends(&mut self, vertices: usize) -> AllocResult<()> {
+        // Vertex -> how many lines end there, then where the next one of them goes.
+        let mut next = filled(vertices, 0u32)?;
+        self.lines.iter().flat_map(|line| line.ends).for_each(|end| next[end] += 1);
+        let mut start = 0;
+        for vertex in VertexId::below(vertices) {
+            if next[vertex] == 0 {
+                continue;
+            }
+            self.places[vertex] = Place::End(self.starts.len() as u32);
+            self.starts.try_push(start)?;
+            start += std::mem::replace(&mut next[vertex], start);
+        }
+        self.starts.try_push(start)?;
+        let none = AtEnd { other: VertexId::NONE, line: 0, is_split: false };
+        self.at_ends = filled(start as usize, none)?;
+        for (line, &Line { ends, .. }) in (0..).zip(&self.lines) {
+            for (end, other) in [(ends[0], ends[1]), (ends[1], ends[0])] {
+                self.at_ends[next[end] as usize] = AtEnd { other, line, is_split: false };
+                next[end] += 1;
+            }
+        }
+        for range in self.starts.windows(2) {
+            let own = &mut self.at_ends[range[0] as usize..range[1] as usize];
+            own.sort_unstable_by_key(|at_end| at_end.other);
+        }
+        Ok(())
     }
 
     pub fn is_empty(&self) -> bool {
@@ -166,15 +181,22 @@ impl Chains {
         }
     }
 
-    /// The lines that end at `vertex`, by rising other end.
-    pub fn lines_at(&self, vertex: VertexId) -> &[AtEnd] {
-        match self.place(vertex) {
-            Place::End(at) => {
-                let [start, end] = [at, at + 1].map(|at| self.starts[at as usize] as usize);
-                &self.at_ends[start..end]
-            }
-            _ => &[],
-        }
+    /// Where several lines end.
+    pub fn fans(&self) -> impl Iterator<Item = &[AtEnd]> {
+        let ranges = self.starts.windows(2).map(|range| range[0] as usize..range[1] as usize);
+        ranges.filter(|range| range.len() > 1).map(|range| &self.at_ends[range])
+    }
+
+    /// Where `at_ends` has a line between an end, by its number, and another vertex.
+    #[inline]
+    fn find_at_end(&self, end: u32, other: VertexId) -> Option<usize> {
+        let [start, end] = [end, end + 1].map(|at| self.starts[at as usize] as usize);
+        let own = &self.at_ends[start..end];
+        let found = match own.len() {
+            0..=8 => own.iter().position(|at_end| at_end.other == other),
+            _ => own.binary_search_by_key(&other, |at_end| at_end.other).ok(),
+        };
+        found.map(|at| start + at)
     }
 
     /// The subsegment between two vertices.
@@ -187,18 +209,33 @@ impl Chains {
         self.between_places((a, place), (b, other))
     }
 
-    fn between_places(&self, a: (VertexId, Place), b: (VertexId, Place)) -> Option<u32> {
-        let joins = |&subsegment: &u32| {
-            let ends = self.get(subsegment).ends;
-            ends == [a.0, b.0] || ends == [b.0, a.0]
-        };
-        match (a.1, b.1) {
-            (Place::Between(two), _) | (_, Place::Between(two)) => two.into_iter().find(joins),
-            _ => {
-                let lines = self.lines_at(a.0);
-                let at = lines.binary_search_by_key(&b.0, |at_end| at_end.other).ok()?;
-                Some(lines[at].line).filter(joins)
+    /// The subsegments between the vertices of a triangle: number i is opposite vertex number i.
+    #[inline]
+    pub fn sides_of(&self, vertices: &[VertexId]) -> [Option<u32>; 3] {
+        let places = [0, 1, 2].map(|at| self.place(vertices[at]));
+        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| {
+            let is_off = places[i] == Place::Elsewhere || places[j] == Place::Elsewhere;
+            match is_off {
+                true => None,
+                false => self.between_places((vertices[i], places[i]), (vertices[j], places[j])),
             }
+        })
+    }
+
+    #[inline]
+    fn between_places(&self, a: (VertexId, Place), b: (VertexId, Place)) -> Option<u32> {
+        match (a.1, b.1) {
+            (Place::Between(two), _) | (_, Place::Between(two)) => {
+                two.into_iter().find(|&subsegment| {
+                    let ends = self.get(subsegment).ends;
+                    ends == [a.0, b.0] || ends == [b.0, a.0]
+                })
+            }
+            (Place::End(end), _) => {
+                let at_end = self.at_ends[self.find_at_end(end, b.0)?];
+                (!at_end.is_split).then_some(at_end.line)
+            }
+            (Place::Elsewhere, _) => None,
         }
     }
 
@@ -210,6 +247,9 @@ impl Chains {
         fraction: Fraction,
     ) -> AllocResult<()> {
         let whole = self.subsegments[subsegment as usize];
+        if whole.ends == self.lines[whole.line as usize].ends {
+            self.note_first_split(whole.ends);
+        }
         let second = self.subsegments.len() as u32;
         let (mut first_half, mut second_half) = (whole, whole);
         (first_half.ends[1], first_half.fractions[1]) = (vertex, fraction);
@@ -224,6 +264,17 @@ impl Chains {
         }
         self.wait(subsegment)?;
         self.wait(second)
+    }
+
+    /// The line between two ends is no subsegment any more.
+    fn note_first_split(&mut self, ends: [VertexId; 2]) {
+        for [end, other] in [ends, [ends[1], ends[0]]] {
+            if let Place::End(end) = self.place(end) {
+                if let Some(at) = self.find_at_end(end, other) {
+                    self.at_ends[at].is_split = true;
+                }
+            }
+        }
     }
 
     /// Has a look at `subsegment` in its turn.

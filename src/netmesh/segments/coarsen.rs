@@ -1,6 +1,7 @@
 //! Away with Steiner vertices that the bound does not need: what stands near a segment was often
 //! put there for a triangle that others have mended since.
 
+use super::ring::Ring;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Hole;
 use crate::error::Result;
@@ -20,6 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertex = VertexId::new(vertex);
             if self.is_free(vertex)
                 && !is_center[vertex]
+                && !self.is_surely_needed(vertex)
                 && self.state.delaunay.find_hole(vertex, &mut hole)?
                 && self.is_needless(vertex, &hole)
             {
@@ -46,6 +48,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.is_inserted(vertex)
             && !self.state.hierarchy.cage_of(vertex).is_valid()
             && !self.state.segments.chains.holds(vertex)
+    }
+
+    /// Whether a simplex would be beyond the bound without `vertex`, by a look at its neighbours.
+    fn is_surely_needed(&self, vertex: VertexId) -> bool {
+        let ring = Ring::around(&self.state.delaunay, vertex);
+        ring.is_some_and(|ring| ring.has_beyond(self.state.parameters.quality_bound))
     }
 
     /// Whether all simplices that would fill the hole of `vertex` are within the bound, and in its

@@ -1,4 +1,4 @@
-//! From the mesh of the points to one that conforms to segments.
+//! From the points to a mesh that conforms to segments.
 
 use super::chain::{Chains, Line};
 use super::regions::OUTSIDE;
@@ -13,23 +13,25 @@ use crate::numerics::{Sign, orientation};
 use crate::options::Extent;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Makes all segments chains of edges, finds the regions between them, and refines, with the
-    /// loose bound, the simplices of those that are wanted.
+    /// Inserts the inputs, makes all segments chains of edges, and finds the regions between them.
+    /// No bound counts meanwhile.
     pub(in crate::netmesh) fn conform(
         &mut self,
         arrangement: &Arrangement,
         cavity: &mut Cavity,
     ) -> Result<()> {
-        self.clear_steiner_vertices()?;
-        let mut lines = self.lines_of(arrangement, cavity)?;
-        self.find_sharp_ends(&mut lines)?;
+        self.state.stage.bound = f64::INFINITY;
+        let center = self.start_outer_cage(cavity)?;
+        self.insert_points(center, cavity)?;
+        let lines = self.lines_of(arrangement, cavity)?;
+        self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
+        self.find_sharp_ends()?;
         self.recover_segments(cavity)?;
         let State { delaunay, segments, .. } = &mut self.state;
         let Segments { chains, regions, visited, .. } = segments;
         regions.find(delaunay, chains, visited)?;
-        self.judge_regions(&arrangement.regions)?;
-        self.clean(cavity)
+        self.judge_regions(&arrangement.regions)
     }
 
     /// The lines of the arrangement. Crossings become vertices.

@@ -54,7 +54,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// one shell about that.
     pub(in crate::netmesh) fn is_forced(&self, simplex: SimplexId) -> bool {
         let vertices = self.state.delaunay.complex().vertices(simplex);
-        if vertices.contains(&VertexId::INFINITE) {
+        let chains = &self.state.segments.chains;
+        let on_lines = vertices.iter().filter(|&&vertex| chains.line_through(vertex).is_some());
+        if on_lines.count() < 2 || vertices.contains(&VertexId::INFINITE) {
             return false;
         }
         let points: [&[f64; D]; 3] =
@@ -66,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Whether a simplex beyond the bound stays for that.
     pub(super) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.state.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
-        self.short_edge(simplex, radius).is_some() && self.is_forced(simplex)
+        self.is_forced(simplex) && self.short_edge(simplex, radius).is_some()
     }
 
     fn is_on_shell(&self, a: VertexId, b: VertexId) -> bool {

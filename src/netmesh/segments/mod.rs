@@ -8,28 +8,32 @@
 //! *encroaches*. A subsegment that is not recovered is split; a Steiner point that would encroach
 //! one is not inserted, the subsegment is split instead.
 //!
-//! The mesh of the points comes first, with its loose bound. Its Steiner vertices go (`clear`), its
-//! cages stay but for those that a segment crosses: a component moves into a domain as a whole, or
-//! into none.
+//! The Delaunay triangulation of the points comes first, without Steiner vertices. What is
+//! concentrated in it gets a cage, but where a segment leads out: a component moves into a domain
+//! as a whole, or into none.
 //!
 //! - `conform`: all of it, in order.
-//! - `clear`: the mesh of the points without its Steiner vertices.
+//! - `points`: the Delaunay triangulation of the points.
+//! - `clusters`: what is concentrated, and gets a cage.
 //! - `chain`: the subsegments, and which edges they are.
 //! - `split`: where a subsegment is split; the shells about sharp corners.
 //! - `recover`: what is done until all subsegments are recovered.
 //! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
 //! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
 //! - `coarsen`: away with vertices that the bound does not need.
+//! - `ring`: the neighbours of a vertex, and whether they need it.
 //! - `cut`: the result, with what belongs to segments and regions.
 
 mod chain;
-mod clear;
+mod clusters;
 mod coarsen;
 mod conform;
 mod cut;
 mod exempt;
+mod points;
 mod recover;
 mod regions;
+mod ring;
 mod split;
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 
 use super::chain::Subsegment;
 use super::name_of;
-use crate::complex::VertexId;
+use crate::complex::{VertexId, position};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
@@ -25,7 +25,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.watch.poll_after(8)?;
         let [a, b] = self.state.segments.chains.get(subsegment).ends;
         self.leave_domains(a, b)?;
-        let apexes = self.apexes(a, b)?;
+        let apexes = self.apexes(a, b);
         let [from, to] = [a, b].map(|end| self.state.delaunay.point(end));
         let encroaches = |&apex: &VertexId| {
             apex.is_valid()
@@ -40,22 +40,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The vertices opposite the edge between `a` and `b`, if there is one.
-    fn apexes(&mut self, a: VertexId, b: VertexId) -> AllocResult<Option<[VertexId; 2]>> {
+    fn apexes(&self, a: VertexId, b: VertexId) -> Option<[VertexId; 2]> {
         // The star of an end of many lines is large, that of a vertex between two is not.
         let chains = &self.state.segments.chains;
         let (center, other) = if chains.line_through(a).is_some() { (a, b) } else { (b, a) };
-        self.state.delaunay.star(center, &mut self.scratch.star)?;
-        let mut apexes = [VertexId::NONE; 2];
-        let mut count = 0;
-        for &simplex in &self.scratch.star {
-            let vertices = self.state.delaunay.complex().vertices(simplex);
-            if vertices.contains(&other) && count < 2 {
-                let apex = vertices.iter().find(|&&vertex| vertex != a && vertex != b);
-                apexes[count] = *apex.expect("a triangle has three vertices");
-                count += 1;
+        let complex = self.state.delaunay.complex();
+        let first = complex.incident(center);
+        let mut simplex = first;
+        loop {
+            let vertices = complex.vertices(simplex);
+            let own = position(vertices, center);
+            let [next, last] = [(own + 1) % 3, (own + 2) % 3];
+            if vertices[next] == other {
+                let beyond = complex.vertices(complex.neighbors(simplex)[last]);
+                let apex = beyond.iter().find(|&&vertex| vertex != a && vertex != b);
+                return Some([vertices[last], *apex.expect("a triangle has three vertices")]);
+            }
+            // Counterclockwise.
+            simplex = complex.neighbors(simplex)[next];
+            if simplex == first {
+                return None;
             }
         }
-        Ok((count == 2).then_some(apexes))
     }
 
     /// Leaves a subsegment as it is for which doubles are too coarse, if it is an edge of the mesh.
@@ -100,7 +106,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Releases the cages that a subsegment between two vertices crosses: those of the domains
     /// that have one of them.
-    fn leave_domains(&mut self, a: VertexId, b: VertexId) -> AllocResult<()> {
+    pub(super) fn leave_domains(&mut self, a: VertexId, b: VertexId) -> AllocResult<()> {
         loop {
             let [first, second] = [a, b].map(|end| self.state.hierarchy.domain_of(end));
             if first == second {
@@ -135,15 +141,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
         encroached.clear();
         for &simplex in &cavity.simplices {
             let vertices = delaunay.complex().vertices(simplex);
-            for [i, j] in [[0, 1], [1, 2], [2, 0]] {
-                let Some(subsegment) = chains.between(vertices[i], vertices[j]) else { continue };
-                let [a, b] = [vertices[i], vertices[j]].map(|vertex| delaunay.point(vertex));
+            for subsegment in chains.sides_of(vertices).into_iter().flatten() {
+                let [a, b] = chains.get(subsegment).ends.map(|end| delaunay.point(end));
                 if in_diametral_ball(a, b, x).is_positive() {
                     encroached.try_push(subsegment)?;
                 }
             }
         }
         Ok(!encroached.is_empty())
+    }
+
+    /// Before a vertex goes in with `cavity` that encroaches nothing.
+    pub(in crate::netmesh) fn note_insertion_off_segments(
+        &mut self,
+        cavity: &Cavity,
+    ) -> AllocResult<()> {
+        self.state.segments.regions.note_insertion(cavity, false)
     }
 
     /// Before `vertex` goes in: what it encroaches waits.

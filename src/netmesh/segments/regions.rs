@@ -89,16 +89,15 @@ impl Regions {
         found.clear();
         found.try_push(first)?;
         while let Some(simplex) = found.pop() {
-            for index in 0..=D {
-                match barrier(simplex, index, complex, chains) {
-                    Some((line, side)) => self.sides[line as usize][side] = region,
-                    None => {
-                        let beyond = complex.neighbors(simplex)[index];
-                        if self.of[beyond] == UNKNOWN {
-                            self.of[beyond] = region;
-                            found.try_push(beyond)?;
-                        }
-                    }
+            let (vertices, neighbors) = (complex.vertices(simplex), complex.neighbors(simplex));
+            let sides = chains.sides_of(vertices);
+            for (index, &beyond) in neighbors.iter().enumerate() {
+                if let Some(subsegment) = sides[index] {
+                    let (line, side) = side_of(subsegment, index, vertices, chains);
+                    self.sides[line as usize][side] = region;
+                } else if self.of[beyond] == UNKNOWN {
+                    self.of[beyond] = region;
+                    found.try_push(beyond)?;
                 }
             }
         }
@@ -126,10 +125,14 @@ impl Regions {
         while region == UNKNOWN && next < found.len() {
             let current = found[next];
             next += 1;
-            for index in 0..=D {
-                let beyond = complex.neighbors(current)[index];
-                region = match barrier(current, index, complex, chains) {
-                    Some((line, side)) => self.sides[line as usize][side],
+            let vertices = complex.vertices(current);
+            let sides = chains.sides_of(vertices);
+            for (index, &beyond) in complex.neighbors(current).iter().enumerate() {
+                region = match sides[index] {
+                    Some(subsegment) => {
+                        let (line, side) = side_of(subsegment, index, vertices, chains);
+                        self.sides[line as usize][side]
+                    }
                     None => self.of[beyond],
                 };
                 if region != UNKNOWN {
@@ -190,17 +193,11 @@ impl Regions {
     }
 }
 
-/// The line that the facet opposite vertex number `index` is part of, and on which side of it the
-/// simplex is: 0 on the left, 1 on the right.
-fn barrier<const D: usize>(
-    simplex: SimplexId,
-    index: usize,
-    complex: &Complex<D>,
-    chains: &Chains,
-) -> Option<(u32, usize)> {
-    let vertices = complex.vertices(simplex);
+/// The line of the subsegment opposite vertex number `index` of a simplex, and on which side of it
+/// the simplex is: 0 on the left, 1 on the right.
+#[inline]
+fn side_of(subsegment: u32, index: usize, vertices: &[VertexId], chains: &Chains) -> (u32, usize) {
+    let subsegment = chains.get(subsegment);
     // Simplices turn to the left, and so have what is inside on the left of their edges.
-    let edge: [VertexId; 2] = [1, 2].map(|step| vertices[(index + step) % 3]);
-    let subsegment = chains.get(chains.between(edge[0], edge[1])?);
-    Some((subsegment.line, usize::from(subsegment.ends != edge)))
+    (subsegment.line, usize::from(subsegment.ends[0] != vertices[(index + 1) % 3]))
 }

@@ -2,14 +2,18 @@
 //! with others on concentric shells about that end, whose radii are powers of two. So the
 //! subsegments of all these lines are as long as each other there, and none encroaches another.
 
-use super::chain::{Fraction, Line, Subsegment};
+use super::chain::{AtEnd, Fraction, Line, Subsegment};
 use crate::complex::VertexId;
+use crate::memory::{AllocResult, TryGrow, collected};
 use crate::netmesh::Mesher;
 use crate::numerics::{distance, point_between};
 
 /// Angles below this, in degrees, are sharp: two lines at 60 degrees or more may be split in their
 /// middles without an end (Ruppert); what rounding adds is far below the rest.
 const SHARP: f64 = 61.0;
+
+/// Squares of lengths between these, and products of two, neither overflow nor vanish.
+const SAFE: std::ops::Range<f64> = 1e-100..1e100;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Where a subsegment is to be split.
@@ -49,29 +53,67 @@ impl<const D: usize> Mesher<'_, '_, D> {
         point_between(point(from), point(to), place.of_line)
     }
 
-    /// Marks the ends of lines at which they make a sharp angle with another. O(l log l) for l
-    /// lines.
-    pub(super) fn find_sharp_ends(&self, lines: &mut [Line]) -> crate::memory::AllocResult<()> {
-        use crate::memory::collected;
-        let mut at_ends = collected((0..lines.len()).flat_map(|line| {
-            [0, 1].map(|end| {
-                let ends = lines[line].ends;
-                let (from, to) = (ends[end], ends[1 - end]);
-                (from, self.direction(from, to), line, end)
-            })
-        }))?;
-        at_ends.sort_unstable_by(|a, b| {
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)).then(a.3.cmp(&b.3))
-        });
-        for at_vertex in at_ends.chunk_by(|a, b| a.0 == b.0) {
-            for (at, &(_, direction, line, end)) in at_vertex.iter().enumerate() {
-                let (_, next, other, other_end) = at_vertex[(at + 1) % at_vertex.len()];
-                let turn = (next - direction).rem_euclid(360.0);
-                // A full turn is that of a line alone, or a half of a degenerate angle.
-                if line != other && turn < SHARP {
-                    lines[line].is_sharp[end] = true;
-                    lines[other].is_sharp[other_end] = true;
+    /// Marks the ends of lines at which they make a sharp angle with another.
+    pub(super) fn find_sharp_ends(&mut self) -> AllocResult<()> {
+        let (mut fan, mut sharp) = (Vec::new(), Vec::new());
+        for lines in self.state.segments.chains.fans() {
+            let ends = self.state.segments.chains.lines[lines[0].line as usize].ends;
+            let center = if ends[0] == lines[0].other { ends[1] } else { ends[0] };
+            fan.clear();
+            if let [first, second] = lines {
+                match self.is_sharp_between(center, [first.other, second.other]) {
+                    Some(true) => {
+                        sharp.try_extend(&[(center, first.line), (center, second.line)])?
+                    }
+                    Some(false) => {}
+                    None => fan.try_extend(lines)?,
                 }
+            } else {
+                fan.try_extend(lines)?;
+            }
+            self.find_sharp_in_fan(center, &fan, &mut sharp)?;
+        }
+        let lines = &mut self.state.segments.chains.lines;
+        for (end, line) in sharp {
+            let line = &mut lines[line as usize];
+            line.is_sharp[usize::from(line.ends[0] != end)] = true;
+        }
+        Ok(())
+    }
+
+    /// Whether the ways from `center` to two others make a sharp angle; `None` where squares of
+    /// lengths overflow or vanish.
+    fn is_sharp_between(&self, center: VertexId, others: [VertexId; 2]) -> Option<bool> {
+        let from = self.state.delaunay.point(center);
+        let [u, v] = others.map(|other| {
+            let to = self.state.delaunay.point(other);
+            [to[0] - from[0], to[1] - from[1]]
+        });
+        let squares = [u, v].map(|way| way[0] * way[0] + way[1] * way[1]);
+        let dot = u[0] * v[0] + u[1] * v[1];
+        let cosine = SHARP.to_radians().cos();
+        squares
+            .iter()
+            .all(|square| SAFE.contains(square))
+            .then_some(dot > 0.0 && dot * dot > cosine * cosine * (squares[0] * squares[1]))
+    }
+
+    /// Adds to `sharp` the lines of a fan that make sharp angles with the next ones.
+    fn find_sharp_in_fan(
+        &self,
+        center: VertexId,
+        lines: &[AtEnd],
+        sharp: &mut Vec<(VertexId, u32)>,
+    ) -> AllocResult<()> {
+        let mut fan = collected(
+            lines.iter().map(|at_end| (self.direction(center, at_end.other), at_end.line)),
+        )?;
+        fan.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        for (at, &(direction, line)) in fan.iter().enumerate() {
+            let (next, other) = fan[(at + 1) % fan.len()];
+            let turn = (next - direction).rem_euclid(360.0);
+            if turn < SHARP {
+                sharp.try_extend(&[(center, line), (center, other)])?;
             }
         }
         Ok(())

@@ -12,11 +12,12 @@
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
 //!
 //! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
-//! options in full, `output` writes the result, and `instruments` measures what the
+//! options in full, `numbering` and `output` write the result, and `instruments` measures what the
 //! theorems promise.
 
 mod cages;
 mod instruments;
+mod numbering;
 mod output;
 mod parameters;
 mod partitions;

@@ -1,15 +1,16 @@
 //! From the state of a run to plain data: finite simplices and living domains, renumbered.
 
+use super::numbering::Numbering;
+use super::segments::cut;
 use super::{Mesher, Scratch};
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
-use crate::mesh::{Boundary, Domain, MAX_DIM, NONE, Triangulation, VertexKind};
+use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
+use crate::netmesh::partitions::workers::{on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
-use crate::netmesh::rounds::order::InputId;
-use crate::options::{Algorithm, Phase};
+use crate::options::{Algorithm, Extent, Phase};
 use std::time::Instant;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -22,18 +23,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.touches = self.state.conflict_lists.total_touches();
         self.state.stats.max_touches = u64::from(self.state.conflict_lists.max_touches());
         let begun = begun + self.measure_instruments()?;
-        let order = std::mem::take(&mut self.order);
-        let removed = std::mem::take(&mut self.state.removed);
-        let domain = self.domain_boundary(|vertex| output_id(&order, &removed, vertex))?;
-        (self.order, self.state.removed) = (order, removed);
+        let is_outside = self.outside_simplices()?;
+        let numbering = self.numbering(&is_outside)?;
+        let boundary = self.boundary(&numbering)?;
         let cells_beyond = self.cells_beyond_bound()?;
         self.free_what_is_done()?;
-        let (simplices, neighbors) = self.finite_simplices()?;
-        let ids = self.state.delaunay.point_count();
-        let vertices = ids - self.state.removed.len();
-        let (domains, indices) = self.living_domains()?;
+        let (simplices, neighbors) = self.finite_simplices(&numbering)?;
+        let vertices = numbering.order.len();
+        let (domains, indices) = self.living_domains(&numbering)?;
         let renumbered = |domain: DomainId| indices.get(domain.index()).copied().unwrap_or(NONE);
-        let places = self.places()?;
         let mut points = with_capacity(vertices * D)?;
         let mut cage_of = with_capacity(vertices)?;
         let mut vertex_domains = with_capacity(vertices)?;
@@ -41,11 +39,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut limited = with_capacity(vertices)?;
         let asked = self.sizes.take();
         let mut sizes = Vec::new();
-        for vertex in places.into_iter().chain(VertexId::range(self.state.inputs..ids)) {
+        for &vertex in &numbering.order {
             self.watch.poll_after(1)?;
-            if self.state.removed.binary_search(&vertex).is_ok() {
-                continue;
-            }
             limited.push(precision_limited[vertex]);
             points.extend_from_slice(self.state.delaunay.point(vertex));
             let cage = renumbered(self.state.hierarchy.cage_of(vertex));
@@ -63,7 +58,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
         let mut beyond_bound = self.simplices_beyond_bound(&points, &simplices, &vertex_domains)?;
         for vertex in cells_beyond {
-            beyond_bound.try_push(output_id(&self.order, &self.state.removed, vertex))?;
+            beyond_bound.try_push(numbering.vertices[vertex])?;
         }
         beyond_bound.sort_unstable();
         self.state.stats.seconds = begun.elapsed().as_secs_f64();
@@ -78,15 +73,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             domains,
             precision_limited: limited,
             below_min_dihedral,
-            boundary: Boundary::default(),
+            boundary,
             sizes,
             beyond_bound,
             parameters: self.state.parameters,
             stats: self.state.stats,
         };
-        match domain {
-            None => Ok(whole),
-            Some(domain) => domain.complete(whole, self.state.inputs),
+        match whole.parameters.extent {
+            Extent::All => Ok(whole),
+            _ => Ok(cut(whole, &numbering)?),
         }
     }
 
@@ -101,59 +96,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Distinct input -> vertex.
-    fn places(&mut self) -> Result<Vec<VertexId>> {
-        let mut places = filled(self.state.inputs, VertexId::NONE)?;
-        for (vertex, &input) in self.order.iter().enumerate() {
-            self.watch.poll_after(1)?;
-            places[input] = VertexId::new(vertex);
-        }
-        Ok(places)
-    }
-
-    /// Simplex -> its number among the finite ones, [`NONE`] for others; and how many each piece
-    /// has.
-    fn numbers(&mut self) -> Result<(Vec<u32>, Vec<usize>)> {
-        let threads = self.threads();
-        let Self { state, watch, .. } = self;
-        let complex = state.delaunay.complex();
-        let bound = complex.simplex_bound();
-        let is_finite = |&s: &SimplexId| complex.is_live(s) && !complex.is_infinite(s);
-        let counts =
-            on_threads(threads, watch, pieces(bound), |piece| Ok(piece.filter(is_finite).count()))?;
-        let mut numbers = filled(bound, NONE)?;
-        let begins = counts.iter().scan(0, |next, &count| {
-            let begin = *next;
-            *next += count as u32;
-            Some(begin)
-        });
-        let own = pieces(bound).zip(numbers.chunks_mut(PIECE)).zip(begins);
-        on_threads(threads, watch, own, |((piece, numbers), begin)| {
-            let finite = piece.zip(numbers).filter(|(simplex, _)| is_finite(simplex));
-            finite.zip(begin..).for_each(|((_, number), next)| *number = next);
-            Ok(())
-        })?;
-        Ok((numbers, counts))
-    }
-
     /// Vertices and neighbours of the finite simplices.
-    fn finite_simplices(&mut self) -> Result<(Vec<u32>, Vec<u32>)> {
-        let (numbers, counts) = self.numbers()?;
+    fn finite_simplices(&mut self, numbering: &Numbering) -> Result<(Vec<u32>, Vec<u32>)> {
+        let Numbering { vertices, simplices: numbers, counts, .. } = numbering;
         let reserves = collected(counts.iter().map(|count| count * (D + 1)))?;
         let (mut simplices, mut neighbors) = (Array::new(), Array::new());
         let shares =
             shares(&mut simplices, &reserves)?.into_iter().zip(shares(&mut neighbors, &reserves)?);
         let threads = self.threads();
-        let Self { state, order, watch, .. } = self;
+        let Self { state, watch, .. } = self;
         let complex = state.delaunay.complex();
-        let work = pieces(numbers.len()).zip(shares);
+        // Each piece has a share for what is inside and one for what is outside.
+        let work = pieces(numbers.len()).chain(pieces(numbers.len())).zip(shares).enumerate();
+        let first_outside = numbering.inside_simplices as u32;
         let filled =
-            on_threads(threads, watch, work, |(piece, (mut simplices, mut neighbors))| {
+            on_threads(threads, watch, work, |(at, (piece, (mut simplices, mut neighbors)))| {
+                let own = match at < counts.len() / 2 {
+                    true => 0..first_outside,
+                    false => first_outside..NONE,
+                };
                 let mut row = [NONE; MAX_DIM + 1];
                 let row = &mut row[..=D];
-                for simplex in piece.filter(|&simplex| numbers[simplex] != NONE) {
+                for simplex in piece.filter(|&simplex| own.contains(&numbers[simplex])) {
                     for (number, &vertex) in row.iter_mut().zip(complex.vertices(simplex)) {
-                        *number = output_id(order, &state.removed, vertex);
+                        *number = vertices[vertex];
                     }
                     simplices.try_extend(row)?;
                     for (number, &neighbor) in row.iter_mut().zip(complex.neighbors(simplex)) {
@@ -172,7 +138,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The living domains, parents before children, and the map from ids to their indices.
-    fn living_domains(&mut self) -> Result<(Vec<Domain>, Vec<u32>)> {
+    fn living_domains(&mut self, numbering: &Numbering) -> Result<(Vec<Domain>, Vec<u32>)> {
         let count = self.state.hierarchy.len();
         let is_alive = |&domain: &DomainId| self.state.hierarchy.node(domain).alive;
         let mut living = collected((0..count).map(DomainId::new).filter(is_alive))?;
@@ -192,7 +158,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let parent = self.state.hierarchy.parent(domain);
             let parent = ids.get(parent.index()).copied().unwrap_or(NONE);
             let node = self.state.hierarchy.node(domain);
-            let center = output_id(&self.order, &self.state.removed, node.center);
+            let center = numbering.vertices[node.center];
             domains.push(Domain { center, parent, radius: node.radius });
         }
         Ok((domains, ids))
@@ -240,12 +206,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 || self.state.hierarchy.len() == 0
         );
     }
-}
-
-/// The vertex of the result that `vertex` is, without those `removed`.
-fn output_id(order: &[InputId], removed: &[VertexId], vertex: VertexId) -> u32 {
-    let before = |vertex| removed.partition_point(|&other| other < vertex) as u32;
-    order.get(vertex.index()).map_or_else(|| vertex.number() - before(vertex), |i| i.number())
 }
 
 /// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.

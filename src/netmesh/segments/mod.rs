@@ -42,6 +42,7 @@ use crate::complex::SimplexId;
 use crate::error::message;
 use crate::mesh::NONE;
 use chain::Chains;
+pub(in crate::netmesh) use cut::cut;
 use regions::Regions;
 use std::borrow::Cow;
 

@@ -26,13 +26,13 @@ mod tests;
 pub use extent::with_extent;
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocResult, collected, copied, filled};
+use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Segments, Subsegment};
 use crate::numerics::coordinates;
 use crate::options::Crossings;
 use places::{Places, key_along};
 use split::split;
-use sweep::{Handling, Part, Swept, sweep};
+use sweep::{Handling, Swept, sweep};
 
 /// The most sweeps. All but inputs that are made for it need two or three.
 const MOST_SWEEPS: usize = 200;
@@ -91,14 +91,21 @@ fn in_order(
         let [from, to] = segments[segment as usize].ends.map(point);
         key_along(point(vertex), [0, 1].map(|axis| to[axis] < from[axis]))
     };
-    let mut pieces = collected(swept.parts.iter().map(|&Part { ends, segment, .. }| {
-        let mut ends = ends.map(|rank| places.vertices[rank as usize]);
-        if along(segment, ends[1]) < along(segment, ends[0]) {
-            ends.reverse();
-        }
-        Subsegment { ends, segment }
-    }))?;
-    pieces.sort_unstable_by_key(|piece| (piece.segment, along(piece.segment, piece.ends[0])));
+    let parts = || swept.parts.iter().zip(0u32..).map(|(part, number)| (part.segment, number));
+    let of_segments = Lists::of_pairs(segments.len(), parts)?;
+    let mut pieces = with_capacity(swept.parts.len())?;
+    for segment in 0..segments.len() as u32 {
+        let first = pieces.len();
+        pieces.extend(of_segments.of(segment as usize).iter().map(|&number| {
+            let mut ends =
+                swept.parts[number as usize].ends.map(|rank| places.vertices[rank as usize]);
+            if along(segment, ends[1]) < along(segment, ends[0]) {
+                ends.reverse();
+            }
+            Subsegment { ends, segment }
+        }));
+        pieces[first..].sort_unstable_by_key(|piece| along(segment, piece.ends[0]));
+    }
     Ok(pieces)
 }
 

@@ -198,8 +198,8 @@ impl Sweep<'_> {
 
     fn is_on(&self, line: u32, vertex: u32) -> bool {
         let Line { from, to, .. } = self.lines[line as usize];
-        if !(from < vertex && vertex <= to) {
-            return false;
+        if !(from < vertex && vertex < to) {
+            return vertex == to;
         }
         let [a, b, y] = [from, to, vertex].map(|rank| self.places.point(rank)[1]);
         a.min(b) <= y && y <= a.max(b) && self.side(line, vertex).is_zero()

@@ -137,10 +137,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(in crate::netmesh) fn examine_suspect(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        if self.is_by_edges() && self.is_bad_open() {
+            return self.examine_edges(simplex);
+        }
         if self.open_domain(simplex).is_some() || (!self.is_bad_open() && self.is_bad(simplex)) {
             self.queue(simplex)?;
         }
         Ok(())
+    }
+
+    fn is_by_edges(&self) -> bool {
+        self.state.parameters.criterion == Criterion::RadiusEdge
+    }
+
+    /// Queues a simplex with an edge that is too short, where that is all that counts.
+    fn examine_edges(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        let Some(ball) = self.state.delaunay.ball(simplex) else { return Ok(()) };
+        match self.short_edge(simplex, ball.radius()) {
+            Some((_, _, length)) if !self.state.refine_list.is_limited(simplex) => {
+                self.queue_by(simplex, length)
+            }
+            _ => Ok(()),
+        }
     }
 
     /// See [`super::bad_simplex::Measure::nearest_allowed`].
@@ -151,15 +169,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Puts a live simplex on REFINELIST, by the length that its corner is measured against.
     fn queue(&mut self, simplex: SimplexId) -> AllocResult<()> {
-        if self.is_exempt(simplex) {
-            return Ok(());
-        }
         let length = match self.state.parameters.criterion {
             _ if !self.state.refine_list.is_sorted() => 0.0,
             Criterion::VoronoiAspect => self.nearest_of(simplex),
             Criterion::RadiusEdge => self.shortest_edge(simplex, f64::INFINITY).2,
         };
-        self.state.refine_list.push(simplex, length)
+        self.queue_by(simplex, length)
+    }
+
+    /// The same by a `length` that is known.
+    fn queue_by(&mut self, simplex: SimplexId, length: f64) -> AllocResult<()> {
+        match self.is_exempt(simplex) {
+            true => Ok(()),
+            false => self.state.refine_list.push(simplex, length),
+        }
     }
 
     /// The nearest distance of a vertex of `simplex`: no edge is shorter.

@@ -212,14 +212,19 @@ impl Chains {
     /// The subsegments between the vertices of a triangle: number i is opposite vertex number i.
     #[inline]
     pub fn sides_of(&self, vertices: &[VertexId]) -> [Option<u32>; 3] {
-        let places = [0, 1, 2].map(|at| self.place(vertices[at]));
-        [[1, 2], [2, 0], [0, 1]].map(|[i, j]| {
-            let is_off = places[i] == Place::Elsewhere || places[j] == Place::Elsewhere;
-            match is_off {
-                true => None,
-                false => self.between_places((vertices[i], places[i]), (vertices[j], places[j])),
-            }
-        })
+        let [a, b, c] = [vertices[0], vertices[1], vertices[2]];
+        let (at_a, at_b, at_c) = (self.place(a), self.place(b), self.place(c));
+        let off = Place::Elsewhere;
+        // Most triangles have at most one vertex on a segment.
+        if u8::from(at_a == off) + u8::from(at_b == off) + u8::from(at_c == off) > 1 {
+            return [None; 3];
+        }
+        let between = |a: (VertexId, Place), b: (VertexId, Place)| match a.1 == off || b.1 == off {
+            true => None,
+            false => self.between_places(a, b),
+        };
+        let (a, b, c) = ((a, at_a), (b, at_b), (c, at_c));
+        [between(b, c), between(c, a), between(a, b)]
     }
 
     #[inline]

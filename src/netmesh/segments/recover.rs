@@ -142,7 +142,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for &simplex in &cavity.simplices {
             let vertices = delaunay.complex().vertices(simplex);
             for subsegment in chains.sides_of(vertices).into_iter().flatten() {
-                let [a, b] = chains.get(subsegment).ends.map(|end| delaunay.point(end));
+                let [a, b] = chains.get(subsegment).ends;
+                let (a, b) = (delaunay.point(a), delaunay.point(b));
                 if in_diametral_ball(a, b, x).is_positive() {
                     encroached.try_push(subsegment)?;
                 }

@@ -10,7 +10,7 @@ use super::conflict::Conflicts;
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
 use crate::complex::VertexId;
 use crate::memory::{AllocError, AllocResult};
-use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
+use crate::numerics::{Sign, in_ball_exact, orientation};
 use std::sync::atomic::Ordering;
 
 impl<const D: usize> Delaunay<D> {
@@ -28,22 +28,11 @@ impl<const D: usize> Delaunay<D> {
         (self.turns[vertex], vertex)
     }
 
-    /// Whether `vertex` is inside the sphere of a positively oriented simplex, whose circumball is
-    /// `ball`; where it is on the sphere, whether it is inside after all points are lifted.
-    pub(super) fn is_inside_lifted(
-        &self,
-        simplex: &[VertexId],
-        ball: &Circumball<D>,
-        vertex: VertexId,
-    ) -> bool {
-        let q = self.point(vertex);
-        let anchor = self.point(simplex[ball.anchor as usize]);
-        ball.side(anchor, q).unwrap_or_else(|| self.is_inside_with_care(simplex, vertex))
-    }
-
+    /// Whether `vertex` is inside the sphere of a positively oriented simplex; where it is on the
+    /// sphere, whether it is inside after all points are lifted.
     #[cold]
     #[inline(never)]
-    fn is_inside_with_care(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
+    pub(super) fn is_inside_with_care(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
         let conflicts: Conflicts<'_, D> = self.conflicts();
         conflicts.exact_fallbacks.fetch_add(1, Ordering::Relaxed);
         let points = conflicts.vertex_points(simplex);

@@ -1,5 +1,5 @@
-//! Removal of a vertex, which may then be inserted elsewhere: the hole that its star leaves is filled with the Delaunay simplices of the
-//! vertices round it.
+//! Removal of a vertex, which may then be inserted elsewhere: the hole that its star leaves is filled
+//! with the Delaunay simplices of the vertices round it.
 //!
 //! Every facet of the boundary has one such simplex on the side of the hole. Its apex is the vertex
 //! whose sphere with the facet holds no other; that simplex has further facets, and so on until all
@@ -27,6 +27,8 @@ pub(crate) struct Hole<const D: usize> {
     pub vertices: VertexSet,
     /// What fills it.
     pub filling: Filling<D>,
+    /// Simplex of the filling -> its circumball.
+    pub balls: Vec<Circumball<D>>,
     /// The facets that have a simplex on one side only.
     open: Vec<Open<D>>,
 }
@@ -48,6 +50,7 @@ impl<const D: usize> Delaunay<D> {
         self.complex.star(vertex, &mut hole.star)?;
         hole.boundary.clear();
         hole.filling.clear();
+        hole.balls.clear();
         hole.open.clear();
         hole.vertices.restart(self.points.len())?;
         for at in 0..hole.star.len() {
@@ -94,10 +97,11 @@ impl<const D: usize> Delaunay<D> {
                 vertices.swap((slot + 1) % (D + 1), (slot + 2) % (D + 1));
             }
         }
-        if !self.find_apex(vertices, slot, &hole.vertices.ids) {
+        let Some(ball) = self.find_apex(vertices, slot, &hole.vertices.ids) else {
             return Ok(false);
-        }
+        };
         let number = hole.filling.push(vertices)?;
+        hole.balls.try_push(ball)?;
         hole.filling.join(number, open.index, open.beside);
         if let Beside::Filling(other) = open.beside {
             // The vertices of the facet have changed places, that opposite it has not.
@@ -122,29 +126,37 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Puts at `slot` the vertex of `around` that makes a Delaunay simplex with the others, on
-    /// their positive side. What is inside the sphere of one such simplex is on that side too: the
-    /// simplex on the other side is Delaunay.
-    fn find_apex(&self, vertices: &mut [VertexId], slot: usize, around: &[VertexId]) -> bool {
+    /// their positive side, and returns its ball. What is inside the sphere of one such simplex is
+    /// on that side too: the simplex on the other side is Delaunay.
+    fn find_apex(
+        &self,
+        vertices: &mut [VertexId],
+        slot: usize,
+        around: &[VertexId],
+    ) -> Option<Circumball<D>> {
         let mut points = self.vertex_points(vertices);
-        let mut ball = None;
+        let mut ball: Option<Circumball<D>> = None;
         for &candidate in around {
-            let is_of_facet =
-                vertices.iter().enumerate().any(|(at, &v)| at != slot && v == candidate);
-            let is_better = !is_of_facet
-                && match &ball {
-                    Some(ball) => self.is_inside_lifted(vertices, ball, candidate),
-                    None => {
-                        points[slot] = self.point(candidate);
-                        orientation(&points[..=D]) == Sign::Positive
-                    }
-                };
+            let q = self.point(candidate);
+            let is_better = match &ball {
+                // A vertex of the simplex is on the sphere, so doubles cannot tell its side.
+                Some(ball) => ball.side(points[ball.anchor as usize], q).unwrap_or_else(|| {
+                    !vertices.contains(&candidate) && self.is_inside_with_care(vertices, candidate)
+                }),
+                None => {
+                    let is_known = |(at, &v): (usize, &VertexId)| at != slot && v == candidate;
+                    points[slot] = q;
+                    !vertices.iter().enumerate().any(is_known)
+                        && orientation(&points[..=D]) == Sign::Positive
+                }
+            };
             if is_better {
                 vertices[slot] = candidate;
-                points[slot] = self.point(candidate);
+                points[slot] = q;
                 ball = Some(Circumball::of(|i| points[i]));
             }
         }
-        ball.is_some()
+        ball
     }
 
     /// Removes `vertex`, for which `hole` was found, and since then nothing has changed.

@@ -1,7 +1,7 @@
 //! The tetrahedra that a point would make: the cone over the boundary of its cavity.
 
 use super::View;
-use super::shape::{corners, in_space};
+use super::shape::{Corners, Measure, corners, in_space};
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow};
 
@@ -35,15 +35,47 @@ impl Cone {
         least: f64,
     ) -> Option<f64> {
         let x = in_space(x);
-        let mut gain = gain;
-        for side in &self.sides {
-            if gain <= least {
-                return None;
-            }
+        let mut account = Account::new(view.measure, gain, least);
+        let is_worth = self.sides.iter().all(|side| {
             let mut corners = corners(view.delaunay, &side.vertices);
             corners[side.apex] = x;
-            gain -= view.measure.penalty(&corners);
+            account.charge(corners)
+        });
+        if is_worth { account.rest() } else { None }
+    }
+}
+
+/// What is left of a gain while tetrahedra come. They are measured two at a time, which is faster.
+pub(super) struct Account<'a> {
+    measure: &'a Measure,
+    gain: f64,
+    least: f64,
+    waiting: Option<Corners>,
+}
+
+impl<'a> Account<'a> {
+    pub fn new(measure: &'a Measure, gain: f64, least: f64) -> Self {
+        Self { measure, gain, least, waiting: None }
+    }
+
+    /// Takes what a tetrahedron adds to the objective. Returns whether more than the least is left,
+    /// as far as that is known.
+    #[inline(always)]
+    pub fn charge(&mut self, corners: Corners) -> bool {
+        match self.waiting.take() {
+            None => self.waiting = Some(corners),
+            Some(first) => {
+                let [a, b] = self.measure.penalties([&first, &corners]);
+                self.gain -= a + b;
+            }
         }
-        (gain > least).then_some(gain)
+        self.gain > self.least
+    }
+
+    /// What is left in the end, if that is more than the least.
+    pub fn rest(self) -> Option<f64> {
+        let last = self.waiting.map_or(0.0, |corners| self.measure.penalty(&corners));
+        let gain = self.gain - last;
+        (gain > self.least).then_some(gain)
     }
 }

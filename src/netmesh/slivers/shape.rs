@@ -2,6 +2,7 @@
 
 use crate::complex::VertexId;
 use crate::delaunay::Delaunay;
+use crate::numerics::{F64x2, Real};
 use crate::options::Criterion;
 use std::ops::RangeInclusive;
 
@@ -21,6 +22,9 @@ const MARGIN_OF_BOUND: f64 = 1e-9;
 
 /// Magnitudes of edges whose eighth powers neither over- nor underflow.
 const SAFE: RangeInclusive<f64> = 1e-30..=1e30;
+
+/// A face is small beside another if its squared area is so many times smaller.
+const LOPSIDED: f64 = 1e-8;
 
 /// What shapes are measured against.
 #[derive(Clone, Copy)]
@@ -55,6 +59,69 @@ impl Measure {
     /// more beyond the bound.
     #[inline]
     pub fn penalty(&self, corners: &Corners) -> f64 {
+        let signs = self.signs(*corners);
+        if is_good(signs) { 0.0 } else { self.penalty_with_care(corners) }
+    }
+
+    /// The same of two, in less than twice the time of one.
+    #[inline]
+    pub fn penalties(&self, [first, second]: [&Corners; 2]) -> [f64; 2] {
+        let both = |i: usize, k: usize| F64x2::new(first[i][k], second[i][k]);
+        let corners = std::array::from_fn(|i| std::array::from_fn(|k| both(i, k)));
+        let signs = self.signs(corners).map(F64x2::get);
+        let of = |lane: usize, corners| match is_good(signs.map(|sign| sign[lane])) {
+            true => 0.0,
+            false => self.penalty_with_care(corners),
+        };
+        [of(0, first), of(1, second)]
+    }
+
+    /// What [`is_good`] looks at: the largest difference of coordinates; the volume; what is positive
+    /// where an angle is too small, where the radius is beyond the bound, and where a face is too
+    /// small beside others for these to tell; the least squared normal.
+    #[inline(always)]
+    fn signs<R: Real>(&self, [origin, a, b, c]: [[R; 3]; 4]) -> [R; 6] {
+        let [a, b, c] = [a, b, c].map(|corner| minus(corner, origin));
+        let magnitudes = [a, b, c].map(|[x, y, z]| x.abs().max(y.abs()).max(z.abs()));
+        let largest = magnitudes[0].max(magnitudes[1]).max(magnitudes[2]);
+        let (ab, bc, ca) = (cross(a, b), cross(b, c), cross(c, a));
+        let volume = dot(a, bc);
+        let (aa, bb, cc) = (square(a), square(b), square(c));
+        let others = square(minus(b, a)).min(square(minus(c, b))).min(square(minus(c, a)));
+        let shortest = aa.min(bb).min(cc).min(others);
+        let center = std::array::from_fn(|k| aa * bc[k] + bb * ca[k] + cc * ab[k]);
+        let bound = R::of(self.square_bound) * volume * volume * shortest;
+        // The normal of the face that is not at the origin is the sum of the others.
+        let (along_c, along_a, along_b) = (dot(bc, ca), dot(ca, ab), dot(ab, bc));
+        let squares = [square(bc), square(ca), square(ab)];
+        let far = [
+            squares[0] + along_c + along_b,
+            squares[1] + along_a + along_c,
+            squares[2] + along_b + along_a,
+        ];
+        let square_far = far[0] + far[1] + far[2];
+        // A dihedral angle is the supplement of that between two normals that point inwards.
+        let zero = R::of(0.0);
+        let smallness = |cosine: R, scale: R| {
+            let cosine = cosine.max(zero);
+            cosine * cosine - R::of(self.square_cosine) * scale
+        };
+        let near = smallness(zero - along_c, squares[0] * squares[1])
+            .max(smallness(zero - along_a, squares[1] * squares[2]))
+            .max(smallness(zero - along_b, squares[2] * squares[0]));
+        let beside_far = smallness(far[0], square_far * squares[0])
+            .max(smallness(far[1], square_far * squares[1]))
+            .max(smallness(far[2], square_far * squares[2]));
+        let most = squares[0].max(squares[1]).max(squares[2]);
+        let lopsided = R::of(LOPSIDED) * most - square_far;
+        let least = squares[0].min(squares[1]).min(squares[2]).min(square_far);
+        [largest, volume, near.max(beside_far), square(center) - bound, lopsided, least]
+    }
+
+    /// As [`Self::penalty`], of one that is not known to add nothing.
+    #[cold]
+    #[inline(never)]
+    fn penalty_with_care(&self, corners: &Corners) -> f64 {
         let origin = corners[0];
         let edges: [[f64; 3]; 3] = std::array::from_fn(|i| minus(corners[i + 1], origin));
         let magnitudes = edges.as_flattened().iter().map(|x| x.abs());
@@ -113,6 +180,18 @@ impl Measure {
     }
 }
 
+/// Whether a tetrahedron with these [`Measure::signs`] surely adds nothing to the objective. Where
+/// one is NaN, that is not known.
+#[inline(always)]
+fn is_good([largest, volume, small, beyond, lopsided, least_square]: [f64; 6]) -> bool {
+    SAFE.contains(&largest)
+        & (volume > 0.0)
+        & (small <= 0.0)
+        & (beyond <= 0.0)
+        & (lopsided <= 0.0)
+        & (least_square * least_square >= f64::MIN_POSITIVE)
+}
+
 /// The largest power of two that is not above `x`, which is not negative; or the least normal
 /// number.
 fn power_below(x: f64) -> f64 {
@@ -166,22 +245,22 @@ pub(super) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
 }
 
 #[inline(always)]
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 #[inline(always)]
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline(always)]
-fn square(a: [f64; 3]) -> f64 {
+fn square<R: Real>(a: [R; 3]) -> R {
     dot(a, a)
 }
 
 #[inline(always)]
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+fn minus<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
@@ -243,8 +322,11 @@ mod tests {
             }
             let turned = [corners[2], corners[3], corners[0], corners[1]];
             assert!((measure.penalty(&turned) - expected).abs() < 1e-5);
+            let pair = measure.penalties([&corners, &turned]);
+            assert_eq!(pair, [&corners, &turned].map(|corners| measure.penalty(corners)));
             corners.swap(1, 2);
             assert!(measure.penalty(&corners) >= 2.0, "it is turned inside out");
+            assert_eq!(measure.penalties([&turned, &corners])[0], pair[1]);
         }
         assert!(slivers > 300 && beyond > 100, "{slivers} {beyond}");
         assert!(measure.penalty(&[[1.0; 3]; 4]) >= 2.0);

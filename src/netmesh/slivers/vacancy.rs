@@ -2,12 +2,12 @@
 //! judged here, and nothing is changed.
 
 use super::View;
-use super::cone::Cone;
-use super::shape::corners;
+use super::cone::{Account, Cone};
+use super::shape::{corners, in_space};
 use crate::complex::{Beside, SimplexId, VertexId};
 use crate::delaunay::{Delaunay, Hole};
 use crate::memory::{AllocResult, TryGrow};
-use crate::numerics::{Circumball, Sign, distance, in_ball};
+use crate::numerics::{Sign, distance, in_ball};
 
 /// A vertex with more neighbours than this stays: its hole would take too long to fill.
 const MOST_NEIGHBORS: usize = 128;
@@ -24,8 +24,7 @@ pub(super) struct Vacancy<const D: usize> {
     pub middle: Vec<f64>,
     /// What the simplices at the vertex add to the objective.
     star: f64,
-    /// Simplex of the filling -> its circumball, and what it adds to the objective.
-    balls: Vec<Circumball<D>>,
+    /// Simplex of the filling -> what it adds to the objective.
     penalties: Vec<f64>,
     /// Facet of the hole's boundary -> the simplex of the filling there.
     fillings: Vec<u32>,
@@ -101,22 +100,26 @@ impl<const D: usize> Vacancy<D> {
     /// Measures what is found by [`may_leave`].
     pub fn measure(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
         let count = self.hole.filling.len();
-        self.balls.clear();
         self.penalties.clear();
         self.is_inside.cover(count, false)?;
         self.fillings.cover(self.hole.boundary.len(), 0)?;
         self.seen.marks.cover(view.delaunay.complex().simplex_bound(), 0)?;
         self.star = view.sum(&self.hole.star);
         for number in 0..count as u32 {
-            let vertices = self.hole.filling.vertices(number);
-            self.balls.try_push(Circumball::of(|index| view.delaunay.point(vertices[index])))?;
-            self.penalties.try_push(view.measure.penalty(&corners(view.delaunay, vertices)))?;
             for &beside in self.hole.filling.beside(number) {
                 if let Beside::Boundary(at) = beside {
                     self.fillings[at as usize] = number;
                 }
             }
         }
+        for number in (0..count as u32).step_by(2) {
+            let last = count as u32 - 1;
+            let pair = [number, last.min(number + 1)]
+                .map(|number| corners(view.delaunay, self.hole.filling.vertices(number)));
+            let penalties = view.measure.penalties(pair.each_ref());
+            self.penalties.try_extend(&penalties)?;
+        }
+        self.penalties.truncate(count);
         self.measure_neighbors(view, vertex)
     }
 
@@ -140,7 +143,7 @@ impl<const D: usize> Vacancy<D> {
     /// What it is worth that the vertex goes away, if that is more than `least`.
     pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Option<f64> {
         let gain = self.star - self.penalties.iter().sum::<f64>();
-        self.is_inside[..self.balls.len()].fill(false);
+        self.is_inside[..self.hole.balls.len()].fill(false);
         (gain > least && self.keeps_filling_cells(view, None) && self.keeps_filling_sizes(view))
             .then_some(gain)
     }
@@ -168,19 +171,32 @@ impl<const D: usize> Vacancy<D> {
         if gain <= least {
             return Ok(None);
         }
-        self.find_cone(view)?;
-        let gain = self.cone.judge(view, x, gain, least);
-        Ok(gain
-            .filter(|_| self.keeps_filling_cells(view, Some(x)) && self.cone.keeps_cells(view, x))
-            .filter(|_| self.keeps_filling_sizes(view) && self.cone.keeps_sizes(view, x))
-            .map(|gain| Place { x: *x, gain, near, is_clean: gain >= before }))
+        let mut account = Account::new(view.measure, gain, least);
+        let apex_point = in_space(x);
+        let is_worth = self.all_sides(view, |vertices, apex| {
+            let mut corners = corners(view.delaunay, vertices);
+            corners[apex] = apex_point;
+            account.charge(corners)
+        });
+        let Some(gain) = account.rest().filter(|_| is_worth) else { return Ok(None) };
+        if view.measure.half_aspect.is_some() || view.sizes.is_some() {
+            self.find_cone(view)?;
+            let is_kept = self.keeps_filling_cells(view, Some(x))
+                && self.cone.keeps_cells(view, x)
+                && self.keeps_filling_sizes(view)
+                && self.cone.keeps_sizes(view, x);
+            if !is_kept {
+                return Ok(None);
+            }
+        }
+        Ok(Some(Place { x: *x, gain, near, is_clean: gain >= before }))
     }
 
     /// A simplex of the filling whose ball holds `x`, and what those add whose balls do not. `None`
     /// if there is none, or one that floating-point arithmetic cannot tell.
     fn find_inside(&mut self, view: View<'_, D>, x: &[f64; D]) -> Option<(usize, f64)> {
         let (mut near, mut left) = (None, 0.0);
-        for (number, ball) in self.balls.iter().enumerate() {
+        for (number, ball) in self.hole.balls.iter().enumerate() {
             let vertices = self.hole.filling.vertices(number as u32);
             let anchor = view.delaunay.point(vertices[ball.anchor as usize]);
             let is_inside = ball.side(anchor, x)?;
@@ -224,34 +240,51 @@ impl<const D: usize> Vacancy<D> {
 
     /// Collects the cone over the boundary of what was found.
     fn find_cone(&mut self, view: View<'_, D>) -> AllocResult<()> {
-        let Self { hole, is_inside, seen, cone, .. } = self;
+        let mut cone = std::mem::take(&mut self.cone);
         cone.sides.clear();
-        for number in (0..self.balls.len()).filter(|&number| is_inside[number]) {
+        let mut pushed = Ok(());
+        self.all_sides(view, |vertices, apex| {
+            pushed = cone.push(vertices, apex);
+            pushed.is_ok()
+        });
+        self.cone = cone;
+        pushed
+    }
+
+    /// Whether `holds` is true of all sides of the cone over the boundary of what was found: each
+    /// by the vertices of a simplex at it, and the number of that which is not of the side.
+    #[inline(always)]
+    fn all_sides(
+        &self,
+        view: View<'_, D>,
+        mut holds: impl FnMut(&[VertexId], usize) -> bool,
+    ) -> bool {
+        let Self { hole, is_inside, seen, .. } = self;
+        for number in (0..hole.filling.len()).filter(|&number| is_inside[number]) {
             let vertices = hole.filling.vertices(number as u32);
             for (index, &beside) in hole.filling.beside(number as u32).iter().enumerate() {
                 let goes_on = match beside {
                     Beside::Filling(other) => is_inside[other as usize],
                     Beside::Boundary(at) => seen.is(hole.boundary[at as usize].beyond, INSIDE),
                 };
-                if !goes_on {
-                    cone.push(vertices, index)?;
+                if !goes_on && !holds(vertices, index) {
+                    return false;
                 }
             }
         }
         let complex = view.delaunay.complex();
         for &simplex in &self.outside {
             for (index, &beyond) in complex.neighbors(simplex).iter().enumerate() {
-                if seen.is(beyond, OUTSIDE) {
-                    cone.push(complex.vertices(simplex), index)?;
+                if seen.is(beyond, OUTSIDE) && !holds(complex.vertices(simplex), index) {
+                    return false;
                 }
             }
         }
-        for (facet, &number) in hole.boundary.iter().zip(&self.fillings) {
-            if seen.is(facet.beyond, INSIDE) && !is_inside[number as usize] {
-                cone.push(complex.vertices(facet.beyond), facet.mirror as usize)?;
-            }
-        }
-        Ok(())
+        hole.boundary.iter().zip(&self.fillings).all(|(facet, &number)| {
+            !seen.is(facet.beyond, INSIDE)
+                || is_inside[number as usize]
+                || holds(complex.vertices(facet.beyond), facet.mirror as usize)
+        })
     }
 
     /// Whether the simplices of the filling that would stay keep the bound of the Voronoi aspect,
@@ -260,7 +293,7 @@ impl<const D: usize> Vacancy<D> {
     fn keeps_filling_cells(&self, view: View<'_, D>, x: Option<&[f64; D]>) -> bool {
         let Some(half_aspect) = view.measure.half_aspect else { return true };
         let is_good = |number: usize| {
-            let radius = self.balls[number].radius();
+            let radius = self.hole.balls[number].radius();
             let vertices = self.hole.filling.vertices(number as u32);
             vertices.iter().all(|&vertex| {
                 let from_x = x.map_or(f64::INFINITY, |x| distance(x, view.delaunay.point(vertex)));
@@ -273,7 +306,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// The simplices of the filling whose balls do not hold the place that is judged.
     pub fn staying(&self) -> impl Iterator<Item = u32> {
-        (0..self.balls.len() as u32).filter(|&number| !self.is_inside[number as usize])
+        (0..self.hole.balls.len() as u32).filter(|&number| !self.is_inside[number as usize])
     }
 }
 

@@ -4,12 +4,16 @@
 use std::ops::{Add, Div, Mul, Sub};
 
 /// What a formula computes with: one double, or two side by side.
-pub(super) trait Real:
+pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     fn of(value: f64) -> Self;
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
+    /// The lesser of two; the second if either is NaN.
+    fn min(self, other: Self) -> Self;
+    /// The greater of two; the second if either is NaN.
+    fn max(self, other: Self) -> Self;
     /// False if either is NaN. For two doubles side by side the comparison must hold for both.
     fn is_at_most(self, other: Self) -> bool;
 }
@@ -31,6 +35,16 @@ impl Real for f64 {
     }
 
     #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline(always)]
     fn is_at_most(self, other: Self) -> bool {
         self <= other
     }
@@ -38,7 +52,7 @@ impl Real for f64 {
 
 /// Two doubles.
 #[derive(Clone, Copy)]
-pub(super) struct F64x2(lanes::Lanes);
+pub(crate) struct F64x2(lanes::Lanes);
 
 impl F64x2 {
     #[inline(always)]
@@ -66,6 +80,16 @@ impl Real for F64x2 {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(lanes::abs(self.0))
+    }
+
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(lanes::min(self.0, other.0))
+    }
+
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(lanes::max(self.0, other.0))
     }
 
     #[inline(always)]
@@ -112,6 +136,8 @@ mod lanes {
     intrinsic!(sub, (a, b), _mm_sub_pd);
     intrinsic!(mul, (a, b), _mm_mul_pd);
     intrinsic!(div, (a, b), _mm_div_pd);
+    intrinsic!(min, (a, b), _mm_min_pd);
+    intrinsic!(max, (a, b), _mm_max_pd);
     intrinsic!(sqrt, (a), _mm_sqrt_pd);
 
     #[inline(always)]
@@ -166,6 +192,16 @@ mod lanes {
     }
 
     #[inline(always)]
+    pub fn min(a: Lanes, b: Lanes) -> Lanes {
+        std::array::from_fn(|i| if a[i] < b[i] { a[i] } else { b[i] })
+    }
+
+    #[inline(always)]
+    pub fn max(a: Lanes, b: Lanes) -> Lanes {
+        std::array::from_fn(|i| if a[i] > b[i] { a[i] } else { b[i] })
+    }
+
+    #[inline(always)]
     pub fn are_at_most(a: Lanes, b: Lanes) -> bool {
         a[0] <= b[0] && a[1] <= b[1]
     }
@@ -197,8 +233,9 @@ mod tests {
     use crate::numerics::testing::Random;
 
     /// One formula with every operation, of values from everywhere.
-    fn formula<R: Real>([a, b, c, d]: [R; 4]) -> [R; 4] {
-        [a * b - c / d, (a + c).abs().sqrt(), (b * b + d * d).sqrt() / R::of(3.0), (c - a).abs()]
+    fn formula<R: Real>([a, b, c, d]: [R; 4]) -> [R; 6] {
+        let root = (b * b + d * d).sqrt() / R::of(3.0);
+        [a * b - c / d, (a + c).abs().sqrt(), root, (c - a).abs(), a.min(b), c.max(d)]
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! once, and then decides for every point in a few operations: it is the filter of all conflict
 //! tests. Its centre comes from `cramer` for ordinary simplices, from `solve` for others, and from
 //! integers where both are too inaccurate. `hyperplane` computes a normal once, and then places points
-//! and boxes. `determinant` and `f64x2` serve these.
+//! and boxes. `determinant` serves these, and `f64x2` others too.
 //!
 //! A formula may enter if its comment proves the bound of its error for all finite coordinates.
 
@@ -19,6 +19,7 @@ mod orientation;
 mod solve;
 
 pub use circumball::Circumball;
+pub(crate) use f64x2::{F64x2, Real};
 pub(crate) use hyperplane::Hyperplane;
 pub use in_ball::in_ball;
 pub use orientation::{determinant_filtered, orientation, orientation_filtered};

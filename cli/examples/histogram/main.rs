@@ -40,7 +40,12 @@ fn panels() -> Vec<(&'static str, Options)> {
         quality_bound: 2.0,
         ..Options::default()
     };
-    vec![("Delaunay triangulation", delaunay), ("radius-edge ratio at most 2", refined)]
+    let mended = Options { min_dihedral: 15.0, ..refined.clone() };
+    vec![
+        ("Delaunay triangulation", delaunay),
+        ("radius-edge ratio at most 2", refined),
+        ("the same, at least 15 degrees", mended),
+    ]
 }
 
 /// By the splitmix64 generator.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 /// Of three degrees each.
 pub const BINS: usize = 60;
 
-const WIDTH: f64 = 360.0;
+const WIDTH: f64 = 270.0;
 const HEIGHT: f64 = 200.0;
 const LEFT: f64 = 62.0;
 const TOP: f64 = 48.0;

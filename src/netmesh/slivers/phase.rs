@@ -205,3 +205,46 @@ impl<const D: usize> Mesher<'_, '_, D> {
 fn places(effort: u32) -> usize {
     4usize.pow(effort)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Inputs;
+    use crate::netmesh::slivers::shape::corners;
+    use crate::netmesh::watch::Watch;
+    use crate::numerics::testing::Random;
+    use crate::options::Options;
+
+    /// They are beside cages, where nothing may move: efforts for them would be for nothing.
+    #[test]
+    fn slivers_of_several_domains_are_not_queued() {
+        let mut random = Random(4);
+        let points: Vec<f64> = (0..3 * 100).map(|_| random.unit()).collect();
+        let near = points.iter().map(|x| x + 2f64.powi(-20));
+        let points: Vec<f64> = points.iter().copied().chain(near).collect();
+        let inputs = Inputs::new(3, 200, &points, 0).unwrap();
+        let options = Options { min_dihedral: 15.0, ..Options::default() };
+        let parameters = Parameters::resolve(3, &options).unwrap();
+        let mut mesher = Mesher::<3>::new(&inputs, parameters, Watch::new(None)).unwrap();
+        let mut cavity = Cavity::default();
+        mesher.start_netmesh(&mut cavity).unwrap();
+        mesher.insert_rounds(&mut cavity).unwrap();
+        mesher.refine_finally(&mut cavity).unwrap();
+        let slivers = mesher.find_slivers().unwrap();
+        // Of one domain, and of several.
+        let mut counts = [0; 2];
+        let complex = mesher.state.delaunay.complex();
+        for simplex in complex.simplices().filter(|&simplex| complex.is_live(simplex)) {
+            let vertices = complex.vertices(simplex);
+            if !complex.is_infinite(simplex)
+                && slivers.measure.penalty(&corners(&mesher.state.delaunay, vertices)) > 0.0
+            {
+                let is_of_one = mesher.state.hierarchy.same_domain(vertices);
+                counts[usize::from(!is_of_one)] += 1;
+                assert_eq!(slivers.penalties[simplex] > 0.0, is_of_one);
+            }
+        }
+        assert!(counts[0] > 50 && counts[1] > 100, "{counts:?}");
+        assert_eq!(slivers.queue.len(), counts[0]);
+    }
+}

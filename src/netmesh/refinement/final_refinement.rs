@@ -27,6 +27,11 @@ use crate::options::Phase;
 const TILE: usize = 1 << 12;
 const SMALL: usize = 1 << 17;
 
+/// Tiles of a mesh with segments and a bound below `TIGHT`, where the order by length is worth 1.5 %
+/// of the vertices, and a quarter of the time.
+const LARGE_TILE: usize = 1 << 15;
+const TIGHT: f64 = 1.1;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Refines until no cell is bad over all its corners. Insertions examine what they change. But
     /// a cage's union cell may have corners at simplices without a vertex of the cage, which are
@@ -73,12 +78,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let watch = &mut self.watch;
         let complex = self.state.delaunay.complex();
         let order = complex.order_by_anchor(self.state.inputs, || watch.poll_after(1))?.order;
-        for (at, tile) in order.chunks(TILE).enumerate() {
+        let length = self.tile_length();
+        for (at, tile) in order.chunks(length).enumerate() {
             self.refine_simplices(tile, cavity)?;
-            self.state.stage.final_fraction = (at * TILE) as f64 / order.len() as f64;
+            self.state.stage.final_fraction = (at * length) as f64 / order.len() as f64;
             self.note_progress();
         }
         Ok(())
+    }
+
+    fn tile_length(&self) -> usize {
+        let is_tight = self.state.segments.is_active() && self.state.stage.bound < TIGHT;
+        if is_tight { LARGE_TILE } else { TILE }
     }
 
     /// Mends the bad ones of some simplices, and all that becomes bad by it.

@@ -35,6 +35,10 @@ const fn edge_factor<const D: usize>() -> f64 {
     if D == 2 { 0.97 } else { 0.6 }
 }
 
+/// The same for a simplex whose vertices are all on segments: those are likely to need others between
+/// them, whatever comes now.
+const FACTOR_BETWEEN_SEGMENTS: f64 = 0.8;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The point to insert for `simplex`, which is bad or has inputs. `None` if rounding moved it
     /// out of the D-ball, or closer to a vertex than half the radius: then doubles are too coarse
@@ -101,12 +105,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let middle = std::array::from_fn(|axis| p[axis] + 0.5 * (q[axis] - p[axis]));
         let bound = self.state.stage.bound;
         let apex = length * (bound + (bound * bound - 0.25).sqrt());
-        let height = edge_factor::<D>() * apex;
+        let height = self.factor_in(simplex) * apex;
         let point = between(&middle, &corner.point, height / distance(&middle, &corner.point))?;
         let radius = distance(&point, p);
         let off_center = SteinerPoint { point, radius, is_corner: false };
         (self.is_sound(simplex, &off_center) && self.is_at_its_radius(&off_center, b))
             .then_some(off_center)
+    }
+
+    fn factor_in(&self, simplex: SimplexId) -> f64 {
+        let vertices = self.state.delaunay.complex().vertices(simplex);
+        match vertices.iter().all(|&vertex| self.state.segments.chains.holds(vertex)) {
+            true => FACTOR_BETWEEN_SEGMENTS,
+            false => edge_factor::<D>(),
+        }
     }
 }
 

@@ -5,34 +5,62 @@ use super::ring::Ring;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Hole;
 use crate::error::Result;
-use crate::memory::{AllocResult, filled};
+use crate::memory::{AllocError, AllocResult, TryGrow, filled};
 use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::DomainId;
 use crate::numerics::{Circumball, shortest_distance};
 
+/// What each removal uses again.
+#[derive(Default)]
+struct Buffers<const D: usize> {
+    hole: Hole<D>,
+    filled: Vec<SimplexId>,
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Removes every Steiner vertex that is on no segment, in no cage and no domain's centre, and
-    /// leaves no simplex beyond the bound, the last one first. O(vertices) for vertices of few neighbours.
+    /// leaves no simplex beyond the bound: the last one first, and once more those next to one that
+    /// went. O(vertices) for vertices of few neighbours.
     pub(in crate::netmesh) fn coarsen(&mut self) -> Result<()> {
-        let (mut hole, mut filled) = (Hole::default(), Vec::new());
+        let mut buffers = Buffers::default();
         let is_center = self.centers()?;
-        for vertex in (self.state.inputs..self.state.delaunay.point_count()).rev() {
-            self.watch.poll_after(16)?;
-            let vertex = VertexId::new(vertex);
-            if self.is_free(vertex)
-                && !is_center[vertex]
-                && !self.is_surely_needed(vertex)
-                && self.state.delaunay.find_hole(vertex, &mut hole)?
-                && self.is_needless(vertex, &hole)
-            {
-                self.remove_with_regions(vertex, &hole, &mut filled)?;
+        let is_candidate = |vertex: &VertexId| !is_center[*vertex];
+        let mut again = Vec::new();
+        let all = self.state.inputs..self.state.delaunay.point_count();
+        for vertex in all.rev().map(VertexId::new).filter(is_candidate) {
+            self.watch.poll_after(4)?;
+            if self.remove_if_needless(vertex, &mut buffers)? {
+                // The others' turn comes.
+                let seen = buffers.hole.vertices.ids.iter().filter(|&&other| other > vertex);
+                again.try_reserve(buffers.hole.vertices.ids.len()).map_err(AllocError::from)?;
+                again.extend(seen);
+            }
+        }
+        while let Some(vertex) = again.pop() {
+            self.watch.poll_after(4)?;
+            if is_candidate(&vertex) && self.remove_if_needless(vertex, &mut buffers)? {
+                again.try_extend(&buffers.hole.vertices.ids)?;
             }
         }
         Ok(())
     }
 
+    /// Whether `vertex` went.
+    fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers<D>) -> Result<bool> {
+        let Buffers { hole, filled } = buffers;
+        let is_needless = !self.is_input(vertex)
+            && self.is_free(vertex)
+            && !self.is_surely_needed(vertex)
+            && self.state.delaunay.find_hole(vertex, hole)?
+            && self.is_needless(vertex, hole);
+        if is_needless {
+            self.remove_with_regions(vertex, hole, filled)?;
+        }
+        Ok(is_needless)
+    }
+
     /// Vertex -> whether it is the centre of a living domain: its cage is found from there.
-    pub(super) fn centers(&self) -> AllocResult<Vec<bool>> {
+    fn centers(&self) -> AllocResult<Vec<bool>> {
         let mut is_center = filled(self.state.delaunay.point_count(), false)?;
         for domain in (0..self.state.hierarchy.len()).map(DomainId::new) {
             let node = self.state.hierarchy.node(domain);
@@ -44,7 +72,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether refinement made `vertex`, and it is in the mesh, but on no segment.
-    pub(super) fn is_free(&self, vertex: VertexId) -> bool {
+    fn is_free(&self, vertex: VertexId) -> bool {
         self.is_inserted(vertex)
             && !self.state.hierarchy.cage_of(vertex).is_valid()
             && !self.state.segments.chains.holds(vertex)
@@ -73,7 +101,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Removes `vertex`, whose hole is found. Its id is not used again.
-    pub(super) fn remove_with_regions(
+    fn remove_with_regions(
         &mut self,
         vertex: VertexId,
         hole: &Hole<D>,

@@ -249,6 +249,22 @@ fn a_component_in_a_cage_costs_the_same_at_every_scale() {
     }
 }
 
+#[test]
+fn clusters_in_clusters_have_cages_in_cages() {
+    let parents = |exponents: &[i32]| {
+        let circles = exponents.iter().map(|&exponent| circle(12, [0.0; 2], 2f64.powi(exponent)));
+        let domain = circles.fold(Domain::default(), |domain, curve| domain.curve(&curve));
+        let options = Options { output: Output::Hierarchical, ..inside(20.0) };
+        let mesh = domain.mesh(&options);
+        assert_conforming(&domain, mesh.result().unwrap());
+        assert_cut(&mesh);
+        mesh.result().unwrap().domains.iter().map(|domain| domain.parent).collect::<Vec<_>>()
+    };
+    assert_eq!(parents(&[-20, 0, -60, -40]), [NONE, 0, 1, 2]);
+    // There is too little room for a cage.
+    assert_eq!(parents(&[0, -3]), [NONE]);
+}
+
 /// A cage stands where no segment crosses it, and only there.
 #[test]
 fn a_segment_into_a_cage_releases_it() {

@@ -1,7 +1,7 @@
 //! Segments: the ball that has one for its diameter, and the doubles nearest to points on it.
 
 use super::Sign;
-use super::exact::scalar_product_exact;
+use super::exact::{crossing, scalar_product_exact};
 use super::power::{biased_exponent, scale_by_power};
 
 /// Terms between these are products of differences that neither overflowed nor lost bits.
@@ -26,19 +26,35 @@ pub fn in_diametral_ball<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D
     }
 }
 
+/// Relative to the largest number of a sum, numbers above this have products with all their bits.
+const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+
 /// The doubles nearest to the coordinates of `a + fraction (b - a)`, for a fraction in \[0, 1\].
-/// Where a coordinate is subnormal, or 2^900 times smaller than those of the ends, it is within a
-/// unit in the last place.
 pub fn point_between<const D: usize>(a: &[f64; D], b: &[f64; D], fraction: f64) -> [f64; D] {
     std::array::from_fn(|k| coordinate_between(a[k], b[k], fraction))
+}
+
+fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
+    let exponent = i64::from(biased_exponent(a).max(biased_exponent(b)).max(1)) - 1023;
+    let [from, to] = [a, b].map(|x| scale_by_power(x, -exponent));
+    let has_room = |x: f64, scaled: f64| x == 0.0 || scaled.abs() > SMALL;
+    if has_room(a, from) && has_room(b, to) && has_room(fraction, fraction) {
+        let sum = sum_between(from, to, fraction);
+        let x = scale_by_power(sum, exponent);
+        // A subnormal would be rounded twice.
+        if sum == 0.0 || x.is_normal() {
+            return x;
+        }
+    }
+    // Where the line from (a, 0) to (b, 1) is at that height.
+    let level = [&[0.0, fraction], &[1.0, fraction]];
+    crossing([[&[a, 0.0], &[b, 1.0]], level]).map_or(a, |[x, _]| x)
 }
 
 /// The sum of `a`, and of `fraction` times the two parts of `b - a`, with all its bits: five
 /// numbers without a common bit, of which the largest is the sum, rounded (J. R. Shewchuk,
 /// "Adaptive Precision Floating-Point Arithmetic", 1997, theorem 10).
-fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
-    let exponent = i64::from(biased_exponent(a).max(biased_exponent(b)).max(1)) - 1023;
-    let [a, b] = [a, b].map(|x| scale_by_power(x, -exponent));
+fn sum_between(a: f64, b: f64, fraction: f64) -> f64 {
     let (difference, rest) = sum_of(b, -a);
     let (high, low) = product_of(fraction, difference);
     let (rest_high, rest_low) = product_of(fraction, rest);
@@ -50,8 +66,7 @@ fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
         }
         parts[count] = carried;
     }
-    let sum = parts.into_iter().fold(0.0, |sum, part| sum + part);
-    scale_by_power(sum, exponent)
+    parts.into_iter().fold(0.0, |sum, part| sum + part)
 }
 
 /// The sum, rounded, and what it lacks.
@@ -111,7 +126,10 @@ mod tests {
             let mut random = Random(100 + family as u64);
             for _ in 0..300 {
                 let [a, b] = points::<2>(family, 2, &mut random)[..] else { unreachable!() };
-                let fraction = random.integer(0, 1 << 53) as f64 / (1u64 << 53) as f64;
+                let part = random.integer(0, 1 << 53) as f64 / (1u64 << 53) as f64;
+                // The other half of them near the first end.
+                let exponent = random.integer(-1000, 0).min(random.integer(-1000, 1000)) as i32;
+                let fraction = part * 2f64.powi(if exponent % 2 == 0 { 0 } else { exponent });
                 let exact = |k: usize| {
                     let (from, to, t) = (whole(a[k]), whole(b[k]), whole(fraction));
                     (from.clone() << 1200) + t * (to - from)
@@ -121,9 +139,6 @@ mod tests {
                         let difference = (whole(x) << 1200) - exact(k);
                         if difference < IBig::ZERO { -difference } else { difference }
                     };
-                    if x != 0.0 && x.abs() < f64::MIN_POSITIVE {
-                        continue;
-                    }
                     let least = off(x);
                     for other in [x.next_up(), x.next_down()].into_iter().filter(|x| x.is_finite())
                     {

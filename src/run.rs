@@ -1,10 +1,10 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{arrange, with_extent};
+use crate::arrangement::{Poll, arrange, with_extent};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
-use crate::netmesh;
+use crate::netmesh::{self, Watch};
 use crate::options::{Extent, Options, ProgressFn, SizeFn};
 use crate::sizes::Field;
 
@@ -30,7 +30,9 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
-        let arrangement = self.arrangement(options)?;
+        let mut progress = progress;
+        let mut watch = Watch::new(progress.as_deref_mut());
+        let arrangement = self.arrangement(options, &mut |work| watch.poll_after(work))?;
         let (inputs, arrangement) = (self.inputs(), arrangement.as_ref());
         let triangulation = match Field::new(self, size)? {
             None => netmesh::run(inputs, arrangement, options, progress)?,
@@ -45,15 +47,17 @@ impl Mesh {
     }
 
     /// What the mesh must conform to, if there is something.
-    fn arrangement(&self, options: &Options) -> Result<Option<Arrangement>> {
+    fn arrangement(&self, options: &Options, poll: Poll<'_>) -> Result<Option<Arrangement>> {
         let Options { extent, crossings, .. } = *options;
         self.check_extent(extent)?;
         let mut arrangement = match extent {
             Extent::All if self.segments().count() == 0 => return Ok(None),
-            Extent::All | Extent::Boundary => arrange(self.inputs(), self.segments(), crossings)?,
+            Extent::All | Extent::Boundary => {
+                arrange(self.inputs(), self.segments(), crossings, poll)?
+            }
             Extent::Hull | Extent::Box => {
                 let (inputs, segments) = with_extent(self.inputs(), self.segments(), extent)?;
-                let arrangement = arrange(&inputs, &segments, crossings)?;
+                let arrangement = arrange(&inputs, &segments, crossings, poll)?;
                 self.in_own_numbers(arrangement, &inputs)?
             }
         };

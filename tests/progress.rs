@@ -1,6 +1,6 @@
 //! What a run reports while it works.
 
-use netmesh::{Mesh, Options, Output, Phase, Progress};
+use netmesh::{ErrorKind, Extent, Mesh, Options, Output, Phase, Progress};
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::time::{Duration, Instant};
@@ -73,4 +73,32 @@ fn an_outer_cage_of_many_points_is_no_progress_of_the_inputs() {
     let too_early =
         |report: &&Progress| report.inputs_inserted > 1 && report.simplices < 4 * cage - 8;
     assert_eq!(reports.iter().find(too_early), None);
+}
+
+/// The last two segments of many cross, which ends the run if nothing did before.
+#[test]
+fn segments_can_be_cancelled_before_they_are_arranged() {
+    let count = 300_000;
+    let mut random = Pcg64Mcg::new(2);
+    let mut points = Vec::new();
+    for x in 0..count {
+        let y = (random.next_u64() >> 40) as f64;
+        points.extend([f64::from(x), y, f64::from(x) + 0.5, y + 1.0]);
+    }
+    let end = f64::from(count);
+    points.extend([end, 0.0, end + 1.0, 1.0, end, 1.0, end + 1.0, 0.0]);
+    let ends: Vec<u32> = (0..points.len() as u32 / 2).collect();
+    let mut mesh = Mesh::new(2, points.len() / 2, &points, 0).unwrap();
+    mesh.set_segments(&ends, None).unwrap();
+    let options = Options { extent: Extent::Hull, ..Options::default() };
+    let mut calls = 0;
+    let mut callback = |report: &Progress| {
+        assert_eq!((report.phase, report.fraction), (Phase::Prepare, 0.0));
+        calls += 1;
+        false
+    };
+    let error = mesh.run(&options, Some(&mut callback)).unwrap_err();
+    assert_eq!((error.kind(), calls), (ErrorKind::Cancelled, 1), "{error}");
+    assert_eq!(mesh.run(&options, None).unwrap_err().kind(), ErrorKind::InvalidArgument);
+    assert!(mesh.triangulation().is_none());
 }

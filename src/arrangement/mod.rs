@@ -34,18 +34,27 @@ use places::{Places, key_along};
 use split::split;
 use sweep::{Handling, Swept, sweep};
 
+/// What is told of work, in units of some 100 ns.
+pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
+
 /// The most sweeps. All but inputs that are made for it need two or three.
 const MOST_SWEEPS: usize = 200;
 
 /// The arrangement of segments between inputs in the plane. Of pieces that overlap, the first
 /// segment's counts.
 ///
-/// Expected O((n + k) log n) for n inputs and segments and k crossings.
+/// Expected O((n + k) log n) for n inputs and segments and k crossings. `poll` is told of each piece
+/// of work how long it was, and may end all of it.
 ///
 /// # Errors
 /// `InvalidArgument` (segments that cross, where `crossings` refuses them), `Limit`, `Capacity`
-/// (more vertices than 32-bit ids), `OutOfMemory`.
-pub fn arrange(inputs: &Inputs, segments: &Segments, crossings: Crossings) -> Result<Arrangement> {
+/// (more vertices than 32-bit ids), `OutOfMemory`, and those of `poll`.
+pub fn arrange(
+    inputs: &Inputs,
+    segments: &Segments,
+    crossings: Crossings,
+    poll: Poll<'_>,
+) -> Result<Arrangement> {
     let mut points = collected(
         (0..inputs.distinct()).map(|vertex| *coordinates::<2>(inputs.distinct_point(vertex), 0)),
     )?;
@@ -61,7 +70,7 @@ pub fn arrange(inputs: &Inputs, segments: &Segments, crossings: Crossings) -> Re
     };
     for count in 0..MOST_SWEEPS {
         let places = Places::new(&points)?;
-        let swept = sweep(&places, &pieces, handling)?;
+        let swept = sweep(&places, &pieces, handling, poll)?;
         if count == 0 {
             arrangement.inputs_on_segments = swept.cuts;
         }

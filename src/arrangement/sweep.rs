@@ -5,6 +5,7 @@
 //! Vertices and crossings come in their exact order, so that the order of the lines in the status is
 //! exact. Of lines that cross, two are neighbours before, which finds the crossing.
 
+use super::Poll;
 use super::places::{Key, Places, key};
 use super::status::{ABOVE, BELOW, Status};
 use crate::error::{Error, ErrorKind, Result, message};
@@ -137,11 +138,19 @@ pub(super) enum Handling {
     Snap,
 }
 
+/// What a vertex, an end or a crossing takes, as polls count it.
+const WORK: u32 = 8;
+
 /// Pieces between vertices of `places`; expected O((n + k) log n) for k crossings.
 ///
 /// # Errors
-/// `InvalidArgument` (a crossing, where those are refused), `OutOfMemory`.
-pub(super) fn sweep(places: &Places, pieces: &[Subsegment], handling: Handling) -> Result<Swept> {
+/// `InvalidArgument` (a crossing, where those are refused), `OutOfMemory`, and those of `poll`.
+pub(super) fn sweep(
+    places: &Places,
+    pieces: &[Subsegment],
+    handling: Handling,
+    poll: Poll<'_>,
+) -> Result<Swept> {
     let count = pieces.len();
     let line = |piece: &Subsegment| {
         let [a, b] = piece.ends.map(|end| places.ranks[end as usize]);
@@ -167,8 +176,9 @@ pub(super) fn sweep(places: &Places, pieces: &[Subsegment], handling: Handling) 
     };
     let (mut around, mut fan) = (Around::default(), Vec::new());
     for vertex in 0..vertices as u32 {
-        sweep.swap_before(vertex)?;
+        sweep.swap_before(vertex, poll)?;
         let (starts, ends) = (starts.of(vertex as usize), ends.of(vertex as usize));
+        poll(WORK * (1 + starts.len() + ends.len()) as u32)?;
         if !(starts.is_empty() && sweep.status.is_empty()) {
             sweep.find(vertex, ends, &mut around)?;
             sweep.end_parts(vertex, ends, &around)?;
@@ -459,9 +469,10 @@ impl Sweep<'_> {
     }
 
     /// Lets lines change places that cross before a vertex.
-    fn swap_before(&mut self, vertex: u32) -> Result<()> {
+    fn swap_before(&mut self, vertex: u32, poll: Poll<'_>) -> Result<()> {
         let places = self.places;
         while self.swaps.peek().is_some_and(|swap| swap.is_before(places.point(vertex))) {
+            poll(WORK)?;
             let Some(Swap { lower, upper, .. }) = self.swaps.pop() else { break };
             let [below, above] = [lower, upper].map(|line| self.lines[line as usize].node);
             // They have, or others cross at the same place, and they are tested again.

@@ -43,7 +43,7 @@ impl Case {
     }
 
     fn run(&self, crossings: Crossings) -> Result<Arrangement> {
-        arrange(&self.inputs, &self.segments, crossings)
+        arrange(&self.inputs, &self.segments, crossings, &mut |_| Ok(()))
     }
 }
 
@@ -281,5 +281,35 @@ fn bundles_of_lines_end() {
         let ends: Vec<_> = (0..count as u32).map(|i| [2 * i, 2 * i + 1]).collect();
         let case = Case::new(&points, &ends).unwrap();
         check_is_arrangement(&case, &case.run(Crossings::Split).unwrap());
+    }
+}
+
+/// Chords of a circle: each crosses most others.
+#[test]
+fn all_work_is_told_and_can_be_ended() {
+    let count = 160;
+    let angle = |i: usize| i as f64 * std::f64::consts::TAU / count as f64;
+    let points: Vec<Point> = (0..count).map(|i| [angle(i).cos(), angle(i).sin()]).collect();
+    let half = count as u32 / 2;
+    let ends: Vec<_> = (0..half).map(|i| [i, i + half - 1 - i % 3]).collect();
+    let case = Case::new(&points, &ends).unwrap();
+    let arrange = |most: usize| {
+        let (mut calls, mut work) = (0, 0);
+        let mut poll = |done: u32| {
+            (calls, work) = (calls + 1, work + done as usize);
+            match calls < most {
+                true => Ok(()),
+                false => Err(Error::new(ErrorKind::Cancelled, "enough")),
+            }
+        };
+        let result = arrange(&case.inputs, &case.segments, Crossings::Split, &mut poll);
+        (result, calls, work)
+    };
+    let (result, all, work) = arrange(usize::MAX);
+    let crossings = result.unwrap().crossings.len();
+    assert!(crossings > 2000 && all > crossings + count && work >= 8 * all, "{all} {work}");
+    for most in [1, count / 2, count + 500, all] {
+        let (result, calls, _) = arrange(most);
+        assert_eq!((result.unwrap_err().kind(), calls), (ErrorKind::Cancelled, most));
     }
 }

@@ -36,7 +36,7 @@ use crate::parameters::{Parameters, check_region_sizes, check_sized, with_segmen
 use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
-use watch::Watch;
+pub(crate) use watch::Watch;
 
 /// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
 ///

@@ -11,7 +11,7 @@ pub(super) const INTERVAL: Duration = Duration::from_millis(30);
 /// Work between two readings of the clock, in units of some 100 ns: a fraction of a millisecond.
 const STRIDE: u32 = 2048;
 
-pub(super) struct Watch<'a, 'b> {
+pub(crate) struct Watch<'a, 'b> {
     callback: Option<&'a mut ProgressFn<'b>>,
     last: Instant,
     countdown: u32,
@@ -22,7 +22,7 @@ pub(super) struct Watch<'a, 'b> {
 }
 
 /// What the partitions of a mesh have done together, and whether they are to stop.
-pub(super) struct Tally {
+pub(crate) struct Tally {
     /// The number of inputs of the mesh.
     inputs: u64,
     /// The part of the run that is done when all partitions are.

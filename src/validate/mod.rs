@@ -143,7 +143,7 @@ fn check<const D: usize>(
         let mut findings = Findings::default();
         let promised = Promised::of(result);
         boundary::check_regions(inputs, outline, view, promised, &mut findings)?;
-        check_paper(inputs, view, promised, &mut findings)?;
+        check_paper(case, view, promised, &mut findings)?;
         levels.try_push(findings)?;
     }
     Ok(levels)
@@ -178,12 +178,12 @@ fn check_topology<const D: usize>(
 }
 
 fn check_paper<const D: usize>(
-    inputs: &Inputs,
+    case: Case<'_>,
     view: View<'_, D>,
     promised: Promised<'_>,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let mesh = view.mesh;
+    let (inputs, mesh) = (case.inputs, view.mesh);
     inputs::check(inputs, mesh, findings);
     if mesh.parameters.algorithm == Algorithm::Delaunay {
         inputs::check_plain(inputs, mesh, findings);
@@ -195,7 +195,8 @@ fn check_paper<const D: usize>(
         aspect::check(view, &cells, findings)?;
     }
     angles::check(view, findings)?;
-    sizes::check(inputs, view, findings)?;
+    let of_regions = boundary::largest_edges(case.outline, view)?;
+    sizes::check(inputs, view, promised, &of_regions, findings)?;
     let finished = mesh.parameters.output == Output::WellSpaced;
     findings.check(!finished || mesh.domains.len() == 1, || {
         let message =

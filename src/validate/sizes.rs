@@ -2,6 +2,7 @@
 //! function of the caller says between the vertices is not known here; what it answered at the
 //! vertices is kept with the mesh.
 
+use super::boundary::Promised;
 use super::report::{Findings, Violation, ViolationKind};
 use crate::error::message;
 use crate::memory::AllocResult;
@@ -13,25 +14,32 @@ use crate::quality::view::View;
 /// The builder compares rounded lengths; so does this, with other roundings.
 const SLACK: f64 = 1e-7;
 
+/// `of_regions`: simplex -> the largest edge of its region; empty if no region has one.
 pub(super) fn check<const D: usize>(
     inputs: &Inputs,
     view: View<'_, D>,
+    promised: Promised<'_>,
+    of_regions: &[f64],
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let mesh = view.mesh;
-    // With segments, what is outside of the domain is as large as it is.
-    let has_segments = !mesh.boundary.parents.is_empty();
-    if has_segments || (mesh.parameters.max_edge == 0.0 && mesh.sizes.is_empty()) {
+    if of_regions.is_empty() && mesh.parameters.max_edge == 0.0 && mesh.sizes.is_empty() {
         return Ok(());
     }
+    let overall = match mesh.parameters.max_edge {
+        0.0 => f64::INFINITY,
+        max_edge => max_edge,
+    };
     let bounds = bounds::<D>(inputs);
-    for simplex in 0..view.simplex_count() {
+    // What is outside of the domain is as large as it is.
+    for simplex in 0..promised.count() {
         let vertices = view.simplex(simplex);
         let points = &view.points_of(vertices)[..View::<D>::VERTICES];
         let is_limited = vertices.iter().any(|&vertex| mesh.precision_limited[vertex as usize]);
         if !is_limited && meets(points, &bounds) {
-            check_radius(view, simplex, points, findings)?;
-            check_edges(view, simplex, points, findings);
+            let max_edge = of_regions.get(simplex).map_or(overall, |own| own.min(overall));
+            check_radius(view, simplex, points, max_edge, findings)?;
+            check_edges(simplex, points, max_edge, findings);
         }
     }
     Ok(())
@@ -62,12 +70,11 @@ fn check_radius<const D: usize>(
     view: View<'_, D>,
     simplex: usize,
     points: &[&[f64; D]],
+    max_edge: f64,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let mesh = view.mesh;
-    let asked = |&vertex: &u32| mesh.sizes.get(vertex as usize).copied();
-    let mut size =
-        if mesh.parameters.max_edge > 0.0 { mesh.parameters.max_edge } else { f64::INFINITY };
+    let mut size = max_edge;
+    let asked = |&vertex: &u32| view.mesh.sizes.get(vertex as usize).copied();
     for asked in view.simplex(simplex).iter().filter_map(asked) {
         // A size that is no number is refused with the lengths of arrays.
         size = size.min(asked);
@@ -85,13 +92,12 @@ fn check_radius<const D: usize>(
 }
 
 fn check_edges<const D: usize>(
-    view: View<'_, D>,
     simplex: usize,
     points: &[&[f64; D]],
+    max_edge: f64,
     findings: &mut Findings,
 ) {
-    let max_edge = view.mesh.parameters.max_edge;
-    if max_edge == 0.0 {
+    if max_edge == f64::INFINITY {
         return;
     }
     let mut longest = Length::ZERO;

@@ -1,6 +1,7 @@
 //! The certificate holds for sound meshes, and names what is wrong with corrupted ones.
 
 mod corruptions;
+mod extents;
 mod geometry;
 mod histograms;
 mod measures;

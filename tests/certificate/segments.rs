@@ -8,10 +8,10 @@ use netmesh::{Mesh, NONE, Region, Segments, Triangulation, VertexKind};
 
 /// A result and what it was made of.
 #[derive(Clone)]
-struct Domain {
-    case: Case,
-    segments: Segments,
-    regions: Vec<Region>,
+pub struct Domain {
+    pub case: Case,
+    pub segments: Segments,
+    pub regions: Vec<Region>,
 }
 
 impl Domain {
@@ -32,7 +32,19 @@ impl Domain {
         validate_outlined(&self.case.inputs, outline, &self.case.mesh, level).unwrap()
     }
 
-    fn whole(&self) -> &Triangulation {
+    pub fn assert_sound(&self) {
+        let report = self.report(3);
+        assert_eq!((report.level, report.violations, report.first), (3, 0, None));
+    }
+
+    pub fn assert_violates(&self, kind: Kind) {
+        let report = self.report(3);
+        let first = report.first.unwrap_or_else(|| panic!("{kind:?} went unseen"));
+        assert_eq!(first.kind, kind, "{}", first.message);
+        assert_eq!(report.level, kind.level() - 1);
+    }
+
+    pub fn whole(&self) -> &Triangulation {
         self.case.mesh.boundary.whole.as_ref().unwrap()
     }
 
@@ -54,6 +66,7 @@ impl Domain {
         cut.vertex_domains.truncate(vertices);
         cut.cage_of.truncate(vertices);
         cut.precision_limited.truncate(vertices);
+        cut.sizes.truncate(vertices);
         cut.simplices.truncate(3 * count);
         cut.neighbors.truncate(3 * count);
         for id in cut.neighbors.iter_mut().filter(|id| **id as usize >= count) {
@@ -66,7 +79,7 @@ impl Domain {
     }
 
     /// Corrupts the whole, and cuts as before.
-    fn corrupt(&mut self, corrupt: impl Fn(&mut Triangulation)) {
+    pub fn corrupt(&mut self, corrupt: impl Fn(&mut Triangulation)) {
         let count = self.case.mesh.simplex_count();
         corrupt(self.whole_mut());
         self.recut(count);
@@ -104,18 +117,6 @@ fn star() -> Domain {
     Domain::of(&points, &segments, &[]).1
 }
 
-fn assert_sound(domain: &Domain) {
-    let report = domain.report(3);
-    assert_eq!((report.level, report.violations, report.first), (3, 0, None));
-}
-
-fn assert_violates(domain: &Domain, kind: Kind) {
-    let report = domain.report(3);
-    let first = report.first.unwrap_or_else(|| panic!("{kind:?} went unseen"));
-    assert_eq!(first.kind, kind, "{}", first.message);
-    assert_eq!(report.level, kind.level() - 1);
-}
-
 /// A subsegment that ends where the next of its segment begins, at a vertex that is no input.
 fn before_split(domain: &Domain) -> usize {
     let boundary = &domain.whole().boundary;
@@ -129,10 +130,10 @@ fn before_split(domain: &Domain) -> usize {
 #[test]
 fn domains_hold() {
     for domain in [lake(), star()] {
-        assert_sound(&domain);
+        domain.assert_sound();
         let mut same = domain.clone();
         same.recut(domain.case.mesh.simplex_count());
-        assert_sound(&same);
+        same.assert_sound();
     }
     assert!(!star().case.mesh.boundary.forced.is_empty());
 }
@@ -216,7 +217,7 @@ fn arrays_that_do_not_fit() {
     for corrupt in corruptions {
         let mut domain = lake();
         corrupt(domain.whole_mut());
-        assert_violates(&domain, Kind::BoundaryArrays);
+        domain.assert_violates(Kind::BoundaryArrays);
     }
     let forced: [fn(usize) -> Vec<u32>; 3] =
         [|_| vec![2, 1], |_| vec![3, 3], |count| vec![count as u32]];
@@ -224,7 +225,7 @@ fn arrays_that_do_not_fit() {
         let mut domain = lake();
         let forced = forced(domain.case.mesh.simplex_count());
         domain.corrupt(|whole| whole.boundary.forced = forced.clone());
-        assert_violates(&domain, Kind::BoundaryArrays);
+        domain.assert_violates(Kind::BoundaryArrays);
     }
 }
 
@@ -265,7 +266,7 @@ fn a_subsegment_that_is_no_edge() {
             boundary.subsegments.remove(at + 1);
             boundary.parents.remove(at + 1);
         });
-        assert_violates(&domain, Kind::SubsegmentEdge);
+        domain.assert_violates(Kind::SubsegmentEdge);
     }
 }
 
@@ -278,7 +279,7 @@ fn a_subsegment_twice() {
         boundary.subsegments.insert(1, boundary.subsegments[0]);
         boundary.parents.insert(1, parent);
     });
-    assert_violates(&domain, Kind::SubsegmentEdge);
+    domain.assert_violates(Kind::SubsegmentEdge);
 }
 
 /// Plain triangulations with subsegments: up to level 2.
@@ -370,7 +371,7 @@ fn a_vertex_off_its_segment() {
             let x = &mut whole.points[2 * vertex + 1];
             *x = x.next_up().next_up();
         });
-        assert_violates(&domain, Kind::SegmentLine);
+        domain.assert_violates(Kind::SegmentLine);
     }
 }
 
@@ -394,7 +395,7 @@ fn a_chain_with_a_gap() {
                 whole.boundary.subsegments.remove(at);
                 whole.boundary.parents.remove(at);
             });
-            assert_violates(&domain, Kind::SegmentChain);
+            domain.assert_violates(Kind::SegmentChain);
         }
     }
 }
@@ -405,14 +406,14 @@ fn a_subsegment_of_another_segment() {
     let parents = &domain.whole().boundary.parents;
     let at = parents.iter().rposition(|&parent| parent == 2).unwrap();
     domain.corrupt(|whole| whole.boundary.parents[at] = 3);
-    assert_violates(&domain, Kind::SegmentChain);
+    domain.assert_violates(Kind::SegmentChain);
 }
 
 #[test]
 fn a_subsegment_turned_round() {
     let mut domain = lake();
     domain.corrupt(|whole| whole.boundary.subsegments[0].reverse());
-    assert_violates(&domain, Kind::SegmentChain);
+    domain.assert_violates(Kind::SegmentChain);
 }
 
 #[test]
@@ -421,14 +422,14 @@ fn a_label_that_is_not_its_regions() {
     for simplex in 0..domain.whole().simplex_count() {
         let mut domain = domain.clone();
         domain.corrupt(|whole| whole.boundary.simplex_regions[simplex] += 1);
-        assert_violates(&domain, Kind::RegionLabel);
+        domain.assert_violates(Kind::RegionLabel);
     }
     let mut domain = domain;
     domain.corrupt(|whole| {
         let labels = whole.boundary.simplex_regions.iter_mut();
         labels.filter(|label| **label == 7).for_each(|label| *label = 8);
     });
-    assert_violates(&domain, Kind::RegionLabel);
+    domain.assert_violates(Kind::RegionLabel);
 }
 
 #[test]
@@ -438,7 +439,7 @@ fn a_domain_with_a_simplex_too_few_or_too_many() {
     for count in [count - 1, count + 1] {
         let mut domain = domain.clone();
         domain.recut(count);
-        assert_violates(&domain, Kind::DomainEnd);
+        domain.assert_violates(Kind::DomainEnd);
     }
 }
 
@@ -446,28 +447,28 @@ fn a_domain_with_a_simplex_too_few_or_too_many() {
 fn a_domain_with_a_region_too_few_or_too_many() {
     let mut domain = lake();
     domain.recut(domain.whole().simplex_count());
-    assert_violates(&domain, Kind::DomainPlace);
+    domain.assert_violates(Kind::DomainPlace);
     // Without a hole only what is outside is too much.
     let mut domain = star();
     domain.recut(domain.whole().simplex_count());
-    assert_violates(&domain, Kind::DomainPlace);
+    domain.assert_violates(Kind::DomainPlace);
     let mut domain = lake();
     domain.regions[1].is_hole = true;
-    assert_violates(&domain, Kind::DomainPlace);
+    domain.assert_violates(Kind::DomainPlace);
     let mut domain = lake();
     domain.regions.remove(0);
-    assert_violates(&domain, Kind::DomainPlace);
+    domain.assert_violates(Kind::DomainPlace);
 }
 
 #[test]
 fn a_simplex_that_nothing_forces() {
     let mut domain = lake();
     domain.corrupt(|whole| whole.boundary.forced = vec![5]);
-    assert_violates(&domain, Kind::ForcedSimplex);
+    domain.assert_violates(Kind::ForcedSimplex);
     // Those that would be forced if they were beyond the bound.
     let mut domain = star();
     domain.corrupt(|whole| whole.parameters.quality_bound = 1e9);
-    assert_violates(&domain, Kind::ForcedSimplex);
+    domain.assert_violates(Kind::ForcedSimplex);
     // One beyond the bound that is not between two segments.
     let mut domain = star();
     domain.corrupt(|whole| whole.parameters.quality_bound = 0.9);
@@ -490,6 +491,6 @@ fn a_forced_simplex_that_is_not_owned_up_to() {
         domain.corrupt(|whole| {
             whole.boundary.forced.remove(at);
         });
-        assert_violates(&domain, Kind::RadiusEdge);
+        domain.assert_violates(Kind::RadiusEdge);
     }
 }

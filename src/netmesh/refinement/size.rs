@@ -263,11 +263,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Whether segments leave a live simplex out of the domain.
-    fn is_outside(&mut self, simplex: SimplexId) -> Result<bool> {
-        Ok(self.is_left_alone(simplex)? && !self.is_forced(simplex))
-    }
-
     /// After slivers were mended: the sizes at all vertices that count.
     pub(in crate::netmesh) fn ask_all_sizes(&mut self) -> Result<()> {
         if self.sizes.is_none() {

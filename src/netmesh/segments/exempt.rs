@@ -30,13 +30,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// As [`Self::is_exempt`], with regions that were not known. All subsegments are recovered.
     pub(in crate::netmesh) fn is_left_alone(&mut self, simplex: SimplexId) -> Result<bool> {
+        let is_known = self.state.segments.is_active() && self.state.segments.regions.is_known();
+        Ok(is_known && (self.is_outside(simplex)? || self.is_forced(simplex)))
+    }
+
+    /// Whether segments leave a live simplex out of the domain. All subsegments are recovered.
+    pub(in crate::netmesh) fn is_outside(&mut self, simplex: SimplexId) -> Result<bool> {
         let State { delaunay, segments, .. } = &mut self.state;
         if !segments.is_active() || !segments.regions.is_known() {
             return Ok(false);
         }
         let Segments { regions, chains, visited, .. } = segments;
         let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
-        Ok(!regions.is_refined[region as usize] || self.is_forced(simplex))
+        Ok(!regions.is_refined[region as usize])
     }
 
     /// The longest edge that the region of a live simplex may have, infinite for any.

@@ -16,7 +16,7 @@ use crate::validate::report::{Findings, Violation, ViolationKind};
 /// how many units of the segment's larger coordinate all of them may.
 const BENT: f64 = 4.0;
 
-struct Chains<'a> {
+pub(super) struct Chains<'a> {
     view: View<'a, 2>,
     edges: &'a Edges,
     inputs: usize,
@@ -28,11 +28,11 @@ struct Chains<'a> {
     waiting: Vec<u32>,
 }
 
-/// A segment between two vertices.
+/// A segment between two vertices, or with [`NONE`] a side of the extent, which has all subsegments.
 #[derive(Clone, Copy)]
-struct Way {
-    segment: u32,
-    ends: [u32; 2],
+pub(super) struct Way {
+    pub segment: u32,
+    pub ends: [u32; 2],
 }
 
 pub(super) fn check(
@@ -42,11 +42,7 @@ pub(super) fn check(
     edges: &Edges,
     findings: &mut Findings,
 ) -> AllocResult<()> {
-    let reached = filled(view.vertex_count(), (NONE, NONE))?;
-    let (path, waiting) = Default::default();
-    let inputs_count = inputs.distinct();
-    let mut chains =
-        Chains { view, edges, inputs: inputs_count, reached, searches: 0, path, waiting };
+    let mut chains = Chains::new(inputs.distinct(), view, edges)?;
     for (segment, ends) in segments.inputs.iter().enumerate() {
         let vertex = |end: u32| inputs.vertices().get(end as usize).copied().unwrap_or(NONE);
         let way = Way { segment: segment as u32, ends: ends.map(vertex) };
@@ -71,7 +67,26 @@ fn describe(way: Way, vertex: u32) -> Violation {
     Violation::new(ViolationKind::SegmentChain, message).vertex(vertex as usize)
 }
 
-impl Chains<'_> {
+impl<'a> Chains<'a> {
+    pub fn new(inputs: usize, view: View<'a, 2>, edges: &'a Edges) -> AllocResult<Self> {
+        let reached = filled(view.vertex_count(), (NONE, NONE))?;
+        let (path, waiting) = Default::default();
+        Ok(Self { view, edges, inputs, reached, searches: 0, path, waiting })
+    }
+
+    /// The vertices of the way that was found last, from end to end.
+    pub fn found(&self) -> &[u32] {
+        &self.path
+    }
+
+    /// Fills `path` with the vertices from end to end, along any subsegments; whether there are some.
+    pub fn lead(&mut self, way: Way) -> AllocResult<bool> {
+        let [from, to] = way.ends;
+        self.path.clear();
+        self.path.try_push(from)?;
+        self.cross_gap(way, from, to)
+    }
+
     /// Fills `path` with the vertices of a segment from end to end; the vertex where they end
     /// before that otherwise.
     fn follow(&mut self, way: Way) -> AllocResult<Result<(), u32>> {
@@ -135,7 +150,8 @@ impl Chains<'_> {
         let boundary = &self.view.mesh.boundary;
         let [a, b] = boundary.subsegments[subsegment as usize];
         let next = if a == vertex { b } else { a };
-        let is_on = boundary.parents[subsegment as usize] < way.segment
+        let parent = boundary.parents[subsegment as usize];
+        let is_on = (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))
             && self.is_near(way, next, true)?;

@@ -2,7 +2,8 @@
 //!
 //! - Level 1, `arrays`: they fit each other and the mesh.
 //! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as near
-//!   to them as doubles can be; `chains`, subsegments lead from end to end of every segment.
+//!   to them as doubles can be; `chains`, subsegments lead from end to end of every segment; `frame`,
+//!   those of a hull or box go round the inputs.
 //! - Level 3: `regions`, what segments separate, with the labels of seeds; `areas`, of the regions;
 //!   `forced`, the triangles that small angles between segments excuse.
 //!
@@ -15,6 +16,7 @@ mod chains;
 mod edges;
 mod exact;
 mod forced;
+mod frame;
 mod lines;
 mod regions;
 mod sum;
@@ -24,6 +26,7 @@ mod tests;
 use super::report::Findings;
 use crate::memory::AllocResult;
 use crate::mesh::{Inputs, Region, Segments, Triangulation};
+use crate::options::Extent;
 use crate::quality::view::View;
 use edges::Edges;
 use lines::Lines;
@@ -49,6 +52,10 @@ impl<'a> Promised<'a> {
     pub fn of(result: &'a Triangulation) -> Self {
         let (count, boundary) = (result.simplex_count(), &result.boundary);
         Self { count, is_cut: boundary.whole.is_some(), forced: &boundary.forced }
+    }
+
+    pub fn count(self) -> usize {
+        self.count
     }
 
     pub fn includes(self, simplex: usize) -> bool {
@@ -79,6 +86,7 @@ pub(super) fn check_geometry<const D: usize>(
     if let Some(Outline { segments, .. }) = outline {
         chains::check(inputs, segments, view, &edges, findings)?;
     }
+    frame::check(inputs, view, &edges, findings)?;
     lines::check(view, &Lines::new(view.mesh, inputs.distinct(), &edges)?, findings)
 }
 
@@ -100,12 +108,27 @@ pub(super) fn check_regions<const D: usize>(
     forced::check(view, &edges, &lines, inputs.distinct(), findings)
 }
 
-/// `None` without segments, which only the plane has.
+/// Simplex -> the largest edge that the seed of its region asks for, or infinity; empty if none does.
+pub(super) fn largest_edges<const D: usize>(
+    outline: Option<Outline<'_>>,
+    whole: View<'_, D>,
+) -> AllocResult<Vec<f64>> {
+    let regions = outline.map_or(&[][..], |outline| outline.regions);
+    match in_the_plane(outline, whole) {
+        Some(view) if regions.iter().any(|region| region.max_edge > 0.0) => {
+            regions::largest_edges(view, &Edges::new(view)?, regions)
+        }
+        _ => Ok(Vec::new()),
+    }
+}
+
+/// `None` without segments or the boundary of an extent, which only the plane has.
 fn in_the_plane<'a, const D: usize>(
     outline: Option<Outline<'_>>,
     whole: View<'a, D>,
 ) -> Option<View<'a, 2>> {
     let is_any = !whole.mesh.boundary.subsegments.is_empty()
+        || matches!(whole.mesh.parameters.extent, Extent::Hull | Extent::Box)
         || outline.is_some_and(|outline| outline.segments.count() > 0);
     (D == 2 && is_any).then_some(View { mesh: whole.mesh })
 }

@@ -4,7 +4,7 @@
 use super::edges::Edges;
 use super::{Outline, Promised};
 use crate::error::message;
-use crate::memory::{AllocResult, TryGrow, filled};
+use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{NONE, Region};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
@@ -26,6 +26,7 @@ struct Part {
     /// The last seed that says so.
     hole: Option<usize>,
     label: Option<i32>,
+    max_edge: f64,
 }
 
 pub(super) fn check(
@@ -49,6 +50,17 @@ pub(super) fn check(
         }
     }
     Ok(())
+}
+
+/// Simplex -> the largest edge that its region may have.
+pub(super) fn largest_edges(
+    view: View<'_, 2>,
+    edges: &Edges,
+    regions: &[Region],
+) -> AllocResult<Vec<f64>> {
+    let mut parts = Parts::find(view, edges)?;
+    parts.add_seeds(view, regions)?;
+    collected(parts.of.iter().map(|&part| parts.parts[part as usize].max_edge))
 }
 
 /// Neighbours without a subsegment between them have the same label, and both or neither of them
@@ -119,7 +131,8 @@ impl Parts {
                 continue;
             }
             let number = found.parts.len() as u32;
-            let mut part = Part { first, is_outside: false, hole: None, label: None };
+            let mut part =
+                Part { first, is_outside: false, hole: None, label: None, max_edge: f64::INFINITY };
             found.of[first] = number;
             waiting.try_push(first)?;
             while let Some(simplex) = waiting.pop() {
@@ -140,16 +153,20 @@ impl Parts {
         Ok(found)
     }
 
-    /// Of several seeds in a part the last one's label counts, and any hole.
+    /// Of several seeds in a part the last one's label counts, the last largest edge, and any hole.
     fn add_seeds(&mut self, view: View<'_, 2>, regions: &[Region]) -> AllocResult<()> {
         let (mut signs, mut near) = (Signs::<Robust>::default(), 0);
         for (number, region) in regions.iter().enumerate() {
             let Some(simplex) = locate(view, near, &region.seed, &mut signs)? else { continue };
             near = simplex;
             let part = &mut self.parts[self.of[simplex] as usize];
-            match region.is_hole {
-                true => part.hole = Some(number),
-                false => part.label = Some(region.label),
+            if region.is_hole {
+                part.hole = Some(number);
+                continue;
+            }
+            part.label = Some(region.label);
+            if region.max_edge > 0.0 {
+                part.max_edge = region.max_edge;
             }
         }
         Ok(())

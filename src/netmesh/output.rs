@@ -25,7 +25,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let begun = begun + self.measure_instruments()?;
         let is_outside = self.outside_simplices()?;
         let numbering = self.numbering(&is_outside)?;
-        let boundary = self.boundary(&numbering)?;
+        let boundary = self.boundary(&numbering, &precision_limited)?;
         let cells_beyond = self.cells_beyond_bound()?;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices(&numbering)?;

@@ -2,7 +2,7 @@
 
 use super::chain::{Chains, Line};
 use super::regions::OUTSIDE;
-use super::{Segments, name_of};
+use super::{Seed, Segments, name_of};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -90,6 +90,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refuse_on_segment(number, &x, simplex)?;
             let region = self.state.segments.regions.of(simplex);
             let region = region.expect("all regions are known") as usize;
+            let found = Seed { number: number as u32, x: seed.seed, region: region as u32 };
+            self.state.segments.seeds.try_push(found)?;
             is_inside[region] &= !seed.is_hole;
             if !seed.is_hole {
                 labels[region] = seed.label;
@@ -105,6 +107,28 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         (regions.is_inside, regions.labels) = (is_inside, labels);
         regions.max_edges = max_edges;
+        Ok(())
+    }
+
+    /// Refuses a seed that is so near to a segment that it is in another region since the segment's
+    /// vertices came, each of them rounded. All regions are known.
+    pub(super) fn check_seeds(&self) -> Result<()> {
+        let State { delaunay, segments, .. } = &self.state;
+        let mut near = delaunay.complex().incident(VertexId::new(0));
+        for seed in &segments.seeds {
+            let x = std::array::from_fn(|axis| seed.x[axis]);
+            let Some(simplex) = delaunay.simplex_at(near, &x) else { continue };
+            near = simplex;
+            self.refuse_on_segment(seed.number as usize, &x, simplex)?;
+            if segments.regions.of(simplex) != Some(seed.region) {
+                let message = message!(
+                    "regions[{}].seed is within a rounding of a segment; it must be in the interior \
+                     of a region",
+                    seed.number
+                );
+                return Err(Error::new(ErrorKind::InvalidArgument, message));
+            }
+        }
         Ok(())
     }
 

@@ -36,12 +36,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(is_outside)
     }
 
-    /// What segments and regions are in the result. All regions are known.
-    pub(in crate::netmesh) fn boundary(&mut self, numbering: &Numbering) -> Result<Boundary> {
+    /// What segments and regions are in the result. All regions are known. `limited`: whether a
+    /// vertex is precision-limited.
+    pub(in crate::netmesh) fn boundary(
+        &mut self,
+        numbering: &Numbering,
+        limited: &[bool],
+    ) -> Result<Boundary> {
         let mut boundary = Boundary::default();
         if !self.state.segments.is_active() {
             return Ok(boundary);
         }
+        self.check_seeds()?;
         let chains = &self.state.segments.chains;
         boundary.subsegments = with_capacity(chains.len())?;
         boundary.parents = with_capacity(chains.len())?;
@@ -62,7 +68,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let regions = &self.state.segments.regions;
             let region = regions.of(simplex).expect("all regions are known") as usize;
             boundary.simplex_regions[number as usize] = regions.labels[region];
-            if regions.is_refined[region] && self.is_bad_but_forced(simplex) {
+            // Where doubles are too coarse, lengths are not known well enough to tell.
+            let mut vertices = self.state.delaunay.complex().vertices(simplex).iter();
+            let is_limited = vertices.any(|vertex| limited[vertex.index()]);
+            if regions.is_refined[region] && !is_limited && self.is_bad_but_forced(simplex) {
                 boundary.forced.try_push(number)?;
             }
         }

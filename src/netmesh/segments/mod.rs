@@ -51,10 +51,20 @@ use std::borrow::Cow;
 pub(in crate::netmesh) struct Segments {
     pub chains: Chains,
     pub regions: Regions,
+    /// The seeds of the caller in the regions where they were found.
+    seeds: Vec<Seed>,
     /// The subsegments that a point would encroach.
     encroached: Vec<u32>,
     /// Where a search for what is known of a region has been.
     visited: Vec<SimplexId>,
+}
+
+/// A seed by its number, and the region that it is in.
+#[derive(Clone, Copy)]
+struct Seed {
+    number: u32,
+    x: [f64; 2],
+    region: u32,
 }
 
 /// What an error calls a segment.

@@ -7,6 +7,7 @@ mod c_api;
 mod certificate;
 mod damaged_meshes;
 mod determinism;
+mod domains;
 mod extremes;
 mod final_refinement;
 mod formats;

@@ -42,7 +42,7 @@ pub fn check_points(dim: usize, points: &[f64], settings: &Settings) -> bool {
 }
 
 /// How points that cannot be meshed must be refused.
-fn refusal_of_points(dim: usize, points: &[f64]) -> Option<ErrorKind> {
+pub fn refusal_of_points(dim: usize, points: &[f64]) -> Option<ErrorKind> {
     if points.iter().any(|x| !x.is_finite()) {
         return Some(ErrorKind::NonFinite);
     }
@@ -92,7 +92,7 @@ fn check_certificate(mesh: &Mesh) {
 }
 
 /// The same points and options give the same mesh, whatever the threads.
-fn check_repetition(mesh: &Mesh, options: &Options) {
+pub fn check_repetition(mesh: &Mesh, options: &Options) {
     let mut again = mesh.clone();
     let options = Options { threads: options.threads + 1, ..options.clone() };
     again.run(&options, None).expect("it was meshed before");
@@ -101,7 +101,7 @@ fn check_repetition(mesh: &Mesh, options: &Options) {
 }
 
 /// A run that may not make as many vertices answers `Limit` and leaves the last result alone.
-fn check_limit(mesh: &mut Mesh, options: &Options) {
+pub fn check_limit(mesh: &mut Mesh, options: &Options) {
     let before = mesh.triangulation().expect("it was meshed").clone();
     let max_vertices = before.vertex_count() as u64 - 1;
     let refused = mesh.run(&Options { max_vertices, ..options.clone() }, None);

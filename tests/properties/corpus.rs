@@ -1,7 +1,7 @@
 //! Every file in `fuzz/corpus`: seeds, and whatever once broke something, under the name of what it
 //! broke.
 
-use super::checks::{c_api, mesh, readers, signs};
+use super::checks::{c_api, mesh, poly, readers, segments, signs};
 use std::panic::catch_unwind;
 use std::path::Path;
 
@@ -37,4 +37,14 @@ fn the_corpus_of_c_api_calls() {
 #[test]
 fn the_corpus_of_files() {
     replay("readers", readers::check);
+}
+
+#[test]
+fn the_corpus_of_segments() {
+    replay("segments", segments::check);
+}
+
+#[test]
+fn the_corpus_of_poly_files() {
+    replay("poly", poly::check);
 }

@@ -1,7 +1,7 @@
 //! What the fuzz targets have found, each as a test of its own. The inputs are in the corpus too.
 
-use netmesh::validate::validate;
-use netmesh::{ErrorKind, Mesh, Options};
+use netmesh::validate::{validate, validate_mesh};
+use netmesh::{ErrorKind, Extent, Mesh, Options, Output};
 use std::time::{Duration, Instant};
 
 fn certify(dim: usize, points: &[f64], options: &Options) {
@@ -47,4 +47,22 @@ fn a_cage_beyond_the_limit_is_not_made() {
     let begun = Instant::now();
     assert_eq!(mesh.run(&options, None).unwrap_err().kind(), ErrorKind::Limit);
     assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
+}
+
+/// Where one coordinate of a segment's ends was 2^900 times as large as the other's, vertices between
+/// them were a unit in the last place off.
+#[test]
+fn segments_between_points_of_any_magnitude() {
+    let points = [
+        [-0.015445607457242105, -5.975201142731369e189],
+        [5.148419548479106e164, -1.592162730303881e-53],
+        [4.681493705582913e179, 4.3828606000982147e-237],
+    ];
+    let mut mesh = Mesh::new(2, 3, points.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 1, 1, 2, 2, 0], None).unwrap();
+    let (extent, output) = (Extent::Hull, Output::WellSpaced);
+    let options = Options { extent, output, min_angle: 27.5, ..Options::default() };
+    mesh.run(&options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }

@@ -1,7 +1,7 @@
 //! What proptest invents.
 
 use super::checks::readers::FORMATS;
-use super::checks::{c_api, mesh, readers, signs, slivers};
+use super::checks::{c_api, mesh, poly, readers, segments, signs, slivers};
 use super::for_all;
 use netmesh::io::write;
 use netmesh::{Algorithm, Mesh, Options};
@@ -47,6 +47,27 @@ fn meshes_of_any_bytes() {
 #[test]
 fn meshes_of_degenerate_points_without_slivers() {
     for_all(6, bytes(300), |data| slivers::check(&data));
+}
+
+#[test]
+fn meshes_of_any_segments() {
+    for_all(60, bytes(180), |data| segments::check(&data));
+}
+
+/// Words of a `.poly` file in nearly their order.
+#[test]
+fn poly_files_that_are_nearly_right() {
+    let number = prop_oneof![
+        6 => (0u32..5).prop_map(|count| count.to_string()),
+        2 => finite().prop_map(|x| format!("{x:e}")),
+        1 => "[-+.0-9eExnaif#]{1,8}",
+    ];
+    let lines = vec((vec(number, 1..6), prop_oneof![9 => Just("\n"), 1 => Just("\n# \n\n")]), 0..9);
+    for_all(3000, lines, |lines| {
+        let text = lines.into_iter().map(|(words, end)| words.join(" ") + end);
+        let square = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n".to_owned();
+        poly::check_text((square + &text.collect::<String>()).as_bytes());
+    });
 }
 
 #[test]

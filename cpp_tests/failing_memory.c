@@ -140,6 +140,8 @@ struct job {
   size_t n;
   nm_format mesh_format;
   const double *points;
+  /* Segments between the points that come one after the other. */
+  uint64_t segments;
 };
 
 /* Eight bytes at a time: byte for byte, children would mostly do this. Each step is a bijection. */
@@ -241,8 +243,48 @@ static int export(const nm_mesh *mesh, nm_format format) {
   return succeeded(nm_export_write(mesh, format, mix_bytes, &hash), "nm_export_write");
 }
 
+/* A run with segments; as above. */
+static int run_within(nm_mesh *mesh, nm_extent extent, nm_crossings crossings) {
+  uint64_t before = fingerprint(mesh);
+  nm_options options;
+  check(nm_options_init(&options, sizeof options) == NM_OK, "options");
+  options.output = NM_OUTPUT_WELL_SPACED;
+  options.extent = extent;
+  options.crossings = crossings;
+  if (succeeded(nm_run(mesh, &options), "nm_run with segments")) return 1;
+  check(fingerprint(mesh) == before, "a failed run with segments changed the mesh");
+  relent();
+  if (plan.points % 64 == 0)
+    check(nm_run(mesh, &options) == NM_OK, "the mesh is not usable after a failed run");
+  return 0;
+}
+
+/* Segments, a region and a hole, cut to each extent. */
+static int use_segments(const struct job *job, nm_mesh *mesh) {
+  static uint32_t ends[64];
+  static int32_t markers[32];
+  nm_region regions[] = {NM_REGION_INIT, NM_REGION_INIT};
+  for (uint32_t i = 0; i < 2 * job->segments; i++) {
+    ends[i] = (i + 1) / 2 % (uint32_t)job->segments;
+    markers[i / 2] = (int32_t)i;
+  }
+  regions[0].label = 3;
+  regions[1].is_hole = 1;
+  regions[1].seed[0] = 0.3;
+  regions[1].seed[1] = 0.4;
+  return succeeded(nm_mesh_set_segments(mesh, job->segments, ends, markers), "segments") &&
+         succeeded(nm_mesh_set_regions(mesh, 2, regions), "regions") &&
+         run_within(mesh, NM_EXTENT_BOUNDARY, NM_CROSSINGS_SPLIT) && measure(mesh) &&
+         export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
+         export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
+         run_within(mesh, NM_EXTENT_BOX, NM_CROSSINGS_SPLIT) && measure(mesh) &&
+         succeeded(nm_mesh_set_segments(mesh, 0, NULL, NULL), "no segments") &&
+         run_within(mesh, NM_EXTENT_HULL, NM_CROSSINGS_REFUSE) && measure(mesh);
+}
+
 /* Everything after the handle is there; stops where an allocation fails. */
 static int use(const struct job *job, nm_mesh *mesh) {
+  if (job->segments > 0) return use_segments(job, mesh);
   return run(mesh, NM_OUTPUT_HIERARCHICAL, NM_ALGORITHM_NETMESH) && measure(mesh) &&
          export(mesh, job->mesh_format) && export(mesh, NM_FORMAT_OFF) &&
          export(mesh, NM_FORMAT_TETGEN_NODE) && export(mesh, NM_FORMAT_CSV) &&
@@ -302,12 +344,13 @@ int main(int count, char **arguments) {
   scatter(huge_4d, 4, 8, 1e200);
   for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
   const struct job jobs[] = {
-      {"2d", 2, 36, NM_FORMAT_VTU, plane},
-      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice},
-      {"3d", 3, 16, NM_FORMAT_VTU, space},
-      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane},
-      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space},
-      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d},
+      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0},
+      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0},
+      {"3d", 3, 16, NM_FORMAT_VTU, space, 0},
+      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0},
+      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0},
+      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0},
+      {"2d_segments", 2, 14, NM_FORMAT_VTU, plane, 9},
   };
   /* What ends a child would search for its own symbols first. */
   setenv("RUST_BACKTRACE", "0", 1);

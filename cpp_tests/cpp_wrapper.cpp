@@ -168,6 +168,7 @@ void defaults() {
     CHECK(!ours.progress && library.progress == nullptr && !ours.instruments && library.instruments == 0);
     CHECK(ours.min_angle == library.min_angle);
     CHECK(ours.extent == library.extent && ours.crossings == library.crossings);
+    CHECK(ours.interior == library.interior);
     CHECK(ours.max_edge == library.max_edge && !ours.size && library.size == nullptr);
     CHECK(ours.min_dihedral == library.min_dihedral && ours.gives_way == library.gives_way);
 }
@@ -203,6 +204,7 @@ void every_option_arrives() {
     refused(__LINE__, "gives_way", [](options& o) { o.gives_way = static_cast<nm_gives_way>(77); });
     refused(__LINE__, "extent", [](options& o) { o.extent = NM_EXTENT_HULL; });  // in 2D only
     refused(__LINE__, "crossings", [](options& o) { o.crossings = static_cast<nm_crossings>(77); });
+    refused(__LINE__, "interior", [](options& o) { o.interior = NM_INTERIOR_PARITY; });  // of curves
     refused(__LINE__, "criterion", [](options& o) { o.criterion = static_cast<nm_criterion>(77); });
     options limited;
     limited.max_vertices = 201;

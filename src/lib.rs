@@ -33,7 +33,7 @@ pub use mesh::{
     Triangulation, VertexKind,
 };
 pub use options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output, Phase,
-    Progress, ProgressFn,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
+    Phase, Progress, ProgressFn,
 };
 pub use parameters::Parameters;

@@ -62,6 +62,17 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
+impl Interior {
+    /// What messages call it.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Seeds => "seeds",
+            Self::Parity => "parity",
+            Self::Winding => "winding",
+        }
+    }
+}
+
 impl Extent {
     /// What messages call it.
     pub(crate) fn word(self) -> &'static str {
@@ -83,6 +94,20 @@ pub enum Crossings {
     Refuse = 0,
     /// The double nearest to their crossing becomes a vertex of both.
     Split = 1,
+}
+
+/// Which of the regions that segments separate are inside, with [`Extent::Boundary`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Interior {
+    /// All that cannot be reached from outside without crossing a segment.
+    #[default]
+    Seeds = 0,
+    /// Those into which a path from outside crosses an odd number of segments: the even-odd rule.
+    Parity = 1,
+    /// Those whose winding number is not 0: the segments that a path from outside crosses from their
+    /// right to their left, less those from their left to their right.
+    Winding = 2,
 }
 
 /// What gives way where `min_dihedral` and `quality_bound` cannot both be had.
@@ -142,6 +167,8 @@ pub struct Options {
     pub max_edge: f64,
     /// Of `min_dihedral` and the bound; without effect where no angle is asked for.
     pub gives_way: GivesWay,
+    /// Which regions are inside; seeds may make holes of them. With [`Extent::Boundary`] only.
+    pub interior: Interior,
 }
 
 impl Default for Options {
@@ -170,6 +197,7 @@ impl Default for Options {
             crossings: Crossings::default(),
             max_edge: 0.0,
             gives_way: GivesWay::default(),
+            interior: Interior::default(),
         }
     }
 }

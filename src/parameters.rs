@@ -3,7 +3,7 @@
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
 };
 use std::fmt::Display;
 
@@ -51,6 +51,8 @@ pub struct Parameters {
     /// 0: none.
     pub max_edge: f64,
     pub gives_way: GivesWay,
+    /// Which of the regions between segments are inside.
+    pub interior: Interior,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
@@ -104,6 +106,7 @@ impl Parameters {
             crossings: options.crossings,
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
+            interior: options.interior,
             inputs_per_partition: INPUTS_PER_PARTITION,
         })
     }

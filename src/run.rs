@@ -1,20 +1,20 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{Poll, arrange, with_extent};
+use crate::arrangement::{Poll, arrange, check_closed, with_extent};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
 use crate::netmesh::{self, Watch};
-use crate::options::{Extent, Options, ProgressFn, SizeFn};
+use crate::options::{Extent, Interior, Options, ProgressFn, SizeFn};
 use crate::sizes::Field;
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
     ///
     /// # Errors
-    /// `InvalidArgument` (an option out of range; segments that cross), `DegenerateInput` (plain
-    /// Delaunay of inputs of lower affine rank, a hull or box without area), `Limit`, `Cancelled`,
-    /// `OutOfMemory`.
+    /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close;
+    /// a domain without a region), `DegenerateInput` (plain Delaunay of inputs of lower affine rank,
+    /// a hull or box without area), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
     }
@@ -48,8 +48,9 @@ impl Mesh {
 
     /// What the mesh must conform to, if there is something.
     fn arrangement(&self, options: &Options, poll: Poll<'_>) -> Result<Option<Arrangement>> {
-        let Options { extent, crossings, .. } = *options;
+        let Options { extent, crossings, interior, .. } = *options;
         self.check_extent(extent)?;
+        self.check_interior(extent, interior)?;
         let mut arrangement = match extent {
             Extent::All if self.segments().count() == 0 => return Ok(None),
             Extent::All | Extent::Boundary => {
@@ -79,6 +80,19 @@ impl Mesh {
             )),
             _ => Ok(()),
         }
+    }
+
+    fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
+        if interior != Interior::Seeds && extent != Extent::Boundary {
+            let message = message!(
+                "options.interior is {} and options.extent is {}; what curves enclose is for the \
+                 extent boundary",
+                interior.word(),
+                extent.word()
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        }
+        check_closed(self.inputs(), self.segments(), interior)
     }
 
     /// The arrangement of `extended` inputs and segments: corners of the extent that are no inputs

@@ -4,7 +4,9 @@ use crate::exit_code;
 use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output};
+use netmesh::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
+};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -192,6 +194,11 @@ pub struct Meshing {
     #[arg(long, value_enum, default_value_t = CrossingsName::Refuse)]
     pub crossings: CrossingsName,
 
+    /// With --extent boundary: which regions between segments are inside; seeds may make holes of
+    /// them
+    #[arg(long, value_enum, default_value_t = InteriorName::Seeds)]
+    pub interior: InteriorName,
+
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
     #[arg(long, value_name = "N", default_value_t = 0)]
@@ -274,6 +281,17 @@ pub enum ExtentName {
 pub enum CrossingsName {
     Refuse,
     Split,
+}
+
+/// Which regions between segments are inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum InteriorName {
+    /// All that cannot be reached from outside without crossing a segment
+    Seeds,
+    /// Where a path from outside crosses an odd number of segments
+    Parity,
+    /// Where the winding number of the segments is not 0
+    Winding,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -369,6 +387,7 @@ impl Arguments {
             },
             extent: meshing.extent.extent(),
             crossings: meshing.crossings.crossings(),
+            interior: meshing.interior.interior(),
         }
     }
 }
@@ -462,6 +481,16 @@ impl CrossingsName {
     }
 }
 
+impl InteriorName {
+    fn interior(self) -> Interior {
+        match self {
+            Self::Seeds => Interior::Seeds,
+            Self::Parity => Interior::Parity,
+            Self::Winding => Interior::Winding,
+        }
+    }
+}
+
 impl CriterionName {
     fn criterion(self) -> Criterion {
         match self {
@@ -513,7 +542,7 @@ mod tests {
         let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
             --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
             --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --max-edge 0.5 --gives-way bound --extent hull --crossings split --seed 7 \
+            --max-edge 0.5 --gives-way bound --extent hull --crossings split --interior winding --seed 7 \
             --max-vertices 99 --threads 4 --ordering deterministic --stats";
         let expected = Options {
             output: Output::WellSpaced,
@@ -539,6 +568,7 @@ mod tests {
             gives_way: GivesWay::Bound,
             extent: Extent::Hull,
             crossings: Crossings::Split,
+            interior: Interior::Winding,
         };
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();

@@ -6,7 +6,8 @@ use crate::histograms::Table;
 use crate::json::Object;
 use crate::summary::Summary;
 use netmesh::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Output, Parameters, Stats,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output, Parameters,
+    Stats,
 };
 
 pub fn json(summary: &Summary<'_>) -> String {
@@ -132,6 +133,14 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
         match parameters.crossings {
             Crossings::Refuse => "refuse",
             Crossings::Split => "split",
+        },
+    );
+    options.text(
+        "interior",
+        match parameters.interior {
+            Interior::Seeds => "seeds",
+            Interior::Parity => "parity",
+            Interior::Winding => "winding",
         },
     );
 }

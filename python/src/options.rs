@@ -1,7 +1,9 @@
 //! Options by keyword.
 
 use crate::errors::invalid;
-use netmesh::{Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output};
+use netmesh::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
+};
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -57,6 +59,14 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "crossings" => {
             let names = [("refuse", Crossings::Refuse), ("split", Crossings::Split)];
             options.crossings = choice(name, value, &names)?;
+        }
+        "interior" => {
+            let names = [
+                ("seeds", Interior::Seeds),
+                ("parity", Interior::Parity),
+                ("winding", Interior::Winding),
+            ];
+            options.interior = choice(name, value, &names)?;
         }
         "threads" => options.threads = whole(name, value, u32::MAX)?,
         "quality_bound" => options.quality_bound = number(name, value)?,

@@ -1,5 +1,6 @@
 //! The caller's segments as pieces that meet only at their ends, exactly.
 //!
+//! - [`closed`] tells whether segments are closed curves.
 //! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
 //!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
 //! - [`split`] makes vertices of crossings.
@@ -15,6 +16,7 @@
 //! an end of one of them only. So a piece is split, and the two parts' rectangles have as many
 //! doubles on their sides together as that of the piece.
 
+mod closed;
 mod extent;
 mod places;
 mod split;
@@ -23,6 +25,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
+pub use closed::check_closed;
 pub use extent::with_extent;
 
 use crate::error::{Error, ErrorKind, Result, message};
@@ -40,8 +43,8 @@ pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 /// The most sweeps. All but inputs that are made for it need two or three.
 const MOST_SWEEPS: usize = 200;
 
-/// The arrangement of segments between inputs in the plane. Of pieces that overlap, the first
-/// segment's counts.
+/// The arrangement of segments between inputs in the plane. Of pieces that overlap there is one,
+/// the first segment's, with the balance of all.
 ///
 /// Expected O((n + k) log n) for n inputs and segments and k crossings. `poll` is told of each piece
 /// of work how long it was, and may end all of it.
@@ -60,7 +63,8 @@ pub fn arrange(
     )?;
     let ends = |ends: &[u32; 2]| ends.map(|input| inputs.vertices()[input as usize]);
     let pieces = segments.inputs.iter().zip(0u32..);
-    let pieces = pieces.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment });
+    let pieces =
+        pieces.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment, balance: 1 });
     let segments = collected(pieces)?;
     let mut pieces = copied(&segments)?;
     let mut arrangement = Arrangement::default();
@@ -106,12 +110,12 @@ fn in_order(
     for segment in 0..segments.len() as u32 {
         let first = pieces.len();
         pieces.extend(of_segments.of(segment as usize).iter().map(|&number| {
-            let mut ends =
-                swept.parts[number as usize].ends.map(|rank| places.vertices[rank as usize]);
-            if along(segment, ends[1]) < along(segment, ends[0]) {
-                ends.reverse();
+            let part = &swept.parts[number as usize];
+            let [left, right] = part.ends.map(|rank| places.vertices[rank as usize]);
+            match along(segment, left) < along(segment, right) {
+                true => Subsegment { ends: [left, right], segment, balance: part.balance },
+                false => Subsegment { ends: [right, left], segment, balance: -part.balance },
             }
-            Subsegment { ends, segment }
         }));
         pieces[first..].sort_unstable_by_key(|piece| along(segment, piece.ends[0]));
     }

@@ -24,7 +24,7 @@ pub(super) fn split(
     swept.found.sort_unstable_by_key(place);
     let mut found = swept.found.iter().peekable();
     let mut pieces = with_capacity(swept.parts.len() + swept.found.len())?;
-    for &Part { line, ends: [start, end], segment } in &swept.parts {
+    for &Part { line, ends: [start, end], segment, balance } in &swept.parts {
         let (mut from, mut from_point) = (places.vertices[start as usize], places.point(start));
         let (end, end_point) = (places.vertices[end as usize], places.point(end));
         let is_within =
@@ -37,11 +37,11 @@ pub(super) fn split(
             });
             let to = vertex(point);
             if *other == line && is_between && to != from && to != end {
-                pieces.try_push(Subsegment { ends: [from, to], segment })?;
+                pieces.try_push(Subsegment { ends: [from, to], segment, balance })?;
                 (from, from_point) = (to, point);
             }
         }
-        pieces.try_push(Subsegment { ends: [from, end], segment })?;
+        pieces.try_push(Subsegment { ends: [from, end], segment, balance })?;
     }
     Ok(pieces)
 }
@@ -78,7 +78,7 @@ mod tests {
         let places = Places::new(&points).unwrap();
         let part = |line: u32| {
             let ends = [2 * line, 2 * line + 1].map(|vertex| places.ranks[vertex as usize]);
-            Part { line, ends, segment: line }
+            Part { line, ends, segment: line, balance: 1 }
         };
         let found = found.iter().map(|&(line, point)| Found { line, falls: false, point });
         let swept =

@@ -21,6 +21,8 @@ pub(super) struct Part {
     pub line: u32,
     pub ends: [u32; 2],
     pub segment: u32,
+    /// Of the pieces that overlap there, from left to right.
+    pub balance: i64,
 }
 
 /// A crossing on a line, rounded.
@@ -51,6 +53,8 @@ struct Line {
     node: u32,
     /// Which of the bundles has its pieces, if there are several.
     bundle: u32,
+    /// Of its pieces that have not ended, from left to right.
+    balance: i64,
 }
 
 /// Pieces of a line by rising segment, those that have ended perhaps among them.
@@ -154,7 +158,8 @@ pub(super) fn sweep(
     let count = pieces.len();
     let line = |piece: &Subsegment| {
         let [a, b] = piece.ends.map(|end| places.ranks[end as usize]);
-        Line { from: a.min(b), to: a.max(b), node: NONE, bundle: NONE }
+        let balance = balance_to_right(places, piece);
+        Line { from: a.min(b), to: a.max(b), node: NONE, bundle: NONE, balance }
     };
     let lines = collected(pieces.iter().map(line))?;
     let vertices = places.points.len();
@@ -190,6 +195,12 @@ pub(super) fn sweep(
         }
     }
     Ok(sweep.swept)
+}
+
+/// The balance of a piece seen from its left end.
+fn balance_to_right(places: &Places, piece: &Subsegment) -> i64 {
+    let [from, to] = piece.ends.map(|end| places.ranks[end as usize]);
+    if from < to { piece.balance } else { -piece.balance }
 }
 
 impl Sweep<'_> {
@@ -248,14 +259,18 @@ impl Sweep<'_> {
         for &node in &around.nodes {
             self.end_part(self.status.line(node), vertex)?;
         }
-        ends.iter().for_each(|&piece| self.has_ended[piece as usize] = true);
+        for &piece in ends {
+            self.has_ended[piece as usize] = true;
+            let line = &mut self.lines[self.line_of[piece as usize] as usize];
+            line.balance -= balance_to_right(self.places, &self.pieces[piece as usize]);
+        }
         Ok(())
     }
 
     fn end_part(&mut self, line: u32, vertex: u32) -> AllocResult<()> {
-        let from = self.lines[line as usize].from;
+        let Line { from, balance, .. } = self.lines[line as usize];
         if let Some(segment) = self.segment(line) {
-            self.swept.parts.try_push(Part { line, ends: [from, vertex], segment })?;
+            self.swept.parts.try_push(Part { line, ends: [from, vertex], segment, balance })?;
         }
         self.lines[line as usize].from = vertex;
         Ok(())
@@ -324,9 +339,10 @@ impl Sweep<'_> {
     fn join(&mut self, line: u32, piece: u32) -> AllocResult<()> {
         let entry = |piece: u32| Reverse((self.pieces[piece as usize].segment, piece));
         let entries = [entry(line), entry(piece)];
-        let far = self.lines[piece as usize].to;
+        let Line { to: far, balance, .. } = self.lines[piece as usize];
         let line_data = &mut self.lines[line as usize];
         line_data.to = line_data.to.max(far);
+        line_data.balance += balance;
         let is_first = line_data.bundle == NONE;
         if is_first {
             line_data.bundle = self.bundles.len() as u32;

@@ -5,7 +5,9 @@ use crate::arrays::{Extent, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::io::Format;
 use crate::mesh::VertexKind;
-use crate::options::{self, Algorithm, Criterion, Crossings, GivesWay, NetOrdering, Output, Phase};
+use crate::options::{
+    self, Algorithm, Criterion, Crossings, GivesWay, Interior, NetOrdering, Output, Phase,
+};
 use crate::quality::Measure;
 use crate::query::{Interpolation, Method, Outside};
 use crate::topology::FaceClass;
@@ -243,6 +245,24 @@ pub enum nm_crossings {
     NM_CROSSINGS_SPLIT = 1,
 }
 
+/// nm_options.interior: which of the regions that segments separate are inside, with
+/// NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_interior {
+    /// All that cannot be reached from outside without crossing a segment.
+    NM_INTERIOR_SEEDS = 0,
+    /// Those into which a path from outside crosses an odd number of segments (the even-odd rule):
+    /// rings within rings are alternately inside and outside. Every input must be an end of an even
+    /// number of segments.
+    NM_INTERIOR_PARITY = 1,
+    /// Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
+    /// from outside crosses from their right to their left, less that from their left to their
+    /// right. Every input must be the first end of as many segments as it is the second end.
+    NM_INTERIOR_WINDING = 2,
+}
+
 /// Values of the faces of a mesh, which nm_mesh_filtration writes.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
@@ -407,6 +427,10 @@ pub(super) fn decode_crossings(raw: MaybeUninit<nm_crossings>) -> Result<Crossin
     decode("options.crossings", raw, [Crossings::Refuse, Crossings::Split])
 }
 
+pub(super) fn decode_interior(raw: MaybeUninit<nm_interior>) -> Result<Interior> {
+    decode("options.interior", raw, [Interior::Seeds, Interior::Parity, Interior::Winding])
+}
+
 /// Whether it is [`nm_filtration::NM_FILTRATION_MESH`].
 pub(super) fn decode_filtration(raw: MaybeUninit<nm_filtration>) -> Result<bool> {
     decode("filtration", raw, [false, true])
@@ -494,6 +518,7 @@ mod tests {
             assert_eq!(decode_crossings(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=2 {
+            assert_eq!(decode_interior(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=3 {

@@ -1,16 +1,16 @@
 //! Options, from C and to C.
 
 use super::enums::{
-    decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_ordering,
-    decode_output, decode_run_extent, nm_algorithm, nm_criterion, nm_crossings, nm_extent,
-    nm_gives_way, nm_ordering, nm_output, nm_status,
+    decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_interior,
+    decode_ordering, decode_output, decode_run_extent, nm_algorithm, nm_criterion, nm_crossings,
+    nm_extent, nm_gives_way, nm_interior, nm_ordering, nm_output, nm_status,
 };
 use super::handle::barrier;
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, NetOrdering, Options, Output,
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
 };
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
@@ -89,6 +89,12 @@ pub(super) fn encode(options: &Options) -> nm_options {
             Crossings::Refuse => nm_crossings::NM_CROSSINGS_REFUSE,
             Crossings::Split => nm_crossings::NM_CROSSINGS_SPLIT,
         }),
+        interior: MaybeUninit::new(match options.interior {
+            Interior::Seeds => nm_interior::NM_INTERIOR_SEEDS,
+            Interior::Parity => nm_interior::NM_INTERIOR_PARITY,
+            Interior::Winding => nm_interior::NM_INTERIOR_WINDING,
+        }),
+        reserved_after_interior: 0,
     }
 }
 
@@ -118,6 +124,7 @@ pub(super) fn decode(options: &nm_options) -> Result<Options> {
         crossings: decode_crossings(options.crossings)?,
         max_edge: options.max_edge,
         gives_way: decode_gives_way(options.gives_way)?,
+        interior: decode_interior(options.interior)?,
     })
 }
 
@@ -127,6 +134,7 @@ fn decode_instruments(options: &nm_options) -> Result<bool> {
     for (name, value) in [
         ("reserved", options.reserved),
         ("reserved_after_gives_way", options.reserved_after_gives_way),
+        ("reserved_after_interior", options.reserved_after_interior),
     ] {
         if value != 0 {
             return refuse(message!("options.{name} is {value}; it must be 0"));
@@ -186,10 +194,11 @@ mod tests {
             crossings: Crossings::Split,
             max_edge: 16.0,
             gives_way: GivesWay::Bound,
+            interior: Interior::Parity,
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
-        let svr = Options { algorithm: Algorithm::Svr, ..options };
+        let svr = Options { algorithm: Algorithm::Svr, interior: Interior::Winding, ..options };
         assert_eq!(decode(&encode(&svr)).unwrap(), svr);
     }
 
@@ -234,6 +243,8 @@ mod tests {
             152 + 4 * word,
             156 + 4 * word,
             160 + 4 * word,
+            164 + 4 * word,
+            168 + 4 * word,
         ]);
         let legal: Vec<_> = legal.collect();
         for size in 0..=SIZE {
@@ -259,6 +270,7 @@ mod tests {
             ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
             ("criterion", 2, nm_options { criterion: from_c(2), ..good }),
             ("gives_way", 2, nm_options { gives_way: from_c(2), ..good }),
+            ("interior", 3, nm_options { interior: from_c(3), ..good }),
         ];
         for (field, value, options) in bad {
             let message = decode(&options).unwrap_err().message().to_owned();
@@ -275,6 +287,10 @@ mod tests {
             (
                 nm_options { reserved_after_gives_way: 7, ..good },
                 "options.reserved_after_gives_way is 7; it must be 0",
+            ),
+            (
+                nm_options { reserved_after_interior: 7, ..good },
+                "options.reserved_after_interior is 7; it must be 0",
             ),
         ];
         for (options, message) in refusals {

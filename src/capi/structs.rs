@@ -1,8 +1,8 @@
 //! The structs of the boundary.
 
 use super::enums::{
-    nm_algorithm, nm_criterion, nm_crossings, nm_extent, nm_gives_way, nm_ordering, nm_output,
-    nm_phase,
+    nm_algorithm, nm_criterion, nm_crossings, nm_extent, nm_gives_way, nm_interior, nm_ordering,
+    nm_output, nm_phase,
 };
 use super::memory::Versioned;
 use super::violations::nm_violation;
@@ -188,6 +188,11 @@ pub struct nm_options {
     pub extent: MaybeUninit<nm_extent>,
     /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<nm_crossings>,
+    /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY; with another
+    /// extent it must be the default. Default NM_INTERIOR_SEEDS.
+    pub interior: MaybeUninit<nm_interior>,
+    /// Zero.
+    pub reserved_after_interior: u32,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -215,7 +220,7 @@ unsafe impl Versioned for nm_options {
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 14 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 14 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
 /// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]

@@ -38,6 +38,8 @@ pub struct Subsegment {
     /// The segment that it is a piece of: the first, where several overlap; [`NONE`] for an edge of
     /// a hull or box.
     pub segment: u32,
+    /// How many segments run along it, less those that run against it.
+    pub balance: i64,
 }
 
 /// Segments that meet only at their ends: what the caller's segments are cut into.

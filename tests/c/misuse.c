@@ -242,6 +242,9 @@ static void test_options(void)
     REFUSED(size, answer_nothing, "options.size is set");
     REFUSED(gives_way, 2, "options.gives_way is 2");
     REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
+    REFUSED(interior, 3, "options.interior is 3");
+    REFUSED(interior, NM_INTERIOR_WINDING, "options.interior is winding and options.extent is all");
+    REFUSED(reserved_after_interior, 1, "options.reserved_after_interior is 1");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);
     OK(nm_options_init(&newer.options, sizeof newer));

@@ -3,6 +3,7 @@
 
 mod check;
 mod exact;
+mod interior;
 mod shapes;
 
 use crate::random::Random;
@@ -138,9 +139,12 @@ fn subnormal_numbers() {
 /// What is within the curve can be reached from outside.
 #[test]
 fn curves_open_by_an_ulp() {
-    let mesh = run(&shapes::open_by_an_ulp(), &inside(20.0, Output::WellSpaced)).unwrap();
-    let found = check(&shapes::open_by_an_ulp(), &mesh, 20.0);
-    assert_eq!((found.triangles, mesh.result().unwrap().simplex_count()), (0, 0));
+    let domain = shapes::open_by_an_ulp();
+    let (kind, message) = refusal(&domain, &inside(20.0, Output::WellSpaced));
+    assert_eq!(kind, ErrorKind::InvalidArgument);
+    assert!(message.starts_with("segments enclose nothing"), "{message}");
+    let all = Options { extent: Extent::All, ..inside(20.0, Output::WellSpaced) };
+    assert!(check(&domain, &run(&domain, &all).unwrap(), 20.0).triangles > 10);
 }
 
 /// Edges as short as that, from end to end, would be more than anyone has.

@@ -22,7 +22,7 @@ const MAX_VERTICES: u64 = 400;
 /// Whether a struct of `size` bytes, the size of no version, is one of an older version.
 fn is_legal(size: usize) -> bool {
     let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
-    let last = offset_of!(nm_options, distance_ratio)..SIZE;
+    let last = offset_of!(nm_options, distance_ratio)..offset_of!(nm_options, gives_way);
     let field = if doubles.contains(&size) || last.contains(&size) { 8 } else { 4 };
     (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
 }
@@ -148,6 +148,8 @@ impl Attempt {
             reserved_after_gives_way: 0,
             extent: from_c(given.extent as i32),
             crossings: from_c(given.crossings as i32),
+            interior: from_c(given.interior as i32),
+            reserved_after_interior: 0,
         }
     }
 

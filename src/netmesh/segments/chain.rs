@@ -29,6 +29,8 @@ pub(in crate::netmesh) struct Line {
     pub segment: u32,
     /// At which ends it makes a sharp angle with another line.
     pub is_sharp: [bool; 2],
+    /// How many segments run along it, less those that run against it.
+    pub balance: i64,
 }
 
 #[derive(Clone, Copy)]
@@ -332,7 +334,10 @@ mod tests {
 
     /// Two lines from vertex 0, and one between their other ends.
     fn triangle() -> Chains {
-        let line = |a, b| Line { ends: [vertex(a), vertex(b)], segment: 0, is_sharp: [false; 2] };
+        let line = |a, b| {
+            let ends = [vertex(a), vertex(b)];
+            Line { ends, segment: 0, is_sharp: [false; 2], balance: 1 }
+        };
         Chains::new(vec![line(0, 1), line(2, 0), line(1, 2)], 4).unwrap()
     }
 

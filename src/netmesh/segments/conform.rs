@@ -1,16 +1,16 @@
 //! From the points to a mesh that conforms to segments.
 
 use super::chain::{Chains, Line};
-use super::regions::OUTSIDE;
 use super::{Seed, Segments, name_of};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, filled, with_capacity};
-use crate::mesh::{Arrangement, Region};
+use crate::mesh::{Arrangement, Region, Subsegment};
 use crate::netmesh::{Mesher, State};
 use crate::numerics::{Sign, orientation};
 use crate::options::Extent;
+use crate::parameters::Parameters;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts the inputs, makes all segments chains of edges, and finds the regions between them.
@@ -49,7 +49,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut lines = with_capacity(arrangement.subsegments.len())?;
         for subsegment in &arrangement.subsegments {
             let ends = subsegment.ends.map(|end| vertices[end as usize]);
-            lines.push(Line { ends, segment: subsegment.segment, is_sharp: [false; 2] });
+            let &Subsegment { segment, balance, .. } = subsegment;
+            lines.push(Line { ends, segment, is_sharp: [false; 2], balance });
         }
         Ok(lines)
     }
@@ -78,10 +79,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Which regions belong to the domain, and what their seeds say of them.
     fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
         let count = self.state.segments.regions.len();
-        let mut is_inside = filled(count, true)?;
+        let mut is_inside = self.state.enclosed_regions()?;
+        self.refuse_nothing(&is_inside, "segments enclose nothing")?;
         let mut labels = filled(count, 0)?;
         let mut max_edges = filled(count, f64::INFINITY)?;
-        is_inside[OUTSIDE as usize] = false;
         let mut near = self.state.delaunay.complex().incident(VertexId::new(0));
         for (number, seed) in seeds.iter().enumerate() {
             let x = std::array::from_fn(|axis| seed.seed[axis]);
@@ -100,6 +101,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 }
             }
         }
+        self.refuse_nothing(&is_inside, "all that is inside is a hole")?;
         let is_all = self.state.parameters.extent == Extent::All;
         let regions = &mut self.state.segments.regions;
         for (is_refined, &is_inside) in regions.is_refined.iter_mut().zip(&is_inside) {
@@ -108,6 +110,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (regions.is_inside, regions.labels) = (is_inside, labels);
         regions.max_edges = max_edges;
         Ok(())
+    }
+
+    /// Refuses a domain that is cut out and has no region, for which `why` is the reason.
+    fn refuse_nothing(&self, is_inside: &[bool], why: &str) -> Result<()> {
+        let Parameters { extent, interior, .. } = self.state.parameters;
+        if extent == Extent::All || is_inside.contains(&true) {
+            return Ok(());
+        }
+        let message = message!(
+            "{why}, and options.extent is {} (options.interior is {}); the domain must not be empty",
+            extent.word(),
+            interior.word()
+        );
+        Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 
     /// Refuses a seed that is so near to a segment that it is in another region since the segment's

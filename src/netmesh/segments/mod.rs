@@ -19,6 +19,7 @@
 //! - `split`: where a subsegment is split; the shells about sharp corners.
 //! - `recover`: what is done until all subsegments are recovered.
 //! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
+//! - `interior`: which of them are inside.
 //! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
 //! - `coarsen`: away with vertices that the bound does not need.
 //! - `ring`: the neighbours of a vertex, and whether they need it.
@@ -30,6 +31,7 @@ mod coarsen;
 mod conform;
 mod cut;
 mod exempt;
+mod interior;
 mod points;
 mod recover;
 mod regions;

@@ -19,7 +19,7 @@ pub(in crate::netmesh) struct Regions {
     /// Simplex -> its region; stale for a dead one. Empty while there are no regions.
     of: Array<u32>,
     /// Line -> the regions on its left and on its right.
-    sides: Vec<[u32; 2]>,
+    pub sides: Vec<[u32; 2]>,
     /// Region -> whether refinement is wanted there.
     pub is_refined: Vec<bool>,
     /// Region -> whether it belongs to the domain, and the caller's number for its simplices.

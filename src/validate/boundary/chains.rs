@@ -43,18 +43,23 @@ pub(super) fn check(
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let mut chains = Chains::new(inputs.distinct(), view, edges)?;
-    for (segment, ends) in segments.inputs.iter().enumerate() {
-        let vertex = |end: u32| inputs.vertices().get(end as usize).copied().unwrap_or(NONE);
-        let way = Way { segment: segment as u32, ends: ends.map(vertex) };
-        let exist = way.ends.iter().all(|&end| (end as usize) < view.vertex_count())
-            && way.ends[0] != way.ends[1];
-        let found = if exist { chains.follow(way)? } else { Err(way.ends[0]) };
+    for segment in 0..segments.count() {
+        let way = Way::of(inputs, segments, segment);
+        let found = chains.follow(way)?;
         findings.check(found.is_ok(), || describe(way, found.err().unwrap_or(NONE)));
         if found.is_ok() {
             chains.check_anchors(way, findings)?;
         }
     }
     Ok(())
+}
+
+impl Way {
+    /// That of a segment of the caller's; [`NONE`] for an end that is no input.
+    pub fn of(inputs: &Inputs, segments: &Segments, segment: usize) -> Self {
+        let vertex = |end: u32| inputs.vertices().get(end as usize).copied().unwrap_or(NONE);
+        Self { segment: segment as u32, ends: segments.inputs[segment].map(vertex) }
+    }
 }
 
 fn describe(way: Way, vertex: u32) -> Violation {
@@ -89,7 +94,11 @@ impl<'a> Chains<'a> {
 
     /// Fills `path` with the vertices of a segment from end to end; the vertex where they end
     /// before that otherwise.
-    fn follow(&mut self, way: Way) -> AllocResult<Result<(), u32>> {
+    pub fn follow(&mut self, way: Way) -> AllocResult<Result<(), u32>> {
+        let are_vertices = way.ends.iter().all(|&end| (end as usize) < self.view.vertex_count());
+        if !are_vertices || way.ends[0] == way.ends[1] {
+            return Ok(Err(way.ends[0]));
+        }
         let boundary = &self.view.mesh.boundary;
         let own = boundary.parents.partition_point(|&parent| parent < way.segment)
             ..boundary.parents.partition_point(|&parent| parent <= way.segment);
@@ -114,11 +123,15 @@ impl<'a> Chains<'a> {
         advances(from, to, self.view.point(a), self.view.point(b))
     }
 
-    /// Appends the vertices from `from` to `to`, along subsegments of earlier segments.
+    /// Appends the vertices from `from` to `to`, along subsegments of earlier segments: as near to
+    /// the segment as doubles can be, or if there are none bent.
     fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {
-        if from == to {
-            return Ok(true);
-        }
+        Ok(from == to
+            || self.search_gap(way, from, to, false)?
+            || self.search_gap(way, from, to, true)?)
+    }
+
+    fn search_gap(&mut self, way: Way, from: u32, to: u32, is_bent: bool) -> AllocResult<bool> {
         self.searches += 1;
         self.waiting.clear();
         self.waiting.try_push(from)?;
@@ -128,7 +141,7 @@ impl<'a> Chains<'a> {
             }
             let edges = self.edges;
             for &subsegment in edges.at.of(vertex as usize) {
-                let next = self.next_of_gap(way, subsegment, vertex, to)?;
+                let next = self.next_of_gap(way, subsegment, [vertex, to], is_bent)?;
                 let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
                 if let Some(next) = next.filter(is_new) {
                     self.reached[next as usize] = (vertex, self.searches);
@@ -144,8 +157,8 @@ impl<'a> Chains<'a> {
         &self,
         way: Way,
         subsegment: u32,
-        vertex: u32,
-        to: u32,
+        [vertex, to]: [u32; 2],
+        is_bent: bool,
     ) -> AllocResult<Option<u32>> {
         let boundary = &self.view.mesh.boundary;
         let [a, b] = boundary.subsegments[subsegment as usize];
@@ -154,7 +167,7 @@ impl<'a> Chains<'a> {
         let is_on = (parent < way.segment || way.segment == NONE)
             && self.advances(way, vertex, next)
             && (next == to || self.advances(way, next, to))
-            && self.is_near(way, next, true)?;
+            && self.is_near(way, next, is_bent)?;
         Ok(is_on.then_some(next))
     }
 

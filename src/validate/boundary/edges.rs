@@ -42,6 +42,13 @@ impl Edges {
         Ok(Self { at, of_slots, sides })
     }
 
+    /// The first subsegment between two vertices, and whether it runs from `a` to `b`.
+    pub fn between(&self, view: View<'_, 2>, [a, b]: [u32; 2]) -> Option<(u32, bool)> {
+        let subsegments = &view.mesh.boundary.subsegments;
+        let found = between(subsegments, &self.at, [a, b])?;
+        Some((found, subsegments[found as usize] == [a, b]))
+    }
+
     /// The subsegment across which `simplex` has its neighbour at `slot`, or [`NONE`].
     pub fn across(&self, simplex: usize, slot: usize) -> u32 {
         self.of_slots[3 * simplex + slot]

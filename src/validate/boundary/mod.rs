@@ -4,7 +4,8 @@
 //! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as near
 //!   to them as doubles can be; `chains`, subsegments lead from end to end of every segment; `frame`,
 //!   those of a hull or box go round the inputs.
-//! - Level 3: `regions`, what segments separate, with the labels of seeds; `areas`, of the regions;
+//! - Level 3: `regions`, what segments separate, with the labels of seeds; `interior`, which of them
+//!   closed curves enclose; `areas`, of the regions;
 //!   `forced`, the triangles that small angles between segments excuse.
 //!
 //! `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
@@ -17,6 +18,7 @@ mod edges;
 mod exact;
 mod forced;
 mod frame;
+mod interior;
 mod lines;
 mod regions;
 mod sum;
@@ -101,7 +103,7 @@ pub(super) fn check_regions<const D: usize>(
     let Some(view) = in_the_plane(outline, whole) else { return Ok(()) };
     let edges = Edges::new(view)?;
     if !view.mesh.boundary.subsegments.is_empty() {
-        regions::check(outline, view, &edges, promised, findings)?;
+        regions::check(inputs, outline, view, &edges, promised, findings)?;
         areas::check(view, &edges, promised.count, findings)?;
     }
     let lines = Lines::new(view.mesh, inputs.distinct(), &edges)?;

@@ -2,27 +2,29 @@
 //! which labels there are, and the domain is what is neither outside nor a hole.
 
 use super::edges::Edges;
-use super::{Outline, Promised};
+use super::{Outline, Promised, interior};
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
-use crate::mesh::{NONE, Region};
+use crate::mesh::{Inputs, NONE, Region};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use crate::validate::signs::{Robust, Signs};
 use std::cmp::Ordering;
 
 /// The sets of triangles that are connected without crossing a subsegment.
-struct Parts {
+pub(super) struct Parts {
     /// Triangle -> its part.
-    of: Vec<u32>,
-    parts: Vec<Part>,
+    pub of: Vec<u32>,
+    pub parts: Vec<Part>,
 }
 
-struct Part {
+pub(super) struct Part {
     /// Its first triangle.
     first: usize,
     /// It reaches to the hull.
-    is_outside: bool,
+    pub is_outside: bool,
+    /// Where closed curves tell what is inside: its winding number, or whether that is odd.
+    pub winding: Option<i64>,
     /// The last seed that says so.
     hole: Option<usize>,
     label: Option<i32>,
@@ -30,6 +32,7 @@ struct Part {
 }
 
 pub(super) fn check(
+    inputs: &Inputs,
     outline: Option<Outline<'_>>,
     view: View<'_, 2>,
     edges: &Edges,
@@ -40,6 +43,7 @@ pub(super) fn check(
     let mut parts = Parts::find(view, edges)?;
     if let Some(outline) = outline {
         parts.add_seeds(view, outline.regions)?;
+        interior::judge(inputs, outline.segments, view, edges, &mut parts, findings)?;
     }
     for part in &parts.parts {
         if promised.is_cut {
@@ -95,8 +99,11 @@ fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mu
 
 fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut Findings) {
     let first = part.first;
-    findings.check(!(is_inside && part.is_outside), || {
-        let message = message!("simplex {first} of the domain can be reached from outside");
+    findings.check(!is_inside || part.is_enclosed(), || {
+        let message = match part.winding {
+            None => message!("simplex {first} of the domain can be reached from outside"),
+            Some(_) => message!("simplex {first} of the domain is in no curve, as curves count"),
+        };
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
     findings.check(!is_inside || part.hole.is_none(), || {
@@ -104,7 +111,7 @@ fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut F
         let message = message!("simplex {first} of the domain is in the hole of regions[{seed}]");
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
-    let belongs = knows_holes && !part.is_outside && part.hole.is_none();
+    let belongs = knows_holes && part.is_enclosed() && part.hole.is_none();
     findings.check(is_inside || !belongs, || {
         let message =
             message!("simplex {first} is neither outside nor in a hole, and not in the domain");
@@ -122,6 +129,18 @@ fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
     });
 }
 
+impl Part {
+    fn new(first: usize) -> Self {
+        let max_edge = f64::INFINITY;
+        Self { first, is_outside: false, winding: None, hole: None, label: None, max_edge }
+    }
+
+    /// It is inside if no seed says that it is a hole.
+    fn is_enclosed(&self) -> bool {
+        self.winding.map_or(!self.is_outside, |winding| winding != 0)
+    }
+}
+
 impl Parts {
     fn find(view: View<'_, 2>, edges: &Edges) -> AllocResult<Self> {
         let mut found = Self { of: filled(view.simplex_count(), NONE)?, parts: Vec::new() };
@@ -131,8 +150,7 @@ impl Parts {
                 continue;
             }
             let number = found.parts.len() as u32;
-            let mut part =
-                Part { first, is_outside: false, hole: None, label: None, max_edge: f64::INFINITY };
+            let mut part = Part::new(first);
             found.of[first] = number;
             waiting.try_push(first)?;
             while let Some(simplex) = waiting.pop() {

@@ -1,0 +1,119 @@
+//! Level 3: where closed curves tell what is inside, each part has a winding number. It is found by
+//! the chains of the caller's segments, each followed from end to end: it differs on both sides of a
+//! subsegment by how many segments run along that, less those that run against it, and is 0 where the
+//! mesh ends. For parity it counts whether the number is odd.
+
+use super::chains::{Chains, Way};
+use super::edges::Edges;
+use super::regions::Parts;
+use crate::error::message;
+use crate::memory::{AllocResult, Lists, TryGrow, filled};
+use crate::mesh::{Inputs, NONE, Segments};
+use crate::options::Interior;
+use crate::quality::view::View;
+use crate::validate::report::{Findings, Violation, ViolationKind};
+
+/// Fills in the winding numbers of `parts`, if curves tell what is inside.
+pub(super) fn judge(
+    inputs: &Inputs,
+    segments: &Segments,
+    view: View<'_, 2>,
+    edges: &Edges,
+    parts: &mut Parts,
+    findings: &mut Findings,
+) -> AllocResult<()> {
+    let interior = view.mesh.parameters.interior;
+    if interior == Interior::Seeds {
+        return Ok(());
+    }
+    let mut steps = steps(inputs, segments, view, edges)?;
+    if interior == Interior::Parity {
+        steps.iter_mut().for_each(|step| *step = step.rem_euclid(2));
+    }
+    spread(edges, &steps, interior, parts)?;
+    check_steps(view, edges, &steps, interior, parts, findings);
+    Ok(())
+}
+
+/// Subsegment -> by how much the winding number on its left exceeds that on its right.
+fn steps(
+    inputs: &Inputs,
+    segments: &Segments,
+    view: View<'_, 2>,
+    edges: &Edges,
+) -> AllocResult<Vec<i64>> {
+    let mut steps = filled(edges.sides.len(), 0i64)?;
+    let mut chains = Chains::new(inputs.distinct(), view, edges)?;
+    for segment in 0..segments.count() {
+        if chains.follow(Way::of(inputs, segments, segment))?.is_err() {
+            continue;
+        }
+        for pair in chains.found().windows(2) {
+            if let Some((subsegment, is_along)) = edges.between(view, [pair[0], pair[1]]) {
+                steps[subsegment as usize] += if is_along { 1 } else { -1 };
+            }
+        }
+    }
+    Ok(steps)
+}
+
+fn reduced(number: i64, interior: Interior) -> i64 {
+    if interior == Interior::Parity { number.rem_euclid(2) } else { number }
+}
+
+/// Gives all parts their numbers, from those that reach to the hull on.
+fn spread(edges: &Edges, steps: &[i64], interior: Interior, parts: &mut Parts) -> AllocResult<()> {
+    let part_of = |triangle: u32| parts.of.get(triangle as usize).copied().unwrap_or(NONE);
+    let beside = Lists::of_pairs(parts.parts.len(), || {
+        let sides = edges.sides.iter().zip(0u32..);
+        sides.flat_map(|(sides, subsegment)| sides.map(|side| (part_of(side), subsegment)))
+    })?;
+    let mut waiting = Vec::new();
+    for (part, number) in parts.parts.iter_mut().zip(0u32..) {
+        if part.is_outside {
+            part.winding = Some(0);
+            waiting.try_push(number)?;
+        }
+    }
+    while let Some(part) = waiting.pop() {
+        let own = parts.parts[part as usize].winding.unwrap_or(0);
+        for &subsegment in beside.of(part as usize) {
+            let [left, right] = edges.sides[subsegment as usize].map(part_of);
+            let step = steps[subsegment as usize];
+            let (beyond, number) =
+                if left == part { (right, own - step) } else { (left, own + step) };
+            let Some(other) = parts.parts.get_mut(beyond as usize) else { continue };
+            if other.winding.is_none() {
+                other.winding = Some(reduced(number, interior));
+                waiting.try_push(beyond)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The numbers on both sides of each subsegment differ by its step: curves close.
+fn check_steps(
+    view: View<'_, 2>,
+    edges: &Edges,
+    steps: &[i64],
+    interior: Interior,
+    parts: &Parts,
+    findings: &mut Findings,
+) {
+    let number = |triangle: u32| {
+        let part = parts.of.get(triangle as usize).map(|&part| &parts.parts[part as usize]);
+        part.map_or(0, |part| part.winding.unwrap_or(0))
+    };
+    for (at, (&sides, &step)) in edges.sides.iter().zip(steps).enumerate() {
+        let [left, right] = sides.map(number);
+        findings.check(left == reduced(right + step, interior), || {
+            let [a, b] = view.mesh.boundary.subsegments[at];
+            let message = message!(
+                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and {right} on \
+                 its sides, and segments run along it {step} times: the curves do not close"
+            );
+            Violation::new(ViolationKind::DomainPlace, message).vertex(a as usize)
+        });
+    }
+}

@@ -158,6 +158,8 @@ fn add_quality(object: &mut Object, summary: &Summary<'_>) {
     object.count("below_min_dihedral", quality.below_min_dihedral);
     object.count("below_min_dihedral_between_domains", quality.below_min_dihedral_between_domains);
     object.count("beyond_bound", quality.beyond_bound);
+    object.count("forced", quality.forced);
+    object.number("least_forced_angle_degrees", quality.least_forced_angle_degrees);
 }
 
 /// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.

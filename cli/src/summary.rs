@@ -174,6 +174,12 @@ impl Summary<'_> {
             }
             lines.add("", line);
         }
+        if quality.forced > 0 {
+            let forced = counted(quality.forced, "triangle", "triangles");
+            let least = measure(quality.least_forced_angle_degrees);
+            let why = "that small angles between segments force";
+            lines.add("", format!("{forced} {why}, smallest angle {least} degrees"));
+        }
         if quality.worst_cage_aspect > 0.0 {
             lines.add("", format!("cages worst {}", measure(quality.worst_cage_aspect)));
         }

@@ -116,6 +116,10 @@ class Quality(NamedTuple):
     below_min_dihedral_between_domains: int
     #: Cells, or simplices, beyond the bound where that gave way to the angle.
     beyond_bound: int
+    #: Triangles that a small angle between segments forces; the figures above leave them out.
+    forced: int
+    #: Smallest angle of these, in degrees.
+    least_forced_angle_degrees: float
 
 
 class Stats(NamedTuple):

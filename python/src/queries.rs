@@ -185,6 +185,8 @@ impl Core {
             below_min_dihedral,
             below_min_dihedral_between_domains,
             beyond_bound,
+            forced,
+            least_forced_angle_degrees,
         } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
@@ -199,6 +201,8 @@ impl Core {
         figures
             .set_item("below_min_dihedral_between_domains", below_min_dihedral_between_domains)?;
         figures.set_item("beyond_bound", beyond_bound)?;
+        figures.set_item("forced", forced)?;
+        figures.set_item("least_forced_angle_degrees", least_forced_angle_degrees)?;
         Ok(figures)
     }
 

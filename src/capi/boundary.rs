@@ -50,7 +50,8 @@ const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 3 * 8 + 2 * 4);
 ///
 /// Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
 /// on them, exactly; where they overlap the first counts. What becomes of those that cross
-/// elsewhere, nm_options.crossings says.
+/// elsewhere, nm_options.crossings says. Those that are closed curves can tell what is inside of them
+/// (nm_options.interior); there segments that overlap count each, in their directions.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
 /// is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
@@ -81,7 +82,8 @@ pub unsafe extern "C" fn nm_mesh_set_segments(
 /// large their simplices may be; 2D only. They replace those of an earlier call; count 0 removes
 /// them. The result of a run stays as it is until the next.
 ///
-/// regions: copied. Of several in one region the first counts.
+/// regions: copied. Of several in one region the last label counts and the last largest edge, and
+/// any hole.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
 /// message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE

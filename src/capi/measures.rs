@@ -103,6 +103,8 @@ fn encode_quality(quality: &Quality) -> nm_quality {
         below_min_dihedral: quality.below_min_dihedral,
         below_min_dihedral_between_domains: quality.below_min_dihedral_between_domains,
         beyond_bound: quality.beyond_bound,
+        forced: quality.forced,
+        least_forced_angle_degrees: quality.least_forced_angle_degrees,
     }
 }
 
@@ -264,13 +266,15 @@ mod tests {
             below_min_dihedral: 9,
             below_min_dihedral_between_domains: 10,
             beyond_bound: 11,
+            forced: 12,
+            least_forced_angle_degrees: 13.0,
         };
         let encoded = encode_quality(&quality);
         // SAFETY: numbers without padding.
-        let words: [u64; 11] = unsafe { std::mem::transmute(encoded) };
+        let words: [u64; 13] = unsafe { std::mem::transmute(encoded) };
         let doubles = [2.0, 3.0, 4.0, 5.0, 6.0, 7.0].map(f64::to_bits);
         assert_eq!((encoded.max_degree, &words[1..7]), (1, &doubles[..]));
-        assert_eq!(words[7..], [8, 9, 10, 11]);
+        assert_eq!(words[7..], [8, 9, 10, 11, 12, 13f64.to_bits()]);
     }
 
     #[test]

@@ -348,6 +348,11 @@ pub struct nm_quality {
     /// Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
     /// simplices with a larger ratio. The figures above have them.
     pub beyond_bound: u64,
+    /// Triangles beyond the bound that a small angle between segments forces; nothing can mend them,
+    /// and worst_radius_edge and min_angle_degrees leave them out.
+    pub forced: u64,
+    /// Smallest angle of these, in degrees; 0 if there are none.
+    pub least_forced_angle_degrees: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -355,7 +360,7 @@ unsafe impl Versioned for nm_quality {
     const TYPE: &'static str = "nm_quality";
 }
 
-const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 10 * 8);
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 12 * 8);
 
 /// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]

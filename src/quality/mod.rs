@@ -65,6 +65,11 @@ pub struct Quality {
     pub below_min_dihedral_between_domains: u64,
     /// Number of cells or simplices marked as beyond the bound, which gave way to the angle.
     pub beyond_bound: u64,
+    /// Number of simplices that a small angle between segments forces: the figures above leave them
+    /// out.
+    pub forced: u64,
+    /// Smallest angle of these, in degrees.
+    pub least_forced_angle_degrees: f64,
 }
 
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
@@ -86,7 +91,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let view = View::<D> { mesh };
     let on_hull = view.hull_vertices()?;
     let tree = DomainTree::new(&mesh.domains)?;
-    let mut simplices = SimplexMeasures { radius_edge: 0.0, squared_tangent: f64::INFINITY };
+    let mut simplices = SimplexMeasures::default();
     let cells =
         Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &on_hull))?;
     let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
@@ -94,9 +99,11 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         max_degree: max_degree(view)?,
         worst_cage_aspect: worst_cage_aspect(mesh, &cells)?,
         worst_radius_edge: simplices.radius_edge,
-        min_angle_degrees: simplices.angle_degrees(),
+        min_angle_degrees: simplices.angle.degrees(),
         precision_limited: limited as u64,
         beyond_bound: mesh.beyond_bound.len() as u64,
+        forced: simplices.forced,
+        least_forced_angle_degrees: simplices.forced_angle.degrees(),
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
@@ -109,11 +116,38 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones.
+/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones; and over
+/// those.
+#[derive(Default)]
 struct SimplexMeasures {
     radius_edge: f64,
-    /// Of half the smallest angle.
-    squared_tangent: f64,
+    angle: LeastAngle,
+    forced: u64,
+    forced_angle: LeastAngle,
+}
+
+/// The smallest of angles, by the squared tangent of half of it.
+struct LeastAngle(f64);
+
+impl Default for LeastAngle {
+    fn default() -> Self {
+        Self(f64::INFINITY)
+    }
+}
+
+impl LeastAngle {
+    /// Those of the simplex with these vertices.
+    fn add<const D: usize>(&mut self, view: View<'_, D>, vertices: &[u32]) -> AllocResult<()> {
+        let points = view.points_of(vertices);
+        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
+        self.0 = self.0.min(squared_tangent);
+        Ok(())
+    }
+
+    /// 0 for none.
+    fn degrees(&self) -> f64 {
+        if self.0.is_infinite() { 0.0 } else { angles::angle(self.0).to_degrees() }
+    }
 }
 
 impl SimplexMeasures {
@@ -127,19 +161,15 @@ impl SimplexMeasures {
         let boundary = &view.mesh.boundary;
         let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
         let at_cage = boundary.whole.is_none() && vertices.iter().any(|&v| on_hull[v as usize]);
-        if is_forced || at_cage {
+        if is_forced {
+            self.forced += 1;
+            return self.forced_angle.add(view, vertices);
+        }
+        if at_cage {
             return Ok(());
         }
-        let points = view.points_of(vertices);
         self.radius_edge = self.radius_edge.max(cell.radius_edge);
-        let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
-        self.squared_tangent = self.squared_tangent.min(squared_tangent);
-        Ok(())
-    }
-
-    fn angle_degrees(&self) -> f64 {
-        let none = self.squared_tangent.is_infinite();
-        if none { 0.0 } else { angles::angle(self.squared_tangent).to_degrees() }
+        self.angle.add(view, vertices)
     }
 }
 

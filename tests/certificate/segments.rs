@@ -190,12 +190,18 @@ fn measures_are_those_of_the_domain() {
     let quality = |domain: &Domain| measure(&domain.case.mesh).unwrap();
     let (_, strip) = Domain::of(&points, &closed(0, 4), &[]);
     assert!(quality(&strip).min_angle_degrees > 25.0 - 1e-6);
+    assert_eq!((quality(&strip).forced, quality(&strip).least_forced_angle_degrees), (0, 0.0));
     let mut star = star();
     let bounded = quality(&star);
     assert!(bounded.min_angle_degrees > 25.0 - 1e-6, "{bounded:?}");
     assert!(bounded.worst_radius_edge <= star.case.mesh.parameters.quality_bound);
+    assert_eq!(bounded.forced, star.case.mesh.boundary.forced.len() as u64);
+    let forced = bounded.least_forced_angle_degrees;
+    // The smallest angle between segments is 0.004 of a radian times 1.5 - 1.
+    assert!((0.05..0.5).contains(&forced), "{forced}");
     star.corrupt(|whole| whole.boundary.forced.clear());
-    assert!(quality(&star).min_angle_degrees < 1.0);
+    let unmarked = quality(&star);
+    assert_eq!((unmarked.min_angle_degrees, unmarked.forced), (forced, 0));
 }
 
 #[test]

@@ -262,6 +262,8 @@ void sizes() {
     mesh.set_sizes(std::vector<double>(50, 0.05));
     const std::uint64_t sized = vertices();
     CHECK(sized > plain + 100);
+    CHECK_EQUAL(mesh.sizes().size(), sized);
+    CHECK_EQUAL(mesh.sizes().front(), 0.05);
     expect_error(__LINE__, NM_INVALID_ARGUMENT, "count is 49", [&] {
         mesh.set_sizes(std::vector<double>(49, 0.05));
     });

@@ -132,7 +132,7 @@
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
-#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
@@ -395,6 +395,36 @@ enum nm_gives_way
 };
 #ifndef __cplusplus
 typedef int32_t nm_gives_way;
+#endif // __cplusplus
+
+/**
+ * nm_options.interior: which of the regions that segments separate are inside, with
+ * NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+ */
+enum nm_interior
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * All that cannot be reached from outside without crossing a segment.
+     */
+    NM_INTERIOR_SEEDS = 0,
+    /**
+     * Those into which a path from outside crosses an odd number of segments (the even-odd rule):
+     * rings within rings are alternately inside and outside. Every input must be an end of an even
+     * number of segments.
+     */
+    NM_INTERIOR_PARITY = 1,
+    /**
+     * Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
+     * from outside crosses from their right to their left, less that from their left to their
+     * right. Every input must be the first end of as many segments as it is the second end.
+     */
+    NM_INTERIOR_WINDING = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_interior;
 #endif // __cplusplus
 
 /**
@@ -1155,6 +1185,15 @@ typedef struct nm_options {
      * What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
      */
     nm_crossings crossings;
+    /**
+     * Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY; with another
+     * extent it must be the default. Default NM_INTERIOR_SEEDS.
+     */
+    nm_interior interior;
+    /**
+     * Zero.
+     */
+    uint32_t reserved_after_interior;
 } nm_options;
 
 /**
@@ -1380,6 +1419,15 @@ typedef struct nm_quality {
      * simplices with a larger ratio. The figures above have them.
      */
     uint64_t beyond_bound;
+    /**
+     * Triangles beyond the bound that a small angle between segments forces; nothing can mend them,
+     * and worst_radius_edge and min_angle_degrees leave them out.
+     */
+    uint64_t forced;
+    /**
+     * Smallest angle of these, in degrees; 0 if there are none.
+     */
+    double least_forced_angle_degrees;
 } nm_quality;
 
 /**
@@ -1712,8 +1760,10 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
  * inputs and the options, not on threads, time or machine.
  *
  * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field,
- * its value and the range), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY only; the message names the
- * affine rank), NM_LIMIT (too many vertices, or coordinates above 3e306), NM_CANCELLED,
+ * its value and the range; with segments also two that cross, an input where curves do not close,
+ * segments that enclose nothing, a seed on a segment), NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY,
+ * the message names the affine rank; a hull or box without area), NM_LIMIT (too many vertices, or
+ * coordinates above 3e306; segments for which doubles have no room), NM_CANCELLED,
  * NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
@@ -1763,6 +1813,22 @@ nm_status nm_mesh_set_background(struct nm_mesh *mesh,
                                  const struct nm_mesh *background,
                                  uint64_t count,
                                  const double *values);
+
+/**
+ * Writes for each vertex the size that the last run asked for there: the least of what
+ * nm_options.size, nm_mesh_set_sizes and nm_mesh_set_background say, infinite where there is no
+ * bound and where none was needed (at vertices of no simplex that meets the box of the inputs).
+ * nm_options.max_edge and the largest edges of regions are not among them. None where nothing told
+ * sizes.
+ *
+ * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+ * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_sizes(const struct nm_mesh *mesh,
+                            double *buf,
+                            uint64_t capacity,
+                            uint64_t *needed);
 
 /**
  * Writes how large the mesh is. O(1).
@@ -2563,7 +2629,8 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
  *
  * Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
  * on them, exactly; where they overlap the first counts. What becomes of those that cross
- * elsewhere, nm_options.crossings says.
+ * elsewhere, nm_options.crossings says. Those that are closed curves can tell what is inside of them
+ * (nm_options.interior); there segments that overlap count each, in their directions.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
  * is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
@@ -2582,7 +2649,8 @@ nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
  * large their simplices may be; 2D only. They replace those of an earlier call; count 0 removes
  * them. The result of a run stays as it is until the next.
  *
- * regions: copied. Of several in one region the first counts.
+ * regions: copied. Of several in one region the last label counts and the last largest edge, and
+ * any hole.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
  * message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE

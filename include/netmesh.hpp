@@ -460,6 +460,10 @@ public:
                                                       values.data()));
     }
 
+    // The size that the last run asked for at each vertex, infinite for none; empty if nothing told
+    // sizes.
+    result<std::vector<double>> try_sizes() const { return array<double>(nm_mesh_get_sizes); }
+
     result<void> try_remove_background() {
         return detail::outcome(nm_mesh_set_background(handle_, nullptr, 0, nullptr));
     }
@@ -711,6 +715,7 @@ public:
         try_set_background(background, values).value();
     }
     void remove_background() { try_remove_background().value(); }
+    std::vector<double> sizes() const { return try_sizes().value(); }
     std::vector<double> attributes(const std::string &name) const {
         return try_attributes(name).value();
     }

@@ -460,6 +460,30 @@ fn sizes_by_values_are_linear_between() {
     assert!(low > 2 * (steiner.len() - low), "{low} of {}", steiner.len());
 }
 
+/// A domain as its own background: walks in it go round corners and past holes.
+#[test]
+fn a_domain_is_a_background() {
+    let size = |x: &[f64]| 0.05 + 0.02 * x[0] + 0.01 * x[1];
+    let comb = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [2.5, 2.0], [2.5, 0.5], [0.5, 0.5], [0.5, 2.0]];
+    let points = [comb.concat(), vec![0.0, 2.0]].concat();
+    let mut mesh = Mesh::new(2, 8, &points, 0).unwrap();
+    let segments: Vec<u32> = (0..8).flat_map(|i| [i, (i + 1) % 8]).collect();
+    mesh.set_segments(&segments, None).unwrap();
+    let options = Options { extent: netmesh::Extent::Boundary, min_angle: 20.0, ..well_spaced() };
+    mesh.run(&options, None).unwrap();
+    let first = mesh.triangulation().unwrap();
+    assert!(first.boundary.whole.is_some());
+    let at: Vec<f64> = first.points.chunks(2).map(size).collect();
+    mesh.set_own_background(&at).unwrap();
+    mesh.run(&options, None).unwrap();
+    assert_sound(&mesh);
+    let second = mesh.triangulation().unwrap();
+    assert!(second.vertex_count() > 3 * at.len());
+    for (x, &asked) in second.points.chunks(2).zip(&second.sizes) {
+        assert!((asked - size(x)).abs() < 1e-9, "{asked} at {x:?}");
+    }
+}
+
 /// The corners of the box may be farther out than every input: the mesh reaches beyond them.
 #[test]
 fn the_box_is_in_the_mesh() {

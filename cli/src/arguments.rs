@@ -181,6 +181,12 @@ pub struct Meshing {
     #[arg(long, value_name = "FILE")]
     pub sizes: Option<PathBuf>,
 
+    /// With --finish: a file with points of a background, such as TetGen's .b.node, and the length that
+    /// edges shall have there: in a .mtr file of the same name beside it, or else as the attribute
+    /// "size" (the first attribute of a .node file). Between the points lengths are linear
+    #[arg(long, value_name = "FILE")]
+    pub background: Option<PathBuf>,
+
     /// What gives way where --min-dihedral and --bound cannot both be had
     #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
     pub gives_way: GivesWayName,

@@ -33,6 +33,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.meshing.sizes {
         sizes::set(&mut mesh, path)?;
     }
+    if let Some(path) = &arguments.meshing.background {
+        sizes::set_background(&mut mesh, path)?;
+    }
     if let Some(output) = &arguments.output {
         require_output_format(&mesh, output, arguments)?;
     }

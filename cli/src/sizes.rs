@@ -1,22 +1,65 @@
-//! Sizes at the points of the input, from a file as TetGen's `.mtr`: a line with the number of
-//! points, then a line a point whose first number is the size. `#` begins a comment.
+//! Sizes at points, those of the input or of a background, from a file as TetGen's `.mtr`: a line
+//! with the number of points, then a line a point whose first number is the size. `#` begins a
+//! comment.
 
 use crate::exit_code::{ExitCode, Failure};
-use netmesh::Mesh;
+use netmesh::io::{Choice, Format, PointCloud, read_points, read_table_file};
+use netmesh::{Algorithm, Attribute, Mesh, Options};
 use std::path::Path;
 
 /// Gives `mesh` the sizes in a file.
 pub fn set(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
-    let refuse = |message: String| {
-        Failure::new(ExitCode::InputUnreadable, format!("{}: {message}", path.display()))
-    };
-    let text = std::fs::read_to_string(path).map_err(|error| refuse(error.to_string()))?;
-    let sizes = parse(&text).map_err(&refuse)?;
-    let count = mesh.inputs().count();
-    if sizes.len() != count {
-        return Err(refuse(format!("{} sizes for {count} points", sizes.len())));
+    let sizes = read(path, mesh.inputs().count())?;
+    mesh.set_sizes(&sizes).map_err(|error| refusal(path, error.message()))
+}
+
+/// Gives `mesh` sizes on the Delaunay triangulation of the points in a file.
+pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
+    let (points, sizes) = read_background(path)?;
+    let refuse = |error: netmesh::Error| refusal(path, error.message());
+    let PointCloud { dim, coordinates } = &points;
+    let mut background = Mesh::new(*dim, sizes.len(), coordinates, 0).map_err(refuse)?;
+    let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
+    background.run(&plain, None).map_err(refuse)?;
+    let inputs = background.inputs();
+    let of_vertex = |vertex: usize| sizes[inputs.first_input(vertex).unwrap_or(0) as usize];
+    let at_vertices: Vec<f64> = (0..inputs.distinct()).map(of_vertex).collect();
+    let triangulation = background.result().map_err(refuse)?;
+    mesh.set_background(Some((triangulation, &at_vertices))).map_err(refuse)
+}
+
+/// Points, and a size for each.
+fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
+    let refuse = |error: netmesh::Error| refusal(path, error.message());
+    let beside = path.with_extension("mtr");
+    if beside.exists() {
+        let points = read_points(path, Format::Auto).map_err(refuse)?;
+        let sizes = read(&beside, points.coordinates.len() / points.dim)?;
+        return Ok((points, sizes));
     }
-    mesh.set_sizes(&sizes).map_err(|error| refuse(error.message().to_owned()))
+    let is_node = matches!(Format::from_path(path), Ok(Format::TetgenNode));
+    let attributes = if is_node { "size=1" } else { "size" }.parse().map_err(refuse)?;
+    let choice = Choice { attributes, ..Choice::default() };
+    let mut table = read_table_file(path, Format::Auto, &choice).map_err(refuse)?;
+    match table.attributes.pop() {
+        Some(Attribute { values, .. }) => Ok((table.points, values)),
+        None => Err(refusal(path, "it has no attribute \"size\"")),
+    }
+}
+
+/// The sizes in a file, one for each of `count` points.
+fn read(path: &Path, count: usize) -> Result<Vec<f64>, Failure> {
+    let refuse = |message: String| refusal(path, &message);
+    let text = std::fs::read_to_string(path).map_err(|error| refuse(error.to_string()))?;
+    let sizes = parse(&text).map_err(refuse)?;
+    match sizes.len() == count {
+        true => Ok(sizes),
+        false => Err(refuse(format!("{} sizes for {count} points", sizes.len()))),
+    }
+}
+
+fn refusal(path: &Path, message: &str) -> Failure {
+    Failure::new(ExitCode::InputUnreadable, format!("{}: {message}", path.display()))
 }
 
 fn parse(text: &str) -> Result<Vec<f64>, String> {

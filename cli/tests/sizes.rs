@@ -1,4 +1,4 @@
-//! `--max-edge` and `--sizes`.
+//! `--max-edge`, `--sizes` and `--background`.
 
 mod workbench;
 
@@ -29,6 +29,58 @@ fn edges_are_as_short_as_asked_for() {
         ["--max-edge 0.05", "--sizes even.mtr", "--sizes left.mtr"].map(|a| vertices(&bench, a));
     assert!(plain + 500 < left && left < even && even < edges, "{plain}, {even}, {edges}, {left}");
     assert_eq!(vertices(&bench, "--sizes even.mtr --max-edge 0.05"), edges);
+}
+
+/// Of TetGen's names, with an attribute, and in a file with names of columns: one mesh.
+#[test]
+fn a_background_has_sizes() {
+    let bench = bench("background");
+    let corners = ["-1 -1", "2 -1", "2 2", "-1 2"];
+    let rows = |separator: &str, sizes: bool| {
+        let size = |at: usize| if at % 3 == 0 { "0.02" } else { "0.2" };
+        let row = |(at, corner): (usize, &&str)| match sizes {
+            true => format!("{}{separator}{}\n", corner.replace(' ', separator), size(at)),
+            false => format!("{corner}\n"),
+        };
+        corners.iter().enumerate().map(row).collect::<String>()
+    };
+    let numbered = |text: &str| -> String {
+        text.lines().enumerate().map(|(at, line)| format!("{at} {line}\n")).collect()
+    };
+    bench.write("tetgen.b.node", &format!("4 2 0 0\n{}", numbered(&rows(" ", false))));
+    bench.write("tetgen.b.mtr", "4 1\n0.02\n0.2\n0.2\n0.02\n");
+    bench.write("with.node", &format!("4 2 1 0\n{}", numbered(&rows(" ", true))));
+    bench.write("named.csv", &format!("x,y,size\n{}", rows(",", true)));
+    let [tetgen, attribute, named, plain] =
+        ["--background tetgen.b.node", "--background with.node", "--background named.csv", ""]
+            .map(|arguments| vertices(&bench, arguments));
+    assert!(tetgen > plain + 100, "{tetgen}, {plain}");
+    assert_eq!([attribute, named], [tetgen; 2]);
+    let both = vertices(&bench, "--background named.csv --max-edge 0.05");
+    assert!(both > tetgen, "{both}, {tetgen}");
+}
+
+#[test]
+fn a_background_without_sizes_is_refused() {
+    let bench = bench("background_refused");
+    bench.write("plain.csv", "x,y\n0,0\n1,0\n0,1\n");
+    bench.write("flat.csv", "x,y,size\n0,0,1\n1,0,1\n");
+    bench.write("space.csv", "x,y,z,size\n0,0,0,1\n1,0,0,1\n0,1,0,1\n0,0,1,1\n");
+    bench.write("zero.csv", "x,y,size\n0,0,1\n1,0,0\n0,1,1\n");
+    bench.write("few.xyz", "0 0\n1 0\n0 1\n");
+    bench.write("few.mtr", "2 1\n1\n1\n");
+    for (file, word) in [
+        ("plain.csv", "size"),
+        ("flat.csv", "rank"),
+        ("space.csv", "dimensions"),
+        ("zero.csv", "values[1] is 0"),
+        ("few.xyz", "2 sizes for 3 points"),
+        ("none.csv", "none.csv"),
+    ] {
+        let run = bench.run(&format!("points.xyz --finish --background {file}"));
+        run.assert_failure(3, &[word]);
+    }
+    bench.run("points.xyz --background few.xyz").assert_failure(3, &["few.mtr"]);
 }
 
 #[test]

@@ -49,6 +49,7 @@ def mesh(
     min_dihedral: float = 0.0,
     max_edge: float = 0.0,
     size: Any = None,
+    background: Any = None,
     gives_way: str = "angle",
     extent: str = "all",
     crossings: str = "refuse",
@@ -114,6 +115,10 @@ def mesh(
         called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
         those of regular simplices with such edges, and most edges have between 0.6 times that
         length and that length. ``inf`` for no bound. An exception of the function is raised here.
+    background : (Mesh, array_like of float with shape (vertices,)), optional
+        With ``output='well_spaced'``: a mesh and sizes at its vertices, linear in its simplices, and
+        beyond it those of its nearest vertex. With `size` the least counts. To adapt a mesh, mesh
+        the points again with the first mesh as background.
     gives_way : {'angle', 'bound'}
         What gives way where `min_dihedral` and `quality_bound` cannot both be had:
         `Quality.below_min_dihedral` counts simplices that stay below the angle,
@@ -266,6 +271,14 @@ class Mesh(Arrays):
     def simplex_regions(self) -> np.ndarray:
         """Labels of simplices' regions, int32, shape (simplices,); empty without segments."""
         return self._core.simplex_regions
+
+    @property
+    def sizes(self) -> np.ndarray:
+        """The sizes that were asked for at vertices, float64, shape (vertices,); empty without.
+
+        Those of `size` and `background`, infinite where there is no bound and where none was needed.
+        """
+        return self._core.sizes
 
     @property
     def domains(self) -> np.ndarray:

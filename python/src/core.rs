@@ -175,6 +175,13 @@ impl Core {
         unsafe { shared(this.as_any(), &ArrayView::from(labels)) }
     }
 
+    #[getter]
+    fn sizes<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let sizes = &*this.get().triangulation().sizes;
+        // SAFETY: as above.
+        unsafe { shared(this.as_any(), &ArrayView::from(sizes)) }
+    }
+
     /// Centres, parents (-1 for none) and radii.
     #[getter]
     fn domains(&self) -> (Vec<u32>, Vec<i64>, Vec<f64>) {

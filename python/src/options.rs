@@ -84,8 +84,8 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         "instruments" => options.instruments = value.is_truthy()?,
         "min_dihedral" => options.min_dihedral = number(name, value)?,
         "max_edge" => options.max_edge = number(name, value)?,
-        // It is no number alone: see `sizes`.
-        "size" => {}
+        // They are no numbers alone: see `sizes`.
+        "size" | "background" => {}
         "gives_way" => {
             let names = [("angle", GivesWay::Angle), ("bound", GivesWay::Bound)];
             options.gives_way = choice(name, value, &names)?;

@@ -1,9 +1,12 @@
-//! The option `size`: a number, a value for each point, or a function.
+//! The options `size`, a number, a value for each point, or a function, and `background`, values at
+//! the vertices of another mesh.
 
+use crate::core::Core;
 use crate::errors::{exception, invalid};
 use netmesh::Mesh;
 use netmesh::options::SizeFn;
 use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Mutex, PoisonError};
@@ -23,9 +26,12 @@ pub struct Function {
 }
 
 impl Sizes {
-    /// As `given` says; values for the points go to `mesh`.
+    /// As `given` says; values for the points and on a background go to `mesh`.
     pub fn new(mesh: &mut Mesh, given: &Bound<'_, PyDict>) -> PyResult<Self> {
         let py = given.py();
+        if let Some(background) = given.get_item("background")?.filter(|it| !it.is_none()) {
+            set_background(mesh, &background)?;
+        }
         let Some(size) = given.get_item("size")?.filter(|size| !size.is_none()) else {
             return Ok(Self::Given);
         };
@@ -39,19 +45,7 @@ impl Sizes {
                 false => Err(invalid(py, format!("size is {size}; it must be above 0"))),
             };
         }
-        let array = py.import("numpy")?.call_method1("asarray", (&size, "float64"))?;
-        let shape = array.getattr("shape")?;
-        let count = mesh.inputs().count();
-        if shape.extract::<(usize,)>().ok() != Some((count,)) {
-            return Err(invalid(
-                py,
-                format!(
-                    "size has shape {shape}; it must have one value for each of {count} points"
-                ),
-            ));
-        }
-        let values: PyReadonlyArray1<'_, f64> =
-            py.import("numpy")?.call_method1("ascontiguousarray", (array,))?.extract()?;
+        let values = values_of("size", &size, mesh.inputs().count(), "points")?;
         mesh.set_sizes(values.as_slice()?).map_err(|error| exception(py, &error))?;
         Ok(Self::Given)
     }
@@ -74,6 +68,43 @@ impl Sizes {
             _ => None,
         }
     }
+}
+
+/// A pair of a mesh and an array.
+fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()> {
+    let py = background.py();
+    let pair = background.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>().ok();
+    let core = |other: &Bound<'_, PyAny>| other.getattr("_core").ok()?.extract::<Py<Core>>().ok();
+    let Some((core, values)) = pair.and_then(|(other, values)| Some((core(&other)?, values)))
+    else {
+        let kind = background.get_type().name()?.to_string();
+        return Err(PyTypeError::new_err(format!(
+            "background is of type {kind}; it must be a Mesh and values at its vertices, as a pair"
+        )));
+    };
+    let other = core.get().triangulation();
+    let values = values_of("background", &values, other.vertex_count(), "vertices of it")?;
+    let set = mesh.set_background(Some((other, values.as_slice()?)));
+    set.map_err(|error| exception(py, &error))
+}
+
+/// An array with `count` doubles, one after the other.
+fn values_of<'py>(
+    name: &str,
+    given: &Bound<'py, PyAny>,
+    count: usize,
+    things: &str,
+) -> PyResult<PyReadonlyArray1<'py, f64>> {
+    let numpy = given.py().import("numpy")?;
+    let array = numpy.call_method1("asarray", (given, "float64"))?;
+    let shape = array.getattr("shape")?;
+    if shape.extract::<(usize,)>().ok() != Some((count,)) {
+        let message = format!(
+            "{name} has shape {shape}; it must have one value for each of {count} {things}"
+        );
+        return Err(invalid(given.py(), message));
+    }
+    Ok(numpy.call_method1("ascontiguousarray", (array,))?.extract()?)
 }
 
 impl Function {

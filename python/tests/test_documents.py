@@ -59,7 +59,7 @@ def test_every_option_of_the_library_is_a_keyword():
     page = PAGE.with_name("options.md").read_text()
     rows = [line.split("|")[1] for line in page.split("\n") if line.startswith("| `")]
     options = {row.split("`")[1] for row in rows}
-    given = {"points", "segments", "markers", "holes", "regions", "size", "progress"}
+    given = {"points", "segments", "markers", "holes", "regions", "size", "background", "progress"}
     keywords = set(inspect.signature(netmesh.mesh).parameters)
     assert keywords - given == options and len(options) > 10
 

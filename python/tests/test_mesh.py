@@ -361,6 +361,40 @@ def test_sizes():
     assert linear.validate().level == 3
 
 
+def test_sizes_on_a_background():
+    points, finished = box(20), {"output": "well_spaced"}
+    coarse = netmesh.mesh(box(40), **finished)
+    assert coarse.sizes.shape == (0,)
+    values = 0.05 + 0.1 * np.abs(coarse.points[:, 0])
+    adapted = netmesh.mesh(points, background=(coarse, values), **finished)
+    function = netmesh.mesh(points, size=lambda x: 0.05 + 0.1 * x[0], **finished)
+    assert 0.9 < len(adapted.points) / len(function.points) < 1.1
+    assert adapted.sizes.shape == (len(adapted.points),)
+    assert adapted.sizes[: len(points)] == pytest.approx(0.05 + 0.1 * points[:, 0], abs=0.02)
+    both = netmesh.mesh(points, background=[coarse, values], size=0.05, **finished)
+    assert len(both.points) > len(adapted.points)
+    again = pickle.loads(pickle.dumps(adapted))
+    assert (again.points == adapted.points).all()
+
+
+def test_a_background_that_cannot_be():
+    points, finished = box(20), {"output": "well_spaced"}
+    coarse = netmesh.mesh(points)
+    for background in (coarse, (1, 2), (coarse,), "xy"):
+        with pytest.raises(TypeError, match="^background is of type .*; it must be a Mesh and"):
+            netmesh.mesh(points, background=background, **finished)
+    count = len(coarse.points)
+    for values, words in [
+        ([0.1] * 3, rf"background has shape \(3,\); .* of {count} vertices of it"),
+        ([0.0] * count, r"values\[0\] is 0"),
+    ]:
+        with pytest.raises(netmesh.InvalidArgumentError, match=words):
+            netmesh.mesh(points, background=(coarse, values), **finished)
+    solid = netmesh.mesh(np.random.default_rng(2).random((9, 3)))
+    with pytest.raises(netmesh.DimensionError):
+        netmesh.mesh(points, background=(solid, np.ones(len(solid.points))), **finished)
+
+
 def test_sizes_that_cannot_be():
     points = box(20)
     finished = {"output": "well_spaced"}

@@ -41,6 +41,52 @@ def test_a_copy_by_pickle_has_the_segments():
     assert (again.segments == mesh.segments).all() and (again.points == mesh.points).all()
 
 
+def area(mesh):
+    a, b, c = mesh.points[mesh.simplices].transpose(1, 0, 2)
+    (x, y), (z, w) = (b - a).T, (c - a).T
+    return ((x * w - y * z) / 2).sum()
+
+
+def test_curves_tell_what_is_inside():
+    # Squares in squares, the third in the other direction.
+    squares = [np.array(SQUARE) * (5 - ring) + ring / 2 for ring in range(4)]
+    rings = [np.array(SIDES) + 4 * ring for ring in range(4)]
+    rings[2] = rings[2][:, ::-1]
+    given = np.vstack(squares), np.vstack(rings)
+    inside = {"extent": "boundary", "output": "well_spaced"}
+    assert area(netmesh.mesh(*given, **inside)) == pytest.approx(25)
+    parity = netmesh.mesh(*given, interior="parity", **inside)
+    assert area(parity) == pytest.approx(25 - 16 + 9 - 4)
+    assert parity.validate().violations == 0 and parity.options["interior"] == "parity"
+    winding = netmesh.mesh(*given, interior="winding", holes=[[0.25, 0.25]], **inside)
+    assert area(winding) == pytest.approx(16)
+    again = pickle.loads(pickle.dumps(parity))
+    assert (again.simplices == parity.simplices).all()
+    messages = {
+        "parity": "^input 0 is an end of 1 segments; with interior parity",
+        "winding": "^input 0 is the first end of 1 segments and the second end of 0; with interior",
+        "seeds": "^segments enclose nothing",
+        "odd": "^interior is 'odd'; it must be 'seeds' or 'parity' or 'winding'",
+    }
+    for interior, message in messages.items():
+        with pytest.raises(netmesh.InvalidArgumentError, match=message):
+            netmesh.mesh(SQUARE, SIDES[:3], interior=interior, **inside)
+    with pytest.raises(netmesh.InvalidArgumentError, match="^interior is parity and extent is all"):
+        netmesh.mesh(SQUARE, SIDES, interior="parity")
+
+
+def test_forced_triangles_are_counted_apart():
+    angles = 0.3 + 0.01 * 1.5 ** np.arange(8)
+    rays = 0.5 + 0.4 * np.column_stack([np.cos(angles), np.sin(angles)])
+    points = np.vstack([SQUARE, [[0.5, 0.5]], rays])
+    segments = SIDES + [[4, end] for end in range(5, 13)]
+    quality = netmesh.mesh(points, segments, extent="boundary", min_angle=25).quality()
+    assert quality.forced > 0 and 0 < quality.least_forced_angle_degrees < 1
+    assert quality.min_angle_degrees > 25 - 1e-6
+    plain = netmesh.mesh(SQUARE, SIDES, extent="boundary").quality()
+    assert (plain.forced, plain.least_forced_angle_degrees) == (0, 0)
+
+
 @pytest.mark.parametrize(
     ("given", "message"),
     [

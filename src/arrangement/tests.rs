@@ -81,10 +81,11 @@ fn crossings_oracle(case: &Case) -> Vec<(usize, usize, Point)> {
     found
 }
 
-/// The pieces of segments cut at the inputs on them, and the first segment of each.
-fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], u32> {
+/// The pieces of segments cut at the inputs on them, from left to right, with the first segment of
+/// each and its balance.
+fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], (u32, i64)> {
     let vertices = case.vertices();
-    let mut pieces = BTreeMap::new();
+    let mut pieces: BTreeMap<[u32; 2], (u32, i64)> = BTreeMap::new();
     for segment in (0..case.segments.count()).rev() {
         let [from, to] = case.ends(segment);
         let (a, b) = (&vertices[from as usize], &vertices[to as usize]);
@@ -92,7 +93,11 @@ fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], u32> {
             (0..vertices.len() as u32).filter(|&v| is_on(&vertices[v as usize], a, b)).collect();
         on.extend([from, to]);
         on.sort_by(|&p, &q| vertices[p as usize].partial_cmp(&vertices[q as usize]).unwrap());
-        pieces.extend(on.windows(2).map(|pair| ([pair[0], pair[1]], segment as u32)));
+        for pair in on.windows(2) {
+            let piece = pieces.entry([pair[0], pair[1]]).or_default();
+            piece.0 = segment as u32;
+            piece.1 += if on[0] == from { 1 } else { -1 };
+        }
     }
     pieces
 }
@@ -127,6 +132,22 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
     for segment in 0..case.segments.count() {
         check_chain(case, arrangement, &vertices, segment);
     }
+    check_balances(case, arrangement, vertices.len());
+}
+
+/// As many segments leave each vertex, less those that reach it, as begin there less those that end.
+fn check_balances(case: &Case, arrangement: &Arrangement, vertices: usize) {
+    let mut left = vec![0; vertices];
+    for &Subsegment { ends: [from, to], balance, .. } in &arrangement.subsegments {
+        left[from as usize] += balance;
+        left[to as usize] -= balance;
+    }
+    for segment in 0..case.segments.count() {
+        let [from, to] = case.ends(segment);
+        left[from as usize] -= 1;
+        left[to as usize] += 1;
+    }
+    assert!(left.iter().all(|&left| left == 0), "{left:?}");
 }
 
 /// From its first end a segment goes on to its second end, by pieces in its direction, through all
@@ -178,13 +199,12 @@ fn segments_without_crossings_are_cut_at_inputs_alone() {
                     accepted += 1;
                     assert_eq!(crossings, [], "{family:?}");
                     let mut found = BTreeMap::new();
-                    for Subsegment { ends, segment } in &arrangement.subsegments {
+                    for &Subsegment { ends: [a, b], segment, balance } in &arrangement.subsegments {
                         let vertices = case.vertices();
-                        let mut ends = *ends;
-                        ends.sort_by(|&p, &q| {
-                            vertices[p as usize].partial_cmp(&vertices[q as usize]).unwrap()
-                        });
-                        found.insert(ends, *segment);
+                        match vertices[a as usize] < vertices[b as usize] {
+                            true => found.insert([a, b], (segment, balance)),
+                            false => found.insert([b, a], (segment, -balance)),
+                        };
                     }
                     assert_eq!(found, pieces_oracle(&case), "{family:?}");
                     assert_eq!(found.len(), arrangement.subsegments.len());
@@ -259,10 +279,11 @@ fn counts_say_what_was_done() {
     let arrangement = case.run(Crossings::Split).unwrap();
     assert_eq!(arrangement.crossings, [[2.0, 2.0]]);
     assert_eq!((arrangement.covered_segments, arrangement.inputs_on_segments), (2, 2));
-    let piece = |from, to, segment| Subsegment { ends: [from, to], segment };
-    let first = [piece(0, 5, 0), piece(5, 6, 0), piece(6, 4, 0), piece(4, 2, 0)];
+    let piece = |from, to, segment, balance| Subsegment { ends: [from, to], segment, balance };
+    // Segments 2 and 3 run against those that they overlap.
+    let first = [piece(0, 5, 0, 1), piece(5, 6, 0, 0), piece(6, 4, 0, 0), piece(4, 2, 0, 1)];
     assert_eq!(arrangement.subsegments[..4], first);
-    assert_eq!(arrangement.subsegments[4..], [piece(1, 6, 1), piece(6, 3, 1)]);
+    assert_eq!(arrangement.subsegments[4..], [piece(1, 6, 1, 0), piece(6, 3, 1, 0)]);
 }
 
 /// Lines a few roundings apart: their crossings are rounded onto each other and onto inputs.

@@ -1,8 +1,10 @@
-//! Sizes by values, for the runs that follow.
+//! Sizes by values, for the runs that follow, and those that a run asked for.
 
 use super::enums::nm_status;
-use super::handle::{nm_mesh, with_background, with_prepared_mut};
-use super::memory::read_rows;
+use super::getters::result;
+use super::handle::{nm_mesh, with_background, with_mesh, with_prepared_mut};
+use super::memory::{copy_out, read_rows};
+use crate::mesh::Mesh;
 
 /// Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and
 /// nm_options.size, the least counts. Between the inputs sizes are linear in their Delaunay
@@ -63,6 +65,30 @@ pub unsafe extern "C" fn nm_mesh_set_background(
             }
         })
     }
+}
+
+/// Writes for each vertex the size that the last run asked for there: the least of what
+/// nm_options.size, nm_mesh_set_sizes and nm_mesh_set_background say, infinite where there is no
+/// bound and where none was needed (at vertices of no simplex that meets the box of the inputs).
+/// nm_options.max_edge and the largest edges of regions are not among them. None where nothing told
+/// sizes.
+///
+/// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
+/// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_sizes(
+    mesh: *const nm_mesh,
+    buf: *mut f64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let sizes = &result(mesh)?.sizes;
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, sizes.len(), sizes.iter().copied()) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
 }
 
 #[cfg(test)]
@@ -129,6 +155,35 @@ mod tests {
             assert_eq!(nm_run(handle, &well_spaced()), nm_status::NM_OK);
             assert_eq!(vertices(handle), plain);
         }
+    }
+
+    #[test]
+    fn a_run_tells_what_it_asked_for() {
+        let mut mesh = square();
+        let sizes = |mesh: &nm_mesh| {
+            let mut needed = 0;
+            // SAFETY: a live handle; NULL asks for the size, then the buffer has room for it.
+            unsafe {
+                let status = nm_mesh_get_sizes(mesh, null_mut(), 0, &mut needed);
+                assert_eq!(status, nm_status::NM_OK);
+                let mut sizes = vec![0.0; needed as usize];
+                let status = nm_mesh_get_sizes(mesh, sizes.as_mut_ptr(), needed, null_mut());
+                assert_eq!(status, nm_status::NM_OK);
+                sizes
+            }
+        };
+        // SAFETY: a live handle, arrays as long as said.
+        unsafe {
+            assert_eq!(nm_mesh_get_sizes(&mesh, null_mut(), 0, &mut 0), nm_status::NM_STATE);
+            assert_eq!(nm_run(&mut mesh, &well_spaced()), nm_status::NM_OK);
+            assert!(sizes(&mesh).is_empty());
+            assert_eq!(nm_mesh_set_sizes(&mut mesh, 5, [0.25; 5].as_ptr()), nm_status::NM_OK);
+            assert_eq!(nm_run(&mut mesh, &well_spaced()), nm_status::NM_OK);
+        }
+        let asked = sizes(&mesh);
+        assert_eq!(asked.len(), vertices(&mut mesh));
+        assert!(asked[..4].iter().all(|&size| size == 0.25), "{asked:?}");
+        assert!(asked.iter().all(|&size| size == 0.25 || size == f64::INFINITY), "{asked:?}");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Sizes given by values, kept with a mesh until they are replaced: at its inputs, and at the
 //! vertices of another mesh.
 
-use super::{Mesh, Triangulation};
+use super::{Boundary, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, copied, filled};
 
@@ -102,9 +102,10 @@ fn check(sizes: &[f64]) -> Result<()> {
     }
 }
 
-/// What a query needs of a result.
+/// What a query needs of a result, and of what that is cut from.
 fn arrays_of(mesh: &Triangulation) -> AllocResult<Triangulation> {
     let vertices = mesh.vertex_count();
+    let whole = mesh.boundary.whole.as_deref().map(arrays_of).transpose()?;
     Ok(Triangulation {
         dim: mesh.dim,
         points: copied(&mesh.points)?,
@@ -117,7 +118,7 @@ fn arrays_of(mesh: &Triangulation) -> AllocResult<Triangulation> {
         precision_limited: Vec::new(),
         below_min_dihedral: Vec::new(),
         beyond_bound: Vec::new(),
-        boundary: Default::default(),
+        boundary: Boundary { whole: whole.map(Box::new), ..Boundary::default() },
         sizes: Vec::new(),
         parameters: mesh.parameters.clone(),
         stats: mesh.stats.clone(),

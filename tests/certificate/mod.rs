@@ -4,6 +4,7 @@ mod corruptions;
 mod extents;
 mod geometry;
 mod histograms;
+mod interiors;
 mod measures;
 mod meshes;
 mod paper;

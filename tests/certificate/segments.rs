@@ -1,7 +1,7 @@
 //! Corruptions of segments, regions and the domain that they enclose.
 
 use super::meshes::{Case, run};
-use netmesh::options::{Algorithm, Crossings, Extent, Options, Output};
+use netmesh::options::{Algorithm, Crossings, Extent, Interior, Options, Output};
 use netmesh::quality::measure;
 use netmesh::validate::{Outline, Report, ViolationKind as Kind, validate_mesh, validate_outlined};
 use netmesh::{Mesh, NONE, Region, Segments, Triangulation, VertexKind};
@@ -16,18 +16,27 @@ pub struct Domain {
 
 impl Domain {
     fn of(points: &[[f64; 2]], segments: &[[u32; 2]], regions: &[Region]) -> (Mesh, Self) {
+        Self::with(points, segments, regions, Interior::Seeds)
+    }
+
+    pub fn with(
+        points: &[[f64; 2]],
+        segments: &[[u32; 2]],
+        regions: &[Region],
+        interior: Interior,
+    ) -> (Mesh, Self) {
         let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
         mesh.set_segments(segments.as_flattened(), None).unwrap();
         mesh.set_regions(regions).unwrap();
         let (extent, output) = (Extent::Boundary, Output::WellSpaced);
-        let options = Options { extent, output, min_angle: 25.0, ..Options::default() };
+        let options = Options { extent, output, interior, min_angle: 25.0, ..Options::default() };
         mesh.run(&options, None).unwrap();
         let case = Case { inputs: mesh.inputs().clone(), mesh: mesh.result().unwrap().clone() };
         let segments = mesh.segments().clone();
         (mesh, Self { case, segments, regions: regions.to_vec() })
     }
 
-    fn report(&self, level: u32) -> Report {
+    pub fn report(&self, level: u32) -> Report {
         let outline = Outline { segments: &self.segments, regions: &self.regions };
         validate_outlined(&self.case.inputs, outline, &self.case.mesh, level).unwrap()
     }
@@ -86,13 +95,13 @@ impl Domain {
     }
 }
 
-fn circle(count: usize, center: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
+pub fn circle(count: usize, center: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
     let angle = |i: usize| 0.3 + std::f64::consts::TAU * i as f64 / count as f64;
     let point = |i| [center[0] + radius * angle(i).cos(), center[1] + radius * angle(i).sin()];
     (0..count).map(point).collect()
 }
 
-fn closed(first: u32, count: u32) -> Vec<[u32; 2]> {
+pub fn closed(first: u32, count: u32) -> Vec<[u32; 2]> {
     (0..count).map(|i| [first + i, first + (i + 1) % count]).collect()
 }
 

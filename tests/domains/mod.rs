@@ -143,8 +143,6 @@ fn curves_open_by_an_ulp() {
     let (kind, message) = refusal(&domain, &inside(20.0, Output::WellSpaced));
     assert_eq!(kind, ErrorKind::InvalidArgument);
     assert!(message.starts_with("segments enclose nothing"), "{message}");
-    let all = Options { extent: Extent::All, ..inside(20.0, Output::WellSpaced) };
-    assert!(check(&domain, &run(&domain, &all).unwrap(), 20.0).triangles > 10);
 }
 
 /// Edges as short as that, from end to end, would be more than anyone has.

@@ -183,6 +183,21 @@ impl Chains {
         }
     }
 
+    /// The vertices next to `vertex` on the line that it is on and no end of.
+    pub fn neighbors_on_line(&self, vertex: VertexId) -> Option<[VertexId; 2]> {
+        match self.place(vertex) {
+            Place::Between([before, after]) => {
+                Some([self.get(before).ends[0], self.get(after).ends[1]])
+            }
+            _ => None,
+        }
+    }
+
+    /// The number of subsegments that wait for a look.
+    pub fn waiting_count(&self) -> usize {
+        self.waiting.len()
+    }
+
     /// Where several lines end.
     pub fn fans(&self) -> impl Iterator<Item = &[AtEnd]> {
         let ranges = self.starts.windows(2).map(|range| range[0] as usize..range[1] as usize);

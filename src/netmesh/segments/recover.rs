@@ -2,7 +2,7 @@
 
 use super::chain::Subsegment;
 use super::name_of;
-use crate::complex::{VertexId, position};
+use crate::complex::{SimplexId, VertexId, position};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
@@ -160,7 +160,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.segments.regions.note_insertion(cavity, false)
     }
 
-    /// Before `vertex` goes in: what it encroaches waits.
+    /// Before `vertex` goes in: what it encroaches waits. Regions stay known where all subsegments
+    /// but the one that it splits are recovered, and that one is an edge.
     pub(in crate::netmesh) fn note_insertion_near_segments(
         &mut self,
         vertex: VertexId,
@@ -168,11 +169,26 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> AllocResult<()> {
         let x = *self.state.delaunay.point(vertex);
         let is_any = self.find_encroached(&x, cavity)?;
+        let is_split = is_any || !self.is_within_regions(vertex, cavity);
         let Segments { chains, regions, encroached, .. } = &mut self.state.segments;
         for &subsegment in encroached.iter() {
             chains.wait(subsegment)?;
         }
-        regions.note_insertion(cavity, is_any)
+        regions.note_insertion(cavity, is_split)
+    }
+
+    /// Whether no segment passes through a simplex of `cavity`, but for the one that `vertex` is on and
+    /// has split: where another waits, it may be no edge.
+    fn is_within_regions(&self, vertex: VertexId, cavity: &Cavity) -> bool {
+        let chains = &self.state.segments.chains;
+        let Some(ends) = chains.neighbors_on_line(vertex) else {
+            return chains.waiting_count() == 0;
+        };
+        let has_edge = |&simplex: &SimplexId| {
+            let vertices = self.state.delaunay.complex().vertices(simplex);
+            ends.iter().all(|end| vertices.contains(end))
+        };
+        chains.waiting_count() == 2 && cavity.simplices.iter().any(has_edge)
     }
 
     /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False if

@@ -1443,7 +1443,8 @@ typedef struct nm_stats {
      */
     uint32_t reserved;
     /**
-     * Rounds of insertion; O(log n).
+     * Rounds of insertion that came one after the other: those over the whole mesh, and the most
+     * that one tile of its inputs went through afterwards; O(log n).
      */
     uint64_t rounds;
     /**
@@ -1493,7 +1494,7 @@ typedef struct nm_stats {
      */
     double seconds;
     /**
-     * Nets or samples taken in all rounds. A round takes one, and another each time that the last
+     * Nets or samples taken in these rounds. A round takes one, and another each time that the last
      * one has not halved every conflict list. (The conflict list of a simplex holds the inputs
      * assigned to it that are no vertices yet.)
      */

@@ -69,6 +69,7 @@ pub struct Domain {
 /// What the last run did.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
+    /// Over the whole mesh, and the most that a tile of inputs went through afterwards.
     pub rounds: u64,
     /// Point location work (Definition 9): how often an uninserted input was considered for a ball.
     pub touches: u64,
@@ -85,7 +86,7 @@ pub struct Stats {
     pub precision_limited: u64,
     /// Without the time that [`crate::Options::instruments`] takes.
     pub seconds: f64,
-    /// Nets or samples taken in all rounds.
+    /// Nets or samples taken in these rounds.
     pub passes: u64,
     /// The largest, over the rounds, of the longest conflict list after over before.
     pub worst_halving: f64,

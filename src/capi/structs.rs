@@ -371,7 +371,8 @@ pub struct nm_stats {
     pub struct_size: u32,
     /// Zero.
     pub reserved: u32,
-    /// Rounds of insertion; O(log n).
+    /// Rounds of insertion that came one after the other: those over the whole mesh, and the most
+    /// that one tile of its inputs went through afterwards; O(log n).
     pub rounds: u64,
     /// Work of point location: how often an input that was not yet a vertex was considered for a
     /// ball. O(n log n).
@@ -397,7 +398,7 @@ pub struct nm_stats {
     /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
     /// field that differs between equal runs.
     pub seconds: f64,
-    /// Nets or samples taken in all rounds. A round takes one, and another each time that the last
+    /// Nets or samples taken in these rounds. A round takes one, and another each time that the last
     /// one has not halved every conflict list. (The conflict list of a simplex holds the inputs
     /// assigned to it that are no vertices yet.)
     pub passes: u64,

@@ -131,7 +131,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         match self.state.parameters.algorithm {
             Algorithm::Svr => self.insert_sparsely(cavity)?,
             _ => {
-                self.insert_rounds_until(Mesher::is_ready_for_partitions, cavity)?;
+                self.insert_coarse_rounds(cavity)?;
                 self.insert_in_partitions(cavity)?;
                 self.insert_rounds(cavity)?;
             }

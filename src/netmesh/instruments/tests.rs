@@ -174,7 +174,8 @@ fn check<const D: usize>(n: usize) {
     mesher.start_netmesh(&mut Cavity::default()).unwrap();
     let mut seen = Seen::default();
     while mesher.state.conflict_lists.remaining() > 0 {
-        for input in mesher.select_round(0, 0).unwrap() {
+        let lists = mesher.lists_of(&(0..n)).unwrap();
+        for input in mesher.select_round(0, 0, &lists).unwrap() {
             if !mesher.is_inserted(input) {
                 insert(&mut mesher, input, &mut seen);
                 clean(&mut mesher, &mut seen);

@@ -39,11 +39,6 @@ impl Interface {
         self.skipped.get(simplex.index()).is_none_or(|&is_skipped| !is_skipped)
     }
 
-    /// Makes all inputs eligible.
-    pub fn clear_skipped(&mut self) {
-        self.skipped.clear();
-    }
-
     /// Makes the inputs of `simplex` not eligible until the simplex is replaced.
     pub fn skip(&mut self, simplex: SimplexId) -> AllocResult<()> {
         self.skipped.cover(simplex.index() + 1, false)?;

@@ -51,29 +51,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let begun = self.state.conflict_lists.remaining();
         loop {
             let before = self.state.conflict_lists.remaining();
-            self.skip_all_but(interfaces)?;
-            self.insert_pass(0, 0, cavity)?;
+            let mut lists = self.lists_of(&(0..self.state.inputs))?;
+            lists.retain(|&simplex| self.is_at_interface(simplex, interfaces));
+            self.insert_pass(0, 0, &lists, cavity)?;
             let after = self.state.conflict_lists.remaining();
             if before - after <= (begun - after) / FEW {
-                break;
+                return Ok(());
             }
         }
-        self.state.interface.clear_skipped();
-        Ok(())
-    }
-
-    /// Makes only the inputs at interfaces eligible.
-    fn skip_all_but(&mut self, interfaces: &[VertexId]) -> Result<()> {
-        self.state.interface.clear_skipped();
-        for simplex in self.state.delaunay.complex().simplices() {
-            self.watch.poll_after(1)?;
-            if self.state.conflict_lists.count(simplex) > 0
-                && !self.is_at_interface(simplex, interfaces)
-            {
-                self.state.interface.skip(simplex)?;
-            }
-        }
-        Ok(())
     }
 
     /// Whether `simplex` is at an interface, or next to one that is.

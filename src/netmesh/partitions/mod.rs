@@ -32,16 +32,15 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, with_capacity};
 use crate::netmesh::cages::domains::DomainsToGlobal;
+use crate::netmesh::rounds::round::tiles;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
+use std::ops::Range;
 
 /// In higher dimensions most of the mesh is at interfaces.
 const MAX_DIM: usize = 3;
 
-/// The coarse mesh has one input of this number, before those at interfaces are inserted.
-const COARSE: usize = 128;
-
-/// The rounds of a partition end when one inserts no more than one input of this number.
+/// The rounds of a tile end when one inserts no more than one input of this number.
 const FEW: usize = 32;
 
 /// A partition of the mesh, and all that it takes to go on with it.
@@ -55,13 +54,6 @@ struct Partition<const D: usize> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Whether the inputs are many enough for partitions, and the mesh is fine enough.
-    pub(in crate::netmesh) fn is_ready_for_partitions(&self) -> bool {
-        self.is_partitioned()
-            && self.state.inputs - self.state.conflict_lists.remaining()
-                >= self.state.inputs / COARSE
-    }
-
     /// Whether the final refinement was done in partitions, except at interfaces.
     pub(in crate::netmesh) fn is_nearly_final(&self) -> bool {
         self.is_partitioned() && self.state.parameters.output == Output::Hierarchical
@@ -114,12 +106,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Goes through the rest of the rounds and of the refinement, as far as the interface allows.
     fn run_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.lock()?;
-        loop {
-            let before = self.state.conflict_lists.remaining();
-            self.insert_pass(0, 0, cavity)?;
-            if before - self.state.conflict_lists.remaining() <= before / FEW {
-                break;
-            }
+        for tile in tiles(self.state.inputs) {
+            self.insert_most(&tile, cavity)?;
         }
         self.insert_stragglers(cavity)?;
         if self.state.parameters.output == Output::Hierarchical {
@@ -129,6 +117,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.state.conflict_lists.resume();
         }
         Ok(())
+    }
+
+    /// Passes over the eligible inputs of `tile`, until one inserts few of them.
+    fn insert_most(&mut self, tile: &Range<usize>, cavity: &mut Cavity) -> Result<()> {
+        loop {
+            let mut lists = self.lists_of(tile)?;
+            lists.retain(|&simplex| self.state.interface.is_eligible(simplex));
+            let count = |&simplex: &SimplexId| self.state.conflict_lists.count(simplex) as usize;
+            let waiting: usize = lists.iter().map(count).sum();
+            let before = self.state.conflict_lists.remaining();
+            self.insert_pass(0, 0, &lists, cavity)?;
+            if before - self.state.conflict_lists.remaining() <= waiting / FEW {
+                return Ok(());
+            }
+        }
     }
 
     /// Inserts the eligible inputs that are left, when rounds insert too few.

@@ -278,7 +278,7 @@ fn few_inputs_wait_for_the_global_mesh() {
         let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
         let mut cavity = Cavity::default();
         mesher.start_netmesh(&mut cavity).unwrap();
-        mesher.insert_rounds_until(Mesher::is_ready_for_partitions, &mut cavity).unwrap();
+        mesher.insert_coarse_rounds(&mut cavity).unwrap();
         let coarse = count - mesher.state.conflict_lists.remaining();
         assert!(coarse < count / 20, "{coarse} of {count} in the coarse mesh");
         mesher.insert_in_partitions(&mut cavity).unwrap();

@@ -114,11 +114,6 @@ impl ConflictLists {
         self.inputs.iter().map(|input| input.touches).max().unwrap_or(0)
     }
 
-    /// The length of the longest list.
-    pub fn max_count(&self) -> u32 {
-        self.lists.iter().map(|list| list.count).max().unwrap_or(0)
-    }
-
     /// Makes empty lists for the simplices below `bound`.
     pub fn cover(&mut self, bound: usize) -> AllocResult<()> {
         self.lists.cover(bound, ConflictList::EMPTY)

@@ -11,7 +11,7 @@ pub(super) mod conflict_lists;
 mod insert;
 mod net;
 pub(super) mod order;
-mod round;
+pub(super) mod round;
 pub(super) mod start;
 pub(super) mod svr;
 mod update;

@@ -3,7 +3,7 @@
 //! elsewhere in such a run.
 
 use super::greedy::Net;
-use crate::complex::VertexId;
+use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
 use crate::netmesh::Mesher;
@@ -13,14 +13,18 @@ use crate::netmesh::Mesher;
 const EXHAUSTED: u32 = 4;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of every conflict list's inputs for eps = 2^-pass / (2 D). Small conflict lists are
+    /// The net of the inputs of each of `lists` for eps = 2^-pass / (2 D). Small conflict lists are
     /// exhausted.
-    pub(in crate::netmesh) fn select_nets(&mut self, pass: u32) -> Result<Vec<VertexId>> {
+    pub(in crate::netmesh) fn select_nets(
+        &mut self,
+        pass: u32,
+        lists: &[SimplexId],
+    ) -> Result<Vec<VertexId>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;
         let (mut inputs, mut points) = (Vec::new(), Vec::new());
         let mut selected = Vec::new();
-        for start in self.state.delaunay.complex().simplices() {
+        for &start in lists {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(start);
             if count == 0 || !self.state.interface.is_eligible(start) {

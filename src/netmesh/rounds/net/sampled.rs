@@ -9,14 +9,15 @@ use crate::netmesh::Mesher;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Up to `per_ball` inputs of every conflict list with more than `crowd` of them, by simplex.
+    /// Up to `per_ball` inputs of each of `lists` with more than `crowd` of them, by simplex.
     pub(in crate::netmesh) fn select_sample(
         &mut self,
         per_ball: u32,
         crowd: u32,
+        lists: &[SimplexId],
     ) -> Result<Vec<VertexId>> {
         let mut selected = Vec::new();
-        for simplex in self.state.delaunay.complex().simplices() {
+        for &simplex in lists {
             self.watch.poll_after(1)?;
             let count = self.state.conflict_lists.count(simplex);
             if count > crowd && self.state.interface.is_eligible(simplex) {

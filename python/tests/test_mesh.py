@@ -371,7 +371,7 @@ def test_sizes_on_a_background():
     assert 0.9 < len(adapted.points) / len(function.points) < 1.1
     assert adapted.sizes.shape == (len(adapted.points),)
     assert adapted.sizes[: len(points)] == pytest.approx(0.05 + 0.1 * points[:, 0], abs=0.02)
-    both = netmesh.mesh(points, background=[coarse, values], size=0.05, **finished)
+    both = netmesh.mesh(points, background=(coarse, values), size=0.05, **finished)
     assert len(both.points) > len(adapted.points)
     again = pickle.loads(pickle.dumps(adapted))
     assert (again.points == adapted.points).all()

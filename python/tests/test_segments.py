@@ -63,15 +63,15 @@ def test_curves_tell_what_is_inside():
     again = pickle.loads(pickle.dumps(parity))
     assert (again.simplices == parity.simplices).all()
     messages = {
-        "parity": "^input 0 is an end of 1 segments; with interior parity",
-        "winding": "^input 0 is the first end of 1 segments and the second end of 0; with interior",
+        "parity": "^input 0 is an end of 1 segments; with options.interior parity",
+        "winding": "^input 0 is the first end of 1 segments and the second end of 0; with",
         "seeds": "^segments enclose nothing",
         "odd": "^interior is 'odd'; it must be 'seeds' or 'parity' or 'winding'",
     }
     for interior, message in messages.items():
         with pytest.raises(netmesh.InvalidArgumentError, match=message):
             netmesh.mesh(SQUARE, SIDES[:3], interior=interior, **inside)
-    with pytest.raises(netmesh.InvalidArgumentError, match="^interior is parity and extent is all"):
+    with pytest.raises(netmesh.InvalidArgumentError, match="^interior is parity and options.extent is all"):
         netmesh.mesh(SQUARE, SIDES, interior="parity")
 
 

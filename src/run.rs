@@ -57,7 +57,8 @@ impl Mesh {
                 arrange(self.inputs(), self.segments(), crossings, poll)?
             }
             Extent::Hull | Extent::Box => {
-                let (inputs, segments) = with_extent(self.inputs(), self.segments(), extent)?;
+                let own = (self.inputs(), self.segments());
+                let (inputs, segments) = with_extent(own.0, own.1, extent, poll)?;
                 let arrangement = arrange(&inputs, &segments, crossings, poll)?;
                 self.in_own_numbers(arrangement, &inputs)?
             }

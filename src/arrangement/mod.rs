@@ -4,6 +4,7 @@
 //! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
 //!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
 //! - [`split`] makes vertices of crossings.
+//! - [`extent`] has the boundary of a hull or box, which [`frame`] leads through the inputs next to it.
 //!
 //! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
 //! bends them: the pieces may pass other vertices than before, and cross others. So all is swept
@@ -18,6 +19,7 @@
 
 mod closed;
 mod extent;
+mod frame;
 mod places;
 mod split;
 mod status;

@@ -86,16 +86,64 @@ domains! {
     small_numbers: shapes::lakes().moved(|p| p.map(|x| x * 2f64.powi(-1000)));
 }
 
-/// Not to its hull, whose edges pass points of the coast within a rounding.
+/// Edges of its hull pass points of the coast within a rounding.
 #[test]
 fn a_coast() {
-    let coast = shapes::coast(4);
-    check_domain(&coast, |extent| extent != Extent::Hull);
-    let options = Options { extent: Extent::Hull, ..inside(20.7, Output::WellSpaced) };
-    let (kind, message) = refusal(&coast, &options);
-    assert_eq!(kind, ErrorKind::Limit);
-    let start = "the boundary of options.extent passes a point or another segment so closely";
-    assert!(message.starts_with(start), "{message}");
+    check_domain(&shapes::coast(4), |_| true);
+}
+
+/// Points on the sides of their hull and box, and at the next doubles inside.
+#[test]
+fn points_next_to_their_extent() {
+    let [cosine, sine] = [0.8, 0.6];
+    let turned = |[x, y]: [f64; 2]| [cosine * x - sine * y, sine * x + cosine * y];
+    for (turns, size) in [(false, 1.0), (true, 1.0), (false, 2f64.powi(-500)), (true, 1e6)] {
+        let mut points: Vec<[f64; 2]> = shapes::square(1.0).to_vec();
+        for i in 1..40 {
+            let at = -1.0 + f64::from(i) / 20.0;
+            let off = f64::from(i % 3) * f64::EPSILON / 2.0;
+            points.extend([[at, off - 1.0], [1.0 - off, at], [at, 1.0 - off], [off - 1.0, at]]);
+        }
+        let place = |p: [f64; 2]| if turns { turned(p) } else { p }.map(|x| x * size);
+        let domain = Domain::new(&points, &[]).moved(place);
+        check_domain(&domain, |extent| matches!(extent, Extent::Hull | Extent::Box));
+    }
+}
+
+/// Some units in the last place inside: there is room or there is none, and no mesh is wrong.
+#[test]
+fn points_that_nearly_miss_their_extent() {
+    let [cosine, sine] = [0.8, 0.6];
+    let mut refused = 0;
+    for most in 2..9 {
+        let mut points: Vec<[f64; 2]> = shapes::square(1.0).to_vec();
+        for i in 1..20 {
+            let at = -1.0 + f64::from(i) / 10.0;
+            let off = f64::from(i % most) * f64::EPSILON;
+            points.extend([[at, off - 1.0], [1.0 - off, at], [at, 1.0 - off], [off - 1.0, at]]);
+        }
+        let turned = |[x, y]: [f64; 2]| [cosine * x - sine * y, sine * x + cosine * y];
+        let domain = Domain::new(&points, &[]).moved(turned);
+        let options = Options { extent: Extent::Hull, ..inside(20.7, Output::WellSpaced) };
+        match run(&domain, &options) {
+            Ok(mesh) => assert!(check(&domain, &mesh, 20.7).triangles > 0),
+            Err(error) => {
+                assert_eq!(error.kind(), ErrorKind::Limit, "{error}");
+                refused += 1;
+            }
+        }
+    }
+    assert!(refused > 0);
+}
+
+/// On the boundary or not, there is room for a mesh.
+#[test]
+fn a_point_next_to_its_extent() {
+    for steps in 0..40 {
+        let y = (0..steps).fold(1.0, |y: f64, _| y.next_down());
+        let points = [&shapes::square(1.0)[..], &[[0.25, y]]].concat();
+        check_domain(&Domain::new(&points, &[]), |extent| extent == Extent::Box);
+    }
 }
 
 /// A fractal of 196,608 segments if NETMESH_SLOW is set, else of 12,288.

@@ -5,8 +5,8 @@
 //! triangulation of all of the hull: location walks through it, and the certificate tests that it
 //! is Delaunay. Its first simplices and vertices are those of the domain, so ids are the same.
 
-use crate::complex::VertexId;
-use crate::error::Result;
+use crate::complex::{SimplexId, VertexId};
+use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Boundary, NONE, Triangulation, VertexKind};
 use crate::netmesh::numbering::Numbering;
@@ -48,6 +48,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(boundary);
         }
         self.check_seeds()?;
+        self.check_regions()?;
         let chains = &self.state.segments.chains;
         boundary.subsegments = with_capacity(chains.len())?;
         boundary.parents = with_capacity(chains.len())?;
@@ -77,6 +78,37 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         boundary.forced.sort_unstable();
         Ok(boundary)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Fails where regions meet without a segment between them. Vertices on segments are rounded, and
+    /// where others are as near to a segment as that, they may come to its other side.
+    fn check_regions(&mut self) -> Result<()> {
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let State { delaunay, segments, .. } = &self.state;
+            let (complex, regions) = (delaunay.complex(), &segments.regions);
+            if !complex.is_live(simplex) || complex.is_infinite(simplex) {
+                continue;
+            }
+            let vertices = complex.vertices(simplex);
+            let sides = segments.chains.sides_of(vertices);
+            let leaks = |(side, &beyond): (Option<u32>, &SimplexId)| {
+                side.is_none()
+                    && !complex.is_infinite(beyond)
+                    && regions.of(beyond) != regions.of(simplex)
+            };
+            if sides.into_iter().zip(complex.neighbors(simplex)).any(leaks) {
+                let [x, y] = [0, 1].map(|axis| delaunay.point(vertices[0])[axis]);
+                let message = message!(
+                    "doubles have no room for the regions between segments near ({x:?}, {y:?}), \
+                     which vertices are within roundings of"
+                );
+                return Err(Error::new(ErrorKind::Limit, message));
+            }
+        }
+        Ok(())
     }
 }
 

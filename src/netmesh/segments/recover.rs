@@ -140,11 +140,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Segments { chains, encroached, .. } = segments;
         encroached.clear();
         for &simplex in &cavity.simplices {
-            let vertices = delaunay.complex().vertices(simplex);
-            for subsegment in chains.sides_of(vertices).into_iter().flatten() {
+            let (vertices, neighbors) =
+                (delaunay.complex().vertices(simplex), delaunay.complex().neighbors(simplex));
+            for (subsegment, beyond) in chains.sides_of(vertices).into_iter().zip(neighbors) {
+                let Some(subsegment) = subsegment else { continue };
                 let [a, b] = chains.get(subsegment).ends;
                 let (a, b) = (delaunay.point(a), delaunay.point(b));
-                if in_diametral_ball(a, b, x).is_positive() {
+                // One for which doubles are too coarse may be crossed by points farther away.
+                let is_crossed =
+                    || chains.is_limited(subsegment) && cavity.simplices.contains(beyond);
+                if in_diametral_ball(a, b, x).is_positive() || is_crossed() {
                     encroached.try_push(subsegment)?;
                 }
             }

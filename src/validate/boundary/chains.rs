@@ -139,8 +139,12 @@ impl<'a> Chains<'a> {
             if vertex == to {
                 return self.append_way(from, to);
             }
-            let edges = self.edges;
-            for &subsegment in edges.at.of(vertex as usize) {
+            // Those of no segment come last, and so go first: they are the extent's own.
+            let (edges, parents) = (self.edges, &self.view.mesh.boundary.parents);
+            let of_none = |subsegment: &&u32| parents[**subsegment as usize] == NONE;
+            let at_vertex = || edges.at.of(vertex as usize).iter();
+            let others = at_vertex().filter(|subsegment| !of_none(subsegment));
+            for &subsegment in others.chain(at_vertex().filter(of_none)) {
                 let next = self.next_of_gap(way, subsegment, [vertex, to], is_bent)?;
                 let is_new = |next: &u32| self.reached[*next as usize].1 != self.searches;
                 if let Some(next) = next.filter(is_new) {

@@ -316,7 +316,7 @@ enum nm_format
  {
     /**
      * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .voronoi.json, .domains.json.
+     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -370,6 +370,17 @@ enum nm_format
      * be in the .node file beside.
      */
     NM_FORMAT_POLY = 12,
+    /**
+     * GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
+     * rings are segments; their marker is the number of the feature, from 1. A third coordinate
+     * must be 0.
+     */
+    NM_FORMAT_GEOJSON = 13,
+    /**
+     * Well-known text: geometries of the plane, one after another, read only (.wkt). As of
+     * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
+     */
+    NM_FORMAT_WKT = 14,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -1689,8 +1700,9 @@ nm_status nm_mesh_create(uint32_t dim,
                          struct nm_mesh **out);
 
 /**
- * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY with its segments
- * and regions, as by nm_mesh_set_segments and nm_mesh_set_regions.
+ * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
+ * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments and
+ * nm_mesh_set_regions.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.

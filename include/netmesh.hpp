@@ -169,7 +169,7 @@ public:
         return try_create(dim, points.data(), dim == 0 ? 0 : points.size() / dim);
     }
 
-    // Reads the points of a file; the path is UTF-8.
+    // Reads the points of a file, and the segments and regions that it has; the path is UTF-8.
     static result<mesh> try_from_file(const std::string &path_utf8,
                                       nm_format format = NM_FORMAT_AUTO) {
         nm_mesh *handle = nullptr;

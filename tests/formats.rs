@@ -281,6 +281,17 @@ proptest! {
 }
 
 #[test]
+fn formats_that_cannot_be_written_say_so() {
+    for format in [Format::Poly, Format::GeoJson, Format::Wkt] {
+        let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidArgument);
+        let expected =
+            format!("{} cannot be written, only read; write TetGen or Gmsh", format.name());
+        assert_eq!(error.message(), expected);
+    }
+}
+
+#[test]
 fn messages_name_the_file() {
     let directory = Directory::new("names");
     let path = directory.join("a.csv");
@@ -324,6 +335,8 @@ fn extensions_stand_for_formats() {
         (&["voronoi.json", "Voronoi.JSON"], Format::VoronoiJson),
         (&["domains.json"], Format::DomainsJson),
         (&["poly", "POLY"], Format::Poly),
+        (&["geojson", "GeoJSON"], Format::GeoJson),
+        (&["wkt"], Format::Wkt),
     ] {
         for extension in extensions {
             let path = PathBuf::from(format!("a.b.{extension}"));
@@ -334,7 +347,7 @@ fn extensions_stand_for_formats() {
         let error = Format::from_path(Path::new(path)).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{path}");
         let known = ".vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
-                     .poly, .voronoi.json or .domains.json";
+                     .poly, .geojson, .wkt, .voronoi.json or .domains.json";
         assert!(error.message().ends_with(known), "{error}");
     }
 }

@@ -199,6 +199,62 @@ fn a_gigabyte_of_one_byte_is_refused_at_once() {
     }
 }
 
+/// In GeoJSON and well-known text a line may be a file. What is kept of one is the points alone.
+#[test]
+fn a_gigabyte_without_line_ends_is_refused_within_bounded_memory() {
+    const NAME: &str = "{\"type\":\"Point\",\"name\":";
+    let begun = Instant::now();
+    for (format, begin, repeated, at_once, message) in [
+        (Format::GeoJson, "", "\0", true, "line 1, byte 1: a NUL byte; this is not a text file"),
+        (Format::GeoJson, "", "1", true, "line 1, byte 1: \"1\" where an object of GeoJSON is"),
+        (Format::GeoJson, NAME, "1", true, "line 1, byte 24: a word of more than 2048 bytes"),
+        (Format::GeoJson, NAME, "[", true, "line 1, byte 123: more than 100 lists and objects in"),
+        (
+            Format::GeoJson,
+            NAME,
+            "{\"a\":",
+            true,
+            "line 1, byte 519: more than 100 lists and objects",
+        ),
+        (Format::GeoJson, "", " ", false, "the file ends at line 1, byte 1073741825, where"),
+        (
+            Format::GeoJson,
+            "{\"",
+            "abc",
+            false,
+            "the file ends at line 1, byte 1073741827, where a char",
+        ),
+        (
+            Format::GeoJson,
+            "{\"a\":[0",
+            ",[]",
+            false,
+            "the file ends at line 1, byte 1073741832, where",
+        ),
+        (Format::Wkt, "", "\0", true, "line 1, byte 1: a NUL byte; this is not a text file"),
+        (Format::Wkt, "", "1", true, "line 1, byte 1: a word of more than 2048 bytes"),
+        (Format::Wkt, "POINT(", "1", true, "line 1, byte 7: a word of more than 2048 bytes"),
+        (Format::Wkt, "", "GEOMETRYCOLLECTION(", true, "line 1, byte 1920: more than 100 collect"),
+        (Format::Wkt, "", " ", false, "the file holds no points"),
+        (Format::Wkt, "#", " ", false, "the file holds no points"),
+        (
+            Format::Wkt,
+            "MULTIPOINT(EMPTY",
+            ",EMPTY",
+            false,
+            "the file ends at line 1, byte 10737418",
+        ),
+    ] {
+        let mut rest = Repeated(repeated.as_bytes(), 0).take(GIGABYTE);
+        let error = refusal(format, begin.as_bytes().chain(&mut rest));
+        assert!(error.message().starts_with(message), "{format:?} {begin:?} {repeated:?}: {error}");
+        let taken = GIGABYTE - rest.limit();
+        assert_eq!(taken < 1 << 18, at_once, "{format:?} {begin:?} {repeated:?}: {taken} bytes");
+    }
+    // Some ten seconds; slow machines, and other work beside, may need many times that.
+    assert!(begun.elapsed() < Duration::from_secs(300), "{:?}", begun.elapsed());
+}
+
 /// A whole gigabyte has to be looked at, byte by byte but not line by line.
 #[test]
 fn a_gigabyte_of_empty_lines_is_refused_in_seconds() {

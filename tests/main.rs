@@ -5,6 +5,7 @@
 mod architecture;
 mod c_api;
 mod certificate;
+mod damaged_features;
 mod damaged_meshes;
 mod determinism;
 mod domains;

@@ -334,6 +334,11 @@ pub enum FormatName {
     DomainsJson,
     /// Triangle's points, segments and regions, read only (.poly)
     Poly,
+    /// Points, lines and polygons of GeoJSON, read only (.geojson)
+    #[value(name = "geojson")]
+    GeoJson,
+    /// Points, lines and polygons of well-known text, read only (.wkt)
+    Wkt,
 }
 
 impl Arguments {
@@ -404,7 +409,7 @@ pub struct ReadableFormat(FormatName);
 
 impl ValueEnum for ReadableFormat {
     fn value_variants<'a>() -> &'a [Self] {
-        const READABLE: [ReadableFormat; 9] = [
+        const READABLE: [ReadableFormat; 11] = [
             ReadableFormat(FormatName::Tetgen),
             ReadableFormat(FormatName::Gmsh),
             ReadableFormat(FormatName::Medit),
@@ -414,6 +419,8 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Csv),
             ReadableFormat(FormatName::Npy),
             ReadableFormat(FormatName::Poly),
+            ReadableFormat(FormatName::GeoJson),
+            ReadableFormat(FormatName::Wkt),
         ];
         &READABLE
     }
@@ -521,6 +528,8 @@ impl FormatName {
             Self::VoronoiJson => Format::VoronoiJson,
             Self::DomainsJson => Format::DomainsJson,
             Self::Poly => Format::Poly,
+            Self::GeoJson => Format::GeoJson,
+            Self::Wkt => Format::Wkt,
         }
     }
 }

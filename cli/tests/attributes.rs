@@ -204,7 +204,7 @@ fn wrong_attributes_name_the_option_the_column_and_the_rule() {
         ("a.node --attributes heat", &["no column is called \"heat\"; there are \"attribute_1\""]),
         ("a.node --attributes 2", &["there is no column 2"]),
         ("a.ply --attributes near", &["--attributes: the property \"near\" is a list"]),
-        ("mesh.off --attributes 1", &["--attributes: of OFF files the points alone are read"]),
+        ("mesh.off --attributes 1", &["--attributes: of OFF files no attributes are read"]),
     ] {
         bench.run(&format!("{line} -o out.csv")).assert_failure(2, words);
     }

@@ -5,8 +5,10 @@
 pub mod bytes;
 pub mod c_api;
 pub mod families;
+pub mod features;
 pub mod mesh;
 pub mod oracle;
+pub mod outlines;
 pub mod poly;
 pub mod readers;
 pub mod segments;

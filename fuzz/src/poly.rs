@@ -1,54 +1,14 @@
-//! The reader of Triangle's `.poly` refuses bytes with a documented kind, or reads points, segments
-//! and seeds that a mesh takes or refuses by name.
+//! The reader of Triangle's `.poly`.
 
-use netmesh::io::{Choice, Format, Table, read_table};
-use netmesh::{ErrorKind, Mesh, Result};
-use std::io::{BufRead, BufReader};
+use super::outlines;
+use netmesh::io::Format;
 
 /// The bytes are the file.
 pub fn check(data: &[u8]) {
     check_text(data);
 }
 
-fn read(input: &mut dyn BufRead) -> Result<Table> {
-    read_table(input, Format::Poly, &Choice::default())
-}
-
 /// Whether the file was accepted.
 pub fn check_text(text: &[u8]) -> bool {
-    let whole = read(&mut &*text);
-    let in_pieces = read(&mut BufReader::with_capacity(3, text));
-    assert_eq!(whole, in_pieces, "the size of the pieces matters");
-    match whole {
-        Ok(table) => {
-            check_table(&table);
-            true
-        }
-        Err(error) => {
-            let is_beside = error.message().starts_with("the points are in a .node file beside");
-            let is_documented = match error.kind() {
-                ErrorKind::Format | ErrorKind::NonFinite | ErrorKind::Dimension => true,
-                kind => kind == ErrorKind::InvalidArgument && is_beside,
-            };
-            assert!(is_documented, "{:?}: {error}", error.kind());
-            assert!(!error.message().is_empty() && error.message().len() < 400, "{error}");
-            false
-        }
-    }
-}
-
-fn check_table(table: &Table) {
-    assert_eq!(table.points.dim, 2);
-    let count = table.points.coordinates.len() / 2;
-    let outline = &table.outline;
-    assert_eq!(outline.markers.len(), outline.segments.len());
-    for &[from, to] in &outline.segments {
-        assert!(from != to && (from.max(to) as usize) < count, "{from} {to} of {count}");
-    }
-    let Ok(mut mesh) = Mesh::new(2, count, &table.points.coordinates, 0) else { return };
-    if let Err(error) = mesh.set_segments(outline.segments.as_flattened(), Some(&outline.markers)) {
-        // Two numbers of one point.
-        assert!(error.message().contains("which are the same point"), "{error}");
-    }
-    mesh.set_regions(&outline.regions).expect("seeds are finite, and edges have lengths");
+    outlines::check_text(Format::Poly, text)
 }

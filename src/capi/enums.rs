@@ -316,7 +316,7 @@ pub enum nm_placement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
     /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-    /// .xy, .pts), .csv, .npy, .voronoi.json, .domains.json.
+    /// .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
     /// Dimensions 2 and 3.
@@ -345,6 +345,13 @@ pub enum nm_format {
     /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points may
     /// be in the .node file beside.
     NM_FORMAT_POLY = 12,
+    /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
+    /// rings are segments; their marker is the number of the feature, from 1. A third coordinate
+    /// must be 0.
+    NM_FORMAT_GEOJSON = 13,
+    /// Well-known text: geometries of the plane, one after another, read only (.wkt). As of
+    /// NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
+    NM_FORMAT_WKT = 14,
 }
 
 /// What nm_mesh_quality_histogram counts.
@@ -381,6 +388,8 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
         Format::VoronoiJson,
         Format::DomainsJson,
         Format::Poly,
+        Format::GeoJson,
+        Format::Wkt,
     ];
     decode("format", raw, formats)
 }

@@ -136,8 +136,8 @@ impl AttributeColumns {
         match self.are_chosen() {
             false => Ok(()),
             true => Err(refused(message!(
-                "of {format} files the points alone are read; attributes are read from TetGen, \
-                 PLY, XYZ, CSV and NumPy files"
+                "of {format} files no attributes are read, as they are from TetGen, PLY, XYZ, CSV \
+                 and NumPy files"
             ))),
         }
     }

@@ -78,6 +78,13 @@ pub enum Format {
     /// number, its largest area becomes the edge of the equilateral triangle of that area. TetGen's
     /// facets are refused. Cannot be written.
     Poly = 12,
+    /// GeoJSON (RFC 7946): points, lines and polygons of the plane, each position as an input and
+    /// each line between two as a segment, whose marker is the number of its feature, from 1. A
+    /// third coordinate must be 0. Cannot be written.
+    GeoJson = 13,
+    /// Well-known text (OGC 06-103r4): geometries one after another, as of [`Format::GeoJson`]; the
+    /// marker is the number of the geometry, from 1. Z and M are refused. Cannot be written.
+    Wkt = 14,
 }
 
 impl Format {
@@ -99,11 +106,14 @@ impl Format {
             Some("voronoi.json") => Ok(Self::VoronoiJson),
             Some("domains.json") => Ok(Self::DomainsJson),
             Some("poly") => Ok(Self::Poly),
+            Some("geojson") => Ok(Self::GeoJson),
+            Some("wkt") => Ok(Self::Wkt),
             _ => Err(Error::new(
                 ErrorKind::InvalidArgument,
                 message!(
                     "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .msh, \
-                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .voronoi.json or .domains.json",
+                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson, .wkt, \
+                     .voronoi.json or .domains.json",
                     path.display()
                 ),
             )),
@@ -126,6 +136,8 @@ impl Format {
             Self::VoronoiJson => "the Voronoi diagram",
             Self::DomainsJson => "the hierarchy of domains",
             Self::Poly => "Triangle's .poly",
+            Self::GeoJson => "GeoJSON",
+            Self::Wkt => "WKT",
         }
     }
 
@@ -139,7 +151,9 @@ impl Format {
             | Self::Xyz
             | Self::VoronoiJson
             | Self::DomainsJson
-            | Self::Poly => false,
+            | Self::Poly
+            | Self::GeoJson
+            | Self::Wkt => false,
         }
     }
 
@@ -152,7 +166,8 @@ impl Format {
         self.resolve(path).map_err(|_| {
             let message = message!(
                 "{}: the extension names no format that can be read; name the format, or use .node, \
-                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy or .poly",
+                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson \
+                 or .wkt",
                 path.display()
             );
             Error::new(ErrorKind::InvalidArgument, message)
@@ -166,7 +181,7 @@ impl Format {
                 ErrorKind::InvalidArgument,
                 message!(
                     "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, OFF, \
-                     PLY, XYZ, CSV, NumPy and .poly files",
+                     PLY, XYZ, CSV, NumPy, .poly, GeoJSON and WKT files",
                     self.name()
                 ),
             )),

@@ -5,6 +5,8 @@
 //! | [`Format::Vtu`] | `.vtu` | | mesh, d = 2, 3 |
 //! | [`Format::TetgenNode`] | `.node`, `.ele` | points | mesh |
 //! | [`Format::Poly`] | `.poly` | points, segments, regions, d = 2 | |
+//! | [`Format::GeoJson`] | `.geojson` | points, segments, d = 2 | |
+//! | [`Format::Wkt`] | `.wkt` | points, segments, d = 2 | |
 //! | [`Format::Gmsh`] | `.msh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Medit`] | `.mesh` | points, d = 2, 3 | mesh, d = 2, 3 |
 //! | [`Format::Off`] | `.off` | points | mesh |
@@ -34,8 +36,10 @@ mod choice;
 mod columns;
 mod csv;
 mod domains;
+mod features;
 mod filtration;
 mod format;
+mod geojson;
 mod gmsh;
 #[cfg(test)]
 mod independent;
@@ -50,12 +54,14 @@ mod poly;
 mod replace;
 #[cfg(test)]
 pub(crate) mod samples;
+mod scanner;
 mod surface;
 mod tetgen;
 mod text;
 mod values;
 mod voronoi;
 mod vtu;
+mod wkt;
 mod xyz;
 
 pub(crate) use buffered::Buffered;
@@ -184,7 +190,8 @@ fn read_named(
     if !matches!(format, Format::Auto | Format::Xyz | Format::Csv | Format::Npy) {
         choice.coordinates.require_none(format.name())?;
     }
-    if matches!(format, Format::Gmsh | Format::Medit | Format::Off) {
+    let has_points_alone = matches!(format, Format::Gmsh | Format::Medit | Format::Off);
+    if has_points_alone || matches!(format, Format::GeoJson | Format::Wkt) {
         choice.attributes.require_none(format.name())?;
     }
     let points = match format {
@@ -196,6 +203,8 @@ fn read_named(
         Format::Poly => {
             return poly::read(text::Lines::new(input), &choice.attributes, path);
         }
+        Format::GeoJson => return geojson::read(input),
+        Format::Wkt => return wkt::read(input),
         Format::Gmsh => gmsh::read(text::Lines::new(input))?,
         Format::Medit => medit::read(text::Lines::new(input))?,
         Format::Off => off::read(text::Lines::new(input))?,
@@ -337,9 +346,12 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly => {
-                let rule = "Triangle's .poly cannot be written, only read; write TetGen or Gmsh";
-                Err(Error::new(ErrorKind::InvalidArgument, rule))
+            Format::Poly | Format::GeoJson | Format::Wkt => {
+                let message = message!(
+                    "{} cannot be written, only read; write TetGen or Gmsh",
+                    format.name()
+                );
+                Err(Error::new(ErrorKind::InvalidArgument, message))
             }
         }
     }

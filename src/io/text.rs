@@ -321,6 +321,11 @@ impl Points {
         Ok(())
     }
 
+    /// Of a known dimension.
+    pub fn count(&self) -> usize {
+        self.coordinates.len() / self.dim
+    }
+
     /// Adds one coordinate; here it is the caller who counts.
     pub fn push(&mut self, value: f64) -> Result<()> {
         self.coordinates.try_push(value).map_err(|_| {

@@ -1,7 +1,7 @@
 //! Every file in `fuzz/corpus`: seeds, and whatever once broke something, under the name of what it
 //! broke.
 
-use super::checks::{c_api, mesh, poly, readers, segments, signs};
+use super::checks::{c_api, features, mesh, poly, readers, segments, signs};
 use std::panic::catch_unwind;
 use std::path::Path;
 
@@ -47,4 +47,9 @@ fn the_corpus_of_segments() {
 #[test]
 fn the_corpus_of_poly_files() {
     replay("poly", poly::check);
+}
+
+#[test]
+fn the_corpus_of_features() {
+    replay("features", features::check);
 }

@@ -1,7 +1,7 @@
 //! What proptest invents.
 
 use super::checks::readers::FORMATS;
-use super::checks::{c_api, mesh, poly, readers, segments, signs, slivers};
+use super::checks::{c_api, features, mesh, poly, readers, segments, signs, slivers};
 use super::for_all;
 use netmesh::io::write;
 use netmesh::{Algorithm, Mesh, Options};
@@ -67,6 +67,63 @@ fn poly_files_that_are_nearly_right() {
         let text = lines.into_iter().map(|(words, end)| words.join(" ") + end);
         let square = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n".to_owned();
         poly::check_text((square + &text.collect::<String>()).as_bytes());
+    });
+}
+
+fn few_numbers() -> impl Strategy<Value = String> {
+    prop_oneof![
+        6 => (0u32..4).prop_map(|count| count.to_string()),
+        2 => finite().prop_map(|x| format!("{x:e}")),
+        1 => "[-+.0-9eExnaif]{1,8}",
+    ]
+}
+
+/// Positions of a ring or a line, and lists around them.
+#[test]
+fn geojson_that_is_nearly_right() {
+    let position = vec(few_numbers(), 2..3).prop_map(|numbers| format!("[{}]", numbers.join(",")));
+    let ring = (vec(position, 2..6), any::<bool>()).prop_map(|(mut positions, is_closed)| {
+        positions.extend(is_closed.then(|| positions[0].clone()));
+        positions.join(",")
+    });
+    let name = "(Multi|)(Point|LineString|Polygon)|Feature|Geometry(Collection|)";
+    let geometry = (name, vec(ring, 1..3), 0usize..5, 0..4u8, "[a-z\\[\\]{}:,\"\\\\]{0,4}");
+    for_all(3000, geometry, |(name, rings, levels, order, noise)| {
+        let lists = ["[".repeat(levels), "]".repeat(levels)];
+        let coordinates = rings.join(&(lists[1].clone() + "," + &lists[0]));
+        let coordinates = format!("\"coordinates\":{}{coordinates}{}", lists[0], lists[1]);
+        let kind = format!("\"type\":\"{name}\"");
+        let text = match order {
+            0 => format!("{{{kind},{coordinates}}}"),
+            1 => format!(
+                "{{\"geometries\":[{{{coordinates},{kind}}}],\"type\":\"GeometryCollection\"}}"
+            ),
+            2 => format!("{{{coordinates},\"{noise}\":[],{kind}}}"),
+            _ => format!("{{{coordinates}{noise},{kind}}}"),
+        };
+        features::check_text(text.as_bytes());
+    });
+}
+
+#[test]
+fn well_known_text_that_is_nearly_right() {
+    let position = vec(few_numbers(), 1..4).prop_map(|numbers| numbers.join(" "));
+    let word = prop_oneof![
+        6 => position,
+        4 => "[(),]{1,3}",
+        4 => "(MULTI|)(POINT|LINESTRING|POLYGON)( |)(Z|M|EMPTY|)\\(",
+        1 => Just("GEOMETRYCOLLECTION(".to_string()),
+        1 => "(SRID=|)[0-9]{0,3};|#|\n",
+    ];
+    for_all(3000, vec(word, 0..12), |words| {
+        features::check_text(words.concat().as_bytes());
+    });
+    let closed = vec((few_numbers(), few_numbers()), 1..6);
+    for_all(1000, (closed, "POLYGON\\(|MULTILINESTRING\\(|LINESTRING"), |(points, begin)| {
+        let positions = points.iter().chain(&points[..1]);
+        let positions: Vec<String> = positions.map(|(x, y)| format!("{x} {y}")).collect();
+        let end = if begin.ends_with('(') { "))" } else { ")" };
+        features::check_text(format!("{begin}({}{end}", positions.join(",")).as_bytes());
     });
 }
 

@@ -1,6 +1,6 @@
 //! Arrays of points, in both directions.
 
-use super::super::{Format, read_points, samples};
+use super::super::{Choice, Format, Outline, Table, read_points, read_table_file, samples};
 use super::{Directory, as_read_by, bits, python_has, run};
 use crate::mesh::Mesh;
 
@@ -41,4 +41,23 @@ fn what_numpy_writes_is_read() {
         files += 1;
     }
     assert_eq!(files, 24);
+}
+
+#[test]
+fn features_that_python_writes_are_read() {
+    if !python_has("json") {
+        return;
+    }
+    let directory = Directory::new("features-write");
+    let printed = run(include_str!("features_write.py"), &directory.0, &[]);
+    for line in printed.lines() {
+        let (name, expected) = line.split_once(';').unwrap();
+        let path = directory.0.join(name);
+        let Table { points, outline, .. } =
+            read_table_file(&path, Format::Auto, &Choice::default()).unwrap();
+        let Outline { segments, markers, .. } = outline;
+        let read = format!("{:?};{segments:?};{markers:?}", bits(&points.coordinates));
+        assert!(read == expected, "{name}: {read}\n{expected}");
+    }
+    assert_eq!(printed.lines().count(), 400);
 }

@@ -1,0 +1,48 @@
+//! A reader of points, segments and seeds of the plane refuses bytes with a documented kind, or
+//! reads what a mesh takes or refuses by name.
+
+use netmesh::io::{Choice, Format, Table, read_table};
+use netmesh::{ErrorKind, Mesh, Result};
+use std::io::{BufRead, BufReader};
+
+/// Whether the file was accepted.
+pub fn check_text(format: Format, text: &[u8]) -> bool {
+    let read = |input: &mut dyn BufRead| -> Result<Table> {
+        read_table(input, format, &Choice::default())
+    };
+    let whole = read(&mut &*text);
+    let in_pieces = read(&mut BufReader::with_capacity(3, text));
+    assert_eq!(whole, in_pieces, "the size of the pieces matters");
+    match whole {
+        Ok(table) => {
+            check_table(&table);
+            true
+        }
+        Err(error) => {
+            let is_beside = error.message().starts_with("the points are in a .node file beside");
+            let is_documented = match error.kind() {
+                ErrorKind::Format | ErrorKind::NonFinite | ErrorKind::Dimension => true,
+                kind => kind == ErrorKind::InvalidArgument && is_beside,
+            };
+            assert!(is_documented, "{:?}: {error}", error.kind());
+            assert!(!error.message().is_empty() && error.message().len() < 400, "{error}");
+            false
+        }
+    }
+}
+
+fn check_table(table: &Table) {
+    assert_eq!(table.points.dim, 2);
+    let count = table.points.coordinates.len() / 2;
+    let outline = &table.outline;
+    assert_eq!(outline.markers.len(), outline.segments.len());
+    for &[from, to] in &outline.segments {
+        assert!(from != to && (from.max(to) as usize) < count, "{from} {to} of {count}");
+    }
+    let Ok(mut mesh) = Mesh::new(2, count, &table.points.coordinates, 0) else { return };
+    if let Err(error) = mesh.set_segments(outline.segments.as_flattened(), Some(&outline.markers)) {
+        // Two numbers of one point.
+        assert!(error.message().contains("which are the same point"), "{error}");
+    }
+    mesh.set_regions(&outline.regions).expect("seeds are finite, and edges have lengths");
+}

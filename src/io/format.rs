@@ -18,7 +18,8 @@ pub enum Format {
     /// `aspect` (of the Voronoi cell, over all its corners; NaN on the hull, where cells are
     /// unbounded, and for the vertices of cages). Per cell: `cell_domain` (the innermost domain
     /// that holds all vertices, or [`crate::NONE`]) and `radius_edge` (circumradius over shortest
-    /// edge).
+    /// edge). With segments, `region` per cell (the label), and beside points and cells `segments`
+    /// (two points for each edge of one) and `segment_markers`.
     Vtu = 1,
     /// TetGen's (3D) and Triangle's (2D) `.node` and `.ele`, continued to any dimension.
     ///
@@ -28,7 +29,8 @@ pub enum Format {
     TetgenNode = 2,
     /// Gmsh's `.msh`, version 4.1 as text: triangles (z = 0) or tetrahedra in one entity and one
     /// physical group, `kind` as node data and `domain` (VTU's `cell_domain`, 0 without domains) as
-    /// element data. Dimensions 2 and 3.
+    /// element data. With segments, a physical group for each label and marker, with the edges as
+    /// lines. Dimensions 2 and 3.
     ///
     /// Read: the nodes of versions 4.1 and 2, as text. A node has three coordinates; where every z
     /// is zero the points are of dimension 2.

@@ -298,7 +298,7 @@ pub fn write_with(
 enum Content<'a> {
     Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Tetgen(&'a Mesh, &'a Triangulation, &'a [Attribute]),
-    Gmsh(&'a Triangulation, &'a [Attribute]),
+    Gmsh(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Medit(&'a Mesh, &'a Triangulation),
     Off(&'a Triangulation),
     Ply(&'a Triangulation, &'a [Attribute]),
@@ -337,7 +337,7 @@ impl<'a> Content<'a> {
             Format::Auto => Err(auto_without_path()),
             Format::Vtu => Ok(Self::Vtu(mesh, triangulation()?, attributes)),
             Format::TetgenNode => Ok(Self::Tetgen(mesh, triangulation()?, attributes)),
-            Format::Gmsh => Ok(Self::Gmsh(triangulation()?, attributes)),
+            Format::Gmsh => Ok(Self::Gmsh(mesh, triangulation()?, attributes)),
             Format::Medit => Ok(Self::Medit(mesh, triangulation()?)),
             Format::Off => triangulation().map(Self::Off),
             Format::Ply => Ok(Self::Ply(triangulation()?, attributes)),
@@ -366,13 +366,16 @@ impl<'a> Content<'a> {
     fn write_unbuffered(&self, out: &mut dyn Write) -> std::io::Result<()> {
         match self {
             Self::Vtu(mesh, triangulation, attributes) => {
-                vtu::write(mesh.inputs(), triangulation, attributes, out)
+                let markers = mesh.markers_of_result();
+                vtu::write(mesh.inputs(), triangulation, markers, attributes, out)
             }
             Self::Tetgen(_, triangulation, attributes) => {
                 tetgen::write_node(triangulation, attributes, out)?;
                 tetgen::write_ele(triangulation, out)
             }
-            Self::Gmsh(triangulation, attributes) => gmsh::write(triangulation, attributes, out),
+            Self::Gmsh(mesh, triangulation, attributes) => {
+                gmsh::write(triangulation, mesh.markers_of_result(), attributes, out)
+            }
             Self::Medit(mesh, triangulation) => {
                 medit::write(triangulation, mesh.markers_of_result(), out)
             }

@@ -15,6 +15,7 @@ const TETRA: u8 = 10;
 struct Source<'a> {
     inputs: &'a Inputs,
     mesh: &'a Triangulation,
+    markers: &'a [i32],
     measures: Measures,
 }
 
@@ -27,6 +28,7 @@ struct Source<'a> {
 pub(super) fn write(
     inputs: &Inputs,
     mesh: &Triangulation,
+    markers: &[i32],
     attributes: &[Attribute],
     out: &mut dyn Write,
 ) -> io::Result<()> {
@@ -35,74 +37,103 @@ pub(super) fn write(
         _ => Measures::new::<3>(mesh),
     };
     let measures = measures.map_err(allocation_failed)?;
-    let source = Source { inputs, mesh, measures };
+    let source = Source { inputs, mesh, markers, measures };
     let arrays = arrays(mesh);
     let added = |attribute: &Attribute| 8 + size_of_val(&*attribute.values) as u64;
-    let sizes = arrays.iter().map(Array::size_with_length);
+    let is_in = |section| move |array: &&Array| array.is_there && array.section == section;
+    let in_section = |section| arrays.iter().filter(is_in(section));
+    let all = || SECTIONS.into_iter().map(|(section, _)| section);
+    let sizes = all().flat_map(in_section).map(Array::size_with_length);
     let mut offset: u64 = sizes.chain(attributes.iter().map(added)).sum();
-    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
-    write!(
+    writeln!(
         out,
         r#"<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<UnstructuredGrid>
-<Piece NumberOfPoints="{vertices}" NumberOfCells="{cells}">
-<PointData Scalars="kind">
-"#
+<UnstructuredGrid>"#
     )?;
-    let of_cells = of_cells(mesh);
-    for (at, array) in arrays.iter().enumerate() {
-        match at {
-            _ if at == of_cells => {
-                for attribute in attributes {
-                    offset -= added(attribute);
-                    let Attribute { name, components, .. } = attribute;
-                    let (scalar, components) = ("Float64", *components as u64);
-                    writeln!(out, "{}", Declaration { name, scalar, components, offset })?;
-                }
-                out.write_all(b"</PointData>\n<CellData>\n")?;
-            }
-            POINTS => out.write_all(b"</CellData>\n<Points>\n")?,
-            CELLS => out.write_all(b"</Points>\n<Cells>\n")?,
-            _ => (),
+    for (section, name) in SECTIONS {
+        if section == Section::Field && in_section(section).next().is_none() {
+            continue;
         }
-        offset -= array.size_with_length();
-        writeln!(out, "{}", array.declaration(offset))?;
+        write_begin(mesh, section, name, out)?;
+        for array in in_section(section) {
+            offset -= array.size_with_length();
+            writeln!(out, "{}", array.declaration(offset))?;
+        }
+        for attribute in of_section(section, attributes) {
+            offset -= added(attribute);
+            let Attribute { name, components, .. } = attribute;
+            let (scalar, components) = ("Float64", *components as u64);
+            let declaration = Declaration { name, scalar, components, tuples: None, offset };
+            writeln!(out, "{declaration}")?;
+        }
+        writeln!(out, "</{name}>")?;
     }
-    out.write_all(b"</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
-    for (at, array) in arrays.iter().enumerate().rev() {
-        if at + 1 == of_cells {
-            for attribute in attributes.iter().rev() {
-                out.write_all(&(added(attribute) - 8).to_le_bytes())?;
-                attribute.values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?;
-            }
+    out.write_all(b"</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
+    for section in all().rev() {
+        for attribute in of_section(section, attributes).iter().rev() {
+            out.write_all(&(added(attribute) - 8).to_le_bytes())?;
+            attribute.values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?;
         }
-        out.write_all(&array.bytes().to_le_bytes())?;
-        (array.write)(&source, out)?;
+        for array in in_section(section).rev() {
+            out.write_all(&array.bytes().to_le_bytes())?;
+            (array.write)(&source, out)?;
+        }
     }
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
-/// Where the sections of the XML begin among the arrays: data of cells, after the marks of vertices
-/// beyond the bound if it is one of vertices, ...
-fn of_cells(mesh: &Triangulation) -> usize {
-    match mesh.parameters.criterion {
-        Criterion::VoronoiAspect => BEYOND_BOUND + 1,
-        Criterion::RadiusEdge => BEYOND_BOUND,
+/// The tag of a section; what follows [`Section::Field`] is of the only piece.
+fn write_begin(
+    mesh: &Triangulation,
+    section: Section,
+    name: &str,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    if section != Section::Point {
+        return writeln!(out, "<{name}>");
     }
+    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    writeln!(
+        out,
+        r#"<Piece NumberOfPoints="{vertices}" NumberOfCells="{cells}">
+<{name} Scalars="kind">"#
+    )
 }
-const BEYOND_BOUND: usize = 5;
-/// ... the points, ...
-const POINTS: usize = 9;
-/// ... and the cells.
-const CELLS: usize = 10;
+
+/// The attributes that are declared in a section.
+fn of_section(section: Section, attributes: &[Attribute]) -> &[Attribute] {
+    if section == Section::Point { attributes } else { &[] }
+}
+
+/// Where the XML declares an array.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Section {
+    /// Of neither points nor cells.
+    Field,
+    Point,
+    Cell,
+    Points,
+    Cells,
+}
+
+/// In the order of the XML, with their names there.
+const SECTIONS: [(Section, &str); 5] = [
+    (Section::Field, "FieldData"),
+    (Section::Point, "PointData"),
+    (Section::Cell, "CellData"),
+    (Section::Points, "Points"),
+    (Section::Cells, "Cells"),
+];
 
 struct Array {
+    section: Section,
     name: &'static str,
     scalar: &'static str,
     scalar_size: u64,
     components: u64,
     tuples: usize,
+    is_there: bool,
     write: fn(&Source<'_>, &mut dyn Write) -> io::Result<()>,
 }
 
@@ -118,7 +149,8 @@ impl Array {
 
     fn declaration(&self, offset: u64) -> Declaration<'static> {
         let Self { name, scalar, components, .. } = *self;
-        Declaration { name, scalar, components, offset }
+        let tuples = (self.section == Section::Field).then_some(self.tuples);
+        Declaration { name, scalar, components, tuples, offset }
     }
 }
 
@@ -127,94 +159,127 @@ struct Declaration<'a> {
     name: &'a str,
     scalar: &'static str,
     components: u64,
+    /// Where neither points nor cells say it.
+    tuples: Option<usize>,
     offset: u64,
 }
 
 impl fmt::Display for Declaration<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, scalar, components, offset } = self;
-        write!(
-            f,
-            r#"<DataArray type="{scalar}" Name="{name}" NumberOfComponents="{components}" format="appended" offset="{offset}"/>"#
-        )
+        let Self { name, scalar, components, tuples, offset } = self;
+        write!(f, r#"<DataArray type="{scalar}" Name="{name}" NumberOfComponents="{components}""#)?;
+        if let Some(tuples) = tuples {
+            write!(f, r#" NumberOfTuples="{tuples}""#)?;
+        }
+        write!(f, r#" format="appended" offset="{offset}"/>"#)
     }
 }
 
-/// The arrays in the order of the XML.
-fn arrays(mesh: &Triangulation) -> [Array; 13] {
+/// The arrays in the order of the XML, section by section.
+fn arrays(mesh: &Triangulation) -> [Array; 16] {
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
-    let marked = bounded(mesh);
-    let ids = mesh.simplices.len();
-    let array = |name, scalar, scalar_size, tuples, write| Array {
+    let segments = mesh.boundary.subsegments.len();
+    // What goes beyond a bound is data of that which is bounded.
+    let (bounded, marked) = match mesh.parameters.criterion {
+        Criterion::VoronoiAspect => (Section::Point, vertices),
+        Criterion::RadiusEdge => (Section::Cell, cells),
+    };
+    let array = |section, name, scalar, scalar_size, tuples, write| Array {
+        section,
         name,
         scalar,
         scalar_size,
         components: 1,
         tuples,
+        is_there: true,
         write,
     };
-    let mut arrays = [
-        array("kind", "UInt8", 1, vertices, |source, out| {
+    let of_points =
+        |name, scalar, size, write| array(Section::Point, name, scalar, size, vertices, write);
+    let of_cells =
+        |name, scalar, size, write| array(Section::Cell, name, scalar, size, cells, write);
+    let of_segments = |name, scalar, size, write| Array {
+        is_there: segments > 0,
+        ..array(Section::Field, name, scalar, size, segments, write)
+    };
+    [
+        Array { components: 2, ..of_segments("segments", "UInt32", 4, write_segments) },
+        of_segments("segment_markers", "Int32", 4, write_markers),
+        of_points("kind", "UInt8", 1, |source, out| {
             source.mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
         }),
-        array("domain", "UInt32", 4, vertices, |source, out| {
+        of_points("domain", "UInt32", 4, |source, out| {
             let mut domains = source.mesh.vertex_domains.iter();
             domains.try_for_each(|domain| out.write_all(&domain.to_le_bytes()))
         }),
-        array("input", "UInt32", 4, vertices, |source, out| {
+        of_points("input", "UInt32", 4, |source, out| {
             let first = |vertex| source.inputs.first_input(vertex).unwrap_or(NONE);
             let vertices = 0..source.mesh.vertex_count();
             vertices.map(first).try_for_each(|input| out.write_all(&input.to_le_bytes()))
         }),
-        array("precision_limited", "UInt8", 1, vertices, |source, out| {
+        of_points("precision_limited", "UInt8", 1, |source, out| {
             let mut limited = source.mesh.precision_limited.iter();
             limited.try_for_each(|limited| out.write_all(&[u8::from(*limited)]))
         }),
-        array("aspect", "Float64", 8, vertices, |source, out| {
+        of_points("aspect", "Float64", 8, |source, out| {
             source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
-        array("beyond_bound", "UInt8", 1, marked, |source, out| {
-            write_marks(&source.mesh.beyond_bound, bounded(source.mesh), out)
-        }),
         // Not `domain`: viewers list the arrays of points and cells together.
-        array("cell_domain", "UInt32", 4, cells, |source, out| {
+        of_cells("cell_domain", "UInt32", 4, |source, out| {
             let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
             simplices.try_for_each(|simplex| {
                 out.write_all(&domain_of(source.mesh, simplex).to_le_bytes())
             })
         }),
-        array("radius_edge", "Float64", 8, cells, |source, out| {
+        of_cells("radius_edge", "Float64", 8, |source, out| {
             source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
-        array("below_min_dihedral", "UInt8", 1, cells, |source, out| {
+        of_cells("below_min_dihedral", "UInt8", 1, |source, out| {
             write_marks(&source.mesh.below_min_dihedral, source.mesh.simplex_count(), out)
         }),
-        Array { components: 3, ..array("Points", "Float64", 8, vertices, write_points) },
-        array("connectivity", "Int64", 8, ids, |source, out| {
+        Array {
+            is_there: !mesh.boundary.simplex_regions.is_empty(),
+            ..of_cells("region", "Int32", 4, |source, out| {
+                let mut labels = source.mesh.boundary.simplex_regions.iter();
+                labels.try_for_each(|label| out.write_all(&label.to_le_bytes()))
+            })
+        },
+        array(bounded, "beyond_bound", "UInt8", 1, marked, |source, out| {
+            let count = match source.mesh.parameters.criterion {
+                Criterion::VoronoiAspect => source.mesh.vertex_count(),
+                Criterion::RadiusEdge => source.mesh.simplex_count(),
+            };
+            write_marks(&source.mesh.beyond_bound, count, out)
+        }),
+        Array {
+            components: 3,
+            ..array(Section::Points, "Points", "Float64", 8, vertices, write_points)
+        },
+        array(Section::Cells, "connectivity", "Int64", 8, mesh.simplices.len(), |source, out| {
             let mut ids = source.mesh.simplices.iter();
             ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
         }),
-        array("offsets", "Int64", 8, cells, |source, out| {
+        array(Section::Cells, "offsets", "Int64", 8, cells, |source, out| {
             let size = source.mesh.dim as i64 + 1;
             (1..=source.mesh.simplex_count() as i64)
                 .try_for_each(|cell| out.write_all(&(cell * size).to_le_bytes()))
         }),
-        array("types", "UInt8", 1, cells, |source, out| {
+        array(Section::Cells, "types", "UInt8", 1, cells, |source, out| {
             let cell_type = if source.mesh.dim == 2 { TRIANGLE } else { TETRA };
             (0..source.mesh.simplex_count()).try_for_each(|_| out.write_all(&[cell_type]))
         }),
-    ];
-    // The marks of simplices come last among the data of cells.
-    arrays[of_cells(mesh)..POINTS].rotate_left(BEYOND_BOUND + 1 - of_cells(mesh));
-    arrays
+    ]
 }
 
-/// The number of vertices if the bound is one of them, else that of simplices.
-fn bounded(mesh: &Triangulation) -> usize {
-    match mesh.parameters.criterion {
-        Criterion::VoronoiAspect => mesh.vertex_count(),
-        Criterion::RadiusEdge => mesh.simplex_count(),
-    }
+/// The two points of each edge that segments have become.
+fn write_segments(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let mut ends = source.mesh.boundary.subsegments.as_flattened().iter();
+    ends.try_for_each(|end| out.write_all(&end.to_le_bytes()))
+}
+
+fn write_markers(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let mut marked = source.mesh.boundary.marked(source.markers);
+    marked.try_for_each(|(_, marker)| out.write_all(&marker.to_le_bytes()))
 }
 
 /// 1 for each of `count` things that is among the `marked`, which rise, else 0.
@@ -355,6 +420,25 @@ mod tests {
         assert_eq!(of_vertices, (true, marks(2, vertices)));
         let of_simplices = count(Criterion::RadiusEdge, vec![1]);
         assert_eq!(of_simplices, (false, marks(1, simplices)));
+    }
+
+    #[test]
+    fn labels_are_data_of_cells_and_segments_of_the_whole() {
+        let mut file = Vec::new();
+        write(&samples::square_with_segments(), Format::Vtu, &mut file).unwrap();
+        let numbers = |name| {
+            let words = array_of(&file, name).chunks_exact(4);
+            words.map(|b| i32::from_le_bytes(b.try_into().unwrap())).collect::<Vec<_>>()
+        };
+        assert_eq!(numbers("CellData/region"), [7, -8]);
+        assert_eq!(numbers("FieldData/segments"), [0, 2, 1, 0]);
+        assert_eq!(numbers("FieldData/segment_markers"), [-5, 6]);
+        let text = String::from_utf8_lossy(&file);
+        assert!(text.contains(r#" NumberOfComponents="2" NumberOfTuples="2" format="#));
+        let mut file = Vec::new();
+        write(&samples::square(), Format::Vtu, &mut file).unwrap();
+        let text = String::from_utf8_lossy(&file);
+        assert!(!text.contains("FieldData") && !text.contains("region"));
     }
 
     #[test]

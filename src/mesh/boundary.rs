@@ -82,6 +82,11 @@ impl Arrangement {
 }
 
 impl Boundary {
+    /// Whether there are segments, or labels of regions.
+    pub(crate) fn has_any(&self) -> bool {
+        !self.subsegments.is_empty() || !self.simplex_regions.is_empty()
+    }
+
     /// The edges that segments have become, with the markers of their segments; 0 for those that
     /// have none.
     pub(crate) fn marked<'a>(

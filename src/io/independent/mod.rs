@@ -3,6 +3,7 @@
 
 mod attributes;
 mod diagrams;
+mod labels;
 mod meshes;
 mod points;
 

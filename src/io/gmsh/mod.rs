@@ -1,13 +1,13 @@
 //! Gmsh's `.msh`: version 4.1 is written; the nodes of versions 4.1 and 2 are read. As text: Gmsh
 //! saves so if not told otherwise, and programs beside Gmsh often read nothing else.
 
+mod groups;
+mod write;
+
 use super::PointCloud;
-use super::attributes::Scalar;
-use super::text::{Line, Lines, Points, quoted, write_number, write_point};
-use crate::arrays::domains::simplices;
+use super::text::{Line, Lines, Points, quoted};
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Attribute, Triangulation};
-use std::io::{self, Write};
+pub(super) use write::write;
 
 pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
     let mut version = None;
@@ -187,106 +187,6 @@ fn in_the_plane(mut cloud: PointCloud) -> PointCloud {
     PointCloud { dim: 2, ..cloud }
 }
 
-/// The section names, entities and the mesh; then what is known of nodes and elements.
-pub(super) fn write(
-    triangulation: &Triangulation,
-    attributes: &[Attribute],
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    write_entity(triangulation, out)?;
-    write_nodes(triangulation, out)?;
-    write_elements(triangulation, out)?;
-    let kinds = triangulation.kinds.iter().map(|kind| *kind as u32);
-    write_data(out, "Node", "kind", triangulation.vertex_count(), kinds)?;
-    for attribute in attributes {
-        write_attribute(attribute, out)?;
-    }
-    let domains = simplices(triangulation).map(|(_, domain)| domain);
-    write_data(out, "Element", "domain", triangulation.simplex_count(), domains)
-}
-
-/// One surface or volume that holds everything, in a physical group.
-fn write_entity(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let dim = triangulation.dim;
-    out.write_all(b"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")?;
-    write!(out, "$PhysicalNames\n1\n{dim} 1 \"mesh\"\n$EndPhysicalNames\n")?;
-    let count = if dim == 2 { "0 0 1 0" } else { "0 0 0 1" };
-    write!(out, "$Entities\n{count}\n1")?;
-    for pick in [f64::min, f64::max] {
-        for axis in 0..3 {
-            let coordinates = triangulation.points.chunks_exact(dim).map(|point| point.get(axis));
-            let bound = coordinates.map(|x| *x.unwrap_or(&0.0)).reduce(pick);
-            out.write_all(b" ")?;
-            write_number(out, bound.unwrap_or(0.0))?;
-        }
-    }
-    out.write_all(b" 1 1 0\n$EndEntities\n")
-}
-
-fn write_nodes(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let (dim, nodes) = (triangulation.dim, triangulation.vertex_count());
-    write!(out, "$Nodes\n1 {nodes} 1 {nodes}\n{dim} 1 0 {nodes}\n")?;
-    (1..=nodes).try_for_each(|tag| writeln!(out, "{tag}"))?;
-    for point in triangulation.points.chunks_exact(dim) {
-        write_point(out, point, " ")?;
-        out.write_all(if dim == 2 { b" 0\n" } else { b"\n" })?;
-    }
-    out.write_all(b"$EndNodes\n")
-}
-
-fn write_elements(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
-    let (dim, elements) = (triangulation.dim, triangulation.simplex_count());
-    let kind = if dim == 2 { 2 } else { 4 };
-    write!(out, "$Elements\n1 {elements} 1 {elements}\n{dim} 1 {kind} {elements}\n")?;
-    for (index, simplex) in triangulation.simplices.chunks_exact(dim + 1).enumerate() {
-        write!(out, "{}", index + 1)?;
-        simplex.iter().try_for_each(|vertex| write!(out, " {}", u64::from(*vertex) + 1))?;
-        out.write_all(b"\n")?;
-    }
-    out.write_all(b"$EndElements\n")
-}
-
-/// Values at the nodes: Gmsh has scalars, and vectors of three components, which two are padded to.
-fn write_attribute(attribute: &Attribute, out: &mut dyn Write) -> io::Result<()> {
-    let Attribute { name, components, values, .. } = attribute;
-    let nodes = values.len() / components;
-    if !(2..=3).contains(components) {
-        for k in 0..*components {
-            let name = Scalar(attribute, k);
-            write!(out, "$NodeData\n1\n\"{name}\"\n1\n0\n3\n0\n1\n{nodes}\n")?;
-            for node in 0..nodes {
-                write!(out, "{} ", node + 1)?;
-                write_number(out, attribute.of(node)[k])?;
-                out.write_all(b"\n")?;
-            }
-            out.write_all(b"$EndNodeData\n")?;
-        }
-        return Ok(());
-    }
-    write!(out, "$NodeData\n1\n\"{name}\"\n1\n0\n3\n0\n3\n{nodes}\n")?;
-    for node in 0..nodes {
-        write!(out, "{} ", node + 1)?;
-        write_point(out, attribute.of(node), " ")?;
-        out.write_all(if *components == 2 { b" 0\n" } else { b"\n" })?;
-    }
-    out.write_all(b"$EndNodeData\n")
-}
-
-/// A number for each node or element, which Gmsh shows as a view.
-fn write_data(
-    out: &mut dyn Write,
-    what: &str,
-    name: &str,
-    count: usize,
-    values: impl Iterator<Item = u32>,
-) -> io::Result<()> {
-    write!(out, "${what}Data\n1\n\"{name}\"\n1\n0\n3\n0\n1\n{count}\n")?;
-    for (index, value) in values.enumerate() {
-        writeln!(out, "{} {value}", index + 1)?;
-    }
-    writeln!(out, "$End{what}Data")
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::{Format, read, samples, write};
@@ -339,19 +239,5 @@ mod tests {
             assert_eq!(read.dim, dim);
             samples::assert_same_bits(&read.coordinates, &mesh.triangulation().unwrap().points);
         }
-    }
-
-    #[test]
-    fn a_planar_mesh_is_one_surface() {
-        let mut text = Vec::new();
-        write(&samples::square(), Format::Gmsh, &mut text).unwrap();
-        let expected = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n\
-            $PhysicalNames\n1\n2 1 \"mesh\"\n$EndPhysicalNames\n\
-            $Entities\n0 0 1 0\n1 0 0 0 1 1 0 1 1 0\n$EndEntities\n\
-            $Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n\
-            $Elements\n1 2 1 2\n2 1 2 2\n1 1 2 3\n2 1 3 4\n$EndElements\n\
-            $NodeData\n1\n\"kind\"\n1\n0\n3\n0\n1\n4\n1 0\n2 0\n3 1\n4 2\n$EndNodeData\n\
-            $ElementData\n1\n\"domain\"\n1\n0\n3\n0\n1\n2\n1 0\n2 0\n$EndElementData\n";
-        assert_eq!(String::from_utf8(text).unwrap(), expected);
     }
 }

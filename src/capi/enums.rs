@@ -567,10 +567,10 @@ mod tests {
 
     #[test]
     fn unknown_values_name_the_field_and_the_value() {
-        for value in [-1, 13, i32::MIN, i32::MAX] {
+        for value in [-1, 15, i32::MIN, i32::MAX] {
             let error = decode_format(from_c(value)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=12"));
+            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=14"));
         }
         let error = decode_algorithm(from_c(3)).unwrap_err();
         assert_eq!(error.message(), "options.algorithm is 3; it must be in 0..=2");

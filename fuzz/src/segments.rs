@@ -121,6 +121,8 @@ fn is_documented(error: &Error, plane: &Plane, options: &Options, size: Option<f
                 || message.contains(".seed is within a rounding of a segment")
                 || (options.output == Output::Hierarchical && has_sizes)
                 || (options.extent == Extent::Boundary && plane.segments.is_empty())
+                || (options.extent != Extent::All
+                    && message.ends_with("; the domain must not be empty"))
         }
         ErrorKind::DegenerateInput => matches!(options.extent, Extent::Hull | Extent::Box),
         kind => kind == ErrorKind::Limit,

@@ -104,7 +104,7 @@ fn values_of<'py>(
         );
         return Err(invalid(given.py(), message));
     }
-    Ok(numpy.call_method1("ascontiguousarray", (array,))?.extract()?)
+    numpy.call_method1("ascontiguousarray", (array,))?.extract()
 }
 
 impl Function {

@@ -5,13 +5,16 @@ points of the same distributions, where the package `triangle` is installed: it 
 """
 
 import csv
+import importlib.util
 import math
 import statistics
+import subprocess
 import sys
 import time
 
 import numpy as np
 
+TRIANGLE_TURN, MOST_SECONDS = "--triangle-turn", 120
 WIDTH, PANEL, GAP, LEFT, TOP, HEIGHT = 760, 300, 70, 60, 40, 190
 COLORS = {
     "netmesh": "#b03a2e",
@@ -35,28 +38,45 @@ def points_of(distribution, count, random):
     return np.c_[np.cos(angle), np.sin(angle)]
 
 
+def triangle_turn(distribution, count):
+    """Prints the number of vertices of Triangle's mesh, and its seconds."""
+    import triangle
+
+    points = points_of(distribution, count, np.random.default_rng(1))
+    begun = time.perf_counter()
+    mesh = triangle.triangulate({"vertices": points}, "q20.7")
+    print(len(mesh["vertices"]), time.perf_counter() - begun)
+
+
+def triangle_turns(distribution, count, turns):
+    """Each in a process of its own, as Triangle ends the process, or never ends, where it fails."""
+    command = [sys.executable, __file__, TRIANGLE_TURN, distribution, str(count)]
+    for _ in range(turns):
+        turn = subprocess.run(command, timeout=MOST_SECONDS, check=True, capture_output=True)
+        yield tuple(map(float, turn.stdout.split()))
+
+
 def triangle_rows(rows):
-    """A row for each of netmesh's in 2D."""
-    try:
-        import triangle
-    except ImportError:
+    """A row for each of netmesh's in 2D that Triangle meshes."""
+    if importlib.util.find_spec("triangle") is None:
         print("skipped: Triangle: the package triangle is not installed", file=sys.stderr)
         return
-    random = np.random.default_rng(1)
     for row in rows:
         if (row["dim"], row["mesher"]) != ("2", "netmesh"):
             continue
-        count, seconds = int(row["points"]), []
-        points = points_of(row["distribution"], count, random)
-        for _ in range(3 if count < 1_000_000 else 1):
-            begun = time.perf_counter()
-            mesh = triangle.triangulate({"vertices": points}, "q20.7")
-            seconds.append(time.perf_counter() - begun)
+        count = int(row["points"])
+        try:
+            turns = list(triangle_turns(row["distribution"], count, 3 if count < 1_000_000 else 1))
+        except (subprocess.CalledProcessError, subprocess.TimeoutExpired) as error:
+            name = TITLES["2", row["distribution"]]
+            print(f"left out: Triangle, {count} points ({name}): {error}", file=sys.stderr)
+            continue
+        vertices, seconds = map(statistics.median, zip(*turns, strict=True))
         yield {
             **row,
             "mesher": "Triangle",
-            "vertices": str(len(mesh["vertices"])),
-            "seconds": str(statistics.median(seconds)),
+            "vertices": str(round(vertices)),
+            "seconds": str(seconds),
         }
 
 
@@ -125,6 +145,9 @@ def drawing(rows):
 
 
 def main():
+    if sys.argv[1] == TRIANGLE_TURN:
+        triangle_turn(sys.argv[2], int(sys.argv[3]))
+        return
     times, out = sys.argv[1:]
     with open(times, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))

@@ -308,15 +308,10 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         [sizes, slivers]
     }
 
-    /// The part of the run that is done when partitions are: they insert, and refine finally unless
-    /// cages are to be dissolved first.
+    /// The part of the run that is done when partitions are.
     pub(super) fn share_of_partitions(&self) -> f64 {
         let [sizes, slivers] = self.shares_of_options();
-        let share = match self.state.parameters.output {
-            Output::Hierarchical => 0.95,
-            Output::WellSpaced => self.shares()[0],
-        };
-        (1.0 - sizes) * (1.0 - slivers) * share
+        0.95 * (1.0 - sizes) * (1.0 - slivers)
     }
 
     /// What is bad in one place lets cells around it get bad, and most refinement may come at the

@@ -54,18 +54,14 @@ struct Partition<const D: usize> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Whether the final refinement was done in partitions, except at interfaces.
-    pub(in crate::netmesh) fn is_nearly_final(&self) -> bool {
-        self.is_partitioned() && self.state.parameters.output == Output::Hierarchical
-    }
-
     pub(in crate::netmesh) fn is_partitioned(&self) -> bool {
         self.state.parameters.algorithm == Algorithm::Netmesh
             && D <= MAX_DIM
             && self.state.inputs >= 2 * self.state.parameters.inputs_per_partition
     }
 
-    /// Inserts most inputs. Refines most of the mesh too, unless cages are to be dissolved first.
+    /// Inserts most inputs, and refines most of the mesh; dissolves most cages before that, if none
+    /// is to be left.
     pub(in crate::netmesh) fn insert_in_partitions(&mut self, cavity: &mut Cavity) -> Result<()> {
         if !self.is_partitioned() || self.state.conflict_lists.remaining() == 0 {
             return Ok(());
@@ -103,19 +99,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.clean(cavity)
     }
 
-    /// Goes through the rest of the rounds and of the refinement, as far as the interface allows.
+    /// Goes through the rest of the rounds, FINISHMESH and the final refinement, as far as the
+    /// interface allows.
     fn run_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.lock()?;
         for tile in tiles(self.state.inputs) {
             self.insert_most(&tile, cavity)?;
         }
         self.insert_stragglers(cavity)?;
-        if self.state.parameters.output == Output::Hierarchical {
-            self.lock_crowded()?;
-            self.state.conflict_lists.suspend();
-            self.refine_partition_finally(cavity)?;
-            self.state.conflict_lists.resume();
+        self.lock_crowded()?;
+        self.state.conflict_lists.suspend();
+        if self.state.parameters.output == Output::WellSpaced {
+            self.finish_mesh(cavity)?;
         }
+        self.refine_partition_finally(cavity)?;
+        self.state.conflict_lists.resume();
         Ok(())
     }
 

@@ -5,9 +5,9 @@ use super::Partition;
 use crate::memory::{AllocResult, collected};
 use crate::netmesh::Mesher;
 
-/// The share of the spare memory that several partitions get: what they leave of it has to be
-/// closed up. There is half as much again as uniform inputs take.
-const USUAL: f64 = 0.67;
+/// The share of the spare memory that several partitions get. The rest is for the global mesh,
+/// while the gaps that they leave are not closed.
+const USUAL: f64 = 0.95;
 /// The share that a single partition gets, since products are rounded up.
 const ALL: f64 = 0.999;
 

@@ -36,11 +36,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Refines until no cell is bad over all its corners. Insertions examine what they change. But
     /// a cage's union cell may have corners at simplices without a vertex of the cage, which are
     /// not examined when its clearance falls. So all simplices that span domains are scanned until
-    /// none is bad.
+    /// none is bad. Partitions have left little to do.
     pub(in crate::netmesh) fn refine_finally(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.begin_final_refinement()?;
         let mut scan = Scan::All;
-        if self.state.delaunay.complex().simplex_count() > SMALL && !self.is_nearly_final() {
+        if self.state.delaunay.complex().simplex_count() > SMALL && !self.is_partitioned() {
             self.refine_tiles(cavity)?;
             scan = Scan::SpanningDomains;
         }

@@ -22,10 +22,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// GROWCAGE and CLEAN, unless another cage has taken this one in.
+    /// GROWCAGE and CLEAN, unless another cage has taken this one in, or the interface defers it.
     fn dissolve(&mut self, domain: DomainId, cavity: &mut Cavity) -> Result<()> {
         let node = self.state.hierarchy.node(domain);
-        if !node.alive {
+        if !node.alive || self.state.interface.is_non_owned(domain) {
             return Ok(());
         }
         let near = node.cage.first().copied().unwrap_or(node.center);

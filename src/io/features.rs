@@ -47,8 +47,8 @@ impl Features {
 
     /// An open or a closed line.
     pub fn add_line(&mut self, positions: &[[f64; 2]], place: Place) -> Result<()> {
-        if distinct(positions) < 2 {
-            let rule = "a line with fewer than 2 distinct points";
+        if positions.len() < 2 {
+            let rule = "a line with fewer than 2 positions";
             return Err(self.refused(place, &rule));
         }
         let first = self.points.count();
@@ -56,11 +56,12 @@ impl Features {
         self.connect(positions, first)
     }
 
-    /// A line that ends where it begins; that point becomes one input.
+    /// A line that ends where it begins; that point becomes one input. Maps that were made coarser
+    /// have rings of one or two distinct points: inputs and segments like others.
     pub fn add_ring(&mut self, positions: &[[f64; 2]], ring: Ring) -> Result<()> {
         let Ring { number, place } = ring;
-        if distinct(positions) < 3 {
-            let rule = format_args!("ring {number} has fewer than 3 distinct points");
+        if positions.len() < 4 {
+            let rule = format_args!("ring {number} has fewer than 4 positions");
             return Err(self.refused(place, &rule));
         }
         let ([x, y], [u, v]) = (positions[0], positions[positions.len() - 1]);
@@ -100,11 +101,4 @@ impl Features {
         table.outline = self.outline;
         Ok(table)
     }
-}
-
-/// The number of distinct points, but no more than 3.
-fn distinct(positions: &[[f64; 2]]) -> usize {
-    let Some(first) = positions.first() else { return 0 };
-    let Some(second) = positions.iter().find(|point| *point != first) else { return 1 };
-    2 + usize::from(positions.iter().any(|point| point != first && point != second))
 }

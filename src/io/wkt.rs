@@ -299,6 +299,20 @@ mod tests {
         assert_eq!(markers, [2, 2, 2, 2, 3, 3, 3, 3, 3, 3]);
     }
 
+    /// Maps that were made coarser have them.
+    #[test]
+    fn rings_and_lines_of_few_distinct_points_are_inputs_and_segments() {
+        let text = "POLYGON((0 0,9 0,0 9,0 0),(1 1,2 2,1 1,1 1),(3 3,3 3,3 3,3 3))\n\
+                    LINESTRING(5 5,5 5)";
+        let sides = [[0, 1], [1, 2], [2, 0], [3, 4], [4, 5]];
+        assert_eq!(segments(text), sides.map(|side| (side, 1)));
+        let points = read(text).unwrap().points.coordinates;
+        assert_eq!(
+            points[6..],
+            [1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 5.0, 5.0, 5.0, 5.0]
+        );
+    }
+
     #[test]
     fn vertices_read_back_bit_by_bit() {
         let numbers = samples::AWKWARD.chunks_exact(2).map(|p| format!("({:?} {:e})", p[0], p[1]));

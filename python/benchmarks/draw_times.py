@@ -31,7 +31,8 @@ TITLES = {
 }
 
 
-def points_of(distribution, count, random):
+def points_of(distribution, count):
+    random = np.random.default_rng(1)
     if distribution == "uniform":
         return random.random((count, 2))
     angle = 2 * np.pi * random.random(count)
@@ -42,7 +43,7 @@ def triangle_turn(distribution, count):
     """Prints the number of vertices of Triangle's mesh, and its seconds."""
     import triangle
 
-    points = points_of(distribution, count, np.random.default_rng(1))
+    points = points_of(distribution, count)
     begun = time.perf_counter()
     mesh = triangle.triangulate({"vertices": points}, "q20.7")
     print(len(mesh["vertices"]), time.perf_counter() - begun)
@@ -145,7 +146,7 @@ def drawing(rows):
 
 
 def main():
-    if sys.argv[1] == TRIANGLE_TURN:
+    if sys.argv[1:2] == [TRIANGLE_TURN]:
         triangle_turn(sys.argv[2], int(sys.argv[3]))
         return
     times, out = sys.argv[1:]

@@ -5,8 +5,8 @@ use super::Partition;
 use crate::memory::{AllocResult, collected};
 use crate::netmesh::Mesher;
 
-/// The share of the spare memory that several partitions get. The rest is for the global mesh,
-/// while the gaps that they leave are not closed.
+/// The share of the spare memory that several partitions get. The last of them gets the rest as
+/// well (`Array::split_reserve`).
 const USUAL: f64 = 0.95;
 /// The share that a single partition gets, since products are rounded up.
 const ALL: f64 = 0.999;

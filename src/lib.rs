@@ -5,6 +5,7 @@
 
 pub(crate) mod arrangement;
 pub mod arrays;
+pub mod distributed;
 pub mod error;
 pub mod io;
 pub(crate) mod memory;

@@ -56,6 +56,8 @@ pub struct Parameters {
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
     pub(crate) inputs_per_partition: usize,
+    /// Whether the inputs are a sample of more, which come when the mesh of these is made.
+    pub(crate) is_sample: bool,
 }
 
 impl Parameters {
@@ -108,6 +110,7 @@ impl Parameters {
             gives_way: options.gives_way,
             interior: options.interior,
             inputs_per_partition: INPUTS_PER_PARTITION,
+            is_sample: false,
         })
     }
 }

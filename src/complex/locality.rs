@@ -22,9 +22,10 @@ impl Anchored {
 
 impl<const D: usize> Complex<D> {
     /// The live simplices, by the vertex below `anchors` that has the smallest id among their own
-    /// or, where they have none, among those of the simplices that are fewest steps away. At least
-    /// one vertex must be below `anchors`. `tick` is called for every simplex, so that the caller
-    /// can watch the time or give up. O(simplices + anchors).
+    /// or, where they have none, among those of the simplices that are fewest steps away. Simplices
+    /// that no such vertex is connected to, as a partition may have them, belong to the first
+    /// anchor. `tick` is called for every simplex, so that the caller can watch the time or give
+    /// up. O(simplices + anchors).
     pub fn order_by_anchor(
         &self,
         anchors: usize,
@@ -51,6 +52,15 @@ impl<const D: usize> Complex<D> {
                 if !owners[neighbor].is_valid() {
                     owners[neighbor] = owners[simplex];
                     reached.try_push(neighbor)?;
+                }
+            }
+        }
+        if reached.len() < self.simplex_count() {
+            for simplex in self.simplices() {
+                tick()?;
+                if self.is_live(simplex) && !owners[simplex].is_valid() {
+                    owners[simplex] = VertexId::new(0);
+                    reached.try_push(simplex)?;
                 }
             }
         }

@@ -12,6 +12,7 @@ mod hole;
 mod ids;
 mod locality;
 mod partition;
+mod plain;
 mod records;
 mod ridges;
 mod star;

@@ -21,6 +21,24 @@ impl<const D: usize> Delaunay<D> {
         q: &[f64; D],
         tests: &mut u32,
     ) -> Option<SimplexId> {
+        if let Some(found) = self.walk_to_conflict(start, q, tests) {
+            return Some(found);
+        }
+        self.complex
+            .simplices()
+            .filter(|&simplex| self.complex.is_live(simplex))
+            .inspect(|_| *tests += 1)
+            .find(|&simplex| self.in_conflict(simplex, q))
+    }
+
+    /// A simplex in conflict with `q`, if a walk from the live simplex `start` comes to one. In a
+    /// partition it may end at the interface: the simplex may be behind a bend of it.
+    pub fn walk_to_conflict(
+        &self,
+        start: SimplexId,
+        q: &[f64; D],
+        tests: &mut u32,
+    ) -> Option<SimplexId> {
         let mut current = self.finite_near(start);
         for _ in 0..self.complex.simplex_count() {
             *tests += 1;
@@ -28,18 +46,13 @@ impl<const D: usize> Delaunay<D> {
                 return Some(current);
             }
             match self.step_towards(current, q) {
-                // The interface of a partition: the simplex may be behind a bend of it.
                 Some(next) if next == current => break,
                 Some(next) if self.ball(next).is_none() => return Some(next),
                 Some(next) => current = next,
                 None => break,
             }
         }
-        self.complex
-            .simplices()
-            .filter(|&simplex| self.complex.is_live(simplex))
-            .inspect(|_| *tests += 1)
-            .find(|&simplex| self.in_conflict(simplex, q))
+        None
     }
 
     /// The finite simplex whose closure holds `q`, by a walk from the live simplex `start` nearby;

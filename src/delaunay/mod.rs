@@ -19,6 +19,7 @@ mod locate;
 mod order;
 mod overlap;
 mod partition;
+mod plain;
 mod removal;
 #[cfg(test)]
 mod tests;

@@ -5,9 +5,10 @@
 //! passed through.
 
 use super::Delaunay;
-use crate::complex::{SimplexId, VertexId};
+use crate::complex::SimplexId;
 use crate::memory::{AllocResult, Array, TryGrow};
 use crate::numerics::{Circumball, norm};
+use std::ops::RangeInclusive;
 
 impl<const D: usize> Delaunay<D> {
     /// The number of other D-balls that meet that of the finite `simplex`. Distances are rounded:
@@ -44,20 +45,20 @@ impl<const D: usize> Delaunay<D> {
         Ok(count)
     }
 
-    /// Collects the simplices whose D-balls meet the ball of `radius` about the vertex `center`
-    /// into `found` (cleared first), and infinite ones beside them; whether that was all, which it
-    /// is not where they are more than `most`. Distances are rounded.
-    pub fn meeting_ball(
+    /// Collects the simplices whose D-balls meet the shell of the given `radii` about `center` into
+    /// `found` (cleared first), and infinite ones beside them; whether that was all, which it is
+    /// not where they are more than `most`. `start` is one of them. Those that hold a point of the
+    /// shell are connected, so all of them are. Distances are rounded.
+    pub fn meeting_shell(
         &mut self,
-        center: VertexId,
-        radius: f64,
+        start: SimplexId,
+        center: &[f64; D],
+        radii: RangeInclusive<f64>,
         most: usize,
         found: &mut Vec<SimplexId>,
     ) -> AllocResult<bool> {
-        let x = *self.point(center);
         found.clear();
         self.complex.begin_marks();
-        let start = self.complex.incident(center);
         self.complex.mark_inside(start);
         found.try_push(start)?;
         let mut next = 0;
@@ -72,10 +73,13 @@ impl<const D: usize> Delaunay<D> {
                 if self.complex.is_marked(beyond) {
                     continue;
                 }
-                let distance = self.corner_distance(beyond, &x);
-                let max_distance = radius + self.ball(beyond).map_or(0.0, Circumball::radius);
+                let distance = self.corner_distance(beyond, center);
+                let radius = self.ball(beyond).map_or(0.0, Circumball::radius);
                 // Out of range, or infinite: taken to meet.
-                if distance.is_some_and(|distance| distance > max_distance) {
+                let is_apart = distance.is_some_and(|distance| {
+                    distance > *radii.end() + radius || distance + radius < *radii.start()
+                });
+                if is_apart {
                     self.complex.mark_either(beyond, false);
                 } else {
                     self.complex.mark_inside(beyond);

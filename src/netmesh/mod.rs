@@ -10,12 +10,14 @@
 //! - [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
 //! - [`slivers`]: tetrahedra with small dihedral angles, and what mends them.
 //! - [`partitions`]: large meshes made in partitions, and work that all threads share.
+//! - [`distributed`]: the same for partitions of several processes, which no mesh has all of.
 //!
 //! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
 //! options in full, `numbering` and `output` write the result, and `instruments` measures what the
 //! theorems promise.
 
 mod cages;
+pub(crate) mod distributed;
 mod instruments;
 mod numbering;
 mod output;

@@ -178,6 +178,11 @@ impl<const D: usize> Hierarchy<D> {
         self.node_mut(domain).cage.try_push(vertex)
     }
 
+    /// Makes `vertex`, which the cage of `domain` has, known as part of it.
+    pub fn set_cage(&mut self, vertex: VertexId, domain: DomainId) {
+        self.places[vertex].cage = domain;
+    }
+
     /// The living domain whose cage `vertex` is part of, if there is one.
     #[inline]
     pub fn cage_of(&self, vertex: VertexId) -> DomainId {

@@ -152,7 +152,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
     /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
-    /// soon be released and leave their vertices behind.
+    /// soon be released and leave their vertices behind. In the mesh of a sample, whose other inputs
+    /// nobody knows, it is one in the middle of the range.
     fn lasting_radius(
         &mut self,
         center: VertexId,
@@ -163,6 +164,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<Option<f64>> {
         if least > most {
             return Ok(None);
+        }
+        if self.state.parameters.is_sample {
+            return Ok(Some((least.sqrt() * most.sqrt()).clamp(least, most)));
         }
         let max_distance = self.outer_encroachment();
         let mut radius = least;

@@ -26,6 +26,9 @@ pub(in crate::netmesh) struct Interface {
     /// Cages and inputs that went into them, where the input encroaches a non-owned domain around
     /// the cage.
     pub deferred: Vec<(DomainId, VertexId)>,
+    /// Bad simplices that the interface did not let the partition mend. Ids of dead ones among them
+    /// may have been taken by others.
+    pub blocked: Vec<SimplexId>,
 }
 
 impl Interface {

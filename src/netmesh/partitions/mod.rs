@@ -103,6 +103,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// interface allows.
     fn run_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.lock()?;
+        self.run_rounds_locked(cavity)
+    }
+
+    /// The same where the interface is locked already.
+    pub(in crate::netmesh) fn run_rounds_locked(&mut self, cavity: &mut Cavity) -> Result<()> {
         for tile in tiles(self.state.inputs) {
             self.insert_most(&tile, cavity)?;
         }

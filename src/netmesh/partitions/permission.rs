@@ -12,8 +12,8 @@ use crate::netmesh::cages::site::CageSite;
 /// to the global mesh.
 const MOST_ROUND_CAGE: usize = 1 << 13;
 
-/// How much farther than the cage sphere a partition must extend: cage vertices and D-balls are
-/// rounded.
+/// How much farther from the cage sphere than inputs that its vertices yield to a partition must
+/// extend: cage vertices and D-balls are rounded.
 const MARGIN: f64 = 1.0 + 1e-6;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -42,6 +42,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.state.interface.skip(self.state.conflict_lists.simplex_of(input))
         } else {
             Ok(())
+        }
+    }
+
+    /// Leaves a bad simplex to those who may mend it.
+    pub(in crate::netmesh) fn block(&mut self, simplex: SimplexId) -> AllocResult<()> {
+        self.state.refine_list.limit(simplex);
+        match self.state.interface.is_some() {
+            true => self.state.interface.blocked.try_push(simplex),
+            false => Ok(()),
         }
     }
 
@@ -102,17 +111,27 @@ impl<const D: usize> Mesher<'_, '_, D> {
         true
     }
 
-    /// Whether a cage may be made at `site`: no locked simplex is in conflict with a point of its
-    /// sphere, and the partition owns all domains between there and the parent.
+    /// Whether a cage may be made at `site`: no locked simplex is in conflict with a point near its
+    /// sphere, and the partition owns all domains between there and the parent. What the sphere
+    /// surrounds stays as it is.
     pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
         if !self.state.interface.is_some() {
             return Ok(true);
         }
-        let max_distance = MARGIN * self.state.parameters.cage_scale * site.radius;
+        let center = *self.state.delaunay.point(site.center);
+        let radius = self.state.parameters.cage_scale * site.radius;
+        let margin = MARGIN * self.state.parameters.gamma;
+        let mut on_sphere = center;
+        on_sphere[0] += radius;
+        let start = self.state.delaunay.complex().incident(site.center);
+        let Some(start) = self.state.delaunay.walk_to_conflict(start, &on_sphere, &mut 0) else {
+            return Ok(false);
+        };
         let mut near = std::mem::take(&mut self.scratch.near);
-        let is_all = self.state.delaunay.meeting_ball(
-            site.center,
-            max_distance,
+        let is_all = self.state.delaunay.meeting_shell(
+            start,
+            &center,
+            (1.0 - margin) * radius..=(1.0 + margin) * radius,
             MOST_ROUND_CAGE,
             &mut near,
         )?;

@@ -75,8 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         };
         self.state.delaunay.find_cavity(simplex, &x, cavity)?;
         if !self.may_replace_cavity(cavity) {
-            self.state.refine_list.limit(simplex);
-            return Ok(());
+            return Ok(self.block(simplex)?);
         }
         // With a yield radius above 1 - epsilon the input need not be medial: INSERTINPUT, not
         // the paper's INSERT, and with it the encroachment that an input may cause.
@@ -85,7 +84,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         {
             self.state.stats.yields += 1;
             if !self.insert_input(input, cavity)? {
-                self.state.refine_list.limit(simplex);
+                self.block(simplex)?;
             }
             return Ok(());
         }
@@ -98,8 +97,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             None => {}
         }
         if !self.may_insert(&x, cavity) {
-            self.state.refine_list.limit(simplex);
-            return Ok(());
+            return Ok(self.block(simplex)?);
         }
         let domain = self.enter(&x, cavity)?;
         let vertex = self.add_vertex(x)?;

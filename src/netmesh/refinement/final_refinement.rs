@@ -64,6 +64,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.refine_tiles(cavity)
     }
 
+    /// The scans that come after the first one, in a partition that no global mesh takes over.
+    pub(in crate::netmesh) fn refine_spanning_domains(
+        &mut self,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        while self.refine_scanned(Scan::SpanningDomains, cavity)? {}
+        Ok(())
+    }
+
     fn begin_final_refinement(&mut self) -> Result<()> {
         self.state.stage.bound = self.state.parameters.quality_bound;
         self.state.stage.is_final = true;
@@ -77,7 +86,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refine_tiles(&mut self, cavity: &mut Cavity) -> Result<()> {
         let watch = &mut self.watch;
         let complex = self.state.delaunay.complex();
-        let order = complex.order_by_anchor(self.state.inputs, || watch.poll_after(1))?.order;
+        let anchors = self.state.inputs.max(1);
+        let order = complex.order_by_anchor(anchors, || watch.poll_after(1))?.order;
         let length = self.tile_length();
         for (at, tile) in order.chunks(length).enumerate() {
             self.refine_simplices(tile, cavity)?;

@@ -1,0 +1,23 @@
+//! A Delaunay complex from plain arrays.
+
+use super::Delaunay;
+use crate::complex::Complex;
+use crate::error::Result;
+use crate::memory::Array;
+
+impl<const D: usize> Delaunay<D> {
+    /// The Delaunay complex that `complex` over `points` is, with its D-balls.
+    pub fn of_complex(
+        points: Array<[f64; D]>,
+        complex: Complex<D>,
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<Self> {
+        let mut delaunay = Self { complex, ..Self::new(points)? };
+        delaunay.cover_balls()?;
+        for simplex in delaunay.complex.simplices() {
+            tick()?;
+            delaunay.compute_ball(simplex);
+        }
+        Ok(delaunay)
+    }
+}

@@ -1,0 +1,6 @@
+//! Meshes that no process has all of: what a program that makes one on several machines needs, and
+//! what it sends. Communication is its own. [`Coarse`] tells the way.
+
+pub use crate::netmesh::distributed::{
+    Coarse, Counts, HULL, INTERFACE, MADE, Maker, NO_DOMAIN, Piece, PlainDomain, PlainPiece, RINGS,
+};

@@ -1,0 +1,448 @@
+//! Pieces become a partition, which goes through rounds and refinement as those of one process do
+//! (`partitions`), and that becomes a piece again.
+
+use super::hierarchy::{Domains, with_domains};
+use super::names::{NOTHING, is_input, made_by};
+use super::piece::{Corner, Counts, Piece};
+use crate::complex::{Complex, SimplexId, VertexId};
+use crate::delaunay::{Cavity, Delaunay};
+use crate::error::Result;
+use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
+use crate::mesh::{Inputs, Stats};
+use crate::netmesh::cages::domains::Hierarchy;
+use crate::netmesh::partitions::interface::Interface;
+use crate::netmesh::refinement::refine_list::RefineList;
+use crate::netmesh::rounds::conflict_lists::ConflictLists;
+use crate::netmesh::rounds::order::by_locality;
+use crate::netmesh::segments::Segments;
+use crate::netmesh::{Cell, Mesher, Stage, State, Watch};
+use crate::parameters::Parameters;
+use rand_pcg::Pcg64Mcg;
+
+/// Pieces that have been put together.
+pub(super) struct Assembly<const D: usize> {
+    /// Vertex -> name.
+    pub names: Vec<u64>,
+    pub domains: Domains,
+    pub outer: Vec<[u64; D]>,
+    pub encroaching: Vec<u64>,
+    pub counts: Counts,
+    pub state: State<D>,
+}
+
+/// Which vertices get the first ids, as those that a state calls inputs.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum First {
+    /// Inputs that wait for their insertion, in an order of locality.
+    Waiting,
+    /// All inputs, by their names. None may wait.
+    Inputs,
+}
+
+/// Ids of vertices in the assembly, and what the pieces know of them.
+struct Vertices<const D: usize> {
+    corners: Vec<Corner<D>>,
+    /// Piece -> vertex of it -> id.
+    ids: Vec<Vec<u32>>,
+    /// How many of them are what [`First`] says.
+    first: usize,
+}
+
+impl<const D: usize> Assembly<D> {
+    /// Puts `pieces` together. Where two of them have the same facet they are linked. `maker` is
+    /// the number of the partition that this makes.
+    pub fn new(
+        pieces: &[Piece<D>],
+        first: First,
+        parameters: &Parameters,
+        template: Vec<[f64; D]>,
+        maker: u32,
+        watch: &mut Watch<'_, '_>,
+    ) -> Result<Self> {
+        let vertices = number(pieces, first, watch)?;
+        let bases = simplex_bases(pieces)?;
+        let (simplices, neighbors) = linked(pieces, &vertices, &bases, watch)?;
+        let count = vertices.corners.len();
+        let complex = Complex::of_arrays(count, &simplices, &neighbors, || watch.poll_after(1))?;
+        drop((simplices, neighbors));
+        let mut points = Array::with_capacity(count)?;
+        let mut cells = Array::with_capacity(count)?;
+        for corner in &vertices.corners {
+            points.try_push(corner.point)?;
+            cells.try_push(Cell { nearest: corner.nearest, farthest: corner.farthest })?;
+        }
+        let delaunay = Delaunay::of_complex(points, complex, || watch.poll_after(1))?;
+        let shared = delaunay.interface_vertices()?;
+        let names = collected(vertices.corners.iter().map(|corner| corner.name))?;
+        let (hierarchy, domains): (Hierarchy<D>, Domains) =
+            with_domains(pieces, &vertices.corners, &names, &shared)?;
+        let conflict_lists = match first {
+            First::Waiting => conflict_lists(pieces, &vertices, &bases, &delaunay, watch)?,
+            First::Inputs => {
+                let mut lists = ConflictLists::new(vertices.first)?;
+                (0..vertices.first).for_each(|_| lists.dismiss_unassigned());
+                lists
+            }
+        };
+        let is_whole = pieces.iter().all(|piece| piece.outer.is_empty()) && !shared.contains(&true);
+        let interface = match is_whole {
+            true => Interface::default(),
+            false => Interface::new(domains.non_owned()?),
+        };
+        let mut counts = Counts::default();
+        let mut encroaching = Vec::new();
+        for piece in pieces {
+            counts.add(&piece.counts);
+            encroaching.try_extend(&piece.encroaching)?;
+        }
+        let seed = u128::from(parameters.seed) << 64 | u128::from(maker);
+        let state = State {
+            random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ seed),
+            precision_limited: collected(
+                vertices.corners.iter().map(|corner| corner.is_precision_limited),
+            )?,
+            delaunay,
+            hierarchy,
+            conflict_lists,
+            refine_list: RefineList::new()?,
+            segments: Segments::default(),
+            interface,
+            stage: Stage::of_insertion(parameters.loose_bound()),
+            cells,
+            inputs: vertices.first,
+            removed: Vec::new(),
+            template,
+            stats: Stats::default(),
+            parameters: parameters.clone(),
+        };
+        Ok(Self { names, domains, outer: outer(pieces)?, encroaching, counts, state })
+    }
+
+    /// Goes through rounds and refinement, as far as the interface allows, and becomes a piece.
+    pub fn refine(mut self, maker: u32, watch: Watch<'_, '_>) -> Result<Piece<D>> {
+        let encroaching = std::mem::take(&mut self.encroaching);
+        let mut mesher = Mesher::resume(self.state, watch);
+        let mut cavity = Cavity::default();
+        mesher.lock()?;
+        let mut left = Vec::new();
+        if !encroaching.is_empty() {
+            for (vertex, name) in self.names.iter().enumerate() {
+                let vertex = VertexId::new(vertex);
+                if encroaching.contains(name) && !mesher.make_room(vertex, &mut cavity)? {
+                    left.try_push(*name)?;
+                }
+            }
+        }
+        mesher.clean(&mut cavity)?;
+        mesher.run_rounds_locked(&mut cavity)?;
+        mesher.refine_spanning_domains(&mut cavity)?;
+        drop(cavity);
+        self.encroaching = left;
+        self.state = mesher.state;
+        self.into_piece(maker)
+    }
+
+    /// The live simplices as a piece.
+    pub fn into_piece(mut self, maker: u32) -> Result<Piece<D>> {
+        let known = self.names.len();
+        for number in known..self.state.delaunay.point_count() {
+            self.names.try_push(made_by(maker, number - known))?;
+        }
+        self.domains.name_new(&self.state.hierarchy, maker)?;
+        for &(_, input) in &self.state.interface.deferred {
+            let name = self.names[input];
+            if !self.encroaching.contains(&name) {
+                self.encroaching.try_push(name)?;
+            }
+        }
+        let mut piece = Piece {
+            outer: std::mem::take(&mut self.outer),
+            encroaching: std::mem::take(&mut self.encroaching),
+            counts: self.all_counts(),
+            ..Piece::default()
+        };
+        self.write_simplices(&mut piece)?;
+        self.write_corners(&mut piece)?;
+        self.domains.write(&mut self.state.hierarchy, &self.names, &mut piece)?;
+        Ok(piece)
+    }
+
+    fn all_counts(&self) -> Counts {
+        let stats = &self.state.stats;
+        let mut counts = self.counts;
+        counts.add(&Counts {
+            touches: self.state.conflict_lists.total_touches(),
+            simplices_created: self.state.delaunay.simplices_created(),
+            exact_fallbacks: self.state.delaunay.exact_fallbacks(),
+            yields: stats.yields,
+            cages_created: stats.cages_created,
+            cages_grown: stats.cages_grown,
+            cages_released: stats.cages_released,
+        });
+        counts
+    }
+
+    /// Simplices with the ids that they have here for vertices; [`Self::write_corners`] puts in
+    /// those of the piece.
+    fn write_simplices(&self, piece: &mut Piece<D>) -> Result<()> {
+        let complex = self.state.delaunay.complex();
+        let mut ids = filled(complex.simplex_bound(), u32::MAX)?;
+        let live = || complex.simplices().filter(|&simplex| complex.is_live(simplex));
+        for (id, simplex) in (0..).zip(live()) {
+            ids[simplex.index()] = id;
+        }
+        let count = complex.simplex_count();
+        piece.simplices = with_capacity(count * Piece::<D>::CORNERS)?;
+        piece.neighbors = with_capacity(count * Piece::<D>::CORNERS)?;
+        piece.is_unsettled = with_capacity(count)?;
+        for simplex in live() {
+            piece.simplices.extend(complex.vertices(simplex).iter().map(|vertex| vertex.number()));
+            let neighbors = complex.neighbors(simplex).iter();
+            piece.neighbors.extend(neighbors.map(|neighbor| ids[neighbor.index()]));
+            piece.is_unsettled.push(self.state.conflict_lists.count(simplex) > 0);
+        }
+        for &simplex in &self.state.interface.blocked {
+            if complex.is_live(simplex) && self.state.refine_list.is_limited(simplex) {
+                piece.is_unsettled[ids[simplex.index()] as usize] = true;
+            }
+        }
+        for input in VertexId::below(self.state.inputs) {
+            if !complex.contains_vertex(input) {
+                let simplex = self.state.conflict_lists.simplex_of(input);
+                piece.waiting.try_push(ids[simplex.index()])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Waiting inputs first, then the vertices of simplices.
+    fn write_corners(&mut self, piece: &mut Piece<D>) -> Result<()> {
+        let count = self.state.delaunay.point_count();
+        let mut ids = filled(count, u32::MAX)?;
+        let mut order = Vec::new();
+        let is_in = |vertex: &VertexId| self.state.delaunay.complex().contains_vertex(*vertex);
+        let waiting = VertexId::below(self.state.inputs).filter(|vertex| !is_in(vertex));
+        for vertex in waiting.chain(VertexId::below(count).filter(is_in)) {
+            ids[vertex.index()] = order.len() as u32;
+            order.try_push(vertex)?;
+        }
+        let limited = self.limited_vertices()?;
+        piece.corners = with_capacity(order.len())?;
+        for vertex in order {
+            let is_inserted = self.state.delaunay.complex().contains_vertex(vertex);
+            let Cell { nearest, farthest } = self.state.cells[vertex];
+            let hierarchy = &mut self.state.hierarchy;
+            let cage = hierarchy.cage_of(vertex);
+            let domain = is_inserted.then(|| hierarchy.domain_of(vertex));
+            piece.corners.push(Corner {
+                name: self.names[vertex.index()],
+                point: *self.state.delaunay.point(vertex),
+                nearest,
+                farthest,
+                domain: domain.map_or(NOTHING, |domain| self.domains.name(domain)),
+                cage: self.domains.name(cage),
+                is_precision_limited: limited[vertex.index()],
+            });
+        }
+        for vertex in piece.simplices.iter_mut().filter(|vertex| **vertex != u32::MAX) {
+            *vertex = ids[*vertex as usize];
+        }
+        Ok(())
+    }
+
+    /// Vertices next to which doubles ran out, and those of simplices whose corner could not be
+    /// inserted for want of precision.
+    fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
+        let State { delaunay, refine_list, interface, .. } = &self.state;
+        let mut limited = collected(self.state.precision_limited.iter().copied())?;
+        let mut is_blocked = filled(delaunay.complex().simplex_bound(), false)?;
+        interface.blocked.iter().for_each(|&simplex| is_blocked[simplex.index()] = true);
+        for simplex in delaunay.complex().simplices() {
+            let is_free = !is_blocked[simplex.index()] && !interface.is_locked(simplex);
+            if is_free && refine_list.is_limited(simplex) && delaunay.complex().is_live(simplex) {
+                for vertex in delaunay.complex().vertices(simplex).iter().filter(|v| v.is_valid()) {
+                    limited[vertex.index()] = true;
+                }
+            }
+        }
+        Ok(limited)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Grows the domains around `input`, which encroaches them from inside. Whether the interface
+    /// allowed it.
+    fn make_room(&mut self, input: VertexId, cavity: &mut Cavity) -> Result<bool> {
+        if !self.is_inserted(input) {
+            return Ok(false);
+        }
+        let x = *self.state.delaunay.point(input);
+        loop {
+            let domain = self.state.hierarchy.domain_of(input);
+            let outer = match self.state.hierarchy.cage_of(input) == domain {
+                true => self.state.hierarchy.parent(domain),
+                false => domain,
+            };
+            let Some(domain) = self.inner_encroached_from(outer, &x) else { return Ok(true) };
+            let start = self.state.delaunay.complex().incident(input);
+            if !self.grow_cage_for(domain, &x, start, cavity)? {
+                return Ok(false);
+            }
+        }
+    }
+}
+
+/// Where the simplices of each piece begin.
+fn simplex_bases<const D: usize>(pieces: &[Piece<D>]) -> Result<Vec<usize>> {
+    let mut bases = with_capacity(pieces.len())?;
+    let mut next = 0;
+    for piece in pieces {
+        bases.push(next);
+        next += piece.simplex_count();
+    }
+    if next >= u32::MAX as usize {
+        return Err(AllocError::Ids.into());
+    }
+    Ok(bases)
+}
+
+/// Numbers the vertices of all pieces.
+fn number<const D: usize>(
+    pieces: &[Piece<D>],
+    first: First,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vertices<D>> {
+    let mut all = with_capacity(pieces.iter().map(|piece| piece.corners.len()).sum())?;
+    for (at, piece) in pieces.iter().enumerate() {
+        for (vertex, corner) in piece.corners.iter().enumerate() {
+            watch.poll_after(1)?;
+            let is_first = match first {
+                First::Waiting => vertex < piece.waiting.len(),
+                First::Inputs => is_input(corner.name),
+            };
+            all.push((corner.name, !is_first, at as u32, vertex as u32));
+        }
+    }
+    all.sort_unstable();
+    // One entry a name: the first of those that have it. An input waits in one piece only, and is
+    // in the mesh in none.
+    let corner =
+        |entry: &(u64, bool, u32, u32)| &pieces[entry.2 as usize].corners[entry.3 as usize];
+    let groups = || all.chunk_by(|a, b| a.0 == b.0);
+    let mut firsts = collected(groups().map(|group| group[0]).filter(|entry| !entry.1))?;
+    if first == First::Waiting {
+        let points = collected(firsts.iter().map(|entry| corner(entry).point))?;
+        if points.len() > 1 {
+            let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0)?;
+            let order = by_locality::<D>(&inputs, watch)?;
+            firsts = collected(order.iter().map(|input| firsts[input.index()]))?;
+        }
+    }
+    let mut ids = with_capacity(pieces.len())?;
+    for piece in pieces {
+        ids.push(filled(piece.corners.len(), u32::MAX)?);
+    }
+    let mut corners = with_capacity(firsts.len())?;
+    // Those that are not the first come in the order of the pieces, which is one of locality.
+    for entry in &firsts {
+        ids[entry.2 as usize][entry.3 as usize] = corners.len() as u32;
+        corners.push(*corner(entry));
+    }
+    let count = corners.len();
+    let mut leaders = with_capacity(all.len())?;
+    for group in groups() {
+        leaders.extend(group.iter().map(|entry| ((entry.2, entry.3), (group[0].2, group[0].3))));
+    }
+    leaders.sort_unstable();
+    for ((at, vertex), (leader, leading)) in leaders {
+        watch.poll_after(1)?;
+        let known = ids[leader as usize][leading as usize];
+        let own = &pieces[at as usize].corners[vertex as usize];
+        if known == u32::MAX {
+            let id = corners.len() as u32;
+            corners.try_push(*own)?;
+            ids[leader as usize][leading as usize] = id;
+            ids[at as usize][vertex as usize] = id;
+            continue;
+        }
+        ids[at as usize][vertex as usize] = known;
+        let corner: &mut Corner<D> = &mut corners[known as usize];
+        corner.nearest = corner.nearest.min(own.nearest);
+        corner.farthest = corner.farthest.max(own.farthest);
+        corner.is_precision_limited |= own.is_precision_limited;
+        if corner.domain == NOTHING {
+            corner.domain = own.domain;
+        }
+        if corner.cage == NOTHING {
+            corner.cage = own.cage;
+        }
+    }
+    Ok(Vertices { corners, ids, first: count })
+}
+
+/// The vertices and neighbours of all simplices, linked where pieces have the same facet.
+fn linked<const D: usize>(
+    pieces: &[Piece<D>],
+    vertices: &Vertices<D>,
+    bases: &[usize],
+    watch: &mut Watch<'_, '_>,
+) -> Result<(Vec<VertexId>, Vec<SimplexId>)> {
+    let length = pieces.iter().map(|piece| piece.simplices.len()).sum();
+    let (mut simplices, mut neighbors) = (with_capacity(length)?, with_capacity(length)?);
+    let mut facets = Vec::new();
+    for ((piece, ids), &base) in pieces.iter().zip(&vertices.ids).zip(bases) {
+        watch.poll()?;
+        simplices.extend(piece.simplices.iter().map(|&vertex| match vertex {
+            u32::MAX => VertexId::INFINITE,
+            _ => VertexId::from_number(ids[vertex as usize]),
+        }));
+        neighbors.extend(
+            piece.neighbors.iter().map(|&neighbor| SimplexId::new(base + neighbor as usize)),
+        );
+        for (simplex, index) in piece.interface_facets() {
+            watch.poll_after(1)?;
+            facets.try_push((piece.facet(simplex, index), base + simplex, index))?;
+        }
+    }
+    facets.sort_unstable();
+    for pair in facets.windows(2) {
+        let [(facet, first, at), (other, second, opposite)] = [pair[0], pair[1]];
+        if facet == other {
+            neighbors[first * Piece::<D>::CORNERS + at] = SimplexId::new(second);
+            neighbors[second * Piece::<D>::CORNERS + opposite] = SimplexId::new(first);
+        }
+    }
+    Ok((simplices, neighbors))
+}
+
+/// Waiting inputs on the lists of the simplices that they are known to conflict with.
+fn conflict_lists<const D: usize>(
+    pieces: &[Piece<D>],
+    vertices: &Vertices<D>,
+    bases: &[usize],
+    delaunay: &Delaunay<D>,
+    watch: &mut Watch<'_, '_>,
+) -> Result<ConflictLists> {
+    let mut simplex_of = filled(vertices.first, SimplexId::NONE)?;
+    for ((piece, ids), &base) in pieces.iter().zip(&vertices.ids).zip(bases) {
+        for (input, &simplex) in piece.waiting.iter().enumerate() {
+            simplex_of[ids[input] as usize] = SimplexId::new(base + simplex as usize);
+        }
+    }
+    let mut lists = ConflictLists::new(vertices.first)?;
+    lists.cover(delaunay.complex().simplex_bound())?;
+    for (input, &simplex) in VertexId::below(vertices.first).zip(&simplex_of) {
+        watch.poll_after(1)?;
+        debug_assert!(delaunay.in_conflict(simplex, delaunay.point(input)));
+        lists.assign(input, simplex);
+    }
+    Ok(lists)
+}
+
+/// The outer facets of the pieces together: those of two of them are inside.
+fn outer<const D: usize>(pieces: &[Piece<D>]) -> AllocResult<Vec<[u64; D]>> {
+    let mut all = collected(pieces.iter().flat_map(|piece| piece.outer.iter().copied()))?;
+    all.sort_unstable();
+    let single = all.chunk_by(|a, b| a == b).filter(|facets| facets.len() == 1);
+    collected(single.map(|facets| facets[0]))
+}

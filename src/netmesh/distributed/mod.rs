@@ -1,0 +1,39 @@
+//! Meshes that no process has all of. A coarse mesh of a sample of the inputs, which all processes
+//! make alike, is cut into partitions. Each is a [`Piece`], plain data, and goes through rounds and
+//! refinement as the partitions of one process do (`partitions`). What it could not do, for others
+//! have a share in it, is at its interface: the simplices there, the seam, are put together with
+//! those of the other side and go through the same. So along a tree of partitions, until nothing is
+//! left at the root. Everything else is settled and stays where it is.
+//!
+//! ```text
+//!     1   2   3   4     partitions, each with a seam at its interface
+//!      \ /     \ /
+//!      1+2     3+4      the seams between 1 and 2, and 3 and 4; what is at the interface of both
+//!         \    /        goes on
+//!         1+2+3+4
+//! ```
+//!
+//! What a partition makes depends on the pieces that it is made of, and on nothing else: not on
+//! where it is made, nor on how many processes there are.
+//!
+//! As for partitions of one process, the paper allows any order of insertions (§6.3, §6.4). The
+//! sample is a part of the inputs, chosen by their coordinates.
+
+mod assembly;
+mod bytes;
+mod coarse;
+mod hierarchy;
+mod maker;
+mod names;
+mod piece;
+mod plain;
+mod seam;
+#[cfg(test)]
+mod tests;
+
+pub use coarse::Coarse;
+pub use maker::Maker;
+pub use names::MADE;
+pub use piece::{Counts, Piece};
+pub use plain::{HULL, INTERFACE, NO_DOMAIN, PlainDomain, PlainPiece};
+pub use seam::RINGS;

@@ -1,0 +1,268 @@
+//! A piece of a mesh as plain data that no id of another piece is needed for: it can be sent,
+//! divided, and put together with others.
+
+use super::names::{NOTHING, is_input};
+use crate::error::Result;
+use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+
+/// Beyond a facet that is the boundary of the piece, but not of the mesh, a simplex is its own
+/// neighbour.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Piece<const D: usize> {
+    /// The inputs that wait for their insertion come first.
+    pub(super) corners: Vec<Corner<D>>,
+    /// Waiting input -> a simplex whose D-ball holds it.
+    pub(super) waiting: Vec<u32>,
+    /// D + 1 vertices each, positively oriented; the vertex at infinity is `u32::MAX`.
+    pub(super) simplices: Vec<u32>,
+    /// The simplex beyond the facet opposite each vertex.
+    pub(super) neighbors: Vec<u32>,
+    /// Simplex -> whether something is left to do there that this piece could not.
+    pub(super) is_unsettled: Vec<bool>,
+    pub(super) domains: Vec<NamedDomain<D>>,
+    /// Domains that were dissolved, and the domain that took their vertices.
+    pub(super) released: Vec<[u64; 2]>,
+    /// The facets, by the names of their vertices in rising order, where the piece meets partitions
+    /// that it has not joined yet. Sorted.
+    pub(super) outer: Vec<[u64; D]>,
+    /// Inputs that encroach a domain around their cage, which had to stay as it is.
+    pub(super) encroaching: Vec<u64>,
+    pub(super) counts: Counts,
+}
+
+/// A vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Corner<const D: usize> {
+    pub name: u64,
+    pub point: [f64; D],
+    /// As in [`crate::netmesh::state::Cell`].
+    pub nearest: f64,
+    pub farthest: f64,
+    /// The innermost domain; nothing for an input that waits.
+    pub domain: u64,
+    /// The domain whose cage it is part of, or nothing.
+    pub cage: u64,
+    pub is_precision_limited: bool,
+}
+
+/// A living domain.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct NamedDomain<const D: usize> {
+    pub name: u64,
+    pub parent: u64,
+    pub point: [f64; D],
+    pub radius: f64,
+    pub outside: f64,
+    pub center: u64,
+    pub cage: Vec<u64>,
+    /// How often it has been in a partition that might change it: the highest is the latest.
+    pub version: u64,
+}
+
+/// What was counted while the piece was made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub touches: u64,
+    pub simplices_created: u64,
+    pub exact_fallbacks: u64,
+    pub yields: u64,
+    pub cages_created: u64,
+    pub cages_grown: u64,
+    pub cages_released: u64,
+}
+
+impl Counts {
+    pub fn add(&mut self, other: &Self) {
+        self.touches += other.touches;
+        self.simplices_created += other.simplices_created;
+        self.exact_fallbacks += other.exact_fallbacks;
+        self.yields += other.yields;
+        self.cages_created += other.cages_created;
+        self.cages_grown += other.cages_grown;
+        self.cages_released += other.cages_released;
+    }
+}
+
+impl<const D: usize> Piece<D> {
+    pub(super) const CORNERS: usize = D + 1;
+
+    pub fn simplex_count(&self) -> usize {
+        self.is_unsettled.len()
+    }
+
+    /// Inputs that wait for their insertion.
+    pub fn waiting_count(&self) -> usize {
+        self.waiting.len()
+    }
+
+    pub(super) fn vertices_of(&self, simplex: usize) -> &[u32] {
+        &self.simplices[simplex * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    pub(super) fn neighbors_of(&self, simplex: usize) -> &[u32] {
+        &self.neighbors[simplex * Self::CORNERS..][..Self::CORNERS]
+    }
+
+    /// The name of a vertex, which may be at infinity.
+    pub(super) fn name(&self, vertex: u32) -> u64 {
+        self.corners.get(vertex as usize).map_or(NOTHING, |corner| corner.name)
+    }
+
+    /// The names of the vertices of the facet of `simplex` opposite its vertex number `index`, in
+    /// rising order.
+    pub(super) fn facet(&self, simplex: usize, index: usize) -> [u64; D] {
+        let vertices = self.vertices_of(simplex);
+        let mut facet =
+            std::array::from_fn(|at| self.name(vertices[at + usize::from(at >= index)]));
+        facet.sort_unstable();
+        facet
+    }
+
+    /// The facets at which the piece ends, as simplices and the numbers of the opposite vertices.
+    pub(super) fn interface_facets(&self) -> impl Iterator<Item = (usize, usize)> {
+        let facets = self.neighbors.iter().enumerate();
+        let own = facets.filter(|&(at, &neighbor)| at / Self::CORNERS == neighbor as usize);
+        own.map(|(at, _)| (at / Self::CORNERS, at % Self::CORNERS))
+    }
+
+    /// The simplices for which `is_own` says so, as a piece; inputs that wait for them come along.
+    pub(super) fn select(
+        &self,
+        is_own: &[bool],
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<Self> {
+        let mut selected = Self::default();
+        let mut simplex_ids = filled(self.simplex_count(), u32::MAX)?;
+        let mut count = 0;
+        for (id, _) in simplex_ids.iter_mut().zip(is_own).filter(|(_, is_own)| **is_own) {
+            *id = count;
+            count += 1;
+        }
+        let mut vertex_ids = filled(self.corners.len(), u32::MAX)?;
+        let mut take = |selected: &mut Self, vertex: usize| -> AllocResult<u32> {
+            if vertex_ids[vertex] == u32::MAX {
+                vertex_ids[vertex] = selected.corners.len() as u32;
+                selected.corners.try_push(self.corners[vertex])?;
+            }
+            Ok(vertex_ids[vertex])
+        };
+        for (input, &simplex) in self.waiting.iter().enumerate() {
+            tick()?;
+            if is_own[simplex as usize] {
+                take(&mut selected, input)?;
+                selected.waiting.try_push(simplex_ids[simplex as usize])?;
+            }
+        }
+        selected.simplices = with_capacity(count as usize * Self::CORNERS)?;
+        selected.neighbors = with_capacity(count as usize * Self::CORNERS)?;
+        selected.is_unsettled = with_capacity(count as usize)?;
+        for simplex in (0..self.simplex_count()).filter(|&simplex| is_own[simplex]) {
+            tick()?;
+            for &vertex in self.vertices_of(simplex) {
+                let id = match vertex {
+                    u32::MAX => u32::MAX,
+                    _ => take(&mut selected, vertex as usize)?,
+                };
+                selected.simplices.push(id);
+            }
+            for &neighbor in self.neighbors_of(simplex) {
+                let id = simplex_ids[neighbor as usize];
+                selected.neighbors.push(if id == u32::MAX { simplex_ids[simplex] } else { id });
+            }
+            selected.is_unsettled.push(self.is_unsettled[simplex]);
+        }
+        // Others may have vertices of the domains that were dissolved.
+        let takers = self.released.iter().map(|&[_, taker]| taker);
+        let is_around = self.domains_around(&selected.corners, takers)?;
+        let around = self.domains.iter().zip(is_around).filter(|(_, is_around)| *is_around);
+        selected.domains = collected(around.map(|(domain, _)| domain.clone()))?;
+        selected.released = collected(self.released.iter().copied())?;
+        selected.outer = self.outer_of(&selected)?;
+        let has = |name: &&u64| selected.corners.iter().any(|corner| corner.name == **name);
+        selected.encroaching = collected(self.encroaching.iter().filter(has).copied())?;
+        Ok(selected)
+    }
+
+    /// Domain -> whether one of `corners` is in it or in its cage, or one of the `others` is it, or
+    /// either of a domain within it.
+    pub(super) fn domains_around<'a>(
+        &self,
+        corners: impl IntoIterator<Item = &'a Corner<D>>,
+        others: impl Iterator<Item = u64>,
+    ) -> AllocResult<Vec<bool>> {
+        let mut places = collected(self.domains.iter().map(|domain| domain.name).zip(0usize..))?;
+        places.sort_unstable();
+        let place = |name: u64| {
+            places.binary_search_by_key(&name, |&(name, _)| name).ok().map(|at| places[at].1)
+        };
+        let mut is_wanted = filled(self.domains.len(), false)?;
+        let mut want = |name: u64| {
+            let mut next = place(name);
+            while let Some(at) = next.filter(|&at| !is_wanted[at]) {
+                is_wanted[at] = true;
+                next = place(self.domains[at].parent);
+            }
+        };
+        let mut last = NOTHING;
+        for corner in corners {
+            if corner.domain != last {
+                want(corner.domain);
+                last = corner.domain;
+            }
+            if corner.cage != NOTHING {
+                want(corner.cage);
+            }
+        }
+        others.for_each(want);
+        Ok(is_wanted)
+    }
+
+    /// The outer facets of this piece that `selected` has.
+    fn outer_of(&self, selected: &Self) -> AllocResult<Vec<[u64; D]>> {
+        let mut outer = Vec::new();
+        for (simplex, index) in selected.interface_facets() {
+            let facet = selected.facet(simplex, index);
+            if self.outer.binary_search(&facet).is_ok() {
+                outer.try_push(facet)?;
+            }
+        }
+        outer.sort_unstable();
+        Ok(outer)
+    }
+
+    /// Makes all facets at which the piece ends outer ones: it is a partition that has just been
+    /// cut out.
+    pub(super) fn set_outer(&mut self) -> AllocResult<()> {
+        let facets = self.interface_facets().map(|(simplex, index)| self.facet(simplex, index));
+        self.outer = collected(facets)?;
+        self.outer.sort_unstable();
+        Ok(())
+    }
+
+    /// Adds inputs that wait for their insertion, given by name, point and a simplex whose D-ball
+    /// holds them. The piece must have none.
+    pub fn add_inputs(&mut self, inputs: &[(u64, [f64; D], u32)]) -> Result<()> {
+        debug_assert!(self.waiting.is_empty() && inputs.iter().all(|input| is_input(input.0)));
+        let mut corners = with_capacity(inputs.len() + self.corners.len())?;
+        self.waiting = with_capacity(inputs.len())?;
+        for &(name, point, simplex) in inputs {
+            corners.push(Corner {
+                name,
+                point,
+                nearest: f64::INFINITY,
+                farthest: 0.0,
+                domain: NOTHING,
+                cage: NOTHING,
+                is_precision_limited: false,
+            });
+            self.waiting.push(simplex);
+        }
+        corners.extend_from_slice(&self.corners);
+        self.corners = corners;
+        let shift = inputs.len() as u32;
+        for vertex in self.simplices.iter_mut().filter(|vertex| **vertex != u32::MAX) {
+            *vertex += shift;
+        }
+        Ok(())
+    }
+}

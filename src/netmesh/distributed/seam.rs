@@ -1,0 +1,193 @@
+//! What a partition leaves to the next one: the simplices about its interface, where others have
+//! to be seen before it goes on, and those where it could not do what it wanted. The rest is
+//! settled. A seam is what the partitions on both sides leave.
+
+use super::piece::Piece;
+use crate::error::Result;
+use crate::memory::{TryGrow, collected, filled};
+use crate::netmesh::distributed::names::NOTHING;
+
+/// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
+/// vertex of it. What is inserted at a seam changes cells a few steps away, and never those at its
+/// end.
+pub const RINGS: usize = 3;
+
+impl<const D: usize> Piece<D> {
+    /// Divides the piece in what is settled and the seam that it leaves, if there is one.
+    pub fn divide(
+        self,
+        rings: usize,
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<(Self, Option<Self>)> {
+        let mut is_seam = filled(self.simplex_count(), false)?;
+        self.mark_unsettled(&mut is_seam, &mut tick)?;
+        if !is_seam.contains(&true) {
+            return Ok((self, None));
+        }
+        self.widen(&mut is_seam, rings, &mut tick)?;
+        let (settled, seam) = self.split(is_seam, tick)?;
+        Ok((settled, Some(seam)))
+    }
+
+    /// What is left, and the simplices that are taken out, as pieces.
+    fn split(
+        self,
+        mut is_out: Vec<bool>,
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<(Self, Self)> {
+        let out = self.select(&is_out, &mut tick)?;
+        is_out.iter_mut().for_each(|is_out| *is_out = !*is_out);
+        let mut left = self.select(&is_out, &mut tick)?;
+        left.counts = self.counts;
+        Ok((left, out))
+    }
+
+    /// The names of vertices where something is left to do, and of the centres and cages of the
+    /// domains there. In rising order.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn unsettled_names(&self) -> Result<Vec<u64>> {
+        let mut is_unsettled = filled(self.simplex_count(), false)?;
+        self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;
+        let mut names = self.names_of(&is_unsettled)?;
+        let inner = self.domains.iter().filter(|domain| domain.parent != NOTHING);
+        for domain in inner {
+            names.try_extend(&domain.cage)?;
+            names.try_push(domain.center)?;
+        }
+        names.sort_unstable();
+        names.dedup();
+        Ok(names)
+    }
+
+    /// The names of the vertices of the simplices that have a vertex of the given names, which rise.
+    /// In rising order.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn names_beside(&self, names: &[u64]) -> Result<Vec<u64>> {
+        self.names_of(&self.touching(names)?)
+    }
+
+    /// What is left of the piece, and the simplices that have a vertex of the given names, which
+    /// rise.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn take_out(self, names: &[u64]) -> Result<(Self, Self)> {
+        let is_out = self.touching(names)?;
+        self.split(is_out, || Ok(()))
+    }
+
+    fn touching(&self, names: &[u64]) -> Result<Vec<bool>> {
+        let is_named =
+            collected(self.corners.iter().map(|corner| names.binary_search(&corner.name).is_ok()))?;
+        let is_touching = |simplex| {
+            let mut vertices = self.vertices_of(simplex).iter();
+            vertices.any(|&vertex| is_named.get(vertex as usize) == Some(&true))
+        };
+        Ok(collected((0..self.simplex_count()).map(is_touching))?)
+    }
+
+    fn names_of(&self, is_in: &[bool]) -> Result<Vec<u64>> {
+        let mut is_vertex = filled(self.corners.len(), false)?;
+        for (simplex, _) in is_in.iter().enumerate().filter(|(_, is_in)| **is_in) {
+            for &vertex in self.vertices_of(simplex) {
+                if let Some(is_vertex) = is_vertex.get_mut(vertex as usize) {
+                    *is_vertex = true;
+                }
+            }
+        }
+        let own = self.corners.iter().zip(is_vertex).filter(|(_, is_vertex)| *is_vertex);
+        let mut names = collected(own.map(|(corner, _)| corner.name))?;
+        names.sort_unstable();
+        Ok(names)
+    }
+
+    /// Whether all is done that can be done without others.
+    pub fn is_settled(&self) -> Result<bool> {
+        let mut is_unsettled = filled(self.simplex_count(), false)?;
+        self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;
+        Ok(!is_unsettled.contains(&true))
+    }
+
+    /// Marks the simplices at outer facets, the unsettled ones, those at inputs that encroach
+    /// domains, and those at the centres and cages of domains that other partitions know of.
+    fn mark_unsettled(
+        &self,
+        is_seam: &mut [bool],
+        tick: &mut impl FnMut() -> Result<()>,
+    ) -> Result<()> {
+        let is_outer = self.mark_outer(is_seam)?;
+        let is_marked = self.mark_centers(&is_outer)?;
+        for (simplex, is_seam) in is_seam.iter_mut().enumerate() {
+            tick()?;
+            let mut vertices = self.vertices_of(simplex).iter();
+            *is_seam |= self.is_unsettled[simplex]
+                || vertices.any(|&vertex| is_marked.get(vertex as usize) == Some(&true));
+        }
+        Ok(())
+    }
+
+    /// Marks the simplices at outer facets. Returns which vertices are at such facets.
+    fn mark_outer(&self, is_seam: &mut [bool]) -> Result<Vec<bool>> {
+        let mut is_outer = filled(self.corners.len(), false)?;
+        for (simplex, index) in self.interface_facets() {
+            if self.outer.binary_search(&self.facet(simplex, index)).is_ok() {
+                is_seam[simplex] = true;
+                for (at, &vertex) in self.vertices_of(simplex).iter().enumerate() {
+                    if at != index && vertex != u32::MAX {
+                        is_outer[vertex as usize] = true;
+                    }
+                }
+            }
+        }
+        Ok(is_outer)
+    }
+
+    /// Which vertices are inputs that encroach domains, or the centre or in the cage of a domain
+    /// that other partitions know of: those that have an outer vertex, and those around them.
+    fn mark_centers(&self, is_outer: &[bool]) -> Result<Vec<bool>> {
+        let mut is_marked = filled(self.corners.len(), false)?;
+        let outer = self.corners.iter().zip(is_outer).filter(|(_, is_outer)| **is_outer);
+        let is_known = self.domains_around(outer.map(|(corner, _)| corner), std::iter::empty())?;
+        let known = self.domains.iter().zip(is_known).filter(|(_, is_known)| *is_known);
+        let known = known.map(|(domain, _)| domain).filter(|domain| domain.parent != NOTHING);
+        let mut wanted =
+            collected(known.flat_map(|domain| domain.cage.iter().copied().chain([domain.center])))?;
+        wanted.try_extend(&self.encroaching)?;
+        wanted.sort_unstable();
+        if !wanted.is_empty() {
+            for (is_marked, corner) in is_marked.iter_mut().zip(&self.corners) {
+                *is_marked = wanted.binary_search(&corner.name).is_ok();
+            }
+        }
+        Ok(is_marked)
+    }
+
+    /// Marks all simplices that are at most `rings` steps from a marked one.
+    fn widen(
+        &self,
+        is_seam: &mut [bool],
+        rings: usize,
+        tick: &mut impl FnMut() -> Result<()>,
+    ) -> Result<()> {
+        let mut is_near = filled(self.corners.len(), false)?;
+        for _ in 0..rings {
+            for simplex in (0..self.simplex_count()).filter(|&simplex| is_seam[simplex]) {
+                for &vertex in self.vertices_of(simplex) {
+                    if let Some(is_near) = is_near.get_mut(vertex as usize) {
+                        *is_near = true;
+                    }
+                }
+            }
+            for (simplex, is_seam) in is_seam.iter_mut().enumerate() {
+                tick()?;
+                let mut vertices = self.vertices_of(simplex).iter();
+                *is_seam |= vertices.any(|&vertex| is_near.get(vertex as usize) == Some(&true));
+            }
+        }
+        Ok(())
+    }
+}

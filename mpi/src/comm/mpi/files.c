@@ -1,0 +1,73 @@
+/*
+ * Files that all ranks write into at once (MPI-IO).
+ */
+#include "layer.h"
+
+#include <stdlib.h>
+
+#define CHECK(call)                                                                                \
+    do {                                                                                           \
+        int checked = (call);                                                                      \
+        if (checked != MPI_SUCCESS)                                                                \
+            return checked;                                                                        \
+    } while (0)
+
+typedef struct netmesh_shared_file {
+    MPI_File file;
+} netmesh_shared_file;
+
+/* Collective: a file that must not be there yet. */
+int netmesh_shared_file_create(netmesh_ranks *ranks, const char *path, netmesh_shared_file **created)
+{
+    netmesh_shared_file *shared = malloc(sizeof *shared);
+    int has_memory = shared != NULL, all_have = 0;
+    CHECK(MPI_Allreduce(&has_memory, &all_have, 1, MPI_INT, MPI_MIN, ranks->messages));
+    if (!all_have) {
+        free(shared);
+        return MPI_ERR_NO_MEM;
+    }
+    int status = MPI_File_open(ranks->messages, path, MPI_MODE_CREATE | MPI_MODE_EXCL | MPI_MODE_WRONLY,
+                               MPI_INFO_NULL, &shared->file);
+    if (status != MPI_SUCCESS) {
+        free(shared);
+        return status;
+    }
+    *created = shared;
+    return MPI_File_set_errhandler(shared->file, MPI_ERRORS_RETURN);
+}
+
+/*
+ * Collective: each rank writes its bytes at its place, `rounds` times at most `chunk` of them; the
+ * number of rounds is that of the rank with the most.
+ */
+int netmesh_shared_file_write(netmesh_shared_file *shared, uint64_t offset, const void *bytes, uint64_t size,
+                              uint64_t rounds, uint64_t chunk)
+{
+    const char *at = bytes;
+    int first = MPI_SUCCESS;
+    /* All rounds, whatever becomes of one: the others are in them too. */
+    for (uint64_t round = 0; round < rounds; round++) {
+        MPI_Status written;
+        int now = (int)(size < chunk ? size : chunk), count = 0;
+        int status = MPI_File_write_at_all(shared->file, (MPI_Offset)offset, at, now, MPI_BYTE, &written);
+        if (status == MPI_SUCCESS)
+            status = MPI_Get_count(&written, MPI_BYTE, &count);
+        if (status == MPI_SUCCESS && count != now)
+            status = MPI_ERR_NO_SPACE;
+        if (first == MPI_SUCCESS)
+            first = status;
+        at += now;
+        offset += (uint64_t)now;
+        size -= (uint64_t)now;
+    }
+    return first;
+}
+
+/* Collective: what was written is on the disk afterwards. */
+int netmesh_shared_file_close(netmesh_shared_file *shared)
+{
+    int synchronised = MPI_File_sync(shared->file);
+    int closed = MPI_File_close(&shared->file);
+    free(shared);
+    return synchronised != MPI_SUCCESS ? synchronised : closed;
+}

@@ -29,10 +29,10 @@ fn main() {
         println!("cargo:rerun-if-changed={source}");
         build.file(source);
     }
-    for header in ["src/comm/mpi/layer.h", "include/netmesh_mpi.h", "../include/netmesh.h"] {
+    for header in ["src/comm/mpi/layer.h", "../include/netmesh.h"] {
         println!("cargo:rerun-if-changed={header}");
     }
-    build.include("../include").include("include").include("src/comm/mpi");
+    build.include("../include").include("src/comm/mpi");
     build.std("c99").warnings(true).extra_warnings(true);
     build.compile("netmesh_mpi_layer");
     for word in shown.split_ascii_whitespace() {

@@ -198,17 +198,6 @@ typedef struct nm_mpi_facet {
     uint32_t owner;
 } nm_mpi_facet;
 
-/**
- * The C layer's struct.
- */
-typedef struct RawRanks {
-    uint8_t _private[0];
-} RawRanks;
-
-typedef struct RawFile {
-    uint8_t _private[0];
-} RawFile;
-
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -408,80 +397,6 @@ NM_NODISCARD NM_API
 nm_status nm_mpi_export(const struct nm_mpi_mesh *mesh,
                         const char *path_utf8,
                         nm_mpi_format format);
-
-extern int netmesh_shared_file_create(struct RawRanks *ranks,
-                                      const char *path,
-                                      struct RawFile **created);
-
-extern int netmesh_shared_file_write(struct RawFile *file,
-                                     uint64_t offset,
-                                     const void *bytes,
-                                     uint64_t size,
-                                     uint64_t rounds,
-                                     uint64_t chunk);
-
-extern int netmesh_shared_file_close(struct RawFile *file);
-
-extern int netmesh_ranks_open(const void *of, struct RawRanks **opened);
-
-extern int netmesh_ranks_open_world(struct RawRanks **opened);
-
-extern void netmesh_ranks_close(struct RawRanks *ranks);
-
-extern int netmesh_ranks_rank(const struct RawRanks *ranks);
-
-extern int netmesh_ranks_size(const struct RawRanks *ranks);
-
-extern void netmesh_ranks_error(int code, char *text, int capacity);
-
-extern int netmesh_ranks_reduce(struct RawRanks *ranks,
-                                void *values,
-                                uint64_t count,
-                                int are_doubles,
-                                int operation);
-
-extern int netmesh_ranks_broadcast(struct RawRanks *ranks, int root, void *bytes, uint64_t size);
-
-extern int netmesh_ranks_gather_integers(struct RawRanks *ranks, uint64_t value, uint64_t *values);
-
-extern int netmesh_ranks_exchange_integers(struct RawRanks *ranks,
-                                           const uint64_t *values,
-                                           uint64_t *received);
-
-extern int netmesh_ranks_gather(struct RawRanks *ranks,
-                                const void *bytes,
-                                void *const *gathered,
-                                const uint64_t *sizes,
-                                uint64_t chunk);
-
-extern int netmesh_ranks_exchange(struct RawRanks *ranks,
-                                  const void *const *messages,
-                                  const uint64_t *sizes,
-                                  void *const *received,
-                                  const uint64_t *received_sizes,
-                                  uint64_t chunk);
-
-extern int netmesh_ranks_send(struct RawRanks *ranks,
-                              int to,
-                              int tag,
-                              const void *bytes,
-                              uint64_t size,
-                              uint64_t chunk);
-
-extern int netmesh_ranks_receive_size(struct RawRanks *ranks, int from, int tag, uint64_t *size);
-
-extern int netmesh_ranks_receive(struct RawRanks *ranks,
-                                 int from,
-                                 int tag,
-                                 void *bytes,
-                                 uint64_t size,
-                                 uint64_t chunk);
-
-extern void netmesh_ranks_notify(struct RawRanks *ranks);
-
-extern int netmesh_mpi_begin(void);
-
-extern int netmesh_mpi_end(void);
 
 #ifdef __cplusplus
 }  // extern "C"

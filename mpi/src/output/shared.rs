@@ -2,7 +2,7 @@
 
 use super::of_path;
 use crate::comm::mpi::SharedFile;
-use crate::comm::{Communicator, Operation, agreed};
+use crate::comm::{Communicator, agreed};
 use netmesh::Result;
 use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
@@ -11,12 +11,13 @@ use std::path::{Path, PathBuf};
 /// Bytes, and where in the file they are.
 pub type Part<'a> = (u64, &'a [u8]);
 
-/// Collective: writes a new file. Each rank has the same number of parts, which may be empty.
+/// Collective: writes a new file.
 pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result<()> {
     match comm.mpi() {
         Some(ranks) => {
             let mut file = agreed(comm, || SharedFile::create(ranks, path))?;
-            let written = write_parts(comm, &mut file, parts);
+            let mut parts = parts.iter();
+            let written = parts.try_for_each(|(offset, bytes)| file.write(*offset, bytes));
             let closed = file.close();
             agreed(comm, || written.and(closed)).map_err(|error| at_path(path, error))
         }
@@ -30,17 +31,6 @@ pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result
             agreed(comm, || write_at(path.to_owned(), parts))
         }
     }
-}
-
-/// All parts, whatever becomes of one: the other ranks are in them too.
-fn write_parts(comm: &dyn Communicator, file: &mut SharedFile, parts: &[Part<'_>]) -> Result<()> {
-    let mut written = Ok(());
-    for (offset, bytes) in parts {
-        let mut rounds = [SharedFile::rounds(bytes.len())];
-        comm.all_reduce_integers(&mut rounds, Operation::Max)?;
-        written = written.and(file.write(*offset, bytes, rounds[0]));
-    }
-    written
 }
 
 fn write_at(path: PathBuf, parts: &[Part<'_>]) -> Result<()> {

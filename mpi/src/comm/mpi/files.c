@@ -37,30 +37,25 @@ int netmesh_shared_file_create(netmesh_ranks *ranks, const char *path, netmesh_s
 }
 
 /*
- * Collective: each rank writes its bytes at its place, `rounds` times at most `chunk` of them; the
- * number of rounds is that of the rank with the most.
+ * Not collective, though MPI has a call that is: where the disk of one rank is full Open MPI's waits in it
+ * for ever for that rank. The bytes of a rank are in one piece, from which a collective call gains nothing.
  */
 int netmesh_shared_file_write(netmesh_shared_file *shared, uint64_t offset, const void *bytes, uint64_t size,
-                              uint64_t rounds, uint64_t chunk)
+                              uint64_t chunk)
 {
     const char *at = bytes;
-    int first = MPI_SUCCESS;
-    /* All rounds, whatever becomes of one: the others are in them too. */
-    for (uint64_t round = 0; round < rounds; round++) {
+    while (size > 0) {
         MPI_Status written;
         int now = (int)(size < chunk ? size : chunk), count = 0;
-        int status = MPI_File_write_at_all(shared->file, (MPI_Offset)offset, at, now, MPI_BYTE, &written);
-        if (status == MPI_SUCCESS)
-            status = MPI_Get_count(&written, MPI_BYTE, &count);
-        if (status == MPI_SUCCESS && count != now)
-            status = MPI_ERR_NO_SPACE;
-        if (first == MPI_SUCCESS)
-            first = status;
+        CHECK(MPI_File_write_at(shared->file, (MPI_Offset)offset, at, now, MPI_BYTE, &written));
+        CHECK(MPI_Get_count(&written, MPI_BYTE, &count));
+        if (count != now)
+            return MPI_ERR_NO_SPACE;
         at += now;
         offset += (uint64_t)now;
         size -= (uint64_t)now;
     }
-    return first;
+    return 0;
 }
 
 /* Collective: what was written is on the disk afterwards. */

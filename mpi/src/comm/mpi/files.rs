@@ -28,20 +28,18 @@ unsafe extern "C" {
         offset: u64,
         bytes: *const c_void,
         size: u64,
-        rounds: u64,
         chunk: u64,
     ) -> c_int;
     fn netmesh_shared_file_close(file: *mut RawFile) -> c_int;
 }
 
-/// A file that all ranks have open. All calls are collective, [`Self::close`] too, which must be
-/// called.
+/// A file that all ranks have open. [`Self::close`] must be called, which is collective.
 pub struct SharedFile {
     raw: *mut RawFile,
 }
 
 impl SharedFile {
-    /// A new file; one that is there already is an error.
+    /// Collective: a new file; one that is there already is an error.
     pub fn create(ranks: &Ranks, path: &Path) -> Result<Self> {
         let text = CString::new(path.as_os_str().as_encoded_bytes());
         let text = text.map_err(|_| Error::new(ErrorKind::Io, "a path with a NUL"))?;
@@ -52,18 +50,12 @@ impl SharedFile {
         Ok(Self { raw })
     }
 
-    /// The number of rounds that so many bytes need; [`Self::write`] takes the most of all ranks.
-    pub fn rounds(bytes: usize) -> u64 {
-        (bytes as u64).div_ceil(CHUNK)
-    }
-
-    /// Writes the bytes of this rank at a place that is no other rank's.
-    pub fn write(&mut self, offset: u64, bytes: &[u8], rounds: u64) -> Result<()> {
+    /// Writes the bytes of this rank at a place that is no other rank's. Not collective.
+    pub fn write(&mut self, offset: u64, bytes: &[u8]) -> Result<()> {
         let (pointer, size) = (bytes.as_ptr().cast(), bytes.len() as u64);
         // SAFETY: so many bytes.
-        let code =
-            unsafe { netmesh_shared_file_write(self.raw, offset, pointer, size, rounds, CHUNK) };
-        checked("MPI_File_write_at_all", code)
+        let code = unsafe { netmesh_shared_file_write(self.raw, offset, pointer, size, CHUNK) };
+        checked("MPI_File_write_at", code)
     }
 
     pub fn close(self) -> Result<()> {

@@ -25,11 +25,12 @@ if(NETMESH_CARGO_TARGET)
 endif()
 
 # A package outside the workspace: what has no MPI never sees it.
+set(netmesh_mpi_cargo_build
+  "${CMAKE_COMMAND}" -E env ${NETMESH_CARGO_ENVIRONMENT} "MPICC=${MPI_C_COMPILER}" "${NETMESH_CARGO}" build
+  --manifest-path "${PROJECT_SOURCE_DIR}/mpi/Cargo.toml" --target-dir "${netmesh_mpi_cargo_dir}"
+  --profile "${NETMESH_CARGO_PROFILE}" ${netmesh_mpi_target_option})
 add_custom_target(netmesh_mpi ALL
-  COMMAND "${CMAKE_COMMAND}" -E env ${NETMESH_CARGO_ENVIRONMENT} "MPICC=${MPI_C_COMPILER}"
-          "${NETMESH_CARGO}" build --manifest-path "${PROJECT_SOURCE_DIR}/mpi/Cargo.toml"
-          --target-dir "${netmesh_mpi_cargo_dir}" --profile "${NETMESH_CARGO_PROFILE}"
-          ${netmesh_mpi_target_option}
+  COMMAND ${netmesh_mpi_cargo_build} --lib --bins
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
   BYPRODUCTS "${netmesh_mpi_archive}" "${netmesh_mpi_program}"
   COMMENT "Building the library on MPI with cargo"

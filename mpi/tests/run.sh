@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Runs the programs of the tests on several numbers of ranks, and compares what they say.
 #
-#   run.sh same|statuses|files|faults PROGRAMS SCRATCH
+#   run.sh messages|same|statuses|files|faults PROGRAMS SCRATCH
 #
-# PROGRAMS: the directory with same_mesh, statuses and netmesh-mpi. SCRATCH: a directory for files.
+# PROGRAMS: the directory with messages, same_mesh, statuses and netmesh-mpi. SCRATCH: a directory for files.
 # NETMESH_MPIRUN: the launcher, mpirun if not given. What cannot run here is a line `SKIP: REASON`.
 set -euo pipefail
 
@@ -39,6 +39,13 @@ same() {
     done
   done
   echo "$1 $2D $4: $first"
+}
+
+messages_test() {
+  local number
+  for number in 1 2 3 8; do
+    ranks "$number" "$programs/messages" || fail "messages between $number ranks fail"
+  done
 }
 
 same_test() {

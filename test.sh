@@ -3,9 +3,9 @@
 #
 #   ./test.sh [--without TOOL]... [LANE...]
 #
-# Lanes: format clippy cpp rust python sanitizers miri. Without a tool its tests are skipped; the tools that
+# Lanes: format clippy cpp rust mpi python sanitizers miri. Without a tool its tests are skipped; the tools that
 # may be absent so are `readers` (the Python packages that read in tests what netmesh has written),
-# `python` (those that the Python package is built and tested with) and `miri`.
+# `python` (those that the Python package is built and tested with), `mpi` and `miri`.
 # NETMESH_WITHOUT="readers miri" says the same. NETMESH_JOBS limits the processes of a lane.
 # Two lanes run at a time, and what a lane says is printed when it ends; the first that fails ends all.
 # The end tells the seconds of every lane, and what was skipped and why.
@@ -14,7 +14,7 @@ cd "$(dirname "$0")"
 exec </dev/null
 
 # In the order in which they begin. Clippy and the Rust tests would wait for each other's lock.
-readonly all_lanes=(format clippy cpp rust python sanitizers miri)
+readonly all_lanes=(format clippy cpp rust mpi python sanitizers miri)
 readonly jobs="${NETMESH_JOBS:-$(nproc)}"
 readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 # shellcheck source=scripts/common.sh
@@ -29,9 +29,11 @@ readonly tools="$PWD/target/tools" venv="$PWD/target/venv"
 . scripts/sanitizers.sh
 # shellcheck source=scripts/python.sh
 . scripts/python.sh
+# shellcheck source=scripts/mpi.sh
+. scripts/mpi.sh
 
 usage() {
-  fail "usage: ./test.sh [--without readers|python|miri]... [LANE...]; lanes: ${all_lanes[*]}"
+  fail "usage: ./test.sh [--without readers|python|mpi|miri]... [LANE...]; lanes: ${all_lanes[*]}"
 }
 
 lanes=() wanted=() without=" ${NETMESH_WITHOUT:-} "
@@ -50,7 +52,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 for tool in $without; do
-  [[ " readers python miri " == *" $tool "* ]] || usage
+  [[ " readers python mpi miri " == *" $tool "* ]] || usage
 done
 [ ${#lanes[@]} -gt 0 ] || lanes=("${all_lanes[@]}")
 
@@ -63,10 +65,9 @@ tools_lane() {
   elif has_lane sanitizers; then
     need_packages g++ cmake make
   fi
-  if has_lane rust; then
-    need_packages g++ bsdutils python3
-    need_readers
-  fi
+  if has_lane rust; then need_packages g++ bsdutils python3; fi
+  if has_lane mpi && ! is_without mpi; then need_packages g++ cmake make procps libopenmpi-dev openmpi-bin; fi
+  if has_lane rust || { has_lane mpi && ! is_without mpi; }; then need_readers; fi
   if has_lane python && ! is_without python; then need_packages python3-venv libgl1; fi
 }
 
@@ -85,8 +86,9 @@ rust_lane() {
   skips_of_cargo "$log"
 }
 
+# What there is on MPI has a lane of its own.
 cpp_lane() {
-  cmake --preset release
+  cmake --preset release -DNETMESH_BUILD_MPI=OFF
   cmake --build --preset release --parallel "$jobs"
   ctest --preset release --parallel "$jobs"
   skips_of_ctest target/cmake

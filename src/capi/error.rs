@@ -53,7 +53,7 @@ pub(super) fn fail(error: &Error) -> nm_status {
     error.kind().into()
 }
 
-pub(super) fn null_argument(name: &str) -> Error {
+pub fn null_argument(name: &str) -> Error {
     Error::new(ErrorKind::NullArgument, message!("{name} is NULL"))
 }
 

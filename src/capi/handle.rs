@@ -67,7 +67,7 @@ fn poisoned() -> Error {
 }
 
 /// Runs `body` so that no panic leaves it, and answers its status.
-pub(super) fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
+pub fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
     match catch_unwind(AssertUnwindSafe(body)) {
         Ok(Ok(())) => nm_status::NM_OK,
         Ok(Err(error)) => fail(&error),

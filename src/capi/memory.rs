@@ -12,7 +12,7 @@ const MAX_STRUCT_SIZE: usize = 4096;
 ///
 /// # Safety
 /// `repr(C)`, begins with a `u32`, has no padding, and every bit pattern is a valid value.
-pub(super) unsafe trait Versioned: Copy {
+pub unsafe trait Versioned: Copy {
     const TYPE: &'static str;
 
     /// Whether a struct of `size` bytes, fewer than this version's, ends inside a field.
@@ -90,7 +90,7 @@ pub(super) unsafe fn read_struct<T: Versioned>(
 
 /// The caller's struct that a call fills: `pointer`, of which the first `size` bytes are theirs.
 #[derive(Debug)]
-pub(super) struct OutStruct<T> {
+pub struct OutStruct<T> {
     pointer: *mut T,
     size: usize,
 }
@@ -101,7 +101,7 @@ impl<T: Versioned> OutStruct<T> {
     /// # Safety
     /// `pointer` is NULL or has as many readable and writable bytes as its `struct_size` says, and
     /// keeps them while the result lives.
-    pub(super) unsafe fn new(argument: &str, pointer: *mut T) -> Result<Self> {
+    pub unsafe fn new(argument: &str, pointer: *mut T) -> Result<Self> {
         // SAFETY: the caller's promise.
         let size = unsafe { read_struct_size(argument, pointer.cast_const())? };
         Ok(Self { pointer, size })
@@ -119,7 +119,7 @@ impl<T: Versioned> OutStruct<T> {
     }
 
     /// Writes `value`, as much as fits; `struct_size` stays the caller's.
-    pub(super) fn write(&self, value: &T) {
+    pub fn write(&self, value: &T) {
         let start = size_of::<u32>();
         let end = self.size.min(size_of::<T>());
         // SAFETY: `start <= end`, and both sides have `end` bytes (promised at construction).
@@ -151,7 +151,7 @@ impl<T: Versioned> OutStruct<T> {
 ///
 /// # Safety
 /// `buf` is NULL or has room for `capacity` values; `needed` is NULL or writable.
-pub(super) unsafe fn copy_out<T>(
+pub unsafe fn copy_out<T>(
     buf: *mut T,
     capacity: u64,
     needed: *mut u64,
@@ -197,7 +197,7 @@ pub(super) unsafe fn doubles<'a>(
 ///
 /// # Safety
 /// `pointer` is NULL or has so many readable values that stay while the slice lives.
-pub(super) unsafe fn read_rows<'a, T>(
+pub unsafe fn read_rows<'a, T>(
     argument: &str,
     pointer: *const T,
     rows: u64,
@@ -269,7 +269,7 @@ fn check_room<T>(argument: &str, pointer: *const T, count: usize) -> Result<()> 
 ///
 /// # Safety
 /// `path` is NULL or a C string that stays while the result lives.
-pub(super) unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
+pub unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
     // SAFETY: the caller's promise.
     let path = unsafe { utf8("path_utf8", path)? };
     if path.is_empty() {

@@ -12,6 +12,7 @@
 
 mod handle;
 mod memory;
+pub mod shared;
 mod structs;
 #[cfg(test)]
 mod test_support;

@@ -5,6 +5,7 @@ use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::read_struct;
 use super::options::{decode, encode};
 use super::structs::{nm_options, nm_progress};
+use crate::error::Result;
 use crate::options::{Options, Progress, ProgressFn, SizeFn};
 
 /// Meshes the inputs. A second run replaces the first one's result. All or nothing: after any other
@@ -29,21 +30,10 @@ use crate::options::{Options, Progress, ProgressFn, SizeFn};
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) -> nm_status {
     let body = |mesh: &mut crate::mesh::Mesh| {
-        let defaults = encode(&Options::default());
-        let given = if options.is_null() {
-            defaults
-        } else {
-            // SAFETY: not NULL, so as long as its `struct_size` says.
-            unsafe { read_struct("options", options, defaults)? }
-        };
-        let options = decode(&given)?;
-        let mut report = given.progress.map(|callback| {
-            move |progress: &Progress| {
-                let report = encode_progress(progress);
-                // SAFETY: the caller's function, with the caller's `user_data`.
-                unsafe { callback(&report, given.user_data) == 0 }
-            }
-        });
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let (given, options) = unsafe { read_options(options)? };
+        // SAFETY: the caller's function, with the caller's `user_data`.
+        let mut report = unsafe { report(&given) };
         let size = given.size.map(|callback| {
             // SAFETY: the caller's function, with the caller's `size_user_data`.
             move |x: &[f64]| unsafe { callback(x.as_ptr(), given.size_user_data) }
@@ -54,6 +44,37 @@ pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) 
     };
     // SAFETY: the caller gave NULL or a live handle.
     unsafe { with_mesh_mut(mesh, body) }
+}
+
+/// What the caller asks for, as given and as the core has it.
+///
+/// # Safety
+/// `options` is NULL or as long as its `struct_size` says.
+pub unsafe fn read_options(options: *const nm_options) -> Result<(nm_options, Options)> {
+    let defaults = encode(&Options::default());
+    let given = if options.is_null() {
+        defaults
+    } else {
+        // SAFETY: not NULL, so as long as its `struct_size` says.
+        unsafe { read_struct("options", options, defaults)? }
+    };
+    let options = decode(&given)?;
+    Ok((given, options))
+}
+
+/// The caller's progress callback as the core calls it.
+///
+/// # Safety
+/// The function may be called with its `user_data` while the result lives.
+pub unsafe fn report(given: &nm_options) -> Option<impl FnMut(&Progress) -> bool + use<>> {
+    let user_data = given.user_data;
+    given.progress.map(|callback| {
+        move |progress: &Progress| {
+            let report = encode_progress(progress);
+            // SAFETY: the caller's function, with the caller's `user_data`.
+            unsafe { callback(&report, user_data) == 0 }
+        }
+    })
 }
 
 fn encode_progress(progress: &Progress) -> nm_progress {

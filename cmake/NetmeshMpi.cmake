@@ -1,0 +1,51 @@
+# The library on MPI and its program, where MPI is found. cargo decides what is out of date, as for the core.
+#
+#   netmesh::mpi     netmesh_mpi.h, in a static library; it has the functions of netmesh.h as well, in
+#                    place of netmesh::netmesh or netmesh::static
+#   netmesh_mpi      what builds it and the program netmesh-mpi
+
+find_package(MPI QUIET COMPONENTS C)
+if(NOT MPI_C_FOUND)
+  if(NETMESH_BUILD_MPI STREQUAL "ON")
+    message(FATAL_ERROR "NETMESH_BUILD_MPI is ON, and MPI is not found")
+  endif()
+  message(STATUS "MPI not found: netmesh::mpi and netmesh-mpi will not be built")
+  return()
+endif()
+
+set(netmesh_mpi_cargo_dir "${NETMESH_CARGO_TARGET_DIR}/mpi")
+set(netmesh_mpi_dir "${netmesh_mpi_cargo_dir}/${NETMESH_CARGO_TARGET}/${netmesh_profile_dir}")
+cmake_path(NORMAL_PATH netmesh_mpi_dir)
+set(netmesh_mpi_archive "${netmesh_mpi_dir}/libnetmesh_mpi.a")
+set(netmesh_mpi_program "${netmesh_mpi_dir}/netmesh-mpi")
+set(netmesh_mpi_include_dir "${PROJECT_SOURCE_DIR}/mpi/include")
+set(netmesh_mpi_target_option "")
+if(NETMESH_CARGO_TARGET)
+  set(netmesh_mpi_target_option --target "${NETMESH_CARGO_TARGET}")
+endif()
+
+# A package outside the workspace: what has no MPI never sees it.
+set(netmesh_mpi_cargo_build
+  "${CMAKE_COMMAND}" -E env ${NETMESH_CARGO_ENVIRONMENT} "MPICC=${MPI_C_COMPILER}" "${NETMESH_CARGO}" build
+  --manifest-path "${PROJECT_SOURCE_DIR}/mpi/Cargo.toml" --target-dir "${netmesh_mpi_cargo_dir}"
+  --profile "${NETMESH_CARGO_PROFILE}" ${netmesh_mpi_target_option})
+add_custom_target(netmesh_mpi ALL
+  COMMAND ${netmesh_mpi_cargo_build} --lib --bins
+  WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+  BYPRODUCTS "${netmesh_mpi_archive}" "${netmesh_mpi_program}"
+  COMMENT "Building the library on MPI with cargo"
+  USES_TERMINAL
+  VERBATIM)
+
+add_library(netmesh::mpi STATIC IMPORTED GLOBAL)
+set_target_properties(netmesh::mpi PROPERTIES
+  IMPORTED_LOCATION "${netmesh_mpi_archive}"
+  INTERFACE_LINK_LIBRARIES "MPI::MPI_C;${netmesh_system_libraries}")
+target_include_directories(netmesh::mpi INTERFACE "${netmesh_mpi_include_dir}" "${netmesh_include_dir}")
+add_dependencies(netmesh::mpi netmesh_mpi)
+
+if(NETMESH_INSTALL)
+  install(FILES "${netmesh_mpi_archive}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(FILES "${netmesh_mpi_include_dir}/netmesh_mpi.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(PROGRAMS "${netmesh_mpi_program}" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()

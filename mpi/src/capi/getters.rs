@@ -1,0 +1,311 @@
+//! Counts and arrays of a rank's part. None of them is collective.
+
+use super::run::{handle, nm_mpi_mesh};
+use super::structs::{nm_mpi_counts, nm_mpi_facet};
+use crate::distributed::{DistributedMesh, InterfaceFacet};
+use netmesh::capi::nm_status;
+use netmesh::capi::shared::{OutStruct, barrier, copy_out};
+
+/// Writes how large the mesh is. Not collective. O(1).
+///
+/// counts: the caller sets struct_size.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, counts), NM_INVALID_ARGUMENT (counts->struct_size).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_counts(
+    mesh: *const nm_mpi_mesh,
+    counts: *mut nm_mpi_counts,
+) -> nm_status {
+    barrier(|| {
+        // SAFETY: the caller gave NULL or a live handle.
+        let mesh = &unsafe { handle(mesh)? }.mesh;
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let out = unsafe { OutStruct::new("counts", counts)? };
+        out.write(&count(mesh));
+        Ok(())
+    })
+}
+
+fn count(mesh: &DistributedMesh) -> nm_mpi_counts {
+    nm_mpi_counts {
+        struct_size: size_of::<nm_mpi_counts>() as u32,
+        dim: mesh.dim as u32,
+        rank: mesh.rank as u32,
+        ranks: mesh.ranks as u32,
+        inputs: mesh.totals.inputs,
+        duplicates: mesh.totals.duplicates,
+        vertices: mesh.totals.vertices,
+        vertex_ids: mesh.totals.vertex_ids,
+        simplices: mesh.totals.simplices,
+        domains: mesh.totals.domains,
+        pieces: mesh.totals.pieces,
+        local_inputs: (mesh.inputs.len() / mesh.dim) as u64,
+        first_input: mesh.first_input,
+        local_vertices: mesh.vertex_ids.len() as u64,
+        own_vertices: mesh.own_vertices as u64,
+        local_simplices: mesh.simplex_count() as u64,
+        first_simplex: mesh.first_simplex,
+        ghosts: mesh.ghosts.len() as u64,
+        interface_facets: mesh.interface.len() as u64,
+        bytes_sent: mesh.bytes_sent,
+    }
+}
+
+/// The values of an array, and how many there are.
+type Values<'a, T> = (usize, Box<dyn Iterator<Item = T> + 'a>);
+
+/// An array getter: copies what `values` makes of the mesh.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
+unsafe fn get<T>(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+    values: impl for<'a> FnOnce(&'a DistributedMesh) -> Values<'a, T>,
+) -> nm_status {
+    barrier(|| {
+        // SAFETY: the caller's promise.
+        let (count, values) = values(&unsafe { handle(mesh)? }.mesh);
+        // SAFETY: the caller's promise.
+        unsafe { copy_out(buf, capacity, needed, count, values) }
+    })
+}
+
+/// Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its own
+/// simplices (own_vertices), then those that only ghosts have, rising in both. The other arrays of
+/// vertices are in the same order.
+///
+/// The id of an input is its index among the inputs of all ranks, in the order of the ranks; of equal
+/// inputs that of the first. Vertices that are no inputs follow, from the number of inputs on: their
+/// ids do not depend on the ranks.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_vertex_ids(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.vertex_ids.len(), Box::new(mesh.vertex_ids.iter().copied()))
+        })
+    }
+}
+
+/// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
+/// the bits that a rank has given.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_points(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut f64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.points.len(), Box::new(mesh.points.iter().copied()))
+        })
+    }
+}
+
+/// Writes the kinds of the vertices that this rank knows, a byte each: values of nm_vertex_kind.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_vertex_kinds(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u8,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.kinds.len(), Box::new(mesh.kinds.iter().copied()))
+        })
+    }
+}
+
+/// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
+/// it. So every vertex of the mesh has one owner.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_vertex_owners(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.vertex_owners.len(), Box::new(mesh.vertex_owners.iter().copied()))
+        })
+    }
+}
+
+/// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
+/// NM_MPI_NONE where there are none.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.vertex_domains.len(), Box::new(mesh.vertex_domains.iter().copied()))
+        })
+    }
+}
+
+/// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
+/// rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex + i.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_simplices(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            let ids = mesh.simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
+            (mesh.simplices.len(), Box::new(ids))
+        })
+    }
+}
+
+/// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
+/// opposite vertex i. An id that is not this rank's is that of a ghost. NM_MPI_NONE on the hull.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_neighbors(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.neighbors.len(), Box::new(mesh.neighbors.iter().copied()))
+        })
+    }
+}
+
+/// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
+/// share a vertex with one of this rank: with its own simplices they are the whole star of each of its
+/// vertices.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_ghosts(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            let ids = mesh.ghost_simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
+            (mesh.ghost_simplices.len(), Box::new(ids))
+        })
+    }
+}
+
+/// Writes the ids of the ghosts, which rise.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_ghost_ids(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u64,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.id)))
+        })
+    }
+}
+
+/// Writes the ranks whose simplices the ghosts are.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_ghost_owners(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.owner)))
+        })
+    }
+}
+
+/// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
+/// side has each of them, too.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_interface(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut nm_mpi_facet,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (
+                mesh.interface.len(),
+                Box::new(mesh.interface.iter().map(|facet| encode_facet(mesh, facet))),
+            )
+        })
+    }
+}
+
+fn encode_facet(mesh: &DistributedMesh, facet: &InterfaceFacet) -> nm_mpi_facet {
+    nm_mpi_facet {
+        simplex: facet.simplex as u64,
+        ghost: facet.ghost as u64,
+        facet: facet.facet,
+        owner: mesh.ghosts[facet.ghost].owner,
+    }
+}

@@ -1,0 +1,75 @@
+//! The structs of the boundary.
+
+use netmesh::capi::shared::Versioned;
+
+/// How large a mesh is: the whole, and what this rank has of it.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_mpi_counts {
+    /// Set by the caller to sizeof(nm_mpi_counts).
+    pub struct_size: u32,
+    /// The dimension.
+    pub dim: u32,
+    /// This rank in the communicator of the run.
+    pub rank: u32,
+    /// How many ranks that has.
+    pub ranks: u32,
+    /// Points that all ranks have given, duplicates included.
+    pub inputs: u64,
+    /// Points that equal an earlier one, of this rank or of a lower one.
+    pub duplicates: u64,
+    /// Vertices of the whole mesh.
+    pub vertices: u64,
+    /// Ids of vertices are below this: inputs + vertices that are none.
+    pub vertex_ids: u64,
+    /// Simplices of the whole mesh.
+    pub simplices: u64,
+    /// Domains of the hierarchy, the root included.
+    pub domains: u64,
+    /// Parts that the mesh was made in.
+    pub pieces: u64,
+    /// Points that this rank has given.
+    pub local_inputs: u64,
+    /// The id of the first of them, if it is a vertex: its index among the inputs of all ranks.
+    pub first_input: u64,
+    /// Vertices that this rank knows: those of its simplices and those of its ghosts.
+    pub local_vertices: u64,
+    /// How many of them are vertices of its own simplices; they come first.
+    pub own_vertices: u64,
+    /// Simplices of this rank.
+    pub local_simplices: u64,
+    /// The id of the first of them; the others follow.
+    pub first_simplex: u64,
+    /// Simplices of other ranks that share a vertex with one of this rank.
+    pub ghosts: u64,
+    /// Facets between a simplex of this rank and one of another.
+    pub interface_facets: u64,
+    /// Bytes that this rank has sent to others during the run, without what MPI adds.
+    pub bytes_sent: u64,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_mpi_counts {
+    const TYPE: &'static str = "nm_mpi_counts";
+}
+
+const _: () = assert!(size_of::<nm_mpi_counts>() == 4 * 4 + 16 * 8);
+
+/// A facet between a simplex of this rank and one of another; an element of the array that
+/// nm_mpi_get_interface fills (fixed in size for this ABI version).
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_mpi_facet {
+    /// Index of the own simplex, from 0.
+    pub simplex: u64,
+    /// Index of the other among the ghosts, from 0.
+    pub ghost: u64,
+    /// The facet is opposite this vertex of the own simplex, 0..dim.
+    pub facet: u32,
+    /// The rank of the other simplex.
+    pub owner: u32,
+}
+
+const _: () = assert!(size_of::<nm_mpi_facet>() == 24);

@@ -1,0 +1,7 @@
+//! Ranks that are processes of an MPI program.
+
+mod files;
+mod ranks;
+
+pub use files::SharedFile;
+pub use ranks::{Ranks, begin, end};

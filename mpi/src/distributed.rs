@@ -1,0 +1,95 @@
+//! The result of a run as one rank has it. Plain data.
+
+/// No id: across the hull, no domain.
+pub const NO_ID: u64 = u64::MAX;
+
+/// Sizes of the whole mesh, equal on all ranks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Totals {
+    /// Points that all ranks have given.
+    pub inputs: u64,
+    /// Those of them that are equal to one before.
+    pub duplicates: u64,
+    /// Vertices.
+    pub vertices: u64,
+    /// Ids of vertices are below this: all inputs, and the vertices that are none.
+    pub vertex_ids: u64,
+    pub simplices: u64,
+    pub domains: u64,
+    /// The parts that the mesh was made in.
+    pub pieces: u64,
+}
+
+/// A simplex of another rank's that shares a vertex with one of this rank.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ghost {
+    pub id: u64,
+    pub owner: u32,
+}
+
+/// A facet between a simplex of this rank and one of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct InterfaceFacet {
+    /// Index of the own simplex.
+    pub simplex: usize,
+    /// The facet is opposite this one of its vertices.
+    pub facet: u32,
+    /// Index of the other simplex among the ghosts.
+    pub ghost: usize,
+}
+
+/// A rank's part of a mesh. Vertices and simplices have ids in the whole mesh. That of a vertex that
+/// is an input is its index among the inputs of all ranks, of equal ones the least; the others follow.
+#[derive(Clone, Debug, Default)]
+pub struct DistributedMesh {
+    pub dim: usize,
+    pub rank: usize,
+    pub ranks: usize,
+    pub totals: Totals,
+    /// The number of inputs of the ranks before, and this rank's own.
+    pub first_input: u64,
+    pub inputs: Vec<f64>,
+    /// The vertices that this rank knows: first those of its own simplices, then those that only ghosts
+    /// have. Rising ids in both.
+    pub vertex_ids: Vec<u64>,
+    /// How many of them are the own simplices'.
+    pub own_vertices: usize,
+    /// The lowest rank that has a simplex with the vertex.
+    pub vertex_owners: Vec<u32>,
+    /// `vertices x dim`.
+    pub points: Vec<f64>,
+    pub kinds: Vec<u8>,
+    /// Ids of the innermost domains, [`NO_ID`] where there is none.
+    pub vertex_domains: Vec<u64>,
+    /// The id of the first own simplex; the others follow.
+    pub first_simplex: u64,
+    /// `simplices x (dim + 1)` indices of vertices, positively oriented.
+    pub simplices: Vec<u32>,
+    /// `simplices x (dim + 1)` ids of simplices, [`NO_ID`] across the hull.
+    pub neighbors: Vec<u64>,
+    /// By rising id.
+    pub ghosts: Vec<Ghost>,
+    /// `ghosts x (dim + 1)` indices of vertices.
+    pub ghost_simplices: Vec<u32>,
+    pub interface: Vec<InterfaceFacet>,
+    /// Bytes that this rank has sent to others.
+    pub bytes_sent: u64,
+}
+
+impl DistributedMesh {
+    pub fn simplex_count(&self) -> usize {
+        self.simplices.len() / (self.dim + 1)
+    }
+
+    pub fn point(&self, vertex: u32) -> &[f64] {
+        &self.points[vertex as usize * self.dim..][..self.dim]
+    }
+
+    pub fn simplex(&self, simplex: usize) -> &[u32] {
+        &self.simplices[simplex * (self.dim + 1)..][..self.dim + 1]
+    }
+
+    pub fn ghost(&self, ghost: usize) -> &[u32] {
+        &self.ghost_simplices[ghost * (self.dim + 1)..][..self.dim + 1]
+    }
+}

@@ -1,0 +1,34 @@
+//! netmesh on any number of processes: the same mesh as on one, of points that are distributed over the
+//! ranks of an MPI program.
+//!
+//! | module | what it is | uses |
+//! |---|---|---|
+//! | `memory` | growth that may be refused | |
+//! | `words` | messages as 64-bit words | `memory` |
+//! | `comm` | how ranks talk, and how they fail together; MPI, and threads in its place | `memory` |
+//! | `piece` | what the algorithm leaves on a rank | |
+//! | `meshing` | the algorithm | `memory`, `words`, `comm`, `piece` |
+//! | `distributed` | a rank's part of the mesh, as plain arrays | |
+//! | `numbering` | from pieces to that: ids, ghosts, interfaces | `memory`, `words`, `comm`, `piece`, `distributed` |
+//! | `run` | a run: the checks, the algorithm, the numbers | `comm`, `meshing`, `distributed`, `numbering` |
+//! | `input` | each rank's share of a file of points | `memory`, `comm` |
+//! | `output` | files that all ranks write, complete or not at all | `memory`, `words`, `comm`, `distributed` |
+//! | `capi` | the C ABI, and with `comm::mpi` the only `unsafe` | all but `input` |
+
+#![deny(unsafe_code)]
+
+#[allow(unsafe_code)]
+pub mod capi;
+pub mod comm;
+pub mod distributed;
+pub mod input;
+mod memory;
+pub mod meshing;
+pub mod numbering;
+pub mod output;
+pub mod piece;
+mod run;
+mod words;
+
+pub use distributed::DistributedMesh;
+pub use run::{bytes_sent, run};

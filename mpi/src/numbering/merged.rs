@@ -1,0 +1,97 @@
+//! The pieces of a rank as one, with every vertex once.
+
+use super::defect;
+use crate::memory::{TryGrow, filled, with_capacity};
+use crate::piece::{self, Piece};
+use netmesh::Result;
+
+/// Across a facet is nothing.
+pub const HULL: u64 = u64::MAX;
+
+/// Across a facet is another piece, not yet known which.
+pub const OPEN: u64 = u64::MAX - 1;
+
+#[derive(Default)]
+pub struct Merged {
+    pub dim: usize,
+    /// Rising, so inputs come first; by vertex, as `points`, `kinds` and `vertex_domains`.
+    pub names: Vec<u64>,
+    pub points: Vec<f64>,
+    pub kinds: Vec<u8>,
+    /// Names of domains.
+    pub vertex_domains: Vec<u64>,
+    /// Piece after piece.
+    pub simplices: Vec<u32>,
+    /// Simplices of this rank, [`HULL`] or [`OPEN`].
+    pub neighbors: Vec<u64>,
+    /// The names of the domains, rising.
+    pub domains: Vec<u64>,
+}
+
+impl Merged {
+    pub fn new(dim: usize, pieces: Vec<Piece>) -> Result<Self> {
+        let vertices = pieces.iter().map(Piece::vertex_count).sum();
+        let mut names = with_capacity(vertices)?;
+        pieces.iter().for_each(|piece| names.extend_from_slice(&piece.names));
+        names.sort_unstable();
+        names.dedup();
+        let corners = pieces.iter().map(|piece| piece.simplices.len()).sum();
+        let mut merged = Self {
+            dim,
+            points: filled(names.len() * dim, f64::NAN)?,
+            kinds: filled(names.len(), 0)?,
+            vertex_domains: filled(names.len(), u64::MAX)?,
+            simplices: with_capacity(corners)?,
+            neighbors: with_capacity(corners)?,
+            domains: Vec::new(),
+            names,
+        };
+        // Each piece goes as soon as it is taken over.
+        pieces.into_iter().try_for_each(|piece| merged.add(&piece))?;
+        merged.domains.sort_unstable();
+        merged.domains.dedup();
+        Ok(merged)
+    }
+
+    fn add(&mut self, piece: &Piece) -> Result<()> {
+        let (dim, first) = (self.dim, self.simplex_count() as u64);
+        if piece.dim != dim || piece.neighbors.len() != piece.simplices.len() {
+            return Err(defect("a piece's arrays do not fit together"));
+        }
+        let mut vertices = with_capacity(piece.names.len())?;
+        for (local, name) in piece.names.iter().enumerate() {
+            let vertex = self.names.binary_search(name).map_err(|_| defect("a name is lost"))?;
+            let point = &mut self.points[vertex * dim..][..dim];
+            let is_new = point[0].is_nan();
+            if !is_new && *point != *piece.point(local) {
+                return Err(defect("two pieces have a vertex at different places"));
+            }
+            point.copy_from_slice(piece.point(local));
+            self.kinds[vertex] = piece.kinds[local];
+            self.vertex_domains[vertex] = piece.vertex_domains[local];
+            vertices.push(vertex as u32);
+        }
+        self.simplices.extend(piece.simplices.iter().map(|&local| vertices[local as usize]));
+        self.neighbors.extend(piece.neighbors.iter().map(|&neighbor| match neighbor {
+            piece::HULL => HULL,
+            piece::INTERFACE => OPEN,
+            neighbor => first + u64::from(neighbor),
+        }));
+        piece.domains.iter().try_for_each(|domain| self.domains.try_push(domain.name))
+    }
+
+    pub fn simplex_count(&self) -> usize {
+        self.simplices.len() / (self.dim + 1)
+    }
+
+    /// The vertices of the facet at a place of `neighbors`, rising; as many as the dimension.
+    pub fn facet(&self, slot: usize) -> [u32; netmesh::mesh::MAX_DIM] {
+        let size = self.dim + 1;
+        let simplex = &self.simplices[slot / size * size..][..size];
+        let mut vertices = [u32::MAX; netmesh::mesh::MAX_DIM];
+        let others = simplex.iter().enumerate().filter(|(at, _)| *at != slot % size);
+        vertices.iter_mut().zip(others).for_each(|(vertex, (_, other))| *vertex = *other);
+        vertices[..self.dim].sort_unstable();
+        vertices
+    }
+}

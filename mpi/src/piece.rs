@@ -1,0 +1,59 @@
+//! What the algorithm leaves on a rank: pieces of the mesh, which fit together by the names of their
+//! vertices. Plain data.
+
+/// No simplex across a facet: the hull of the whole mesh.
+pub const HULL: u32 = u32::MAX;
+
+/// Across a facet is another piece, of this rank or of another.
+pub const INTERFACE: u32 = u32::MAX - 1;
+
+/// The names of vertices that are no inputs have this bit.
+pub const ADDED: u64 = 1 << 63;
+
+/// Simplices that no other piece has, with their vertices.
+///
+/// The name of a vertex is the same in all pieces that have it: for an input its index among the
+/// inputs of all ranks, of equal ones the least; for others [`ADDED`] and what tells them apart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Piece {
+    pub dim: usize,
+    /// By local vertex.
+    pub names: Vec<u64>,
+    /// `vertices x dim`.
+    pub points: Vec<f64>,
+    /// By local vertex, the values of [`netmesh::VertexKind`].
+    pub kinds: Vec<u8>,
+    /// `simplices x (dim + 1)` local vertices, positively oriented.
+    pub simplices: Vec<u32>,
+    /// `simplices x (dim + 1)` local simplices, the i-th opposite vertex i; [`HULL`] or [`INTERFACE`].
+    pub neighbors: Vec<u32>,
+    /// Those that `vertex_domains` names; others may be there too.
+    pub domains: Vec<PieceDomain>,
+    /// By local vertex: the name of the innermost domain that holds it.
+    pub vertex_domains: Vec<u64>,
+}
+
+/// A domain of the hierarchy; its name is the same in all pieces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PieceDomain {
+    /// The name of the vertex at its centre.
+    pub center: u64,
+    /// The name of the enclosing domain, `None` for the root.
+    pub parent: Option<u64>,
+    pub name: u64,
+    pub radius: f64,
+}
+
+impl Piece {
+    pub fn vertex_count(&self) -> usize {
+        self.names.len()
+    }
+
+    pub fn simplex_count(&self) -> usize {
+        self.simplices.len() / (self.dim + 1)
+    }
+
+    pub fn point(&self, vertex: usize) -> &[f64] {
+        &self.points[vertex * self.dim..][..self.dim]
+    }
+}

@@ -1,0 +1,53 @@
+//! `netmesh-mpi`: each rank reads its part of a file of points, all write their parts of the mesh.
+
+#![forbid(unsafe_code)]
+
+mod arguments;
+// The numbers and their meanings are those of the program for one process.
+#[allow(dead_code)]
+#[path = "../../../cli/src/exit_code.rs"]
+mod exit_code;
+mod session;
+mod summary;
+
+use arguments::Arguments;
+use clap::Parser;
+use exit_code::{ExitCode, Failure};
+use netmesh_mpi::comm::mpi::{Ranks, begin, end};
+use netmesh_mpi::comm::{Collective, Communicator};
+use std::io::Write;
+
+fn main() -> std::process::ExitCode {
+    let code = match begin().and_then(|()| Ranks::of_world()) {
+        Ok(ranks) => run(&Collective::new(ranks)),
+        Err(error) => {
+            let _ = writeln!(std::io::stderr(), "netmesh-mpi: {error}");
+            ExitCode::Other as u8
+        }
+    };
+    let _ = end();
+    std::process::ExitCode::from(code)
+}
+
+/// Only rank 0 has anything to say.
+fn run(comm: &dyn Communicator) -> u8 {
+    let speaks = comm.rank() == 0;
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(refusal) => {
+            if speaks {
+                let _ = refusal.print();
+            }
+            return refusal.exit_code() as u8;
+        }
+    };
+    match session::run(comm, &arguments) {
+        Ok(()) => ExitCode::Success as u8,
+        Err(Failure { code, message }) => {
+            if speaks {
+                let _ = writeln!(std::io::stderr(), "netmesh-mpi: {message}");
+            }
+            code as u8
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! A run of the program, from the file of points to that of the mesh.
+
+use crate::arguments::Arguments;
+use crate::exit_code::{ExitCode, Failure};
+use crate::summary::{self, Times};
+use netmesh_mpi::comm::Communicator;
+use netmesh_mpi::{input, output};
+use std::path::Path;
+use std::time::Instant;
+
+/// Collective: all ranks answer the same.
+pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
+    refuse_input_as_output(arguments)?;
+    let mut times = Times::default();
+    let start = Instant::now();
+    let name = |path: &Path| path.display().to_string();
+    let share = input::read(comm, &arguments.input, arguments.input_format())
+        .map_err(|error| Failure::reading(&name(&arguments.input), &error))?;
+    times.read = start.elapsed();
+    let start = Instant::now();
+    let mesh = netmesh_mpi::run(comm, share.dim, &share.points, &arguments.options(), None)?;
+    drop(share);
+    times.mesh = start.elapsed();
+    if let Some(path) = &arguments.output {
+        let start = Instant::now();
+        output::write(comm, &mesh, path, arguments.output_format())
+            .map_err(|error| Failure::writing(&name(path), &error))?;
+        times.write = Some(start.elapsed());
+    }
+    if arguments.quiet {
+        return Ok(());
+    }
+    Ok(summary::print(comm, arguments, &mesh, &times)?)
+}
+
+/// What is written for NAME.npy has other names.
+fn refuse_input_as_output(arguments: &Arguments) -> Result<(), Failure> {
+    let Some(output) = &arguments.output else { return Ok(()) };
+    let is_written = |extension: &str| output.with_extension(extension) == arguments.input;
+    if is_written("points.npy") || is_written("simplices.npy") {
+        let message = format!("{}: the output would replace the input", arguments.input.display());
+        return Err(Failure::new(ExitCode::Usage, message));
+    }
+    Ok(())
+}

@@ -1,0 +1,77 @@
+//! What rank 0 prints at the end.
+
+use crate::arguments::Arguments;
+use netmesh::Result;
+use netmesh_mpi::DistributedMesh;
+use netmesh_mpi::comm::{Communicator, Operation};
+use std::io::Write;
+use std::time::Duration;
+
+#[derive(Default)]
+pub struct Times {
+    pub read: Duration,
+    pub mesh: Duration,
+    pub write: Option<Duration>,
+}
+
+/// Collective.
+pub fn print(
+    comm: &dyn Communicator,
+    arguments: &Arguments,
+    mesh: &DistributedMesh,
+    times: &Times,
+) -> Result<()> {
+    let own = [mesh.simplex_count() as u64, mesh.ghosts.len() as u64, mesh.bytes_sent];
+    let (mut most, mut sum) = (own, own);
+    comm.all_reduce_integers(&mut most, Operation::Max)?;
+    comm.all_reduce_integers(&mut sum, Operation::Sum)?;
+    if comm.rank() != 0 {
+        return Ok(());
+    }
+    let [simplices, ghosts, bytes] = most.map(spaced);
+    let totals = &mesh.totals;
+    let counts =
+        [totals.inputs, totals.duplicates, totals.vertices, totals.simplices, totals.domains];
+    let [inputs, duplicates, vertices, all_simplices, domains] = counts.map(spaced);
+    let (pieces, sent, seed) = (spaced(totals.pieces), spaced(sum[2]), arguments.meshing.seed);
+    let task = if arguments.finish { "finished mesh" } else { "hierarchical mesh" };
+    let (dim, ranks) = (mesh.dim, mesh.ranks);
+    let milliseconds = |time: Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);
+    let mut text = format!(
+        "input       {}: {inputs} points in {dim}D, {duplicates} duplicates\n\
+         task        {task} on {ranks} ranks, seed {seed}\n\
+         mesh        {vertices} vertices\n            {all_simplices} simplices, {domains} domains, {pieces} pieces\n\
+         ranks       {simplices} simplices and {ghosts} ghosts at most\n            \
+         sent {sent} bytes, {bytes} by one at most\n\
+         time        mesh {}, read {}",
+        arguments.input.display(),
+        milliseconds(times.mesh),
+        milliseconds(times.read),
+    );
+    if let (Some(time), Some(path)) = (times.write, &arguments.output) {
+        text += &format!(", write {}\nwritten     {}", milliseconds(time), path.display());
+    }
+    // Who reads this may have gone.
+    let _ = writeln!(std::io::stdout(), "{text}");
+    Ok(())
+}
+
+/// Digits in groups of three.
+fn spaced(number: u64) -> String {
+    let digits = number.to_string();
+    let group = |(at, digit): (usize, char)| {
+        let space = at > 0 && (digits.len() - at) % 3 == 0;
+        space.then_some(' ').into_iter().chain([digit])
+    };
+    digits.chars().enumerate().flat_map(group).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spaced;
+
+    #[test]
+    fn digits_stand_in_groups() {
+        assert_eq!([0, 999, 1000, 1234567].map(spaced), ["0", "999", "1 000", "1 234 567"]);
+    }
+}

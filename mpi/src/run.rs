@@ -1,0 +1,93 @@
+//! A run from points to a rank's part of their mesh.
+
+use crate::comm::{Communicator, Operation, agreed};
+use crate::distributed::DistributedMesh;
+use crate::{meshing, numbering};
+use netmesh::mesh::{MAX_DIM, MIN_DIM};
+use netmesh::options::ProgressFn;
+use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Result};
+
+/// Collective: the mesh of the points of all ranks, `dim` coordinates each; a rank may have none.
+///
+/// # Errors
+/// The same on all ranks, that of the lowest rank that has one: `Dimension` (out of range, or not the
+/// same on all ranks), `NonFinite` (names point and coordinate), `InvalidArgument` (an option that is
+/// out of range, not for meshes of several ranks, or not the same on all), and those of a run of the
+/// core.
+pub fn run(
+    comm: &dyn Communicator,
+    dim: usize,
+    points: &[f64],
+    options: &Options,
+    progress: Option<&mut ProgressFn<'_>>,
+) -> Result<DistributedMesh> {
+    agreed(comm, || {
+        check_dimension(dim)?;
+        check_points(dim, points)?;
+        check_options(options)
+    })?;
+    agreed(comm, || check_equal(comm, dim, options))?;
+    let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress))?;
+    agreed(comm, || numbering::number(comm, dim, points, pieces))
+}
+
+fn check_dimension(dim: usize) -> Result<()> {
+    if (MIN_DIM..=MAX_DIM).contains(&dim) {
+        return Ok(());
+    }
+    let message = format!("dim is {dim}; it must be {MIN_DIM} to {MAX_DIM}");
+    Err(Error::new(ErrorKind::Dimension, message))
+}
+
+fn check_points(dim: usize, points: &[f64]) -> Result<()> {
+    let Some(at) = points.iter().position(|x| !x.is_finite()) else { return Ok(()) };
+    let (point, axis, value) = (at / dim, at % dim, points[at]);
+    let message = format!(
+        "points[{point}] has a non-finite coordinate {axis}: {value}; every coordinate must be finite"
+    );
+    Err(Error::new(ErrorKind::NonFinite, message))
+}
+
+/// What only one process can do.
+fn check_options(options: &Options) -> Result<()> {
+    let refused = match () {
+        () if options.algorithm != Algorithm::Netmesh => "algorithm: only NM_ALGORITHM_NETMESH",
+        () if options.extent != Extent::All => "extent: only NM_EXTENT_ALL",
+        () if options.instruments => "instruments: only 0",
+        () => return Ok(()),
+    };
+    let message = format!("options.{refused} is for meshes of several ranks");
+    Err(Error::new(ErrorKind::InvalidArgument, message))
+}
+
+/// Collective: that all ranks ask for the same.
+fn check_equal(comm: &dyn Communicator, dim: usize, options: &Options) -> Result<()> {
+    // All fields, as they print: floats so that no two print alike. Threads may differ.
+    let asked = Options { threads: 1, ..options.clone() };
+    let text = format!("{dim} {asked:?}");
+    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    let mut least = [hash, dim as u64];
+    comm.all_reduce_integers(&mut least, Operation::Min)?;
+    let mut most = [hash, dim as u64];
+    comm.all_reduce_integers(&mut most, Operation::Max)?;
+    if least[1] != most[1] {
+        let message = format!("dim is {} on one rank and {} on another", least[1], most[1]);
+        return Err(Error::new(ErrorKind::Dimension, message));
+    }
+    if least[0] != most[0] {
+        let rule = "options are not the same on all ranks; only threads, progress and user_data may differ";
+        return Err(Error::new(ErrorKind::InvalidArgument, rule));
+    }
+    Ok(())
+}
+
+/// Collective: the bytes that all ranks have sent, and the most of one.
+pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u64, u64)> {
+    let mut sum = [mesh.bytes_sent];
+    let mut most = sum;
+    comm.all_reduce_integers(&mut sum, Operation::Sum)?;
+    comm.all_reduce_integers(&mut most, Operation::Max)?;
+    Ok((sum[0], most[0]))
+}

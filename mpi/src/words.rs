@@ -1,0 +1,64 @@
+//! Messages as 64-bit words, in the byte order of files: ranks may be of different machines.
+
+use crate::memory::{TryGrow, with_capacity};
+use netmesh::{Error, ErrorKind, Result};
+
+/// Appends `words` to `bytes`.
+pub fn append(bytes: &mut Vec<u8>, words: &[u64]) -> Result<()> {
+    words.iter().try_for_each(|word| bytes.try_extend(&word.to_le_bytes()))
+}
+
+/// The bytes of `words`.
+pub fn bytes_of(words: &[u64]) -> Result<Vec<u8>> {
+    let mut bytes = with_capacity(8 * words.len())?;
+    words.iter().for_each(|word| bytes.extend_from_slice(&word.to_le_bytes()));
+    Ok(bytes)
+}
+
+/// The words of a message.
+pub fn words_of(bytes: &[u8]) -> impl ExactSizeIterator<Item = u64> + Clone + '_ {
+    bytes.chunks_exact(8).map(|word| u64::from_le_bytes(word.try_into().unwrap_or_default()))
+}
+
+/// Takes a message apart.
+pub struct Words<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Words<'a> {
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Self { rest: bytes }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.rest.is_empty()
+    }
+
+    /// The next word; a message that ends before it is a defect of the sender.
+    pub fn next(&mut self) -> Result<u64> {
+        let (word, rest) = self
+            .rest
+            .split_first_chunk::<8>()
+            .ok_or_else(|| Error::new(ErrorKind::Panic, "internal error: a message is cut off"))?;
+        self.rest = rest;
+        Ok(u64::from_le_bytes(*word))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_survive_the_way_to_bytes_and_back() {
+        let mut bytes = bytes_of(&[1, u64::MAX]).unwrap();
+        append(&mut bytes, &[7]).unwrap();
+        assert!(words_of(&bytes).eq([1, u64::MAX, 7]));
+        let mut words = Words::new(&bytes);
+        assert_eq!(
+            [words.next(), words.next(), words.next()].map(Result::unwrap),
+            [1, u64::MAX, 7]
+        );
+        assert!(words.is_empty() && words.next().is_err());
+    }
+}

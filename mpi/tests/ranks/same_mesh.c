@@ -1,0 +1,238 @@
+/*
+ * The mesh of some points on the ranks of this job: prints its counts and a hash of its simplices by
+ * coordinates, which must not depend on the number of ranks, and checks what the ranks have of it against
+ * each other.
+ *
+ *     same_mesh SHAPE DIM COUNT SHARES hierarchical|finished [FILE]
+ */
+#include "check.h"
+
+#include <inttypes.h>
+
+typedef struct arrays {
+    nm_mpi_counts counts;
+    uint64_t *ids;
+    double *points;
+    uint32_t *owners;
+    uint8_t *kinds;
+    uint64_t *simplices;
+    uint64_t *neighbors;
+    uint64_t *ghosts;
+    uint64_t *ghost_ids;
+    uint32_t *ghost_owners;
+    nm_mpi_facet *facets;
+} arrays;
+
+#define GET(name, count, array)                                                                    \
+    do {                                                                                           \
+        uint64_t needed = 0, wanted = (count);                                                     \
+        CHECK(nm_mpi_get_##name(mesh, NULL, 0, &needed) == NM_OK && needed == wanted);             \
+        (array) = malloc((wanted + 1) * sizeof *(array));                                          \
+        CHECK((array) != NULL);                                                                    \
+        if (wanted > 0)                                                                            \
+            CHECK(nm_mpi_get_##name(mesh, (array), wanted - 1, NULL) == NM_CAPACITY);              \
+        CHECK(nm_mpi_get_##name(mesh, (array), wanted, NULL) == NM_OK);                            \
+    } while (0)
+
+static arrays get_arrays(const nm_mpi_mesh *mesh)
+{
+    arrays a;
+    nm_mpi_counts start = NM_MPI_COUNTS_INIT;
+    a.counts = start;
+    CHECK(nm_mpi_get_counts(mesh, &a.counts) == NM_OK);
+    uint64_t size = a.counts.dim + 1;
+    GET(vertex_ids, a.counts.local_vertices, a.ids);
+    GET(points, a.counts.local_vertices * a.counts.dim, a.points);
+    GET(vertex_owners, a.counts.local_vertices, a.owners);
+    GET(vertex_kinds, a.counts.local_vertices, a.kinds);
+    GET(simplices, a.counts.local_simplices * size, a.simplices);
+    GET(neighbors, a.counts.local_simplices * size, a.neighbors);
+    GET(ghosts, a.counts.ghosts * size, a.ghosts);
+    GET(ghost_ids, a.counts.ghosts, a.ghost_ids);
+    GET(ghost_owners, a.counts.ghosts, a.ghost_owners);
+    GET(interface, a.counts.interface_facets, a.facets);
+    return a;
+}
+
+static uint64_t search(const uint64_t *values, uint64_t start, uint64_t end, uint64_t value)
+{
+    while (start < end) {
+        uint64_t middle = start + (end - start) / 2;
+        if (values[middle] < value)
+            start = middle + 1;
+        else
+            end = middle;
+    }
+    return start;
+}
+
+/* The index of a vertex that the rank knows. */
+static uint64_t index_of(const arrays *a, uint64_t id)
+{
+    uint64_t own = search(a->ids, 0, a->counts.own_vertices, id);
+    if (own < a->counts.own_vertices && a->ids[own] == id)
+        return own;
+    uint64_t other = search(a->ids, a->counts.own_vertices, a->counts.local_vertices, id);
+    CHECK(other < a->counts.local_vertices && a->ids[other] == id);
+    return other;
+}
+
+static uint64_t mix(uint64_t hash, uint64_t value)
+{
+    hash = (hash ^ value) + 0x9e3779b97f4a7c15u;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+    return hash ^ hash >> 31;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Of the coordinates and kinds of its vertices, whatever their order. */
+static uint64_t hash_of(const arrays *a, const uint64_t *simplex)
+{
+    uint64_t corners[NM_MAX_DIM + 1], hash = 1;
+    for (uint32_t i = 0; i <= a->counts.dim; i++) {
+        uint64_t vertex = index_of(a, simplex[i]);
+        corners[i] = a->kinds[vertex];
+        for (uint32_t k = 0; k < a->counts.dim; k++) {
+            uint64_t bits;
+            memcpy(&bits, &a->points[vertex * a->counts.dim + k], sizeof bits);
+            corners[i] = mix(corners[i], bits);
+        }
+    }
+    qsort(corners, a->counts.dim + 1, sizeof *corners, by_value);
+    for (uint32_t i = 0; i <= a->counts.dim; i++)
+        hash = mix(hash, corners[i]);
+    return hash;
+}
+
+static int has_vertex(const arrays *a, const uint64_t *simplex, uint64_t vertex)
+{
+    int has = 0;
+    for (uint32_t i = 0; i <= a->counts.dim; i++)
+        has |= simplex[i] == vertex;
+    return has;
+}
+
+/* The simplex with an id, own or ghost. */
+static const uint64_t *simplex_of(const arrays *a, uint64_t id)
+{
+    uint64_t size = a->counts.dim + 1;
+    if (id - a->counts.first_simplex < a->counts.local_simplices)
+        return a->simplices + (id - a->counts.first_simplex) * size;
+    uint64_t ghost = search(a->ghost_ids, 0, a->counts.ghosts, id);
+    CHECK(ghost < a->counts.ghosts && a->ghost_ids[ghost] == id);
+    return a->ghosts + ghost * size;
+}
+
+/* Neighbours share all vertices but the opposite one, across interfaces too; sums over facets. */
+static void check_neighbors(const arrays *a, uint64_t *hull_facets)
+{
+    uint64_t size = a->counts.dim + 1, at_interface = 0;
+    for (uint64_t slot = 0; slot < a->counts.local_simplices * size; slot++) {
+        const uint64_t *simplex = a->simplices + slot / size * size;
+        uint64_t neighbor = a->neighbors[slot];
+        if (neighbor == NM_MPI_NONE) {
+            ++*hull_facets;
+            continue;
+        }
+        const uint64_t *other = simplex_of(a, neighbor);
+        for (uint64_t i = 0; i < size; i++)
+            CHECK(has_vertex(a, other, simplex[i]) == (i != slot % size));
+        if (neighbor - a->counts.first_simplex >= a->counts.local_simplices) {
+            CHECK(at_interface < a->counts.interface_facets);
+            const nm_mpi_facet *facet = &a->facets[at_interface++];
+            CHECK(facet->simplex == slot / size && facet->facet == slot % size);
+            CHECK(a->ghost_ids[facet->ghost] == neighbor && facet->owner == a->ghost_owners[facet->ghost]);
+            CHECK(facet->owner != a->counts.rank);
+        }
+    }
+    CHECK(at_interface == a->counts.interface_facets);
+}
+
+/* What the ranks together must have. */
+static void check_sums(const arrays *a, const cloud *points, uint64_t sums[5])
+{
+    sums[0] = a->counts.local_simplices;
+    for (uint64_t v = 0; v < a->counts.local_vertices; v++) {
+        if (v < a->counts.own_vertices)
+            sums[1] += a->owners[v] == a->counts.rank;
+        CHECK(a->ids[v] < a->counts.vertex_ids && a->owners[v] < a->counts.ranks);
+        CHECK((a->ids[v] < a->counts.inputs) == (a->kinds[v] == NM_VERTEX_INPUT));
+        if (a->ids[v] < points->count)
+            CHECK(memcmp(&a->points[v * points->dim], &points->points[a->ids[v] * points->dim],
+                         points->dim * sizeof(double)) == 0);
+    }
+    for (uint64_t s = 0; s < a->counts.local_simplices; s++)
+        sums[2] += hash_of(a, a->simplices + s * (a->counts.dim + 1));
+    /* A ghost is the owner's simplex: checked by its hash below. */
+    check_neighbors(a, &sums[3]);
+    sums[4] = a->counts.interface_facets;
+    MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    CHECK(sums[0] == a->counts.simplices && sums[1] == a->counts.vertices && sums[4] % 2 == 0);
+    CHECK(a->counts.inputs == points->count && a->counts.local_inputs == points->local);
+}
+
+/* Every ghost is what its owner has under its id: both sides' hashes, summed, per owner. */
+static void check_ghosts(const arrays *a)
+{
+    int ranks = (int)a->counts.ranks, size = (int)a->counts.dim + 1;
+    for (int owner = 0; owner < ranks; owner++) {
+        /* The ghosts of all ranks that are this owner's, one rank after another. */
+        for (int rank = 0; rank < ranks; rank++) {
+            uint64_t count = 0, hash = 0;
+            for (uint64_t g = 0; g < a->counts.ghosts; g++)
+                count += (int)a->ghost_owners[g] == owner;
+            MPI_Bcast(&count, 1, MPI_UINT64_T, rank, MPI_COMM_WORLD);
+            uint64_t *told = malloc((2 * count + 1) * sizeof *told);
+            CHECK(told != NULL);
+            if ((int)a->counts.rank == rank) {
+                uint64_t at = 0;
+                for (uint64_t g = 0; g < a->counts.ghosts; g++) {
+                    if ((int)a->ghost_owners[g] == owner) {
+                        told[at++] = a->ghost_ids[g];
+                        told[at++] = hash_of(a, a->ghosts + g * (uint64_t)size);
+                    }
+                }
+            }
+            MPI_Bcast(told, (int)(2 * count), MPI_UINT64_T, rank, MPI_COMM_WORLD);
+            for (uint64_t g = 0; (int)a->counts.rank == owner && g < count; g++) {
+                CHECK(told[2 * g] - a->counts.first_simplex < a->counts.local_simplices);
+                hash = hash_of(a, simplex_of(a, told[2 * g]));
+                CHECK(hash == told[2 * g + 1]);
+            }
+            free(told);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    MPI_Init(&argc, &argv);
+    CHECK(argc == 6 || argc == 7);
+    cloud points = make_cloud(argv[1], (uint32_t)atoi(argv[2]), (uint64_t)atol(argv[3]), argv[4]);
+    nm_options options;
+    nm_mpi_mesh *mesh = NULL;
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    if (strcmp(argv[5], "finished") == 0)
+        options.output = NM_OUTPUT_WELL_SPACED;
+    CHECK(nm_mpi_run(MPI_COMM_WORLD, points.dim, points.local, points.points + points.first * points.dim,
+                     &options, &mesh) == NM_OK);
+    arrays a = get_arrays(mesh);
+    uint64_t sums[5] = { 0, 0, 0, 0, 0 };
+    check_sums(&a, &points, sums);
+    check_ghosts(&a);
+    if (a.counts.rank == 0)
+        printf("vertices %" PRIu64 " duplicates %" PRIu64 " simplices %" PRIu64 " domains %" PRIu64
+               " hull %" PRIu64 " hash %016" PRIx64 "\n",
+               a.counts.vertices, a.counts.duplicates, a.counts.simplices, a.counts.domains, sums[3], sums[2]);
+    if (argc == 7)
+        CHECK(nm_mpi_export(mesh, argv[6], NM_MPI_FORMAT_AUTO) == NM_OK);
+    nm_mpi_mesh_free(mesh);
+    MPI_Finalize();
+    return 0;
+}

@@ -1,0 +1,136 @@
+/*
+ * Statuses are collective: what one rank has wrong is the same status and message on all, and nobody
+ * waits for ever.
+ *
+ *     statuses DIRECTORY
+ *
+ * DIRECTORY/full, if it is there, has no room for what is written.
+ */
+#include "check.h"
+
+#include <math.h>
+#include <sys/stat.h>
+
+static int rank, ranks;
+
+/* All ranks must have this status, and a message with these words. */
+static void expect_same(nm_status status, nm_status expected, const char *words)
+{
+    char message[512] = "", first[512];
+    nm_mpi_last_error(message, sizeof message);
+    if (status != expected || strstr(message, words) == NULL) {
+        fprintf(stderr, "rank %d: status %d, %d expected; \"%s\" has no \"%s\"\n", rank, (int)status,
+                (int)expected, message, words);
+        MPI_Abort(MPI_COMM_WORLD, 1);
+    }
+    memcpy(first, message, sizeof first);
+    MPI_Bcast(first, sizeof first, MPI_CHAR, 0, MPI_COMM_WORLD);
+    CHECK(strcmp(first, message) == 0);
+}
+
+static int cancel(const nm_progress *progress, void *user_data)
+{
+    (void)progress;
+    (void)user_data;
+    return 1;
+}
+
+static nm_status run(const cloud *points, const double *own, const nm_options *options)
+{
+    nm_mpi_mesh *mesh = NULL;
+    nm_status status = nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, options, &mesh);
+    CHECK(status == NM_OK || mesh == NULL);
+    if (mesh != NULL)
+        nm_mpi_mesh_free(mesh);
+    return status;
+}
+
+static void bad_arguments(const cloud *points, double *own)
+{
+    nm_options options;
+    int last = ranks - 1, is_last = rank == last;
+    char words[128];
+    double kept = own[1];
+    if (is_last)
+        own[1] = NAN;
+    snprintf(words, sizeof words, ranks > 1 ? "points[0] has a non-finite coordinate 1: NaN; every coordinate "
+                                              "must be finite (rank %d)" : "points[0]", last);
+    expect_same(run(points, own, NULL), NM_NON_FINITE, words);
+    own[1] = kept;
+    expect_same(run(points, is_last ? NULL : own, NULL), NM_NULL_ARGUMENT, "points is NULL");
+
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    if (is_last)
+        options.quality_bound = -1;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, ranks > 1 ? "options" : "quality_bound is -1");
+    options.quality_bound = -1;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, "options.quality_bound is -1");
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.algorithm = is_last ? NM_ALGORITHM_SVR : NM_ALGORITHM_NETMESH;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, "options.algorithm");
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.struct_size = is_last ? 3 : options.struct_size;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, "options.struct_size is 3");
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.max_vertices = points->count;
+    expect_same(run(points, own, &options), NM_LIMIT, "max_vertices");
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.progress = is_last ? cancel : NULL;
+    expect_same(run(points, own, &options), NM_CANCELLED, "");
+
+    nm_mpi_mesh *mesh = NULL;
+    expect_same(nm_mpi_run(MPI_COMM_WORLD, is_last ? 9 : points->dim, points->local, own, NULL, &mesh),
+                NM_DIMENSION, "dim is 9; it must be 2 to 8");
+    expect_same(nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, NULL, is_last ? NULL : &mesh),
+                NM_NULL_ARGUMENT, "mesh is NULL");
+    CHECK(mesh == NULL);
+    if (ranks > 1)
+        expect_same(nm_mpi_run(MPI_COMM_WORLD, is_last ? 3 : 2, 0, NULL, NULL, &mesh), NM_DIMENSION,
+                    "dim is 2 on one rank and 3 on another");
+    expect_same(nm_mpi_run(MPI_COMM_WORLD, 2, 0, NULL, NULL, &mesh), NM_DEGENERATE_INPUT, "0 points");
+    CHECK(nm_mpi_run(MPI_COMM_NULL, 2, 0, NULL, NULL, &mesh) == NM_IO);
+}
+
+static void exports(const cloud *points, const double *own, const char *directory)
+{
+    nm_mpi_mesh *mesh = NULL;
+    char path[4096];
+    struct stat found;
+    CHECK(nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, NULL, &mesh) == NM_OK);
+    expect_same(nm_mpi_export(mesh, "mesh.off", NM_MPI_FORMAT_AUTO), NM_INVALID_ARGUMENT, "extension");
+    expect_same(nm_mpi_export(mesh, rank == ranks - 1 ? NULL : "mesh.pvtu", NM_MPI_FORMAT_AUTO),
+                NM_NULL_ARGUMENT, "path_utf8 is NULL");
+    expect_same(nm_mpi_export(mesh, "mesh.pvtu", (nm_mpi_format)7), NM_INVALID_ARGUMENT, "format is 7");
+    for (int format = 0; format < 2; format++) {
+        const char *name = format == 0 ? "mesh.pvtu" : "mesh.npy";
+        snprintf(path, sizeof path, "%s/absent/%s", directory, name);
+        expect_same(nm_mpi_export(mesh, path, NM_MPI_FORMAT_AUTO), NM_IO, "cannot create");
+        snprintf(path, sizeof path, "%s/full/%s", directory, name);
+        snprintf(path, sizeof path, "%s/full", directory);
+        if (stat(path, &found) == 0) {
+            snprintf(path, sizeof path, "%s/full/%s", directory, name);
+            expect_same(nm_mpi_export(mesh, path, NM_MPI_FORMAT_AUTO), NM_IO, "cannot write");
+        }
+        /* The mesh is as good as before. */
+        snprintf(path, sizeof path, "%s/%s", directory, name);
+        CHECK(nm_mpi_export(mesh, path, NM_MPI_FORMAT_AUTO) == NM_OK);
+    }
+    nm_mpi_mesh_free(mesh);
+    nm_mpi_mesh_free(NULL);
+}
+
+int main(int argc, char **argv)
+{
+    MPI_Init(&argc, &argv);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    CHECK(argc == 2);
+    cloud points = make_cloud("uniform", 3, 2000, "even");
+    double *own = points.points + points.first * points.dim;
+    bad_arguments(&points, own);
+    exports(&points, own, argv[1]);
+    if (rank == 0)
+        printf("statuses are the same on %d ranks\n", ranks);
+    MPI_Finalize();
+    return 0;
+}

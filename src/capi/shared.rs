@@ -1,0 +1,6 @@
+//! What another C ABI of netmesh's, that on MPI, has in common with this one. Not for C, and no promise.
+
+pub use super::error::null_argument;
+pub use super::handle::barrier;
+pub use super::memory::{OutStruct, Versioned, copy_out, read_rows, utf8_path};
+pub use super::run::{read_options, report};

@@ -2,8 +2,9 @@
 
 use crate::comm::{Communicator, Operation, agreed};
 use crate::distributed::DistributedMesh;
+use crate::meshing::MAX_DIM;
 use crate::{meshing, numbering};
-use netmesh::mesh::{MAX_DIM, MIN_DIM};
+use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
 use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Result};
 
@@ -35,7 +36,7 @@ fn check_dimension(dim: usize) -> Result<()> {
     if (MIN_DIM..=MAX_DIM).contains(&dim) {
         return Ok(());
     }
-    let message = format!("dim is {dim}; it must be {MIN_DIM} to {MAX_DIM}");
+    let message = format!("dim is {dim}; meshes of several ranks are of {MIN_DIM} or {MAX_DIM}");
     Err(Error::new(ErrorKind::Dimension, message))
 }
 
@@ -54,6 +55,9 @@ fn check_options(options: &Options) -> Result<()> {
         () if options.algorithm != Algorithm::Netmesh => "algorithm: only NM_ALGORITHM_NETMESH",
         () if options.extent != Extent::All => "extent: only NM_EXTENT_ALL",
         () if options.instruments => "instruments: only 0",
+        () if options.max_edge != 0.0 => "max_edge: only 0",
+        () if options.distance_ratio != 0.0 => "distance_ratio: only 0",
+        () if options.min_dihedral != 0.0 => "min_dihedral: only 0",
         () => return Ok(()),
     };
     let message = format!("options.{refused} is for meshes of several ranks");

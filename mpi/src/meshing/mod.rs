@@ -1,14 +1,26 @@
-//! A stand-in for the distributed algorithm: every rank makes the whole mesh and keeps its share.
+//! The algorithm (the core's `distributed` has its parts): all ranks make the same coarse mesh of a
+//! sample of the inputs ([`sample`]), which is cut into partitions ([`partitions`]). Each rank makes
+//! some of them; what they leave at their interfaces is joined along a tree, and what is left then is
+//! taken out of all of them once more ([`tree`]). The pieces stay on the ranks where they were made.
+//!
+//! The partitions follow from the inputs alone, each is made of the same pieces on any rank, and no
+//! number of a rank enters any: so the mesh is the same on any number of ranks. A rank has its
+//! partitions, the coarse mesh, and at times a seam: no rank has the whole.
 
-use crate::comm::Communicator;
-use crate::memory::{collected, copied, filled, with_capacity};
-use crate::piece::{ADDED, HULL, INTERFACE, Piece, PieceDomain};
-use crate::words::{bytes_of, words_of};
+mod finish;
+mod partitions;
+mod sample;
+mod tree;
+
+use crate::comm::{Communicator, agreed};
+use crate::memory::collected;
+use crate::piece::Piece;
+use netmesh::distributed::Coarse;
 use netmesh::options::ProgressFn;
-use netmesh::{Mesh, NONE, Options, Result, Triangulation};
+use netmesh::{Options, Progress, Result};
 
-/// More than one, for interfaces between pieces of one rank.
-const PIECES_OF_A_RANK: usize = 3;
+/// Dimensions in which meshes are made in partitions: above, most of a mesh is at interfaces.
+pub const MAX_DIM: usize = 3;
 
 /// Collective: the mesh of what all ranks have; each answers its pieces. `points` of all ranks are
 /// finite and of one dimension, the options equal.
@@ -19,63 +31,59 @@ pub fn mesh(
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Vec<Piece>> {
-    let local: Vec<u64> = collected(points.iter().map(|x| x.to_bits()))?;
-    let mut all = Vec::new();
-    for bytes in comm.all_gather(&bytes_of(&local)?)? {
-        let numbers: Vec<f64> = collected(words_of(&bytes).map(f64::from_bits))?;
-        all.extend_from_slice(&numbers);
+    let mut watch = Watch { progress, done: 0.0, share: 0.0 };
+    match dim {
+        2 => mesh_in::<2>(comm, points, options, &mut watch),
+        3 => mesh_in::<3>(comm, points, options, &mut watch),
+        _ => unreachable!("other dimensions are refused before"),
     }
-    let mut mesh = Mesh::new(dim, all.len() / dim, &all, 0)?;
-    mesh.run(options, progress)?;
-    let names = |vertex| mesh.inputs().first_input(vertex).map_or(ADDED | vertex as u64, u64::from);
-    let Some(triangulation) = mesh.triangulation() else { return Ok(Vec::new()) };
-    let parts = comm.size() * PIECES_OF_A_RANK;
-    let own = comm.rank() * PIECES_OF_A_RANK..(comm.rank() + 1) * PIECES_OF_A_RANK;
-    own.map(|part| piece(triangulation, &names, part, parts)).collect()
 }
 
-/// The simplices of one of so many shares, in their order.
-fn piece(
-    mesh: &Triangulation,
-    names: &dyn Fn(usize) -> u64,
-    part: usize,
-    parts: usize,
-) -> Result<Piece> {
-    let size = mesh.dim + 1;
-    let (start, end) =
-        (mesh.simplex_count() * part / parts, mesh.simplex_count() * (part + 1) / parts);
-    let simplices = &mesh.simplices[start * size..end * size];
-    let mut vertices = copied(simplices)?;
-    vertices.sort_unstable();
-    vertices.dedup();
-    let mut local = filled(mesh.vertex_count(), NONE)?;
-    vertices.iter().enumerate().for_each(|(new, &old)| local[old as usize] = new as u32);
-    let mut points = with_capacity(vertices.len() * mesh.dim)?;
-    vertices.iter().for_each(|&vertex| points.extend_from_slice(mesh.point(vertex)));
-    let neighbors =
-        mesh.neighbors[start * size..end * size].iter().map(|&neighbor| match neighbor as usize {
-            _ if neighbor == NONE => HULL,
-            other if (start..end).contains(&other) => (other - start) as u32,
-            _ => INTERFACE,
-        });
-    let name_of = |vertex: u32| names(vertex as usize);
-    let domains = mesh.domains.iter().enumerate().map(|(name, domain)| PieceDomain {
-        center: name_of(domain.center),
-        parent: (domain.parent != NONE).then(|| domain.parent.into()),
-        name: name as u64,
-        radius: domain.radius,
-    });
-    let at = |vertex: &u32| *vertex as usize;
-    Ok(Piece {
-        dim: mesh.dim,
-        names: collected(vertices.iter().map(|&vertex| name_of(vertex)))?,
-        points,
-        kinds: collected(vertices.iter().map(|vertex| mesh.kinds[at(vertex)] as u8))?,
-        simplices: collected(simplices.iter().map(|vertex| local[at(vertex)]))?,
-        neighbors: collected(neighbors)?,
-        domains: collected(domains)?,
-        vertex_domains: collected(
-            vertices.iter().map(|vertex| u64::from(mesh.vertex_domains[at(vertex)])),
-        )?,
-    })
+fn mesh_in<const D: usize>(
+    comm: &dyn Communicator,
+    points: &[f64],
+    options: &Options,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<Piece>> {
+    let points: Vec<[f64; D]> =
+        collected(points.chunks_exact(D).map(|point| std::array::from_fn(|axis| point[axis])))?;
+    let (first, total) = comm.exclusive_sum(points.len() as u64)?;
+    let sample = sample::sample(comm, &points, first, total)?;
+    let coarse = agreed(comm, || {
+        let (own, names) = (
+            collected(sample.iter().map(|input| input.point))?,
+            collected(sample.iter().map(|input| input.name))?,
+        );
+        watch.next(0.05, |progress| Coarse::new(&own, &names, options, Some(progress)))
+    })?;
+    drop(sample);
+    let own = partitions::share(comm, &coarse, &points, first, total, watch)?;
+    drop(points);
+    let pieces = tree::make(comm, &coarse, own, watch)?;
+    finish::finish(comm, pieces)
+}
+
+/// What the caller is told of all the parts that a run has on this rank.
+pub struct Watch<'a, 'b> {
+    progress: Option<&'a mut ProgressFn<'b>>,
+    /// The part of the run that is done, and that which goes on.
+    done: f64,
+    share: f64,
+}
+
+impl Watch<'_, '_> {
+    /// Does a part of the run that is `share` of it.
+    fn next<T>(
+        &mut self,
+        share: f64,
+        act: impl FnOnce(&mut ProgressFn<'_>) -> Result<T>,
+    ) -> Result<T> {
+        self.done += self.share;
+        self.share = share;
+        let Self { progress, done, share } = self;
+        act(&mut |own: &Progress| {
+            let fraction = (*done + *share * own.fraction.clamp(0.0, 1.0)).min(1.0);
+            progress.as_mut().is_none_or(|tell| tell(&Progress { fraction, ..*own }))
+        })
+    }
 }

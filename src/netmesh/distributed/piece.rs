@@ -90,6 +90,12 @@ impl<const D: usize> Piece<D> {
         self.is_unsettled.len()
     }
 
+    /// The least name of its vertices, which no other settled piece's vertices need to have: for an
+    /// order of pieces that knows nothing of where they are.
+    pub fn first_name(&self) -> u64 {
+        self.corners.iter().map(|corner| corner.name).min().unwrap_or(NOTHING)
+    }
+
     /// Inputs that wait for their insertion.
     pub fn waiting_count(&self) -> usize {
         self.waiting.len()

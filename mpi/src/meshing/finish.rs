@@ -1,0 +1,75 @@
+//! Pieces without what making them took. A domain may have been dissolved where others did not see it.
+
+use crate::comm::{Communicator, agreed};
+use crate::memory::{TryGrow, collected, with_capacity};
+use crate::piece::{HULL, INTERFACE, Piece, PieceDomain};
+use crate::words::{bytes_of, words_of};
+use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
+use netmesh::{Result, VertexKind};
+
+/// Collective: the pieces of this rank with the domains that there are in the end.
+pub fn finish<const D: usize>(
+    comm: &dyn Communicator,
+    pieces: Vec<distributed::Piece<D>>,
+) -> Result<Vec<Piece>> {
+    let plain = agreed(comm, || {
+        let mut plain = with_capacity(pieces.len())?;
+        for piece in pieces {
+            plain.push(piece.into_plain()?);
+        }
+        Ok(plain)
+    })?;
+    let own: Vec<u64> =
+        collected(plain.iter().flat_map(|piece| piece.released.iter().flatten().copied()))?;
+    let mut released: Vec<[u64; 2]> = Vec::new();
+    for bytes in comm.all_gather(&bytes_of(&own)?)? {
+        let names: Vec<u64> = collected(words_of(&bytes))?;
+        for pair in names.chunks_exact(2) {
+            released.try_push([pair[0], pair[1]])?;
+        }
+    }
+    released.sort_unstable();
+    released.dedup();
+    agreed(comm, || {
+        let mut pieces = with_capacity(plain.len())?;
+        for piece in plain {
+            pieces.push(finished::<D>(piece, &released)?);
+        }
+        Ok(pieces)
+    })
+}
+
+fn finished<const D: usize>(piece: PlainPiece, released: &[[u64; 2]]) -> Result<Piece> {
+    let taken_by = |mut name: u64| {
+        while let Ok(at) = released.binary_search_by_key(&name, |&[name, _]| name) {
+            name = released[at][1];
+        }
+        name
+    };
+    let kind = |(&name, &cage): (&u64, &u64)| match () {
+        () if name & MADE == 0 => VertexKind::Input,
+        () if cage != NO_DOMAIN && taken_by(cage) == cage => VertexKind::Cage,
+        () => VertexKind::Steiner,
+    };
+    let living = piece.domains.iter().filter(|domain| taken_by(domain.name) == domain.name);
+    let neighbors = piece.neighbors.iter().map(|&neighbor| match neighbor {
+        distributed::HULL => HULL,
+        distributed::INTERFACE => INTERFACE,
+        neighbor => neighbor,
+    });
+    Ok(Piece {
+        dim: D,
+        kinds: collected(piece.names.iter().zip(&piece.cages).map(|pair| kind(pair) as u8))?,
+        neighbors: collected(neighbors)?,
+        domains: collected(living.map(|domain| PieceDomain {
+            center: domain.center,
+            parent: (domain.parent != NO_DOMAIN).then(|| taken_by(domain.parent)),
+            name: domain.name,
+            radius: domain.radius,
+        }))?,
+        vertex_domains: collected(piece.vertex_domains.iter().map(|&name| taken_by(name)))?,
+        names: piece.names,
+        points: piece.points,
+        simplices: piece.simplices,
+    })
+}

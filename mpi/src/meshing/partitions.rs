@@ -1,0 +1,130 @@
+//! Inputs go to the ranks that make their partitions: those of the coarse simplices that they lie in.
+//! This is a sample sort along the order of locality of the coarse mesh.
+
+use super::Watch;
+use super::sample::{Input, keep_distinct};
+use crate::comm::{Communicator, Operation, agreed};
+use crate::memory::{TryGrow, collected, filled, with_capacity};
+use crate::words::{append, words_of};
+use netmesh::Result;
+use netmesh::distributed::{Coarse, Piece};
+
+/// Inputs of a partition of a large mesh, and the least that a partition of a small one has.
+const LARGE: u64 = 1 << 18;
+const SMALL: u64 = 1 << 12;
+
+/// A small mesh has at most so many partitions.
+const FEW: u64 = 16;
+
+/// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
+fn partition_count(total: u64) -> usize {
+    (total / LARGE).max((total / SMALL).min(FEW)).max(1) as usize
+}
+
+/// The partitions, and which of them this rank makes.
+pub struct Share<const D: usize> {
+    /// Those of this rank, in order, each with inputs that wait.
+    pub pieces: Vec<Piece<D>>,
+    /// The first of them.
+    pub first: usize,
+    /// How many there are on all ranks.
+    pub count: usize,
+}
+
+/// The rank that makes a partition.
+pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
+    partition * ranks / count
+}
+
+/// Collective: cuts the coarse mesh, and sends each input to where its partition is made.
+pub fn share<const D: usize>(
+    comm: &dyn Communicator,
+    coarse: &Coarse<D>,
+    points: &[[f64; D]],
+    first: u64,
+    total: u64,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Share<D>> {
+    let count = partition_count(total);
+    let located =
+        agreed(comm, || watch.next(0.05, |progress| coarse.locate(points, Some(progress))))?;
+    let mut weights = filled(coarse.anchor_count(), 0u64)?;
+    for &simplex in located.iter().filter(|simplex| **simplex != u32::MAX) {
+        weights[coarse.anchors()[simplex as usize] as usize] += 1;
+    }
+    comm.all_reduce_integers(&mut weights, Operation::Sum)?;
+    let partition_of = agreed(comm, || coarse.partitions(&weights, count))?;
+    let messages = agreed(comm, || {
+        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+        for ((name, point), &simplex) in (first..).zip(points).zip(&located) {
+            if let Some(&partition) = partition_of.get(simplex as usize) {
+                let message = &mut messages[owner(partition as usize, count, comm.size())];
+                append(message, &[name, u64::from(simplex)])?;
+                append(message, &point.map(f64::to_bits))?;
+            }
+        }
+        Ok(messages)
+    })?;
+    drop(located);
+    let received = comm.all_to_all(messages)?;
+    agreed(comm, || own_partitions(comm, coarse, &received, &partition_of, count))
+}
+
+fn own_partitions<const D: usize>(
+    comm: &dyn Communicator,
+    coarse: &Coarse<D>,
+    received: &[Vec<u8>],
+    partition_of: &[u32],
+    count: usize,
+) -> Result<Share<D>> {
+    let own = |partition: &usize| owner(*partition, count, comm.size()) == comm.rank();
+    let owned: Vec<usize> = collected((0..count).filter(own))?;
+    let first = owned.first().copied().unwrap_or(0);
+    let mut inputs: Vec<Vec<(Input<D>, u32)>> = collected(owned.iter().map(|_| Vec::new()))?;
+    for message in received {
+        let words: Vec<u64> = collected(words_of(message))?;
+        for words in words.chunks_exact(2 + D) {
+            let point = std::array::from_fn(|axis| f64::from_bits(words[2 + axis]));
+            let simplex = words[1] as u32;
+            let at = partition_of[simplex as usize] as usize - first;
+            inputs[at].try_push((Input { name: words[0], point }, simplex))?;
+        }
+    }
+    let mut pieces = with_capacity(owned.len())?;
+    for (&partition, own) in owned.iter().zip(inputs) {
+        let (mut piece, simplices) = coarse.cut(partition_of, partition as u32)?;
+        let mut distinct = collected(own.iter().map(|(input, _)| *input))?;
+        keep_distinct(&mut distinct);
+        let mut located: Vec<(u64, u32)> =
+            collected(own.iter().map(|&(input, simplex)| (input.name, simplex)))?;
+        drop(own);
+        located.sort_unstable();
+        let simplex_of = |name: u64| {
+            let at = located.partition_point(|&(other, _)| other < name);
+            simplices.partition_point(|&simplex| simplex < located[at].1) as u32
+        };
+        let waiting: Vec<(u64, [f64; D], u32)> = collected(
+            distinct.iter().map(|input| (input.name, input.point, simplex_of(input.name))),
+        )?;
+        piece.add_inputs(&waiting)?;
+        pieces.push(piece);
+    }
+    Ok(Share { pieces, first, count })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn partitions_follow_from_the_inputs_and_every_rank_has_its_share() {
+        assert_eq!([1, 5000, 100_000, 10_000_000].map(partition_count), [1, 1, 16, 38]);
+        for (count, ranks) in [(1, 3), (7, 3), (16, 16), (38, 8), (3, 5)] {
+            let owners: Vec<usize> =
+                (0..count).map(|partition| owner(partition, count, ranks)).collect();
+            assert!(owners.is_sorted() && owners.iter().all(|&owner| owner < ranks));
+            let most = (0..ranks).map(|rank| owners.iter().filter(|&&o| o == rank).count()).max();
+            assert_eq!(most, Some(count.div_ceil(ranks)));
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The sample that the coarse mesh is of: inputs that their coordinates choose, so that it does not
+//! matter which rank has them, and those that say how far all of them reach.
+
+use crate::comm::{Communicator, agreed};
+use crate::memory::{TryGrow, collected};
+use crate::words::{append, words_of};
+use netmesh::{Error, ErrorKind, Result};
+use std::cmp::Ordering;
+
+/// One input in this many is of the sample. With more the coarse mesh, which all ranks make, would
+/// take a share of the time that does not shrink with them; with fewer more inputs would wait at the
+/// interfaces, whose simplices are as large as those of the coarse mesh.
+const SAMPLED: u64 = 64;
+
+/// An input and its number among those of all ranks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input<const D: usize> {
+    pub name: u64,
+    pub point: [f64; D],
+}
+
+impl<const D: usize> Input<D> {
+    /// Points are equal if their coordinates are, whatever the sign of zero.
+    pub fn bits(&self) -> [u64; D] {
+        self.point.map(|x| (x + 0.0).to_bits())
+    }
+
+    fn append_to(&self, bytes: &mut Vec<u8>) -> Result<()> {
+        append(bytes, &[self.name])?;
+        append(bytes, &self.point.map(f64::to_bits))
+    }
+
+    /// An order of points that knows nothing of ranks.
+    fn order(&self, other: &Self) -> Ordering {
+        let coordinates = self.point.iter().zip(&other.point);
+        let order = coordinates.map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+        order.unwrap_or(Ordering::Equal).then(self.name.cmp(&other.name))
+    }
+}
+
+/// The inputs of a message.
+pub fn inputs_of<const D: usize>(bytes: &[u8]) -> Result<Vec<Input<D>>> {
+    let words: Vec<u64> = collected(words_of(bytes))?;
+    collected(words.chunks_exact(1 + D).map(|words| Input {
+        name: words[0],
+        point: std::array::from_fn(|axis| f64::from_bits(words[1 + axis])),
+    }))
+}
+
+/// Keeps the first of equal inputs, those with the least names, and puts all in the order of names.
+pub fn keep_distinct<const D: usize>(inputs: &mut Vec<Input<D>>) {
+    inputs.sort_unstable_by_key(|input| (input.bits(), input.name));
+    inputs.dedup_by_key(|input| input.bits());
+    inputs.sort_unstable_by_key(|input| input.name);
+}
+
+/// Collective: the sample, the same on all ranks, by rising names. `first`: the number of this rank's
+/// first point, `total` that of all points.
+pub fn sample<const D: usize>(
+    comm: &dyn Communicator,
+    points: &[[f64; D]],
+    first: u64,
+    total: u64,
+) -> Result<Vec<Input<D>>> {
+    let inputs = || (first..).zip(points).map(|(name, &point)| Input { name, point });
+    let mut chosen = Vec::new();
+    let ends = ends(comm, inputs, total)?;
+    let message = agreed(comm, || {
+        let mut bytes = Vec::new();
+        let own = inputs().filter(|input| hash(&input.bits()) % SAMPLED == 0);
+        own.into_iter().try_for_each(|input| input.append_to(&mut bytes))?;
+        Ok(bytes)
+    })?;
+    for bytes in comm.all_gather(&message)? {
+        chosen.try_extend(&inputs_of(&bytes)?)?;
+    }
+    chosen.try_extend(&ends)?;
+    keep_distinct(&mut chosen);
+    Ok(chosen)
+}
+
+/// Collective: the inputs at the ends of every axis, the one nearest to the middle of their box, and
+/// that farthest from the latter. The coarse mesh asks for them.
+fn ends<const D: usize, I: Iterator<Item = Input<D>>>(
+    comm: &dyn Communicator,
+    inputs: impl Fn() -> I,
+    total: u64,
+) -> Result<Vec<Input<D>>> {
+    let mut found = Vec::new();
+    let mut middle = [0.0; D];
+    for axis in 0..D {
+        let low = least(comm, inputs(), |point| point[axis])?;
+        let high = least(comm, inputs(), |point| -point[axis])?;
+        if let (Some(low), Some(high)) = (low, high) {
+            middle[axis] = 0.5 * low.point[axis] + 0.5 * high.point[axis];
+            found.try_extend(&[low, high])?;
+        }
+    }
+    let center = least(comm, inputs(), |point| netmesh::numerics::distance(point, &middle))?;
+    let Some(center) = center else {
+        let message = "no rank has a point; a mesh needs at least two distinct points";
+        return Err(Error::new(ErrorKind::DegenerateInput, message));
+    };
+    let farthest =
+        least(comm, inputs(), |point| -netmesh::numerics::distance(point, &center.point))?;
+    found.try_extend(&[center])?;
+    found.try_extend(farthest.as_slice())?;
+    if found.iter().all(|input| input.bits() == center.bits()) {
+        let message = format!(
+            "{total} points, 1 of them distinct; a mesh needs at least two distinct points"
+        );
+        return Err(Error::new(ErrorKind::DegenerateInput, message));
+    }
+    Ok(found)
+}
+
+/// Collective: the input with the least measure, of several the first in [`Input::order`].
+fn least<const D: usize>(
+    comm: &dyn Communicator,
+    inputs: impl Iterator<Item = Input<D>>,
+    measure: impl Fn(&[f64; D]) -> f64,
+) -> Result<Option<Input<D>>> {
+    let order = |a: &Input<D>, b: &Input<D>| {
+        measure(&a.point).total_cmp(&measure(&b.point)).then_with(|| a.order(b))
+    };
+    let mut message = Vec::new();
+    if let Some(own) = inputs.min_by(&order) {
+        own.append_to(&mut message)?;
+    }
+    let mut all = Vec::new();
+    for bytes in comm.all_gather(&message)? {
+        all.try_extend(&inputs_of(&bytes)?)?;
+    }
+    Ok(all.into_iter().min_by(&order))
+}
+
+/// What chooses the sample: mixed as by Steele, Lea and Flood, "Fast splittable pseudorandom number
+/// generators", 2014.
+fn hash(words: &[u64]) -> u64 {
+    words.iter().fold(0, |hash, word| {
+        let mixed = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ mixed >> 31
+    })
+}

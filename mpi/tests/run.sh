@@ -56,7 +56,6 @@ same_test() {
   same nested 3 1200 hierarchical
   same sphere 3 1000 hierarchical
   same duplicates 3 900 finished
-  same uniform 4 60 hierarchical
 }
 
 statuses_test() {

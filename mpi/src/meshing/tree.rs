@@ -57,8 +57,11 @@ pub fn make<const D: usize>(
         let seams = exchange(comm, &mut nodes, &next)?;
         nodes = next;
         agreed(comm, || {
-            for ((node, number), pieces) in nodes.iter_mut().zip(number + 1..).zip(seams) {
-                if !pieces.is_empty() {
+            for ((node, number), mut pieces) in nodes.iter_mut().zip(number + 1..).zip(seams) {
+                if pieces.len() == 1 {
+                    // Nothing has come to it.
+                    node.seam = pieces.pop();
+                } else if !pieces.is_empty() {
                     let part = 0.2 / levels;
                     let (rest, seam) = refine(coarse.maker(), pieces, number, part, watch)?;
                     settled.try_push_one(rest)?;

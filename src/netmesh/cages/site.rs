@@ -26,6 +26,9 @@ pub(in crate::netmesh) struct CageSite {
 /// radius, so that the input is strictly inside epsilon r.
 const SLACK: f64 = 1.001;
 
+/// How much more room than the inputs of a sample need their cages have, for those to come.
+const SAMPLE_ROOM: f64 = 1.5;
+
 /// Subnormal distances are rounded to whole units of the smallest double.
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
@@ -153,7 +156,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
     /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
     /// soon be released and leave their vertices behind. In the mesh of a sample, whose other inputs
-    /// nobody knows, it is one in the middle of the range.
+    /// nobody knows, it is a larger one.
     fn lasting_radius(
         &mut self,
         center: VertexId,
@@ -166,7 +169,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         if self.state.parameters.is_sample {
-            return Ok(Some((least.sqrt() * most.sqrt()).clamp(least, most)));
+            return Ok(Some((SAMPLE_ROOM * least).min(least.sqrt() * most.sqrt()).clamp(least, most)));
         }
         let max_distance = self.outer_encroachment();
         let mut radius = least;

@@ -35,6 +35,7 @@ use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::rounds::round::tiles;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
+use crate::parameters::Parameters;
 use std::ops::Range;
 
 /// In higher dimensions most of the mesh is at interfaces.
@@ -53,11 +54,16 @@ struct Partition<const D: usize> {
     state: State<D>,
 }
 
+/// Whether a mesh of so many `inputs` is made in partitions.
+fn is_partitioned<const D: usize>(parameters: &Parameters, inputs: usize) -> bool {
+    parameters.algorithm == Algorithm::Netmesh
+        && D <= MAX_DIM
+        && inputs >= 2 * parameters.inputs_per_partition
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn is_partitioned(&self) -> bool {
-        self.state.parameters.algorithm == Algorithm::Netmesh
-            && D <= MAX_DIM
-            && self.state.inputs >= 2 * self.state.parameters.inputs_per_partition
+        is_partitioned::<D>(&self.state.parameters, self.state.inputs)
     }
 
     /// Inserts most inputs, and refines most of the mesh; dissolves most cages before that, if none

@@ -27,10 +27,10 @@ mod schedule;
 mod tests;
 pub(super) mod workers;
 
-use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId, VertexId};
+use crate::complex::{LocalToGlobal, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{Array, with_capacity};
+use crate::memory::Array;
 use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::rounds::round::tiles;
 use crate::netmesh::{Mesher, State};
@@ -83,13 +83,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let runs = self.between(&interfaces)?;
         let complex = self.state.delaunay.complex();
         let mut moved = Array::filled(complex.simplex_bound(), SimplexId::NONE)?;
-        let mut global_to_local =
-            GlobalToLocal::new(complex.simplex_bound(), self.state.delaunay.point_count())?;
-        let mut partitions = with_capacity(runs.len())?;
-        for run in runs {
-            partitions.push(self.cut(run, &mut global_to_local)?);
-        }
-        drop(global_to_local);
+        let partitions = self.cut(runs)?;
         self.watch.poll()?;
         self.refine_partitions(partitions, &mut moved)?;
         let watch = &mut self.watch;

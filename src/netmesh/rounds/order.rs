@@ -311,19 +311,20 @@ mod tests {
         assert!(step(&points, &inner) < 0.4e-200);
     }
 
-    /// A box of clusters in each other, next to many points that are sorted at the same time.
+    /// So many inputs that crowds of crowds are sorted in several pieces.
     #[test]
-    fn crowds_in_crowds_are_ordered_whatever_the_threads() {
-        let mut points = scattered::<2>(3 * MANY);
-        for (at, point) in points.iter_mut().enumerate().skip(MANY) {
-            let scale = if at % 2 == 0 { 1e-9 } else { 1e-30 };
-            *point = point.map(|x| (at % 5) as f64 + x * scale);
-        }
-        let order = order(&points);
-        assert!(is_permutation(&order));
-        let fine = |id: &InputId| id.index() > MANY && id.index() % 10 == 1;
-        let inner: Vec<_> = order.iter().copied().filter(fine).collect();
-        assert!(inner.len() > MANY / 10 && step(&points, &inner) < 1e-30);
+    fn a_large_grid_is_ordered_as_the_curve_goes() {
+        const BITS: usize = 9;
+        let side = 1 << BITS;
+        let at = |i: usize| [(i % side) as f64, (i / side) as f64];
+        let grid: Vec<[f64; 2]> = (0..side * side).map(at).collect();
+        assert!(grid.len() > 4 * MANY);
+        let bit = |place: usize, bit: usize| place >> bit & 1;
+        let every_other =
+            |place: usize| (0..BITS).fold(0, |all, at| all | bit(place, 2 * at) << at);
+        let along_curve = |place: usize| every_other(place) + side * every_other(place >> 1);
+        let expected = (0..grid.len()).map(along_curve).map(InputId::new);
+        assert!(order(&grid).into_iter().eq(expected));
     }
 
     #[test]

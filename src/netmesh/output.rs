@@ -2,13 +2,13 @@
 
 use super::numbering::Numbering;
 use super::segments::cut;
-use super::{Mesher, Scratch};
+use super::{Mesher, Scratch, State};
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::partitions::workers::{on_threads, pieces};
+use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
 use crate::options::{Algorithm, Extent, Phase};
 use std::time::Instant;
@@ -29,31 +29,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let cells_beyond = self.cells_beyond_bound()?;
         self.free_what_is_done()?;
         let (simplices, neighbors) = self.finite_simplices(&numbering)?;
-        let vertices = numbering.order.len();
         let (domains, indices) = self.living_domains(&numbering)?;
-        let renumbered = |domain: DomainId| indices.get(domain.index()).copied().unwrap_or(NONE);
-        let mut points = with_capacity(vertices * D)?;
-        let mut cage_of = with_capacity(vertices)?;
-        let mut vertex_domains = with_capacity(vertices)?;
-        let mut kinds = with_capacity(vertices)?;
-        let mut limited = with_capacity(vertices)?;
         let asked = self.sizes.take();
         let mut sizes = Vec::new();
-        for &vertex in &numbering.order {
+        for &vertex in asked.iter().flat_map(|_| &numbering.order) {
             self.watch.poll_after(1)?;
-            limited.push(precision_limited[vertex]);
-            points.extend_from_slice(self.state.delaunay.point(vertex));
-            let cage = renumbered(self.state.hierarchy.cage_of(vertex));
-            cage_of.push(cage);
-            vertex_domains.push(match domains.is_empty() {
-                true => NONE,
-                false => renumbered(self.state.hierarchy.domain_of(vertex)),
-            });
-            kinds.push(self.kind(vertex, cage));
             if let Some(size) = asked.as_ref().and_then(|asked| asked.answer(vertex)) {
                 sizes.try_push(size)?;
             }
         }
+        let Vertices { points, kinds, domains: vertex_domains, cage_of, limited } =
+            self.vertices(&numbering.order, &precision_limited, &indices)?;
         self.count_vertices(&kinds, &limited);
         let below_min_dihedral = self.slivers_left(&points, &simplices, &vertex_domains)?;
         let mut beyond_bound = self.simplices_beyond_bound(&points, &simplices, &vertex_domains)?;
@@ -64,14 +50,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.seconds = begun.elapsed().as_secs_f64();
         let whole = Triangulation {
             dim: D,
-            points,
+            points: points.into_vec()?,
             simplices,
             neighbors,
-            kinds,
-            vertex_domains,
-            cage_of,
+            kinds: kinds.into_vec()?,
+            vertex_domains: vertex_domains.into_vec()?,
+            cage_of: cage_of.into_vec()?,
             domains,
-            precision_limited: limited,
+            precision_limited: limited.into_vec()?,
             below_min_dihedral,
             boundary,
             sizes,
@@ -137,6 +123,63 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((simplices.into_vec()?, neighbors.into_vec()?))
     }
 
+    /// What the result has of each vertex in `order`. `indices`: domain -> its index.
+    fn vertices(
+        &mut self,
+        order: &[VertexId],
+        precision_limited: &[bool],
+        indices: &[u32],
+    ) -> Result<Vertices> {
+        let threads = self.threads();
+        let Self { state, watch, .. } = self;
+        state.hierarchy.settle(|| watch.poll_after(1))?;
+        let State { delaunay, hierarchy, inputs, .. } = &*state;
+        let renumbered = |domain: DomainId| indices.get(domain.index()).copied().unwrap_or(NONE);
+        let pieces = order.chunks(PIECE);
+        let counts = collected(pieces.clone().map(<[VertexId]>::len))?;
+        let coordinates = collected(counts.iter().map(|count| count * D))?;
+        let mut all = Vertices::default();
+        let shares = shares(&mut all.points, &coordinates)?
+            .into_iter()
+            .zip(shares(&mut all.kinds, &counts)?)
+            .zip(shares(&mut all.domains, &counts)?)
+            .zip(shares(&mut all.cage_of, &counts)?)
+            .zip(shares(&mut all.limited, &counts)?)
+            .map(|((((points, kinds), domains), cage_of), limited)| Vertices {
+                points,
+                kinds,
+                domains,
+                cage_of,
+                limited,
+            });
+        let filled = on_threads(threads, watch, pieces.zip(shares), |(piece, mut own)| {
+            for &vertex in piece {
+                let cage = renumbered(hierarchy.cage_of(vertex));
+                own.points.try_extend(delaunay.point(vertex))?;
+                own.kinds.try_push(match () {
+                    () if vertex.index() < *inputs => VertexKind::Input,
+                    () if cage != NONE => VertexKind::Cage,
+                    () => VertexKind::Steiner,
+                })?;
+                own.domains.try_push(match indices.is_empty() {
+                    true => NONE,
+                    false => renumbered(hierarchy.settled_domain_of(vertex)),
+                })?;
+                own.cage_of.try_push(cage)?;
+                own.limited.try_push(precision_limited[vertex])?;
+            }
+            Ok(own)
+        })?;
+        for own in filled {
+            all.points.absorb(own.points)?;
+            all.kinds.absorb(own.kinds)?;
+            all.domains.absorb(own.domains)?;
+            all.cage_of.absorb(own.cage_of)?;
+            all.limited.absorb(own.limited)?;
+        }
+        Ok(all)
+    }
+
     /// The living domains, parents before children, and the map from ids to their indices.
     fn living_domains(&mut self, numbering: &Numbering) -> Result<(Vec<Domain>, Vec<u32>)> {
         let count = self.state.hierarchy.len();
@@ -162,16 +205,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             domains.push(Domain { center, parent, radius: node.radius });
         }
         Ok((domains, ids))
-    }
-
-    fn kind(&self, vertex: VertexId, cage: u32) -> VertexKind {
-        if self.is_input(vertex) {
-            VertexKind::Input
-        } else if cage != NONE {
-            VertexKind::Cage
-        } else {
-            VertexKind::Steiner
-        }
     }
 
     /// Vertices whose cage could not be made, or with a corner that could not be inserted, or so
@@ -208,8 +241,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Splits new memory for `array`, which is empty: `reserves` has the number of ids for each share.
-fn shares(array: &mut Array<u32>, reserves: &[usize]) -> AllocResult<Vec<Array<u32>>> {
+/// What the result has of every vertex.
+#[derive(Default)]
+struct Vertices {
+    points: Array<f64>,
+    kinds: Array<VertexKind>,
+    domains: Array<u32>,
+    cage_of: Array<u32>,
+    limited: Array<bool>,
+}
+
+/// Splits new memory for `array`, which is empty: `reserves` has the number of values for each share.
+fn shares<T: Copy>(array: &mut Array<T>, reserves: &[usize]) -> AllocResult<Vec<Array<T>>> {
     array.reserve(reserves.iter().sum())?;
     array.split_reserve(reserves).ok_or(AllocError::Memory)
 }

@@ -4,6 +4,7 @@
 use super::cages::domains::Hierarchy;
 use super::instruments::observations::Instruments;
 use super::partitions::interface::Interface;
+use super::partitions::workers::usable_threads;
 use super::refinement::refine_list::RefineList;
 use super::refinement::size::Sizes;
 use super::rounds::conflict_lists::ConflictLists;
@@ -145,7 +146,8 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         if count as u64 > parameters.max_vertices {
             return Err(limit(parameters.max_vertices, count));
         }
-        let order = by_locality::<D>(inputs, &mut watch)?;
+        let threads = usable_threads::<D>(&parameters, count);
+        let order = by_locality::<D>(inputs, threads, &mut watch)?;
         let mut points = Array::with_capacity(count)?;
         for &input in &order {
             watch.poll_after(1)?;

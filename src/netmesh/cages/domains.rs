@@ -3,8 +3,10 @@
 //! a release. Concentric chains of domains are legal.
 
 mod partition;
+mod spanned;
 
 pub(in crate::netmesh) use partition::DomainsToGlobal;
+pub(in crate::netmesh) use spanned::Spanned;
 
 use crate::complex::VertexId;
 use crate::memory::{AllocError, AllocResult, Array, Id, TryGrow, with_capacity};

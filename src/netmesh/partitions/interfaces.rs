@@ -7,7 +7,8 @@ use crate::complex::{Anchored, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, with_capacity};
-use crate::netmesh::Mesher;
+use crate::netmesh::partitions::workers::{on_threads, pieces};
+use crate::netmesh::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The inputs at which partitions begin, except the first one. Partitions have equal numbers of
@@ -51,8 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let begun = self.state.conflict_lists.remaining();
         loop {
             let before = self.state.conflict_lists.remaining();
-            let mut lists = self.lists_of(&(0..self.state.inputs))?;
-            lists.retain(|&simplex| self.is_at_interface(simplex, interfaces));
+            let lists = self.lists_at(interfaces)?;
             self.insert_pass(0, 0, &lists, cavity)?;
             let after = self.state.conflict_lists.remaining();
             if before - after <= (begun - after) / FEW {
@@ -61,10 +61,26 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
+    /// The simplices at interfaces that have inputs, in rising order.
+    fn lists_at(&mut self, interfaces: &[VertexId]) -> Result<Vec<SimplexId>> {
+        let threads = self.threads();
+        let Self { state, watch, .. } = self;
+        let state = &*state;
+        let has_inputs = |&simplex: &SimplexId| state.conflict_lists.count(simplex) > 0;
+        let is_at_interface = |&simplex: &SimplexId| state.is_at_interface(simplex, interfaces);
+        let bound = state.delaunay.complex().simplex_bound();
+        let lists = on_threads(threads, watch, pieces(bound), |piece| {
+            collected(piece.filter(has_inputs).filter(is_at_interface))
+        })?;
+        Ok(collected(lists.into_iter().flatten())?)
+    }
+}
+
+impl<const D: usize> State<D> {
     /// Whether `simplex` is at an interface, or next to one that is.
     fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
         let neighbors =
-            |simplex: SimplexId| self.state.delaunay.complex().neighbors(simplex).iter().copied();
+            |simplex: SimplexId| self.delaunay.complex().neighbors(simplex).iter().copied();
         let near = neighbors(simplex).flat_map(neighbors);
         let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
         let first = partitions.next();
@@ -73,8 +89,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The number of the partition that a simplex is in, if it has an input.
     fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
-        let vertices = self.state.delaunay.complex().vertices(simplex).iter().copied();
-        let anchor = vertices.filter(|&vertex| self.is_input(vertex)).min()?;
+        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
+        let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
         Some(interfaces.partition_point(|&interface| interface <= anchor))
     }
 }

@@ -27,14 +27,15 @@ mod schedule;
 mod tests;
 pub(super) mod workers;
 
-use crate::complex::{GlobalToLocal, LocalToGlobal, SimplexId, VertexId};
+use crate::complex::{LocalToGlobal, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{Array, with_capacity};
+use crate::memory::Array;
 use crate::netmesh::cages::domains::DomainsToGlobal;
 use crate::netmesh::rounds::round::tiles;
 use crate::netmesh::{Mesher, State};
 use crate::options::{Algorithm, Output};
+use crate::parameters::Parameters;
 use std::ops::Range;
 
 /// In higher dimensions most of the mesh is at interfaces.
@@ -53,11 +54,16 @@ struct Partition<const D: usize> {
     state: State<D>,
 }
 
+/// Whether a mesh of so many `inputs` is made in partitions.
+fn is_partitioned<const D: usize>(parameters: &Parameters, inputs: usize) -> bool {
+    parameters.algorithm == Algorithm::Netmesh
+        && D <= MAX_DIM
+        && inputs >= 2 * parameters.inputs_per_partition
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn is_partitioned(&self) -> bool {
-        self.state.parameters.algorithm == Algorithm::Netmesh
-            && D <= MAX_DIM
-            && self.state.inputs >= 2 * self.state.parameters.inputs_per_partition
+        is_partitioned::<D>(&self.state.parameters, self.state.inputs)
     }
 
     /// Inserts most inputs, and refines most of the mesh; dissolves most cages before that, if none
@@ -77,13 +83,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let runs = self.between(&interfaces)?;
         let complex = self.state.delaunay.complex();
         let mut moved = Array::filled(complex.simplex_bound(), SimplexId::NONE)?;
-        let mut global_to_local =
-            GlobalToLocal::new(complex.simplex_bound(), self.state.delaunay.point_count())?;
-        let mut partitions = with_capacity(runs.len())?;
-        for run in runs {
-            partitions.push(self.cut(run, &mut global_to_local)?);
-        }
-        drop(global_to_local);
+        let partitions = self.cut(runs)?;
         self.watch.poll()?;
         self.refine_partitions(partitions, &mut moved)?;
         let watch = &mut self.watch;

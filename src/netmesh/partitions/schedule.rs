@@ -6,7 +6,7 @@ use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::with_capacity;
 use crate::netmesh::Mesher;
-use crate::netmesh::partitions::workers::{Workers, threads};
+use crate::netmesh::partitions::workers::{Tick, Workers, threads};
 use crate::netmesh::watch::{INTERVAL, Tally, Watch, cancelled};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 
@@ -44,12 +44,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<()> {
         self.split_reserves(&mut partitions)?;
         let count = partitions.len();
-        let refine = |partition: Partition<D>| Ok(partition.refine(Watch::of_partition(tally)));
+        let refine = |partition: Partition<D>, _: &mut Tick<'_>| {
+            Ok(partition.refine(Watch::of_partition(tally)))
+        };
         let workers = Workers::new(partitions.into_iter(), refine);
         let work = |sender: Sender<Done<D>>| {
             // Nobody waits for the rest if the receiver is gone.
-            let send = |at, done| sender.send((at, done)).map_err(|_| cancelled());
-            let _ = workers.work(send);
+            let send =
+                |at, done, _: &mut Tick<'_>| sender.send((at, done)).map_err(|_| cancelled());
+            let _ = workers.work(&mut |_| Ok(()), send);
         };
         std::thread::scope(|scope| {
             let (sender, receiver) = mpsc::channel();

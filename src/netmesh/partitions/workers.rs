@@ -2,11 +2,13 @@
 //! in any order, and their results come in the order of the pieces. So nothing depends on the
 //! threads.
 
+use super::is_partitioned;
 use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::netmesh::Mesher;
-use crate::netmesh::watch::Watch;
+use crate::netmesh::watch::{Watch, cancelled};
+use crate::parameters::Parameters;
 use std::iter::Enumerate;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -23,15 +25,23 @@ pub(in crate::netmesh) fn threads(wanted: u32) -> usize {
     }
 }
 
+/// The number of threads for work that changes nothing on a mesh of so many `inputs`, at most the
+/// number of cores: the caller may allow any number. A mesh that is not partitioned is made on one
+/// thread.
+pub(in crate::netmesh) fn usable_threads<const D: usize>(
+    parameters: &Parameters,
+    inputs: usize,
+) -> usize {
+    match is_partitioned::<D>(parameters, inputs) {
+        true => threads(parameters.threads).min(threads(0)),
+        false => 1,
+    }
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The number of threads for work that changes nothing, at most the number of cores: the caller
-    /// may allow any number. A mesh that is not partitioned is made on one thread.
+    /// See [`usable_threads`].
     pub(in crate::netmesh) fn threads(&self) -> usize {
-        if self.is_partitioned() {
-            threads(self.state.parameters.threads).min(threads(0))
-        } else {
-            1
-        }
+        usable_threads::<D>(&self.state.parameters, self.state.inputs)
     }
 }
 
@@ -51,15 +61,32 @@ pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
     pieces: impl Iterator<Item = W> + Send,
     act: impl Fn(W) -> AllocResult<T> + Sync,
 ) -> Result<Vec<T>> {
+    on_threads_with_ticks(threads, watch, pieces, |piece, _| Ok(act(piece)?))
+}
+
+/// The same for pieces that take long: `act` calls the tick after each bit of work, and gives up
+/// where that is an error. On the calling thread it polls the watch.
+pub(in crate::netmesh) fn on_threads_with_ticks<W: Send, T: Send>(
+    threads: usize,
+    watch: &mut Watch<'_, '_>,
+    pieces: impl Iterator<Item = W> + Send,
+    act: impl Fn(W, &mut Tick<'_>) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
     let workers = Workers::new(pieces, act);
     // A scope asks for memory that cannot be refused.
     let mut done = match threads {
-        0 | 1 => workers.collect(|| watch.poll())?,
+        0 | 1 => workers.collect(|work| watch.poll_after(work))?,
         _ => workers.collect_together(threads, watch)?,
     };
     done.sort_unstable_by_key(|&(at, _)| at);
     Ok(collected(done.into_iter().map(|(_, made)| made))?)
 }
+
+/// Called after so much work ([`Watch::poll_after`]).
+pub(in crate::netmesh) type Tick<'a> = dyn FnMut(u32) -> Result<()> + 'a;
+
+/// More work than may pass without a look at the clock.
+const LONG: u32 = u32::MAX;
 
 /// Pieces that no worker has taken yet, with their numbers, and what is to be made of each.
 pub(super) struct Workers<Q, A> {
@@ -73,36 +100,47 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
         Self { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act }
     }
 
-    /// Does pieces until there are none, or until a worker has failed. `deliver` gets what was made
-    /// of each, with its number.
-    pub fn work<T>(&self, mut deliver: impl FnMut(usize, T) -> Result<()>) -> Result<()>
+    /// Does pieces until there are none, or until a worker has failed: the first one to do so has
+    /// the error. `deliver` gets what was made of each, with its number. `tick` is for what makes it.
+    pub fn work<T>(
+        &self,
+        tick: &mut Tick<'_>,
+        mut deliver: impl FnMut(usize, T, &mut Tick<'_>) -> Result<()>,
+    ) -> Result<()>
     where
-        A: Fn(I::Item) -> AllocResult<T>,
+        A: Fn(I::Item, &mut Tick<'_>) -> Result<T>,
     {
         while !self.is_stopped.load(Ordering::Relaxed) {
             let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
             let Some((at, piece)) = next else { break };
-            let made = (self.act)(piece).map_err(Into::into);
-            let delivered = made.and_then(|made| deliver(at, made));
-            if delivered.is_err() {
-                self.is_stopped.store(true, Ordering::Relaxed);
+            let made = (self.act)(piece, tick);
+            let delivered = made.and_then(|made| deliver(at, made, tick));
+            if delivered.is_err() && !self.is_stopped.swap(true, Ordering::Relaxed) {
+                return delivered;
             }
-            delivered?;
         }
         Ok(())
     }
 
-    /// [`Self::work`] on one thread. `poll` is called after each piece.
-    fn collect<T>(&self, mut poll: impl FnMut() -> Result<()>) -> Result<Vec<(usize, T)>>
+    /// [`Self::work`] on one thread. `tick` is called after each piece, too.
+    fn collect<T>(&self, mut tick: impl FnMut(u32) -> Result<()>) -> Result<Vec<(usize, T)>>
     where
-        A: Fn(I::Item) -> AllocResult<T>,
+        A: Fn(I::Item, &mut Tick<'_>) -> Result<T>,
     {
         let mut done = Vec::new();
-        self.work(|at, made| {
+        self.work(&mut tick, |at, made, tick| {
             done.try_push((at, made))?;
-            poll()
+            tick(LONG)
         })?;
         Ok(done)
+    }
+
+    /// The tick of a worker that has no watch.
+    fn check(&self) -> Result<()> {
+        match self.is_stopped.load(Ordering::Relaxed) {
+            true => Err(cancelled()),
+            false => Ok(()),
+        }
     }
 
     /// [`Self::work`] on `threads` threads, of which this is one.
@@ -113,15 +151,16 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
     ) -> Result<Vec<(usize, T)>>
     where
         I: Send,
-        A: Fn(I::Item) -> AllocResult<T> + Sync,
+        A: Fn(I::Item, &mut Tick<'_>) -> Result<T> + Sync,
     {
         std::thread::scope(|scope| {
             let mut others = with_capacity(threads)?;
             for _ in 1..threads {
                 let builder = std::thread::Builder::new();
-                others.extend(builder.spawn_scoped(scope, || self.collect(|| Ok(()))));
+                others.extend(builder.spawn_scoped(scope, || self.collect(|_| self.check())));
             }
-            let mut done = self.collect(|| watch.poll())?;
+            let mut done =
+                self.collect(|work| self.check().and_then(|()| watch.poll_after(work)))?;
             for other in others {
                 let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
                 for made in other? {
@@ -151,6 +190,34 @@ mod tests {
                 assert!(made.into_iter().flatten().eq(SimplexId::below(bound)));
             }
         }
+    }
+
+    /// What stops a long piece on one thread is an error on another one, and that error counts.
+    #[test]
+    fn long_pieces_are_given_up_when_another_one_fails() {
+        for (threads, failing) in [(2, 0), (2, 1), (3, 2)] {
+            let act = |piece: usize, tick: &mut Tick<'_>| {
+                if piece == failing {
+                    std::thread::sleep(Duration::from_millis(1));
+                    return Err(AllocError::Memory.into());
+                }
+                loop {
+                    tick(1)?;
+                }
+            };
+            let done = on_threads_with_ticks(threads, &mut Watch::new(None), 0..threads, act);
+            let done: Result<Vec<()>> = done;
+            assert_eq!(done.unwrap_err().kind(), ErrorKind::OutOfMemory);
+        }
+        let mut cancel = |_: &Progress| false;
+        let act = |(), tick: &mut Tick<'_>| -> Result<()> {
+            loop {
+                tick(1)?;
+            }
+        };
+        let pieces = std::iter::repeat_n((), 2);
+        let done = on_threads_with_ticks(2, &mut Watch::new(Some(&mut cancel)), pieces, act);
+        assert_eq!(done.unwrap_err().kind(), ErrorKind::Cancelled);
     }
 
     /// Also where another thread is refused memory, or the caller wants no more.

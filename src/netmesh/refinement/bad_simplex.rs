@@ -5,10 +5,11 @@ use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::netmesh::cages::domains::Hierarchy;
+use crate::netmesh::cages::domains::{DomainId, Hierarchy, Node};
 use crate::netmesh::partitions::workers::{on_threads, pieces};
 use crate::netmesh::{Cell, Mesher, State};
 use crate::options::Criterion;
+use crate::parameters::least_aspect;
 
 pub(in crate::netmesh) struct BadSimplexView<'a, const D: usize> {
     delaunay: &'a Delaunay<D>,
@@ -51,6 +52,31 @@ impl<const D: usize> BadSimplexView<'_, D> {
         let is_finite = self.delaunay.ball(simplex).is_some();
         is_finite && !self.hierarchy.same_domain(self.delaunay.complex().vertices(simplex))
     }
+
+    /// Whether a live simplex is suspect, and not only for its domains or for the vertices of a
+    /// cage: the corner is beyond the bound of a union cell, or the cell of a near vertex has a
+    /// bound. Of a hierarchy that is settled.
+    fn may_be_bad(&self, simplex: SimplexId) -> bool {
+        let Some(ball) = self.delaunay.ball(simplex) else { return false };
+        let allowed = self.measure.nearest_allowed(ball.radius());
+        let vertices = self.delaunay.complex().vertices(simplex);
+        let has_bound = |vertex: VertexId| match self.measure.criterion {
+            Criterion::VoronoiAspect => !self.hierarchy.cage_of(vertex).is_valid(),
+            Criterion::RadiusEdge => true,
+        };
+        let is_near =
+            |&&vertex: &&VertexId| self.cells[vertex].nearest < allowed && has_bound(vertex);
+        vertices.iter().filter(is_near).count() >= self.measure.near_of_bad()
+            || !self.hierarchy.same_domain(vertices)
+                && self.hierarchy.spans(vertices, |cage| self.is_beyond_cage_bound(simplex, cage))
+    }
+
+    /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
+    pub fn is_beyond_cage_bound(&self, simplex: SimplexId, cage: DomainId) -> bool {
+        let node = self.hierarchy.node(cage);
+        let distance = self.delaunay.corner_distance(simplex, &node.point);
+        distance.is_some_and(|distance| distance > self.measure.cage_bound(node))
+    }
 }
 
 impl Measure {
@@ -72,6 +98,22 @@ impl Measure {
             Criterion::RadiusEdge => radius / self.bound,
         }
     }
+
+    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
+    /// the aspect of its vertices' cells. Not below what an aspect may be bounded by: the criterion
+    /// does not ask for it.
+    fn aspect_bound<const D: usize>(&self) -> f64 {
+        match self.criterion {
+            Criterion::VoronoiAspect => self.bound,
+            Criterion::RadiusEdge => (2.0 * self.bound).max(least_aspect(D)),
+        }
+    }
+
+    /// The distance from the centre of `cage` within which the corners of a good union cell are.
+    pub fn cage_bound<const D: usize>(&self, cage: &Node<D>) -> f64 {
+        let in_radius = 0.5 * (cage.outside + cage.radius);
+        self.aspect_bound::<D>() * in_radius
+    }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -86,7 +128,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Measure { criterion: self.state.parameters.criterion, bound: self.state.stage.bound }
     }
 
-    /// All live simplices that a scan finds suspect, in rising order, in pieces.
+    /// All live simplices that a scan finds suspect, in rising order, in pieces. Many span domains,
+    /// and few of those are bad: which ones may be is told here, on all threads.
     pub(in crate::netmesh) fn suspects(&mut self, scan: Scan) -> Result<Vec<Vec<SimplexId>>> {
         if scan == Scan::SpanningDomains && self.state.hierarchy.is_single() {
             return Ok(Vec::new());
@@ -94,15 +137,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let threads = self.threads();
         let measure = self.measure();
         let watch = &mut self.watch;
-        let State { delaunay, hierarchy, cells, .. } = &self.state;
+        let State { delaunay, hierarchy, cells, .. } = &mut self.state;
+        hierarchy.settle(|| watch.poll_after(1))?;
         let complex = delaunay.complex();
         let view = BadSimplexView { delaunay, hierarchy, cells, measure };
         on_threads(threads, watch, pieces(complex.simplex_bound()), |piece| {
             let mut suspects = Vec::new();
             for simplex in piece {
                 let is_suspect = match scan {
-                    Scan::All => view.is_suspect(simplex),
-                    Scan::SpanningDomains => view.spans_domains(simplex),
+                    Scan::All => view.may_be_bad(simplex),
+                    Scan::SpanningDomains => {
+                        view.spans_domains(simplex) && view.may_be_bad(simplex)
+                    }
                 };
                 if is_suspect && complex.is_live(simplex) {
                     suspects.try_push(simplex)?;

@@ -10,11 +10,10 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::cages::domains::{DomainId, ROOT, Spanned};
 use crate::netmesh::{Cell, Mesher, Scratch, State};
 use crate::numerics::shortest_distance;
 use crate::options::Criterion;
-use crate::parameters::least_aspect;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and tells their vertices of the
@@ -344,29 +343,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.state.hierarchy.same_domain(self.state.delaunay.complex().vertices(simplex)) {
             return None;
         }
-        let domains = self.domains_of(simplex);
-        let mut left = [DomainId::NONE; MAX_DIM + 1];
-        let mut count = 0;
-        for &domain in &domains[..=D] {
-            if !left[..count].contains(&domain) {
-                left[count] = domain;
-                count += 1;
-            }
-        }
-        while count > 1 {
-            let radius = |at: usize| self.state.hierarchy.node(left[at]).radius;
-            let smallest = (1..count).fold(0, |a, b| if radius(b) < radius(a) { b } else { a });
-            let inner = left[smallest];
+        let mut spanned = Spanned::new(self.domains_of(simplex)[..=D].iter().copied());
+        while let Some(inner) = spanned.smallest(&self.state.hierarchy) {
             let parent = self.state.hierarchy.parent(inner);
             if is_wanted(self, inner, parent) {
                 return Some((inner, parent));
             }
-            if left[..count].contains(&parent) {
-                left.copy_within(smallest + 1..count, smallest);
-                count -= 1;
-            } else {
-                left[smallest] = parent;
-            }
+            spanned.climb(inner, parent);
         }
         None
     }
@@ -382,28 +365,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         domains
     }
 
-    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
-    /// the aspect of its vertices' cells. Not below what an aspect may be bounded by: the criterion
-    /// does not ask for it.
-    fn aspect_bound(&self) -> f64 {
-        match self.state.parameters.criterion {
-            Criterion::VoronoiAspect => self.state.stage.bound,
-            Criterion::RadiusEdge => (2.0 * self.state.stage.bound).max(least_aspect(D)),
-        }
-    }
-
     /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
     fn is_beyond_cage_bound(&self, simplex: SimplexId, cage: DomainId) -> bool {
-        let distance =
-            self.state.delaunay.corner_distance(simplex, &self.state.hierarchy.node(cage).point);
-        distance.is_some_and(|distance| distance > self.cage_bound(cage))
+        self.bad_simplex_view().is_beyond_cage_bound(simplex, cage)
     }
 
-    /// The distance from the centre of `cage` within which the corners of a good union cell are.
+    /// See [`super::bad_simplex::Measure::cage_bound`].
     fn cage_bound(&self, cage: DomainId) -> f64 {
-        let node = self.state.hierarchy.node(cage);
-        let in_radius = 0.5 * (node.outside + node.radius);
-        self.aspect_bound() * in_radius
+        self.measure().cage_bound(self.state.hierarchy.node(cage))
     }
 
     /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.

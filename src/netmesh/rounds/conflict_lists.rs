@@ -98,7 +98,9 @@ impl ConflictLists {
     }
 
     pub fn entries(&self, simplex: SimplexId) -> Entries<'_> {
-        Entries { inputs: &self.inputs, current: self.lists[simplex].first }
+        // As for `count`.
+        let list = self.lists.get(simplex.index()).unwrap_or(&ConflictList::EMPTY);
+        Entries { inputs: &self.inputs, current: list.first }
     }
 
     /// Touches of `input` so far.
@@ -155,13 +157,9 @@ impl ConflictLists {
         self.remaining = std::mem::take(&mut self.suspended);
     }
 
-    /// Empties the list of `simplex` and returns its entries, which are on no list then.
-    pub fn take_entries(&mut self, simplex: SimplexId) -> Entries<'_> {
-        let list = match self.lists.get_mut(simplex.index()) {
-            Some(list) => std::mem::replace(list, ConflictList::EMPTY),
-            None => ConflictList::EMPTY,
-        };
-        Entries { inputs: &self.inputs, current: list.first }
+    /// Empties all lists, whose entries are on none then.
+    pub fn empty_lists(&mut self) {
+        self.lists.fill(ConflictList::EMPTY);
     }
 
     /// Splits the spare memory for lists: `reserves` has the number of simplices for each share.

@@ -4,10 +4,12 @@
 //! clusters are ordered at every scale. The result depends on it by ids only: no sign is decided
 //! here.
 
-use crate::error::Result;
-use crate::memory::{AllocResult, Id, TryGrow, collected, filled};
+use crate::error::{Error, Result};
+use crate::memory::{AllocError, AllocResult, Id, TryGrow, collected, filled, with_capacity};
 use crate::mesh::Inputs;
+use crate::netmesh::partitions::workers::on_threads;
 use crate::netmesh::watch::Watch;
+use std::ops::Range;
 
 /// A distinct input, in the caller's order. As a vertex it has its place in the order of locality
 /// ([`VertexId`](crate::complex::VertexId)).
@@ -26,44 +28,124 @@ const MANY: usize = 1 << 15;
 /// So few inputs in a cell may stay as they are.
 const FEW: usize = 8;
 
-/// The distinct inputs in order. O(n log n), since a box is at most 2^2100 times another one.
+/// The distinct inputs in order, whatever the number of `threads` that make it. O(n log n), since a
+/// box is at most 2^2100 times another one.
 pub(in crate::netmesh) fn by_locality<const D: usize>(
     inputs: &Inputs,
+    threads: usize,
     watch: &mut Watch<'_, '_>,
 ) -> Result<Vec<InputId>> {
     let mut order = collected(InputId::below(inputs.distinct()))?;
-    let mut keyed = Vec::new();
     let mut crowds = Vec::new();
     crowds.try_push(0..order.len())?;
-    while let Some(range) = crowds.pop() {
-        let own = &mut order[range.clone()];
-        let cells = Cells::<D>::around(inputs, own, watch)?;
-        keyed.clear();
-        for &input in own.iter() {
-            watch.poll_after(1)?;
-            keyed.try_push((cells.key(point(inputs, input)), input))?;
-        }
-        let is_crowd = |length: usize| length > FEW && length < range.len();
-        let mut add = |at: usize, length: usize| match is_crowd(length) {
-            true => crowds.try_push(range.start + at..range.start + at + length),
-            false => Ok(()),
-        };
-        if keyed.len() > MANY {
-            let starts = sort_into_buckets(&keyed, cells.bits() - BUCKET_BITS, own, watch)?;
-            for bucket in starts.windows(2) {
-                add(bucket[0], bucket[1] - bucket[0])?;
+    // Crowds of crowds come next, all of them on all threads.
+    while !crowds.is_empty() {
+        let mut small = Vec::new();
+        let mut next = Vec::new();
+        for crowd in crowds {
+            if crowd.len() > MANY {
+                sort_large_crowd::<D>(inputs, &mut order, crowd, &mut next, watch)?;
+            } else {
+                small.try_push(crowd)?;
             }
-        } else {
-            keyed.sort_unstable();
-            let mut at = 0;
-            for run in keyed.chunk_by(|a, b| a.0 == b.0) {
-                add(at, run.len())?;
-                at += run.len();
-            }
-            own.iter_mut().zip(&keyed).for_each(|(id, keyed)| *id = keyed.1);
         }
+        let pieces = Pieces { order: &mut order, begin: 0, crowds: &small };
+        let sort = |(begin, own, crowds)| sort_crowds::<D>(inputs, begin, own, crowds);
+        for crowd in on_threads(threads, watch, pieces, sort)?.into_iter().flatten() {
+            next.try_push(crowd)?;
+        }
+        next.sort_unstable_by_key(|crowd: &Range<usize>| crowd.start);
+        crowds = next;
     }
     Ok(order)
+}
+
+/// Inputs of one cell, by where they are in the order.
+type Crowd = Range<usize>;
+
+/// Runs of crowds, with the part of the order that they are in and where that begins.
+struct Pieces<'a> {
+    order: &'a mut [InputId],
+    begin: usize,
+    /// In their order.
+    crowds: &'a [Crowd],
+}
+
+impl<'a> Iterator for Pieces<'a> {
+    type Item = (usize, &'a mut [InputId], &'a [Crowd]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let first = self.crowds.first()?;
+        let is_own = |crowd: &&Crowd| crowd.end - first.start <= MANY;
+        let (own, rest) = self.crowds.split_at(self.crowds.iter().take_while(is_own).count());
+        let order = std::mem::take(&mut self.order);
+        let (_, order) = order.split_at_mut(first.start - self.begin);
+        let end = own.last()?.end;
+        let (piece, order) = order.split_at_mut(end - first.start);
+        (self.order, self.begin, self.crowds) = (order, end, rest);
+        Some((first.start, piece, own))
+    }
+}
+
+/// Sorts a crowd of many inputs into those of its cells, and adds the crowds among these to
+/// `found`.
+fn sort_large_crowd<const D: usize>(
+    inputs: &Inputs,
+    order: &mut [InputId],
+    crowd: Crowd,
+    found: &mut Vec<Crowd>,
+    watch: &mut Watch<'_, '_>,
+) -> Result<()> {
+    let own = &mut order[crowd.clone()];
+    let mut tick = || watch.poll_after(1);
+    let cells = Cells::<D>::around::<Error>(inputs, own, &mut tick)?;
+    let mut keyed = with_capacity(own.len())?;
+    for &input in own.iter() {
+        tick()?;
+        keyed.push((cells.key(point(inputs, input)), input));
+    }
+    let starts = sort_into_buckets(&keyed, cells.bits() - BUCKET_BITS, own, tick)?;
+    for bucket in starts.windows(2) {
+        if is_crowd(bucket[1] - bucket[0], &crowd) {
+            found.try_push(crowd.start + bucket[0]..crowd.start + bucket[1])?;
+        }
+    }
+    Ok(())
+}
+
+/// Sorts the inputs of each of the `crowds` in `own`, which begins at `begin` in the order. Returns
+/// the crowds among them.
+fn sort_crowds<const D: usize>(
+    inputs: &Inputs,
+    begin: usize,
+    own: &mut [InputId],
+    crowds: &[Crowd],
+) -> AllocResult<Vec<Crowd>> {
+    let mut keyed = Vec::new();
+    let mut found = Vec::new();
+    for crowd in crowds {
+        let own = &mut own[crowd.start - begin..crowd.end - begin];
+        let cells = Cells::<D>::around(inputs, own, || Ok::<_, AllocError>(()))?;
+        keyed.clear();
+        for &input in own.iter() {
+            keyed.try_push((cells.key(point(inputs, input)), input))?;
+        }
+        keyed.sort_unstable();
+        let mut at = crowd.start;
+        for run in keyed.chunk_by(|a, b| a.0 == b.0) {
+            if is_crowd(run.len(), crowd) {
+                found.try_push(at..at + run.len())?;
+            }
+            at += run.len();
+        }
+        own.iter_mut().zip(&keyed).for_each(|(id, keyed)| *id = keyed.1);
+    }
+    Ok(found)
+}
+
+/// Whether so many inputs in one cell of `crowd` are to be ordered among themselves.
+fn is_crowd(length: usize, crowd: &Crowd) -> bool {
+    length > FEW && length < crowd.len()
 }
 
 /// Writes the ids by the bits of their keys from `shift` on to `sorted`; returns where buckets
@@ -72,12 +154,12 @@ fn sort_into_buckets(
     keyed: &[(u64, InputId)],
     shift: usize,
     sorted: &mut [InputId],
-    watch: &mut Watch<'_, '_>,
+    mut tick: impl FnMut() -> Result<()>,
 ) -> Result<Vec<usize>> {
     let bucket = |key: u64| (key >> shift) as usize;
     let mut starts = filled((1 << BUCKET_BITS) + 1, 0)?;
     for &(key, _) in keyed {
-        watch.poll_after(1)?;
+        tick()?;
         starts[bucket(key) + 1] += 1;
     }
     for at in 1..starts.len() {
@@ -85,7 +167,7 @@ fn sort_into_buckets(
     }
     let mut next = collected(starts.iter().copied())?;
     for &(key, id) in keyed {
-        watch.poll_after(1)?;
+        tick()?;
         let at = &mut next[bucket(key)];
         sorted[*at] = id;
         *at += 1;
@@ -109,12 +191,16 @@ struct Cells<const D: usize> {
 impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
 
-    /// Around the named inputs.
-    fn around(inputs: &Inputs, named: &[InputId], watch: &mut Watch<'_, '_>) -> Result<Self> {
+    /// Around the named inputs. `tick` is called for each.
+    fn around<E: From<AllocError>>(
+        inputs: &Inputs,
+        named: &[InputId],
+        mut tick: impl FnMut() -> std::result::Result<(), E>,
+    ) -> std::result::Result<Self, E> {
         let mut low = point::<D>(inputs, named[0]).map(|x| 0.5 * x);
         let mut high = low;
         for &input in named {
-            watch.poll_after(1)?;
+            tick()?;
             for (axis, &x) in point::<D>(inputs, input).iter().enumerate() {
                 low[axis] = low[axis].min(0.5 * x);
                 high[axis] = high[axis].max(0.5 * x);
@@ -159,7 +245,10 @@ mod tests {
 
     fn order<const D: usize>(points: &[[f64; D]]) -> Vec<InputId> {
         let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0).unwrap();
-        by_locality::<D>(&inputs, &mut Watch::new(None)).unwrap()
+        let order = |threads| by_locality::<D>(&inputs, threads, &mut Watch::new(None)).unwrap();
+        let of_one = order(1);
+        assert!(order(3) == of_one);
+        of_one
     }
 
     /// The average distance of consecutive points.
@@ -220,6 +309,22 @@ mod tests {
         assert!(is_permutation(&order));
         let inner: Vec<_> = order.iter().copied().filter(|id| id.index() < 1000).collect();
         assert!(step(&points, &inner) < 0.4e-200);
+    }
+
+    /// So many inputs that crowds of crowds are sorted in several pieces.
+    #[test]
+    fn a_large_grid_is_ordered_as_the_curve_goes() {
+        const BITS: usize = 9;
+        let side = 1 << BITS;
+        let at = |i: usize| [(i % side) as f64, (i / side) as f64];
+        let grid: Vec<[f64; 2]> = (0..side * side).map(at).collect();
+        assert!(grid.len() > 4 * MANY);
+        let bit = |place: usize, bit: usize| place >> bit & 1;
+        let every_other =
+            |place: usize| (0..BITS).fold(0, |all, at| all | bit(place, 2 * at) << at);
+        let along_curve = |place: usize| every_other(place) + side * every_other(place >> 1);
+        let expected = (0..grid.len()).map(along_curve).map(InputId::new);
+        assert!(order(&grid).into_iter().eq(expected));
     }
 
     #[test]

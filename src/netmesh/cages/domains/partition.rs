@@ -31,9 +31,10 @@ impl DomainsToGlobal {
 
 impl<const D: usize> Hierarchy<D> {
     /// The hierarchy of the partition with the vertices of `ids`, inserted or not. `shared`: vertex
-    /// of the partition -> whether other partitions have simplices at it.
+    /// of the partition -> whether other partitions have simplices at it. Of a hierarchy that is
+    /// settled.
     pub fn partition(
-        &mut self,
+        &self,
         ids: &PartitionIds<'_>,
         shared: &[bool],
     ) -> Result<(Self, DomainsToGlobal)> {
@@ -46,7 +47,7 @@ impl<const D: usize> Hierarchy<D> {
         let mut nodes = with_capacity(local_to_global.len())?;
         let mut is_own = with_capacity(local_to_global.len())?;
         for &domain in &local_to_global {
-            let parent = self.parent(domain);
+            let parent = self.settled_parent(domain);
             let node = self.node(domain);
             let owns = domain != ROOT
                 && own(node.center).is_some()
@@ -67,7 +68,7 @@ impl<const D: usize> Hierarchy<D> {
         }
         let mut places = Array::with_capacity(vertices.len())?;
         for &vertex in vertices {
-            let Place { label, .. } = self.places[vertex];
+            let label = self.settled_domain_of(vertex);
             let cage = self.cage_of(vertex);
             places.try_push(Place {
                 label: local(&local_to_global, label),
@@ -81,7 +82,7 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// The domains of `vertices` and their cages, with all around them, in rising order.
-    fn domains_at(&mut self, vertices: &[VertexId]) -> AllocResult<Vec<DomainId>> {
+    fn domains_at(&self, vertices: &[VertexId]) -> AllocResult<Vec<DomainId>> {
         let mut is_known = filled(self.nodes.len(), false)?;
         let mut local_to_global = Vec::new();
         local_to_global.try_push(ROOT)?;
@@ -90,11 +91,11 @@ impl<const D: usize> Hierarchy<D> {
             if !self.places[vertex].label.is_valid() {
                 continue;
             }
-            for mut domain in [self.domain_of(vertex), self.cage_of(vertex)] {
+            for mut domain in [self.settled_domain_of(vertex), self.cage_of(vertex)] {
                 while domain.is_valid() && !is_known[domain] {
                     is_known[domain] = true;
                     local_to_global.try_push(domain)?;
-                    domain = self.parent(domain);
+                    domain = self.settled_parent(domain);
                 }
             }
         }

@@ -334,7 +334,7 @@ fn number<const D: usize>(
         let points = collected(firsts.iter().map(|entry| corner(entry).point))?;
         if points.len() > 1 {
             let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0)?;
-            let order = by_locality::<D>(&inputs, watch)?;
+            let order = by_locality::<D>(&inputs, 1, watch)?;
             firsts = collected(order.iter().map(|input| firsts[input.index()]))?;
         }
     }

@@ -162,7 +162,7 @@ fn order_of<const D: usize>(points: &[[f64; D]], watch: &mut Watch<'_, '_>) -> R
         return Ok(collected(0..points.len())?);
     }
     let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0)?;
-    let order = by_locality::<D>(&inputs, watch)?;
+    let order = by_locality::<D>(&inputs, 1, watch)?;
     let mut places = filled(inputs.distinct(), 0u32)?;
     for (place, vertex) in (0..).zip(&order) {
         places[vertex.index()] = place;

@@ -140,8 +140,10 @@ struct job {
   size_t n;
   nm_format mesh_format;
   const double *points;
-  /* Segments between the points that come one after the other. */
+  /* Segments between the points that come one after the other, and from the last to the first. */
   uint64_t segments;
+  /* Which regions of these are inside. */
+  nm_interior interior;
 };
 
 /* Eight bytes at a time: byte for byte, children would mostly do this. Each step is a bijection. */
@@ -244,12 +246,13 @@ static int export(const nm_mesh *mesh, nm_format format) {
 }
 
 /* A run with segments; as above. */
-static int run_within(nm_mesh *mesh, nm_extent extent, nm_crossings crossings) {
+static int run_within(nm_mesh *mesh, nm_extent extent, nm_interior interior, nm_crossings crossings) {
   uint64_t before = fingerprint(mesh);
   nm_options options;
   check(nm_options_init(&options, sizeof options) == NM_OK, "options");
   options.output = NM_OUTPUT_WELL_SPACED;
   options.extent = extent;
+  options.interior = interior;
   options.crossings = crossings;
   if (succeeded(nm_run(mesh, &options), "nm_run with segments")) return 1;
   check(fingerprint(mesh) == before, "a failed run with segments changed the mesh");
@@ -257,6 +260,20 @@ static int run_within(nm_mesh *mesh, nm_extent extent, nm_crossings crossings) {
   if (plan.points % 64 == 0)
     check(nm_run(mesh, &options) == NM_OK, "the mesh is not usable after a failed run");
   return 0;
+}
+
+/* What reads the whole of a mesh that is cut: location, and sizes on it, which ask for no vertices. */
+static int ask_cut(nm_mesh *mesh) {
+  static const double points[] = {3, 1, 2, 1.75, 1e3, -1e3};
+  static double values[MOST_VERTICES];
+  uint32_t simplices[3];
+  nm_counts counts = NM_COUNTS_INIT;
+  check(nm_mesh_counts(mesh, &counts) == NM_OK, "counts");
+  check(counts.vertices <= MOST_VERTICES, "room for sizes");
+  for (int i = 0; i < MOST_VERTICES; ++i) values[i] = DBL_MAX;
+  return succeeded(nm_mesh_locate(mesh, 3, points, 1, simplices), "nm_mesh_locate") &&
+         succeeded(nm_mesh_set_background(mesh, mesh, counts.vertices, values), "background") &&
+         succeeded(nm_mesh_set_background(mesh, NULL, 0, NULL), "no background");
 }
 
 /* Segments, a region and a hole, cut to each extent. */
@@ -272,16 +289,18 @@ static int use_segments(const struct job *job, nm_mesh *mesh) {
   regions[1].is_hole = 1;
   regions[0].seed[0] = 3;
   regions[0].seed[1] = 1;
-  regions[1].seed[0] = 1.5;
-  regions[1].seed[1] = 2;
+  regions[1].seed[0] = 2;
+  regions[1].seed[1] = 1.75;
   return succeeded(nm_mesh_set_segments(mesh, job->segments, ends, markers), "segments") &&
          succeeded(nm_mesh_set_regions(mesh, 2, regions), "regions") &&
-         run_within(mesh, NM_EXTENT_BOUNDARY, NM_CROSSINGS_SPLIT) && measure(mesh) &&
+         run_within(mesh, NM_EXTENT_BOUNDARY, job->interior, NM_CROSSINGS_SPLIT) && measure(mesh) &&
+         ask_cut(mesh) &&
          export(mesh, NM_FORMAT_VTU) && export(mesh, NM_FORMAT_TETGEN_NODE) &&
          export(mesh, NM_FORMAT_MEDIT) && export(mesh, NM_FORMAT_GMSH) &&
-         run_within(mesh, NM_EXTENT_BOX, NM_CROSSINGS_SPLIT) && measure(mesh) &&
+         run_within(mesh, NM_EXTENT_BOX, NM_INTERIOR_SEEDS, NM_CROSSINGS_SPLIT) && measure(mesh) &&
          succeeded(nm_mesh_set_segments(mesh, 0, NULL, NULL), "no segments") &&
-         run_within(mesh, NM_EXTENT_HULL, NM_CROSSINGS_REFUSE) && measure(mesh);
+         succeeded(nm_mesh_set_regions(mesh, 0, NULL), "no regions") &&
+         run_within(mesh, NM_EXTENT_HULL, NM_INTERIOR_SEEDS, NM_CROSSINGS_REFUSE) && measure(mesh);
 }
 
 /* Everything after the handle is there; stops where an allocation fails. */
@@ -348,13 +367,14 @@ int main(int count, char **arguments) {
   scatter(huge_4d, 4, 8, 1e200);
   for (size_t i = 0; i < 2 * 25; i++) lattice[i] = (double)(i % 2 ? i / 2 / 5 : i / 2 % 5);
   const struct job jobs[] = {
-      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0},
-      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0},
-      {"3d", 3, 16, NM_FORMAT_VTU, space, 0},
-      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0},
-      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0},
-      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0},
-      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8},
+      {"2d", 2, 36, NM_FORMAT_VTU, plane, 0, NM_INTERIOR_SEEDS},
+      {"2d_lattice", 2, 25, NM_FORMAT_VTU, lattice, 0, NM_INTERIOR_SEEDS},
+      {"3d", 3, 16, NM_FORMAT_VTU, space, 0, NM_INTERIOR_SEEDS},
+      {"2d_big_integers", 2, 24, NM_FORMAT_VTU, huge_plane, 0, NM_INTERIOR_SEEDS},
+      {"3d_big_integers", 3, 12, NM_FORMAT_VTU, huge_space, 0, NM_INTERIOR_SEEDS},
+      {"4d_big_integers", 4, 8, NM_FORMAT_OFF, huge_4d, 0, NM_INTERIOR_SEEDS},
+      {"2d_segments", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_SEEDS},
+      {"2d_parity", 2, 8, NM_FORMAT_VTU, curve, 8, NM_INTERIOR_PARITY},
   };
   /* What ends a child would search for its own symbols first. */
   setenv("RUST_BACKTRACE", "0", 1);

@@ -4,10 +4,12 @@
 
 pub(crate) mod attribute;
 mod boundary;
+mod boxed;
 pub mod sizes;
 
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
+pub use boxed::Boxed;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};

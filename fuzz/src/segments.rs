@@ -1,5 +1,5 @@
-//! Segments between any points, with regions, extents and sizes: a mesh whose certificate holds, or a
-//! documented refusal that changes nothing.
+//! Segments between any points, with regions, extents, insides and sizes: a mesh whose certificate
+//! holds, or a documented refusal that changes nothing.
 
 use super::bytes::Bytes;
 use super::families;
@@ -8,7 +8,7 @@ use netmesh::io::{Format, write};
 use netmesh::options::SizeFn;
 use netmesh::query::Index;
 use netmesh::validate::validate_mesh;
-use netmesh::{Crossings, Error, ErrorKind, Extent, Mesh, Options, Output, Region};
+use netmesh::{Crossings, Error, ErrorKind, Extent, Interior, Mesh, Options, Output, Region};
 
 /// The most points, segments, seeds and vertices.
 const MAX_POINTS: u8 = 24;
@@ -24,15 +24,37 @@ struct Plane {
     regions: Vec<Region>,
 }
 
+impl Plane {
+    /// Whether what is inside by a rule can be told: as many segments end at each place as the rule
+    /// asks for. Places are compared by coordinates.
+    fn is_closed(&self, interior: Interior) -> bool {
+        let place = |at: u32| [0, 1].map(|axis| self.points[2 * at as usize + axis] + 0.0);
+        let all = || self.segments.iter().map(|&at| place(at));
+        let starts =
+            |here| self.segments.iter().step_by(2).filter(|&&at| place(at) == here).count();
+        let ends = |here| all().filter(|&there| there == here).count();
+        all().all(|here| match interior {
+            Interior::Seeds => true,
+            Interior::Parity => ends(here) % 2 == 0,
+            Interior::Winding => ends(here) == 2 * starts(here),
+        })
+    }
+}
+
 /// The bytes pick the options, a family of points, the points, segments and seeds.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
-    let options = options(&mut bytes);
-    let size = match bytes.below(8) {
-        0 => Some(bytes.power_of_two()),
-        _ => None,
-    };
-    let plane = plane(&mut bytes);
+    let mut options = options(&mut bytes);
+    // One byte chooses a size or curves: files of before these could be drawn mean what they did.
+    let more = bytes.below(8);
+    let size = (more == 0).then(|| bytes.power_of_two());
+    let interior = [Interior::Seeds, Interior::Parity, Interior::Winding].get(more);
+    options.interior = interior.copied().unwrap_or_default();
+    let asks_for_curves = options.interior != Interior::Seeds;
+    if asks_for_curves && !bytes.once_in(16) {
+        options.extent = Extent::Boundary;
+    }
+    let plane = plane(&mut bytes, asks_for_curves);
     check_plane(&plane, &options, size);
 }
 
@@ -53,20 +75,35 @@ fn options(bytes: &mut Bytes<'_>) -> Options {
     }
 }
 
-fn plane(bytes: &mut Bytes<'_>) -> Plane {
+/// With `of_curves` nearly all curves are closed.
+fn plane(bytes: &mut Bytes<'_>, of_curves: bool) -> Plane {
     let count = 2 + bytes.below(MAX_POINTS - 1);
     let points = families::points(bytes, 2, count);
     let point = |at: usize| [points[2 * at] + 0.0, points[2 * at + 1] + 0.0];
+    let closes = of_curves && !bytes.once_in(16);
     let mut segments = Vec::new();
-    let mut first = 0;
+    let mut join = |from: usize, to: usize| {
+        if point(from) != point(to) {
+            segments.extend([from as u32, to as u32]);
+        }
+    };
+    let (mut start, mut first) = (0, 0);
     for _ in 0..bytes.below(MAX_SEGMENTS + 1) {
         // Curves and fans are as likely as pairs of any points.
         let step = bytes.byte();
         let to = if step < 128 { (first + 1) % count } else { usize::from(step) % count };
-        if point(first) != point(to) {
-            segments.extend([first as u32, to as u32]);
+        join(first, to);
+        first = to;
+        if step % 8 == 7 {
+            if closes {
+                join(first, start);
+            }
+            first = bytes.below(count as u8);
+            start = first;
         }
-        first = if step % 8 == 7 { bytes.below(count as u8) } else { to };
+    }
+    if closes {
+        join(first, start);
     }
     let mut region = || Region {
         seed: match bytes.below(3) {
@@ -99,6 +136,7 @@ fn check_plane(plane: &Plane, options: &Options, size: Option<f64>) {
         assert!(mesh.triangulation().is_none(), "a failed run left a result");
         return;
     }
+    assert!(plane.is_closed(options.interior), "{:?} of open curves", options.interior);
     let report = validate_mesh(&mesh, 3).expect("the level is right");
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
     check_uses(&mesh, regions);
@@ -116,7 +154,10 @@ fn is_documented(error: &Error, plane: &Plane, options: &Options, size: Option<f
     match error.kind() {
         ErrorKind::InvalidArgument => {
             let crosses = message.starts_with("segments[") && message.contains(" cross near ");
-            (options.crossings == Crossings::Refuse && crosses)
+            let is_open = message.ends_with("so that all curves are closed");
+            (is_open && !plane.is_closed(options.interior))
+                || (options.interior != Interior::Seeds && options.extent != Extent::Boundary)
+                || (options.crossings == Crossings::Refuse && crosses)
                 || message.contains(".seed is on ")
                 || message.contains(".seed is within a rounding of a segment")
                 || (options.output == Output::Hierarchical && has_sizes)

@@ -2,6 +2,7 @@
 
 use super::Poll;
 use super::frame::through_near_inputs;
+use super::inner::Inner;
 use super::places::key;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, with_capacity};
@@ -77,7 +78,9 @@ fn hull(inputs: &Inputs, poll: Poll<'_>) -> Result<Vec<u32>> {
     let point = |input: u32| -> &[f64; 2] {
         inputs.point(input as usize).try_into().expect("two coordinates")
     };
-    let mut order = collected((0..inputs.distinct() as u32).map(first))?;
+    let all = || (0..inputs.distinct() as u32).map(first);
+    let inner = Inner::of(all().map(point));
+    let mut order = collected(all().filter(|&input| !inner.holds(point(input))))?;
     order.sort_unstable_by_key(|&input| key(point(input)));
     let mut hull: Vec<u32> = Vec::new();
     let lower = order.iter();

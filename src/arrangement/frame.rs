@@ -3,6 +3,7 @@
 
 use super::Poll;
 use super::extent::WORK;
+use super::inner::Inner;
 use super::places::{Key, key_along};
 use crate::error::Result;
 use crate::memory::{TryGrow, filled, with_capacity};
@@ -51,14 +52,15 @@ pub(super) fn through_near_inputs(
     curve.iter().for_each(|&number| is_on_curve[number as usize] = true);
     let ends = |at: usize| [curve[at], curve[(at + 1) % curve.len()]].map(point);
     let sides = sides(curve.len(), ends)?;
+    let inner = Inner::of(curve.iter().map(|&number| point(number)));
     let mut found: Vec<Found> = Vec::new();
     for vertex in 0..inputs.distinct() {
         poll(WORK)?;
         let input = inputs.first_input(vertex).expect("a distinct input");
-        if is_on_curve[input as usize] {
+        let x = point(input);
+        if is_on_curve[input as usize] || inner.holds(x) {
             continue;
         }
-        let x = point(input);
         let mut next_to = sides.iter().filter_map(|side| side.next_to(x));
         // Next to a corner it may be beyond an edge that leads through it.
         if let (Some((edge, place)), None) = (next_to.next(), next_to.next()) {

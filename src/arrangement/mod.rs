@@ -4,7 +4,8 @@
 //! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
 //!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
 //! - [`split`] makes vertices of crossings.
-//! - [`extent`] has the boundary of a hull or box, which [`frame`] leads through the inputs next to it.
+//! - [`extent`] has the boundary of a hull or box, which [`frame`] leads through the inputs next to it;
+//!   [`inner`] tells that most inputs are far from it.
 //!
 //! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
 //! bends them: the pieces may pass other vertices than before, and cross others. So all is swept
@@ -20,6 +21,7 @@
 mod closed;
 mod extent;
 mod frame;
+mod inner;
 mod places;
 mod split;
 mod status;

@@ -7,6 +7,7 @@ use super::memory::{Versioned, check_rows, copy_out, read_rows, read_struct};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::with_capacity;
 use crate::mesh::{Mesh, Region};
+use std::fmt::{self, Display, Formatter};
 use std::mem::offset_of;
 
 /// What a point of the plane says of the region around it, which segments bound.
@@ -119,7 +120,7 @@ unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Regi
     let count = check_rows("regions", count, size as usize)?;
     let mut read = with_capacity(count)?;
     for at in 0..count {
-        let name = message!("regions[{at}]");
+        let name = RegionName(at);
         let region = regions.wrapping_byte_add(at * size as usize);
         // SAFETY: the caller's promise; a size of its own is refused before more is read.
         let own = unsafe { region.cast::<u32>().read_unaligned() };
@@ -129,12 +130,22 @@ unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Regi
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         // SAFETY: as above.
-        read.push(decode(&name, &unsafe { read_struct(&name, region, defaults)? })?);
+        read.push(decode(name, &unsafe { read_struct(name, region, defaults)? })?);
     }
     Ok(read)
 }
 
-fn decode(name: &str, region: &nm_region) -> Result<Region> {
+/// How messages call a region. As a string it would cost an allocation for each that is right.
+#[derive(Clone, Copy)]
+struct RegionName(usize);
+
+impl Display for RegionName {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "regions[{}]", self.0)
+    }
+}
+
+fn decode(name: RegionName, region: &nm_region) -> Result<Region> {
     let nm_region { label, seed, max_edge, is_hole, reserved, .. } = *region;
     let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
     if is_hole > 1 {

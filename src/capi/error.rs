@@ -5,6 +5,7 @@ use crate::error::{Error, ErrorKind, message};
 use std::any::Any;
 use std::cell::RefCell;
 use std::ffi::c_char;
+use std::fmt::Display;
 
 /// The longest message that is kept.
 const MESSAGE_BYTES: usize = 2047;
@@ -53,7 +54,7 @@ pub(super) fn fail(error: &Error) -> nm_status {
     error.kind().into()
 }
 
-pub fn null_argument(name: &str) -> Error {
+pub fn null_argument(name: impl Display) -> Error {
     Error::new(ErrorKind::NullArgument, message!("{name} is NULL"))
 }
 

@@ -3,6 +3,7 @@
 use super::error::null_argument;
 use crate::error::{Error, ErrorKind, Result, message};
 use std::ffi::{CStr, c_char};
+use std::fmt::Display;
 use std::path::Path;
 
 /// No struct of any version is larger: more is an uninitialised `struct_size`.
@@ -21,8 +22,11 @@ pub unsafe trait Versioned: Copy {
     }
 }
 
-/// Checks a `struct_size` given for `argument`.
-pub(super) fn check_struct_size<T: Versioned>(argument: &str, struct_size: u32) -> Result<usize> {
+/// Checks a `struct_size` given for `argument`, whose name is written only where it is refused.
+pub(super) fn check_struct_size<T: Versioned>(
+    argument: impl Display,
+    struct_size: u32,
+) -> Result<usize> {
     let size = struct_size as usize;
     let refuse = |rule: &str| {
         let message = message!(
@@ -48,7 +52,10 @@ pub(super) fn check_struct_size<T: Versioned>(argument: &str, struct_size: u32) 
 ///
 /// # Safety
 /// `pointer` is NULL or has four readable bytes.
-unsafe fn read_struct_size<T: Versioned>(argument: &str, pointer: *const T) -> Result<usize> {
+unsafe fn read_struct_size<T: Versioned>(
+    argument: impl Display,
+    pointer: *const T,
+) -> Result<usize> {
     if pointer.is_null() {
         return Err(null_argument(argument));
     }
@@ -62,12 +69,12 @@ unsafe fn read_struct_size<T: Versioned>(argument: &str, pointer: *const T) -> R
 /// # Safety
 /// `pointer` is NULL or has as many readable bytes as its `struct_size` says.
 pub(super) unsafe fn read_struct<T: Versioned>(
-    argument: &str,
+    argument: impl Display,
     pointer: *const T,
     defaults: T,
 ) -> Result<T> {
     // SAFETY: the caller's promise.
-    let size = unsafe { read_struct_size(argument, pointer)? };
+    let size = unsafe { read_struct_size(&argument, pointer)? };
     let known = size_of::<T>();
     for offset in known..size {
         // SAFETY: `offset < size`, the number of readable bytes.

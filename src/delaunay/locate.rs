@@ -3,6 +3,7 @@
 
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
 use crate::complex::{SimplexId, VertexId};
+use crate::memory::{AllocResult, TryGrow};
 use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
@@ -67,6 +68,45 @@ impl<const D: usize> Delaunay<D> {
             }
         }
         None
+    }
+
+    /// The simplex with the least id of those whose closures hold `q`, which is in the hull: it does
+    /// not depend on `start`.
+    pub fn first_simplex_at(
+        &self,
+        start: SimplexId,
+        q: &[f64; D],
+    ) -> AllocResult<Option<SimplexId>> {
+        let is_at = |&simplex: &SimplexId| {
+            let is_finite = self.complex.is_live(simplex) && !self.complex.is_infinite(simplex);
+            is_finite && self.step_towards(simplex, q).is_none()
+        };
+        let found = self.simplex_at(start, q).or_else(|| self.complex.simplices().find(is_at));
+        let Some(found) = found else { return Ok(None) };
+        // Mostly `q` is in its interior, and the loop ends at once.
+        let mut all = Vec::new();
+        all.try_push(found)?;
+        let mut next = 0;
+        while next < all.len() {
+            let simplex = all[next];
+            next += 1;
+            for index in 0..=D {
+                let beyond = self.complex.neighbors(simplex)[index];
+                if self.is_on_facet(simplex, index, q) && !all.contains(&beyond) && is_at(&beyond) {
+                    all.try_push(beyond)?;
+                }
+            }
+        }
+        Ok(all.into_iter().min())
+    }
+
+    /// Whether `q` is on the hyperplane of the facet of `simplex` opposite its vertex number
+    /// `index`.
+    fn is_on_facet(&self, simplex: SimplexId, index: usize, q: &[f64; D]) -> bool {
+        let mut points: [&[f64; D]; MAX_SIMPLEX_VERTICES] =
+            self.vertex_points(self.complex.vertices(simplex));
+        points[index] = q;
+        orientation(&points[..=D]) == Sign::Zero
     }
 
     /// The vertex that is at `q`, by a walk from the live simplex `start` nearby.

@@ -1,7 +1,7 @@
 //! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
 //! crossings.
 
-use super::{Inputs, NONE, Triangulation};
+use super::{Boxed, Inputs, NONE, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, collected, copied, with_capacity};
 
@@ -71,7 +71,7 @@ pub struct Boundary {
     pub forced: Vec<u32>,
     /// The triangulation of the whole hull that this is the domain of: the first vertices and
     /// simplices of it. `None` where nothing is cut away.
-    pub whole: Option<Box<Triangulation>>,
+    pub whole: Option<Boxed<Triangulation>>,
 }
 
 impl Arrangement {

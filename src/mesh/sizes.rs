@@ -1,7 +1,7 @@
 //! Sizes given by values, kept with a mesh until they are replaced: at its inputs, and at the
 //! vertices of another mesh.
 
-use super::{Boundary, Mesh, Triangulation};
+use super::{Boundary, Boxed, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, copied, filled};
 
@@ -118,7 +118,7 @@ fn arrays_of(mesh: &Triangulation) -> AllocResult<Triangulation> {
         precision_limited: Vec::new(),
         below_min_dihedral: Vec::new(),
         beyond_bound: Vec::new(),
-        boundary: Boundary { whole: whole.map(Box::new), ..Boundary::default() },
+        boundary: Boundary { whole: whole.map(Boxed::new).transpose()?, ..Boundary::default() },
         sizes: Vec::new(),
         parameters: mesh.parameters.clone(),
         stats: mesh.stats.clone(),

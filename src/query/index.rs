@@ -2,7 +2,7 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, collected, filled};
-use crate::mesh::{MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
+use crate::mesh::{Boxed, MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
 use crate::nearest::Tree;
 
 /// Which vertices count.
@@ -28,7 +28,7 @@ pub struct Index {
     /// Vertex -> the least simplex that has it; [`NONE`] if none has.
     pub(super) least_simplex: Vec<u32>,
     /// Of the whole triangulation that the mesh is cut from: walks go through that.
-    pub(super) whole: Option<Box<Index>>,
+    pub(super) whole: Option<Boxed<Index>>,
 }
 
 impl Index {
@@ -122,7 +122,7 @@ fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {
         inputs,
         least_simplex,
         whole: match &mesh.boundary.whole {
-            Some(whole) => Some(Box::new(build::<D>(whole)?)),
+            Some(whole) => Some(Boxed::new(build::<D>(whole)?)?),
             None => None,
         },
     })

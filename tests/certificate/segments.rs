@@ -1,6 +1,7 @@
 //! Corruptions of segments, regions and the domain that they enclose.
 
 use super::meshes::{Case, run};
+use netmesh::mesh::Boxed;
 use netmesh::options::{Algorithm, Crossings, Extent, Interior, Options, Output};
 use netmesh::quality::measure;
 use netmesh::validate::{Outline, Report, ViolationKind as Kind, validate_mesh, validate_outlined};
@@ -83,7 +84,7 @@ impl Domain {
         }
         cut.boundary.simplex_regions.truncate(count);
         (cut.boundary.subsegments, cut.boundary.parents) = of_kept.unzip();
-        cut.boundary.whole = Some(Box::new(whole));
+        cut.boundary.whole = Some(Boxed::new(whole).unwrap());
         self.case.mesh = cut;
     }
 
@@ -227,7 +228,7 @@ fn arrays_that_do_not_fit() {
         |mesh| *mesh.boundary.parents.last_mut().unwrap() = NONE,
         |mesh| mesh.boundary.subsegments[5][1] = mesh.vertex_count() as u32,
         |mesh| mesh.boundary.subsegments[5][1] = mesh.boundary.subsegments[5][0],
-        |mesh| mesh.boundary.whole = Some(Box::new(mesh.clone())),
+        |mesh| mesh.boundary.whole = Some(Boxed::new(mesh.clone()).unwrap()),
     ];
     for corrupt in corruptions {
         let mut domain = lake();

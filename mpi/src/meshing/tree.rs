@@ -211,7 +211,7 @@ fn make_rest<const D: usize>(
                 let mut all = kept;
                 all.try_push_all(pieces)?;
                 // In the order in which the pieces were made, wherever that was.
-                all.sort_by_key(Piece::first_name);
+                all.sort_by_key(Piece::maker);
                 settled.try_push_one(
                     watch.next(0.1, |progress| maker.refine(all, number, Some(progress)))?,
                 )?;

@@ -169,7 +169,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         if self.state.parameters.is_sample {
-            return Ok(Some((SAMPLE_ROOM * least).min(least.sqrt() * most.sqrt()).clamp(least, most)));
+            return Ok(Some(
+                (SAMPLE_ROOM * least).min(least.sqrt() * most.sqrt()).clamp(least, most),
+            ));
         }
         let max_distance = self.outer_encroachment();
         let mut radius = least;

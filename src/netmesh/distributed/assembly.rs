@@ -159,6 +159,7 @@ impl<const D: usize> Assembly<D> {
             outer: std::mem::take(&mut self.outer),
             encroaching: std::mem::take(&mut self.encroaching),
             counts: self.all_counts(),
+            maker,
             ..Piece::default()
         };
         self.write_simplices(&mut piece)?;

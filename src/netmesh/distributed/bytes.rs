@@ -129,7 +129,8 @@ sent_fields!(
     released,
     outer,
     encroaching,
-    counts
+    counts,
+    maker
 );
 
 impl<const D: usize> Piece<D> {

@@ -86,8 +86,9 @@ impl<const D: usize> Coarse<D> {
         self.piece.simplex_count()
     }
 
-    /// For each point a simplex whose D-ball holds it, `u32::MAX` if it is of the sample. The
-    /// points are visited in an order of locality, so that walks are short.
+    /// For each point the simplex that it is in, `u32::MAX` if it is of the sample. That does not
+    /// depend on the other points. They are visited in an order of locality, so that walks are
+    /// short.
     ///
     /// # Errors
     /// `NonFinite`; `OutOfMemory`; `Cancelled`.
@@ -106,7 +107,7 @@ impl<const D: usize> Coarse<D> {
         for at in order_of(points, &mut watch)? {
             watch.poll_after(4)?;
             if sampled.binary_search(&bits(&points[at])).is_err() {
-                let simplex = self.delaunay.locate(near, &points[at]);
+                let simplex = self.delaunay.first_simplex_at(near, &points[at])?;
                 near = simplex.expect("the outer cage surrounds the inputs");
                 found[at] = near.number();
             }

@@ -28,6 +28,8 @@ pub struct Piece<const D: usize> {
     /// Inputs that encroach a domain around their cage, which had to stay as it is.
     pub(super) encroaching: Vec<u64>,
     pub(super) counts: Counts,
+    /// The number of the partition that made it.
+    pub(super) maker: u32,
 }
 
 /// A vertex.
@@ -90,10 +92,10 @@ impl<const D: usize> Piece<D> {
         self.is_unsettled.len()
     }
 
-    /// The least name of its vertices, which no other settled piece's vertices need to have: for an
-    /// order of pieces that knows nothing of where they are.
-    pub fn first_name(&self) -> u64 {
-        self.corners.iter().map(|corner| corner.name).min().unwrap_or(NOTHING)
+    /// The number of the partition that made it, or that it is what is left of: for an order of
+    /// pieces that knows nothing of where they are.
+    pub fn maker(&self) -> u32 {
+        self.maker
     }
 
     /// Inputs that wait for their insertion.
@@ -137,7 +139,7 @@ impl<const D: usize> Piece<D> {
         is_own: &[bool],
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
-        let mut selected = Self::default();
+        let mut selected = Self { maker: self.maker, ..Self::default() };
         let mut simplex_ids = filled(self.simplex_count(), u32::MAX)?;
         let mut count = 0;
         for (id, _) in simplex_ids.iter_mut().zip(is_own).filter(|(_, is_own)| **is_own) {

@@ -8,7 +8,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Boundary, NONE, Triangulation, VertexKind};
+use crate::mesh::{Boundary, Boxed, NONE, Triangulation, VertexKind};
 use crate::netmesh::numbering::Numbering;
 use crate::netmesh::segments::Segments;
 use crate::netmesh::{Mesher, State};
@@ -122,7 +122,7 @@ pub(in crate::netmesh) fn cut(
     }
     let mut result = part(&whole, numbering.inside_simplices, numbering.inside_vertices)?;
     count_vertices(&mut result);
-    result.boundary.whole = Some(Box::new(whole));
+    result.boundary.whole = Some(Boxed::new(whole)?);
     Ok(result)
 }
 

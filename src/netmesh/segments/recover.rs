@@ -183,7 +183,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether no segment passes through a simplex of `cavity`, but for the one that `vertex` is on and
-    /// has split: where another waits, it may be no edge.
+    /// has split: where another waits, it may be no edge. A vertex that is rounded to one side of its
+    /// edge may have no conflict on the other; then a simplex on the edge, which leaves `cavity`, is
+    /// beyond the two edges that replace it.
     fn is_within_regions(&self, vertex: VertexId, cavity: &Cavity) -> bool {
         let chains = &self.state.segments.chains;
         let Some(ends) = chains.neighbors_on_line(vertex) else {
@@ -193,7 +195,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertices = self.state.delaunay.complex().vertices(simplex);
             ends.iter().all(|end| vertices.contains(end))
         };
-        chains.waiting_count() == 2 && cavity.simplices.iter().any(has_edge)
+        chains.waiting_count() == 2
+            && cavity.simplices.iter().filter(|simplex| has_edge(simplex)).count() == 2
     }
 
     /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False if

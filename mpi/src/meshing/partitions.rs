@@ -14,7 +14,7 @@ const LARGE: u64 = 1 << 18;
 const SMALL: u64 = 1 << 9;
 
 /// A small mesh has at most so many partitions.
-const FEW: u64 = 16;
+const FEW: u64 = 8;
 
 /// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
 fn partition_count(total: u64) -> usize {
@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn partitions_follow_from_the_inputs_and_every_rank_has_its_share() {
-        assert_eq!([1, 900, 2000, 100_000, 10_000_000].map(partition_count), [1, 1, 3, 16, 38]);
+        assert_eq!([1, 900, 2000, 100_000, 10_000_000].map(partition_count), [1, 1, 3, 8, 38]);
         for (count, ranks) in [(1, 3), (7, 3), (16, 16), (38, 8), (3, 5)] {
             let owners: Vec<usize> =
                 (0..count).map(|partition| owner(partition, count, ranks)).collect();

@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 /// One input in this many is of the sample. With more the coarse mesh, which all ranks make, would
 /// take a share of the time that does not shrink with them; with fewer more inputs would wait at the
 /// interfaces, whose simplices are as large as those of the coarse mesh.
-const SAMPLED: u64 = 64;
+const SAMPLED: u64 = 32;
 
 /// An input and its number among those of all ranks.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -132,7 +132,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<Vertices> {
         let threads = self.threads();
         let Self { state, watch, .. } = self;
-        state.hierarchy.settle(|| watch.poll_after(1))?;
+        state.hierarchy.compress(|| watch.poll_after(1))?;
         let State { delaunay, hierarchy, inputs, .. } = &*state;
         let renumbered = |domain: DomainId| indices.get(domain.index()).copied().unwrap_or(NONE);
         let pieces = order.chunks(PIECE);
@@ -163,7 +163,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 })?;
                 own.domains.try_push(match indices.is_empty() {
                     true => NONE,
-                    false => renumbered(hierarchy.settled_domain_of(vertex)),
+                    false => renumbered(hierarchy.compressed_domain_of(vertex)),
                 })?;
                 own.cage_of.try_push(cage)?;
                 own.limited.try_push(precision_limited[vertex])?;

@@ -23,7 +23,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn cut(&mut self, runs: Vec<Array<SimplexId>>) -> Result<Vec<Partition<D>>> {
         let threads = self.threads();
         let Self { state, watch, .. } = self;
-        state.hierarchy.settle(|| watch.poll_after(1))?;
+        state.hierarchy.compress(|| watch.poll_after(1))?;
         let bound = state.delaunay.complex().simplex_bound();
         let cut = &*state;
         // One for each thread at work.

@@ -55,7 +55,7 @@ impl<const D: usize> BadSimplexView<'_, D> {
 
     /// Whether a live simplex is suspect, and not only for its domains or for the vertices of a
     /// cage: the corner is beyond the bound of a union cell, or the cell of a near vertex has a
-    /// bound. Of a hierarchy that is settled.
+    /// bound. Of a hierarchy that is compressed.
     fn may_be_bad(&self, simplex: SimplexId) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let allowed = self.measure.nearest_allowed(ball.radius());
@@ -138,7 +138,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let measure = self.measure();
         let watch = &mut self.watch;
         let State { delaunay, hierarchy, cells, .. } = &mut self.state;
-        hierarchy.settle(|| watch.poll_after(1))?;
+        hierarchy.compress(|| watch.poll_after(1))?;
         let complex = delaunay.complex();
         let view = BadSimplexView { delaunay, hierarchy, cells, measure };
         on_threads(threads, watch, pieces(complex.simplex_bound()), |piece| {

@@ -32,7 +32,7 @@ impl DomainsToGlobal {
 impl<const D: usize> Hierarchy<D> {
     /// The hierarchy of the partition with the vertices of `ids`, inserted or not. `shared`: vertex
     /// of the partition -> whether other partitions have simplices at it. Of a hierarchy that is
-    /// settled.
+    /// compressed.
     pub fn partition(
         &self,
         ids: &PartitionIds<'_>,
@@ -47,7 +47,7 @@ impl<const D: usize> Hierarchy<D> {
         let mut nodes = with_capacity(local_to_global.len())?;
         let mut is_own = with_capacity(local_to_global.len())?;
         for &domain in &local_to_global {
-            let parent = self.settled_parent(domain);
+            let parent = self.compressed_parent(domain);
             let node = self.node(domain);
             let owns = domain != ROOT
                 && own(node.center).is_some()
@@ -68,7 +68,7 @@ impl<const D: usize> Hierarchy<D> {
         }
         let mut places = Array::with_capacity(vertices.len())?;
         for &vertex in vertices {
-            let label = self.settled_domain_of(vertex);
+            let label = self.compressed_domain_of(vertex);
             let cage = self.cage_of(vertex);
             places.try_push(Place {
                 label: local(&local_to_global, label),
@@ -91,11 +91,11 @@ impl<const D: usize> Hierarchy<D> {
             if !self.places[vertex].label.is_valid() {
                 continue;
             }
-            for mut domain in [self.settled_domain_of(vertex), self.cage_of(vertex)] {
+            for mut domain in [self.compressed_domain_of(vertex), self.cage_of(vertex)] {
                 while domain.is_valid() && !is_known[domain] {
                     is_known[domain] = true;
                     local_to_global.try_push(domain)?;
-                    domain = self.settled_parent(domain);
+                    domain = self.compressed_parent(domain);
                 }
             }
         }

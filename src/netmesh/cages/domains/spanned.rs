@@ -50,7 +50,7 @@ impl Spanned {
 impl<const D: usize> Hierarchy<D> {
     /// Has every dissolved domain forward to a living one, so that [`Self::spans`] takes no climbs.
     /// `tick` is called for every domain.
-    pub fn settle<E>(&mut self, mut tick: impl FnMut() -> Result<(), E>) -> Result<(), E> {
+    pub fn compress<E>(&mut self, mut tick: impl FnMut() -> Result<(), E>) -> Result<(), E> {
         for domain in (ROOT.index()..self.len()).map(DomainId::new) {
             tick()?;
             self.parent(domain);
@@ -59,27 +59,27 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     /// Whether inserted `vertices` span a domain that `is_wanted`. Changes nothing, so that all
-    /// threads may ask; slow unless the hierarchy is settled.
+    /// threads may ask; slow unless the hierarchy is compressed.
     pub fn spans(&self, vertices: &[VertexId], is_wanted: impl Fn(DomainId) -> bool) -> bool {
-        let domains = vertices.iter().map(|&vertex| self.settled_domain_of(vertex));
+        let domains = vertices.iter().map(|&vertex| self.compressed_domain_of(vertex));
         let mut spanned = Spanned::new(domains);
         while let Some(domain) = spanned.smallest(self) {
             if is_wanted(domain) {
                 return true;
             }
-            spanned.climb(domain, self.settled_parent(domain));
+            spanned.climb(domain, self.compressed_parent(domain));
         }
         false
     }
 
-    /// As [`Self::domain_of`], of a hierarchy that is settled; none for a vertex that is not
+    /// As [`Self::domain_of`], of a hierarchy that is compressed; none for a vertex that is not
     /// inserted.
-    pub fn settled_domain_of(&self, vertex: VertexId) -> DomainId {
+    pub fn compressed_domain_of(&self, vertex: VertexId) -> DomainId {
         self.living(self.places[vertex].label)
     }
 
-    /// As [`Self::parent`], of a hierarchy that is settled.
-    pub fn settled_parent(&self, domain: DomainId) -> DomainId {
+    /// As [`Self::parent`], of a hierarchy that is compressed.
+    pub fn compressed_parent(&self, domain: DomainId) -> DomainId {
         self.living(self.node(domain).parent)
     }
 
@@ -131,25 +131,25 @@ mod tests {
         hierarchy.release(DomainId::new(1));
         assert_eq!(spanned(&hierarchy, &[0, 1, 2]), [2]);
         let before = [vec![], spanned(&hierarchy, &[3, 1, 2])];
-        hierarchy.settle(|| Ok::<(), ()>(())).unwrap();
+        hierarchy.compress(|| Ok::<(), ()>(())).unwrap();
         assert_eq!([spanned(&hierarchy, &[0, 1]), spanned(&hierarchy, &[3, 1, 2])], before);
     }
 
     #[test]
-    fn domains_that_are_settled_have_living_parents() {
+    fn domains_that_are_compressed_have_living_parents() {
         let mut hierarchy = hierarchy();
         hierarchy.create(VertexId::new(0), [0.0; 2], 0.5, DomainId::new(2), 0).unwrap();
         hierarchy.release(DomainId::new(2));
         hierarchy.release(DomainId::new(1));
         let mut ticks = 0;
         hierarchy
-            .settle(|| {
+            .compress(|| {
                 ticks += 1;
                 Ok::<(), ()>(())
             })
             .unwrap();
         assert_eq!(ticks, 5);
         assert!((1..5).all(|at| hierarchy.nodes[at].parent == ROOT));
-        assert!(hierarchy.settle(|| Err(())).is_err());
+        assert!(hierarchy.compress(|| Err(())).is_err());
     }
 }

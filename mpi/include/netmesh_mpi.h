@@ -56,6 +56,10 @@
 #define NM_MPI_COUNTS_INIT                                                                         \
     { sizeof(nm_mpi_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
+/** The initial value of an nm_mpi_report: struct_size is set, the rest is zero. */
+#define NM_MPI_REPORT_INIT                                                                         \
+    { sizeof(nm_mpi_report), 0, 0, 0, NM_MPI_VIOLATION_NONE, 0, 0, 0, { 0 } }
+
 /**
  * Formats of meshes of several ranks.
  */
@@ -82,6 +86,158 @@ enum nm_mpi_format
 };
 #ifndef __cplusplus
 typedef int32_t nm_mpi_format;
+#endif // __cplusplus
+
+/**
+ * nm_mpi_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
+ * (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). A rule of
+ * nm_violation has its value; those from 51 on are of what ranks have in common. Later versions may
+ * append kinds.
+ */
+enum nm_mpi_violation
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Nothing was found broken.
+     */
+    NM_MPI_VIOLATION_NONE = 0,
+    /**
+     * An array does not have the length that the others ask for.
+     */
+    NM_MPI_VIOLATION_ARRAY_LENGTH = 1,
+    /**
+     * A coordinate is infinite or not a number.
+     */
+    NM_MPI_VIOLATION_NON_FINITE = 2,
+    /**
+     * A simplex names a vertex that does not exist.
+     */
+    NM_MPI_VIOLATION_VERTEX_OUT_OF_RANGE = 3,
+    /**
+     * A simplex names a vertex twice.
+     */
+    NM_MPI_VIOLATION_REPEATED_VERTEX = 4,
+    /**
+     * A vertex is in no simplex.
+     */
+    NM_MPI_VIOLATION_UNUSED_VERTEX = 5,
+    /**
+     * A simplex names a neighbour that is neither an own simplex nor a ghost.
+     */
+    NM_MPI_VIOLATION_NEIGHBOR_OUT_OF_RANGE = 6,
+    /**
+     * Two simplices have the same vertices.
+     */
+    NM_MPI_VIOLATION_DUPLICATE_SIMPLEX = 7,
+    /**
+     * A facet is in more than two simplices.
+     */
+    NM_MPI_VIOLATION_OVERFULL_FACET = 8,
+    /**
+     * A simplex shares a facet with another one but names no neighbour there.
+     */
+    NM_MPI_VIOLATION_MISSING_NEIGHBOR = 9,
+    /**
+     * A simplex names another neighbour than the one that shares its facet.
+     */
+    NM_MPI_VIOLATION_NEIGHBOR_FACET = 11,
+    /**
+     * The numbers of faces of each dimension do not add up to a ball's.
+     */
+    NM_MPI_VIOLATION_EULER_CHARACTERISTIC = 13,
+    /**
+     * The simplices round a vertex are not connected through facets at that vertex.
+     */
+    NM_MPI_VIOLATION_VERTEX_STAR = 14,
+    /**
+     * The link of a vertex is not a sphere, or on the hull a ball, by its Euler characteristic.
+     */
+    NM_MPI_VIOLATION_VERTEX_LINK = 15,
+    /**
+     * A hull ridge is not in exactly two hull facets.
+     */
+    NM_MPI_VIOLATION_HULL_RIDGE = 16,
+    /**
+     * Ids do not rise, or are out of range, or two ranks count them from different numbers.
+     */
+    NM_MPI_VIOLATION_IDS = 51,
+    /**
+     * Two ranks have different coordinates, kinds or domains of a vertex.
+     */
+    NM_MPI_VIOLATION_SHARED_VERTEX = 52,
+    /**
+     * The owner of a vertex is not the lowest rank that has a simplex with it.
+     */
+    NM_MPI_VIOLATION_VERTEX_OWNER = 53,
+    /**
+     * A ghost is not what its owner has under its id, or shares no vertex with the rank.
+     */
+    NM_MPI_VIOLATION_GHOST = 54,
+    /**
+     * A simplex that shares a vertex with the rank is not among its ghosts.
+     */
+    NM_MPI_VIOLATION_MISSING_GHOST = 55,
+    /**
+     * The interface is not the facets whose neighbours are ghosts.
+     */
+    NM_MPI_VIOLATION_INTERFACE = 56,
+    /**
+     * The sizes of the whole mesh are not those of all parts.
+     */
+    NM_MPI_VIOLATION_TOTALS = 57,
+    /**
+     * A simplex is flat or negatively oriented.
+     */
+    NM_MPI_VIOLATION_ORIENTATION = 101,
+    /**
+     * Two neighbours lie on the same side of the facet that they share.
+     */
+    NM_MPI_VIOLATION_FOLDED_FACET = 102,
+    /**
+     * The opposite vertex of a neighbour is strictly inside a simplex's circumball.
+     */
+    NM_MPI_VIOLATION_DELAUNAY = 103,
+    /**
+     * The hull is not convex at a ridge.
+     */
+    NM_MPI_VIOLATION_NON_CONVEX_HULL = 104,
+    /**
+     * An input's vertex does not exist, or is not that of the first of equal inputs.
+     */
+    NM_MPI_VIOLATION_INPUT_VERTEX = 201,
+    /**
+     * The vertex of a distinct input does not have that input's bits.
+     */
+    NM_MPI_VIOLATION_INPUT_BITS = 202,
+    /**
+     * A vertex's kind contradicts its id: those of inputs are below the number of inputs.
+     */
+    NM_MPI_VIOLATION_VERTEX_KIND = 203,
+    /**
+     * A vertex is labelled with a domain that does not exist.
+     */
+    NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
+    /**
+     * A vertex on the hull is neither of a cage nor an input.
+     */
+    NM_MPI_VIOLATION_HULL_VERTEX = 214,
+    /**
+     * The Voronoi cell of a vertex has a worse aspect than the bound.
+     */
+    NM_MPI_VIOLATION_VERTEX_ASPECT = 218,
+    /**
+     * A simplex has a larger ratio of circumradius to shortest edge than the bound.
+     */
+    NM_MPI_VIOLATION_RADIUS_EDGE = 220,
+    /**
+     * A finished mesh has other domains than the root.
+     */
+    NM_MPI_VIOLATION_NOT_FINISHED = 221,
+};
+#ifndef __cplusplus
+typedef int32_t nm_mpi_violation;
 #endif // __cplusplus
 
 /**
@@ -197,6 +353,49 @@ typedef struct nm_mpi_facet {
      */
     uint32_t owner;
 } nm_mpi_facet;
+
+/**
+ * What nm_mpi_validate found, the same on all ranks.
+ */
+typedef struct nm_mpi_report {
+    /**
+     * Set by the caller to sizeof(nm_mpi_report).
+     */
+    uint32_t struct_size;
+    /**
+     * The highest level of which no rule is broken, nor any below it; 0 if one of level 1 is.
+     */
+    uint32_t level;
+    /**
+     * Violations that all ranks have found.
+     */
+    uint64_t violations;
+    /**
+     * Checks that all ranks have made.
+     */
+    uint64_t checked;
+    /**
+     * The first violation's kind; NM_MPI_VIOLATION_NONE if there is none.
+     */
+    nm_mpi_violation kind;
+    /**
+     * The rank whose part of the mesh the first violation is in; NM_NONE if there is none.
+     */
+    uint32_t rank;
+    /**
+     * The id of the first violation's simplex; NM_MPI_NONE if it concerns none.
+     */
+    uint64_t simplex;
+    /**
+     * The id of the first violation's vertex; NM_MPI_NONE if it concerns none.
+     */
+    uint64_t vertex;
+    /**
+     * The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
+     * none.
+     */
+    char message[160];
+} nm_mpi_report;
 
 #ifdef __cplusplus
 extern "C" {
@@ -378,6 +577,41 @@ nm_status nm_mpi_get_interface(const struct nm_mpi_mesh *mesh,
                                struct nm_mpi_facet *buf,
                                uint64_t capacity,
                                uint64_t *needed);
+
+/**
+ * Checks the mesh of all ranks from the coordinates, simplices and ghosts that they have alone,
+ * independently of the code that made it and with exact signs. Collective. NM_OK means that the check
+ * ran; what it found is in report, the same on all ranks.
+ *
+ * level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name, across
+ * ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex;
+ * stars, links, Euler characteristic, sizes of the whole); 2 also geometry (orientations, Delaunay on
+ * every facet and convexity at every hull ridge, whichever ranks are on the two sides); 3 also the
+ * promises (inputs kept bit for bit, duplicates with the first of them, kinds and domains in range, a
+ * finished mesh of one domain, the quality bound of the run). A mesh is right if report->level equals
+ * level, or equivalently report->violations is 0.
+ *
+ * Not checked, beside what nm_mesh_validate checks: windings round faces of codimension two, and the
+ * balls, tree and cages of domains, which ranks do not have. So level 3 says nothing of encroachment
+ * and of the union cells of cages. Cells are not bounded at vertices of cages, at inputs with
+ * neighbours in several domains, at edges of at most 2^-40 of the largest coordinate there, with the
+ * radius-edge ratio where several domains meet, and where epsilon is above 0.8 cage_scale in meshes of
+ * several domains.
+ *
+ * report: of the rank; the caller sets struct_size.
+ *
+ * Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level,
+ * report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE (an earlier call on the mesh has
+ * failed), NM_PANIC.
+ *
+ * A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
+ *
+ * O(local_vertices + (local_simplices + ghosts) log) on each rank.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mpi_validate(const struct nm_mpi_mesh *mesh,
+                          uint32_t level,
+                          struct nm_mpi_report *report);
 
 /**
  * Writes the mesh to files that all ranks see under the path, replacing what was there. Collective. The

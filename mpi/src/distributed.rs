@@ -1,5 +1,7 @@
 //! The result of a run as one rank has it. Plain data.
 
+use netmesh::{Criterion, Output, Parameters};
+
 /// No id: across the hull, no domain.
 pub const NO_ID: u64 = u64::MAX;
 
@@ -18,6 +20,42 @@ pub struct Totals {
     pub domains: u64,
     /// The parts that the mesh was made in.
     pub pieces: u64,
+}
+
+/// What the run promises of the quality of its cells, equal on all ranks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Promise {
+    /// Whether the mesh is well-spaced, of one domain.
+    pub is_finished: bool,
+    pub criterion: Criterion,
+    /// Of the criterion; infinite where nothing is promised.
+    pub quality_bound: f64,
+    /// Whether cells answer for all of their corners in every domain: its cage surrounds its inputs.
+    pub counts_all_corners: bool,
+}
+
+impl Default for Promise {
+    fn default() -> Self {
+        Self {
+            is_finished: false,
+            criterion: Criterion::default(),
+            quality_bound: f64::INFINITY,
+            counts_all_corners: false,
+        }
+    }
+}
+
+impl Promise {
+    pub fn of(parameters: &Parameters) -> Self {
+        /// A cage surrounds inputs within this fraction of its sphere's radius.
+        const SURROUNDED: f64 = 0.8;
+        Self {
+            is_finished: parameters.output == Output::WellSpaced,
+            criterion: parameters.criterion,
+            quality_bound: parameters.quality_bound,
+            counts_all_corners: parameters.epsilon <= SURROUNDED * parameters.cage_scale,
+        }
+    }
 }
 
 /// A simplex of another rank's that shares a vertex with one of this rank.
@@ -46,6 +84,7 @@ pub struct DistributedMesh {
     pub rank: usize,
     pub ranks: usize,
     pub totals: Totals,
+    pub promise: Promise,
     /// The number of inputs of the ranks before, and this rank's own.
     pub first_input: u64,
     pub inputs: Vec<f64>,

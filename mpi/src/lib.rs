@@ -11,6 +11,7 @@
 //! | `distributed` | a rank's part of the mesh, as plain arrays | |
 //! | `numbering` | from pieces to that: ids, ghosts, interfaces | `memory`, `words`, `comm`, `piece`, `distributed` |
 //! | `run` | a run: the checks, the algorithm, the numbers | `comm`, `meshing`, `distributed`, `numbering` |
+//! | `certificate` | the checker of a mesh of several ranks, a file per rule, apart from what makes it | `memory`, `words`, `comm`, `distributed` |
 //! | `input` | each rank's share of a file of points | `memory`, `comm` |
 //! | `output` | files that all ranks write, complete or not at all | `memory`, `words`, `comm`, `distributed` |
 //! | `capi` | the C ABI, and with `comm::mpi` the only `unsafe` | all but `input` |
@@ -19,6 +20,7 @@
 
 #[allow(unsafe_code)]
 pub mod capi;
+pub mod certificate;
 pub mod comm;
 pub mod distributed;
 pub mod input;
@@ -30,5 +32,6 @@ pub mod piece;
 mod run;
 mod words;
 
+pub use certificate::validate;
 pub use distributed::DistributedMesh;
 pub use run::{bytes_sent, run};

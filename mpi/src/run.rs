@@ -1,12 +1,12 @@
 //! A run from points to a rank's part of their mesh.
 
 use crate::comm::{Communicator, Operation, agreed};
-use crate::distributed::DistributedMesh;
+use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
 use crate::{meshing, numbering};
 use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
-use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Result};
+use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Parameters, Result};
 
 /// Collective: the mesh of the points of all ranks, `dim` coordinates each; a rank may have none.
 ///
@@ -29,7 +29,10 @@ pub fn run(
     })?;
     agreed(comm, || check_equal(comm, dim, options))?;
     let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress))?;
-    agreed(comm, || numbering::number(comm, dim, points, pieces))
+    let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;
+    // The options held for the run.
+    mesh.promise = Promise::of(&Parameters::resolve(dim, options)?);
+    Ok(mesh)
 }
 
 fn check_dimension(dim: usize) -> Result<()> {

@@ -91,7 +91,7 @@ files_test() {
   "$python" "$here/points.py"
   for dim in 2 3; do
     for number in 1 3 8; do
-      ranks "$number" "$program" "in$dim.npy" -o "out$dim.pvtu" --quiet
+      ranks "$number" "$program" "in$dim.npy" -o "out$dim.pvtu" --quiet --validate
       ranks "$number" "$program" "in$dim.npy" -o "out$dim.npy" --quiet
       "$python" "$here/readers.py" "in$dim.npy" "$directory/out$dim"
       # The same points as text, and where ids do not depend on ranks the same bytes.

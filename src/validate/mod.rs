@@ -35,6 +35,7 @@ mod hierarchy;
 mod hull;
 mod inputs;
 mod links;
+pub mod parts;
 mod report;
 mod signs;
 mod sizes;

@@ -1,6 +1,8 @@
 //! The structs of the boundary.
 
+use super::violations::nm_mpi_violation;
 use netmesh::capi::shared::Versioned;
+use std::ffi::c_char;
 
 /// How large a mesh is: the whole, and what this rank has of it.
 #[allow(non_camel_case_types)]
@@ -73,3 +75,37 @@ pub struct nm_mpi_facet {
 }
 
 const _: () = assert!(size_of::<nm_mpi_facet>() == 24);
+
+/// What nm_mpi_validate found, the same on all ranks.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_mpi_report {
+    /// Set by the caller to sizeof(nm_mpi_report).
+    pub struct_size: u32,
+    /// The highest level of which no rule is broken, nor any below it; 0 if one of level 1 is.
+    pub level: u32,
+    /// Violations that all ranks have found.
+    pub violations: u64,
+    /// Checks that all ranks have made.
+    pub checked: u64,
+    /// The first violation's kind; NM_MPI_VIOLATION_NONE if there is none.
+    pub kind: nm_mpi_violation,
+    /// The rank whose part of the mesh the first violation is in; NM_NONE if there is none.
+    pub rank: u32,
+    /// The id of the first violation's simplex; NM_MPI_NONE if it concerns none.
+    pub simplex: u64,
+    /// The id of the first violation's vertex; NM_MPI_NONE if it concerns none.
+    pub vertex: u64,
+    /// The first violation in words: UTF-8 with its NUL, cut between characters; "" if there is
+    /// none.
+    pub message: [c_char; 160],
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers and an enum of four bytes
+// that the library only writes.
+unsafe impl Versioned for nm_mpi_report {
+    const TYPE: &'static str = "nm_mpi_report";
+}
+
+const _: () = assert!(size_of::<nm_mpi_report>() == 4 * 4 + 4 * 8 + 160);

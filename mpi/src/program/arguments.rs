@@ -38,6 +38,10 @@ pub struct Arguments {
     #[arg(long)]
     pub finish: bool,
 
+    /// Check the mesh with the certificate checker, which has nothing from what made it
+    #[arg(long)]
+    pub validate: bool,
+
     /// Print nothing but errors
     #[arg(short, long)]
     pub quiet: bool,

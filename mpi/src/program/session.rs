@@ -3,10 +3,14 @@
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
 use crate::summary::{self, Times};
+use netmesh_mpi::certificate::Report;
 use netmesh_mpi::comm::Communicator;
-use netmesh_mpi::{input, output};
+use netmesh_mpi::{input, output, validate};
 use std::path::Path;
 use std::time::Instant;
+
+/// Topology, geometry and the paper's promises.
+const LEVEL: u32 = 3;
 
 /// Collective: all ranks answer the same.
 pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
@@ -27,10 +31,26 @@ pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure
             .map_err(|error| Failure::writing(&name(path), &error))?;
         times.write = Some(start.elapsed());
     }
-    if arguments.quiet {
-        return Ok(());
+    let mut report = None;
+    if arguments.validate {
+        let start = Instant::now();
+        report = Some(validate(comm, &mesh, LEVEL)?);
+        times.validate = Some(start.elapsed());
     }
-    Ok(summary::print(comm, arguments, &mesh, &times)?)
+    if !arguments.quiet {
+        summary::print(comm, arguments, &mesh, report.as_ref(), &times)?;
+    }
+    report.as_ref().map_or(Ok(()), require)
+}
+
+/// Fails unless the certificate holds; names the first violation.
+fn require(report: &Report) -> Result<(), Failure> {
+    let Some(first) = &report.first else { return Ok(()) };
+    let message = format!(
+        "the certificate is violated: level {} of {LEVEL} holds, {} violations, the first: {} (rank {})",
+        report.level, report.violations, first.message, first.rank
+    );
+    Err(Failure::new(ExitCode::CertificateViolated, message))
 }
 
 /// What is written for NAME.npy has other names.

@@ -3,6 +3,7 @@
 use crate::arguments::Arguments;
 use netmesh::Result;
 use netmesh_mpi::DistributedMesh;
+use netmesh_mpi::certificate::Report;
 use netmesh_mpi::comm::{Communicator, Operation};
 use std::io::Write;
 use std::time::Duration;
@@ -12,6 +13,7 @@ pub struct Times {
     pub read: Duration,
     pub mesh: Duration,
     pub write: Option<Duration>,
+    pub validate: Option<Duration>,
 }
 
 /// Collective.
@@ -19,6 +21,7 @@ pub fn print(
     comm: &dyn Communicator,
     arguments: &Arguments,
     mesh: &DistributedMesh,
+    report: Option<&Report>,
     times: &Times,
 ) -> Result<()> {
     let own = [mesh.simplex_count() as u64, mesh.ghosts.len() as u64, mesh.bytes_sent];
@@ -48,8 +51,23 @@ pub fn print(
         milliseconds(times.mesh),
         milliseconds(times.read),
     );
-    if let (Some(time), Some(path)) = (times.write, &arguments.output) {
-        text += &format!(", write {}\nwritten     {}", milliseconds(time), path.display());
+    if let Some(time) = times.write {
+        text += &format!(", write {}", milliseconds(time));
+    }
+    if let Some(time) = times.validate {
+        text += &format!(", certificate {}", milliseconds(time));
+    }
+    if let (Some(_), Some(path)) = (times.write, &arguments.output) {
+        text += &format!("\nwritten     {}", path.display());
+    }
+    if let Some(report) = report {
+        let (level, checks) = (report.level, spaced(report.checked));
+        text += &match report.violations {
+            0 => format!("\ncertificate holds at level {level}: {checks} checks, no violation"),
+            found => {
+                format!("\ncertificate violated: {} violations in {checks} checks", spaced(found))
+            }
+        };
     }
     // Who reads this may have gone.
     let _ = writeln!(std::io::stdout(), "{text}");

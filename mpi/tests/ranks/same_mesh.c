@@ -1,7 +1,7 @@
 /*
  * The mesh of some points on the ranks of this job: prints its counts and a hash of its simplices by
  * coordinates, which must not depend on the number of ranks, and checks what the ranks have of it against
- * each other.
+ * each other, by its own means and by the certificate.
  *
  *     same_mesh SHAPE DIM COUNT SHARES hierarchical|finished [FILE]
  */
@@ -210,6 +210,21 @@ static void check_ghosts(const arrays *a)
     }
 }
 
+/* The certificate holds, and says the same on all ranks. */
+static void check_certificate(const nm_mpi_mesh *mesh)
+{
+    nm_mpi_report report = NM_MPI_REPORT_INIT, first;
+    CHECK(nm_mpi_validate(mesh, 3, &report) == NM_OK);
+    first = report;
+    MPI_Bcast(&first, sizeof first, MPI_BYTE, 0, MPI_COMM_WORLD);
+    CHECK(memcmp(&first, &report, sizeof report) == 0);
+    if (report.level != 3)
+        fprintf(stderr, "%s (rank %u)\n", report.message, (unsigned)report.rank);
+    CHECK(report.level == 3 && report.violations == 0 && report.checked > 0);
+    CHECK(report.kind == NM_MPI_VIOLATION_NONE && report.message[0] == '\0');
+    CHECK(report.simplex == NM_MPI_NONE && report.vertex == NM_MPI_NONE && report.rank == NM_NONE);
+}
+
 int main(int argc, char **argv)
 {
     MPI_Init(&argc, &argv);
@@ -226,6 +241,7 @@ int main(int argc, char **argv)
     uint64_t sums[5] = { 0, 0, 0, 0, 0 };
     check_sums(&a, &points, sums);
     check_ghosts(&a);
+    check_certificate(mesh);
     if (a.counts.rank == 0)
         printf("vertices %" PRIu64 " duplicates %" PRIu64 " simplices %" PRIu64 " domains %" PRIu64
                " hull %" PRIu64 " hash %016" PRIx64 "\n",

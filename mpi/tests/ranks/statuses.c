@@ -119,6 +119,24 @@ static void exports(const cloud *points, const double *own, const char *director
     nm_mpi_mesh_free(NULL);
 }
 
+static void certificates(const cloud *points, const double *own)
+{
+    nm_mpi_mesh *mesh = NULL;
+    nm_mpi_report report = NM_MPI_REPORT_INIT;
+    int is_last = rank == ranks - 1;
+    CHECK(nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, NULL, &mesh) == NM_OK);
+    expect_same(nm_mpi_validate(mesh, 1, is_last ? NULL : &report), NM_NULL_ARGUMENT, "report is NULL");
+    report.struct_size = is_last ? 3 : report.struct_size;
+    expect_same(nm_mpi_validate(mesh, 1, &report), NM_INVALID_ARGUMENT, "struct_size is 3");
+    report.struct_size = sizeof report;
+    expect_same(nm_mpi_validate(mesh, is_last ? 4 : 1, &report), NM_INVALID_ARGUMENT, "level is 4");
+    CHECK(nm_mpi_validate(NULL, 1, &report) == NM_NULL_ARGUMENT);
+    CHECK(report.level == 0);
+    for (uint32_t level = 1; level <= 3; level++)
+        CHECK(nm_mpi_validate(mesh, level, &report) == NM_OK && report.level == level);
+    nm_mpi_mesh_free(mesh);
+}
+
 int main(int argc, char **argv)
 {
     MPI_Init(&argc, &argv);
@@ -129,6 +147,7 @@ int main(int argc, char **argv)
     double *own = points.points + points.first * points.dim;
     bad_arguments(&points, own);
     exports(&points, own, argv[1]);
+    certificates(&points, own);
     if (rank == 0)
         printf("statuses are the same on %d ranks\n", ranks);
     MPI_Finalize();

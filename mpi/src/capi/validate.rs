@@ -1,0 +1,98 @@
+//! The certificate.
+
+use super::run::{handle, nm_mpi_mesh};
+use super::structs::nm_mpi_report;
+use super::violations::nm_mpi_violation;
+use crate::certificate::{Report, validate};
+use crate::comm::agreed;
+use crate::distributed::NO_ID;
+use netmesh::NONE;
+use netmesh::capi::nm_status;
+use netmesh::capi::shared::{OutStruct, barrier};
+use std::ffi::c_char;
+
+/// Checks the mesh of all ranks from the coordinates, simplices and ghosts that they have alone,
+/// independently of the code that made it and with exact signs. Collective. NM_OK means that the check
+/// ran; what it found is in report, the same on all ranks.
+///
+/// level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name, across
+/// ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex;
+/// stars, links, Euler characteristic, sizes of the whole); 2 also geometry (orientations, Delaunay on
+/// every facet and convexity at every hull ridge, whichever ranks are on the two sides); 3 also the
+/// promises (inputs kept bit for bit, duplicates with the first of them, kinds and domains in range, a
+/// finished mesh of one domain, the quality bound of the run). A mesh is right if report->level equals
+/// level, or equivalently report->violations is 0.
+///
+/// Not checked, beside what nm_mesh_validate checks: windings round faces of codimension two, and the
+/// balls, tree and cages of domains, which ranks do not have. So level 3 says nothing of encroachment
+/// and of the union cells of cages. Cells are not bounded at vertices of cages, at inputs with
+/// neighbours in several domains, at edges of at most 2^-40 of the largest coordinate there, with the
+/// radius-edge ratio where several domains meet, and where epsilon is above 0.8 cage_scale in meshes of
+/// several domains.
+///
+/// report: of the rank; the caller sets struct_size.
+///
+/// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level,
+/// report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE (an earlier call on the mesh has
+/// failed), NM_PANIC.
+///
+/// A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
+///
+/// O(local_vertices + (local_simplices + ghosts) log) on each rank.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_validate(
+    mesh: *const nm_mpi_mesh,
+    level: u32,
+    report: *mut nm_mpi_report,
+) -> nm_status {
+    barrier(|| {
+        // SAFETY: the caller gave NULL or a live handle.
+        let handle = unsafe { handle(mesh)? };
+        let comm = handle.comm.again();
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let out = agreed(&comm, || unsafe { OutStruct::new("report", report) })?;
+        out.write(&encode(&validate(&comm, &handle.mesh, level)?));
+        Ok(())
+    })
+}
+
+fn encode(report: &Report) -> nm_mpi_report {
+    let first = report.first.as_ref();
+    let mut message = [0; 160];
+    // At most 159 bytes, so one is left for the NUL.
+    let text = first.map_or("", |violation| &violation.message);
+    for (to, from) in message[..159].iter_mut().zip(text.bytes()) {
+        *to = from as c_char;
+    }
+    let none = nm_mpi_violation::NM_MPI_VIOLATION_NONE;
+    nm_mpi_report {
+        struct_size: size_of::<nm_mpi_report>() as u32,
+        level: report.level,
+        violations: report.violations,
+        checked: report.checked,
+        kind: first.map_or(none, |violation| violation.rule.into()),
+        rank: first.map_or(NONE, |violation| violation.rank as u32),
+        simplex: first.map_or(NO_ID, |violation| violation.simplex),
+        vertex: first.map_or(NO_ID, |violation| violation.vertex),
+        message,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::{Rule, Violation};
+
+    #[test]
+    fn reports_reach_c() {
+        let clean = encode(&Report { level: 3, checked: 9, ..Report::default() });
+        assert_eq!((clean.level, clean.checked, clean.violations), (3, 9, 0));
+        assert_eq!((clean.kind as i32, clean.rank, clean.message[0]), (0, NONE, 0));
+        let violation = Violation::new(Rule::Ghost, 2, "g".repeat(300)).simplex(1 << 40);
+        let broken = Report { violations: 1, first: Some(violation), ..Report::default() };
+        let broken = encode(&broken);
+        assert_eq!((broken.kind as i32, broken.rank), (54, 2));
+        assert_eq!((broken.simplex, broken.vertex), (1 << 40, NO_ID));
+        assert_eq!(broken.message[158..], [b'g' as c_char, 0]);
+    }
+}

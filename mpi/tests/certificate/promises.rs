@@ -1,0 +1,60 @@
+//! Level 3.
+
+use super::made::{assert_broken, move_vertex, ulp_up};
+use netmesh::Criterion;
+use netmesh_mpi::DistributedMesh;
+use netmesh_mpi::certificate::Rule;
+use netmesh_mpi::distributed::NO_ID;
+
+#[test]
+fn promises_are_checked() {
+    for dim in [2, 3] {
+        assert_broken(dim, Rule::InputVertex, 2, |parts| parts[0].inputs[0] += 0.25);
+        // An input that moves by one bit is another point.
+        assert_broken(dim, Rule::InputVertex, 2, |parts| ulp_up(&mut parts[1].inputs[0]));
+        // Zeros compare equal, and have the bits of the first.
+        assert_broken(dim, Rule::InputBits, 2, |parts| {
+            let zero = |part: &DistributedMesh| {
+                let is_zero = |v: &usize| part.point(*v as u32).iter().all(|x| *x == 0.0);
+                (0..part.vertex_ids.len()).find(is_zero).map(|v| part.vertex_ids[v])
+            };
+            let id = parts.iter().find_map(zero).unwrap();
+            move_vertex(parts, id, &vec![-0.0; dim]);
+        });
+        assert_broken(dim, Rule::VertexKind, 2, |parts| set_kind(parts, 0, 1));
+        assert_broken(dim, Rule::VertexDomain, 2, |parts| {
+            parts.iter_mut().for_each(|part| part.vertex_domains.fill(1 << 40));
+        });
+        assert_broken(dim, Rule::HullVertex, 2, |parts| {
+            let part = &parts[0];
+            let slot = part.neighbors.iter().position(|neighbor| *neighbor == NO_ID).unwrap();
+            let (simplex, slot) = (slot / (dim + 1), slot % (dim + 1));
+            let vertex = part.simplex(simplex)[(slot + 1) % (dim + 1)] as usize;
+            let id = part.vertex_ids[vertex];
+            set_kind(parts, id, 1);
+        });
+        assert_broken(dim, Rule::VertexAspect, 2, |parts| {
+            parts.iter_mut().for_each(|part| part.promise.quality_bound = 1.1);
+        });
+        assert_broken(dim, Rule::RadiusEdge, 2, |parts| {
+            for part in parts {
+                part.promise.quality_bound = 0.6;
+                part.promise.criterion = Criterion::RadiusEdge;
+            }
+        });
+        assert_broken(dim, Rule::NotFinished, 2, |parts| {
+            for part in parts {
+                part.promise.is_finished = true;
+                part.totals.domains += 1;
+            }
+        });
+    }
+}
+
+fn set_kind(parts: &mut [DistributedMesh], id: u64, kind: u8) {
+    for part in parts {
+        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
+            part.kinds[at] = kind;
+        }
+    }
+}

@@ -33,7 +33,9 @@ impl<const D: usize> Input<D> {
     /// An order of points that knows nothing of ranks.
     fn order(&self, other: &Self) -> Ordering {
         let coordinates = self.point.iter().zip(&other.point);
-        let order = coordinates.map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+        // Zeros are equal, whatever their signs.
+        let mut orders = coordinates.map(|(a, b)| (a + 0.0).total_cmp(&(b + 0.0)));
+        let order = orders.find(|order| order.is_ne());
         order.unwrap_or(Ordering::Equal).then(self.name.cmp(&other.name))
     }
 }
@@ -121,7 +123,8 @@ fn least<const D: usize>(
     measure: impl Fn(&[f64; D]) -> f64,
 ) -> Result<Option<Input<D>>> {
     let order = |a: &Input<D>, b: &Input<D>| {
-        measure(&a.point).total_cmp(&measure(&b.point)).then_with(|| a.order(b))
+        let [own, other] = [a, b].map(|input| measure(&input.point) + 0.0);
+        own.total_cmp(&other).then_with(|| a.order(b))
     };
     let mut message = Vec::new();
     if let Some(own) = inputs.min_by(&order) {

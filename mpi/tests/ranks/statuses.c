@@ -80,7 +80,7 @@ static void bad_arguments(const cloud *points, double *own)
 
     nm_mpi_mesh *mesh = NULL;
     expect_same(nm_mpi_run(MPI_COMM_WORLD, is_last ? 9 : points->dim, points->local, own, NULL, &mesh),
-                NM_DIMENSION, "dim is 9; it must be 2 to 8");
+                NM_DIMENSION, "dim is 9; meshes of several ranks are of 2 or 3");
     expect_same(nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, NULL, is_last ? NULL : &mesh),
                 NM_NULL_ARGUMENT, "mesh is NULL");
     CHECK(mesh == NULL);

@@ -135,7 +135,7 @@ impl<const D: usize> Coarse<D> {
         let mut before = 0u64;
         let mut partition_of = filled(self.sample, 0u32)?;
         for (partition, weight) in partition_of.iter_mut().zip(weights) {
-            let middle = u128::from(before + (1 + weight) / 2);
+            let middle = u128::from(before + weight.div_ceil(2));
             *partition = (middle * count as u128 / u128::from(total)) as u32;
             before += 1 + weight;
         }

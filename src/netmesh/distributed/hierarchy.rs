@@ -4,7 +4,7 @@
 use super::names::{NOTHING, ROOT_NAME, made_by};
 use super::piece::{Corner, NamedDomain, Piece};
 use crate::complex::VertexId;
-use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::netmesh::cages::domains::{DomainId, Hierarchy, ROOT};
 
 /// What a partition knows of its domains beside their hierarchy.
@@ -158,17 +158,15 @@ impl Domains {
         piece: &mut Piece<D>,
     ) -> AllocResult<()> {
         piece.released = std::mem::take(&mut self.released);
-        let mut is_dead = filled(hierarchy.len(), false)?;
-        for at in 0..hierarchy.len() {
-            let domain = DomainId::new(at);
-            is_dead[at] = !hierarchy.node(domain).alive;
-            if is_dead[at] && at < self.known {
-                let taker = hierarchy.find(domain);
-                piece.released.try_push([self.names[at], self.name(taker)])?;
+        for domain in (0..hierarchy.len()).map(DomainId::new) {
+            if !hierarchy.node(domain).alive {
+                if domain.index() < self.known {
+                    let taker = hierarchy.find(domain);
+                    piece.released.try_push([self.name(domain), self.name(taker)])?;
+                }
+                continue;
             }
-        }
-        for at in (0..hierarchy.len()).filter(|&at| !is_dead[at]) {
-            let domain = DomainId::new(at);
+            let at = domain.index();
             let parent = hierarchy.parent(domain);
             let node = hierarchy.node(domain);
             let (center, cage) = match self.fixed[at].take() {

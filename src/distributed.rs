@@ -2,5 +2,5 @@
 //! what it sends. Communication is its own. [`Coarse`] tells the way.
 
 pub use crate::netmesh::distributed::{
-    Coarse, Counts, HULL, INTERFACE, MADE, Maker, NO_DOMAIN, Piece, PlainDomain, PlainPiece, RINGS,
+    Coarse, HULL, INTERFACE, MADE, Maker, NO_DOMAIN, Piece, PlainDomain, PlainPiece, RINGS,
 };

@@ -3,7 +3,7 @@
 
 use super::hierarchy::{Domains, with_domains};
 use super::names::{NOTHING, is_input, made_by};
-use super::piece::{Corner, Counts, Piece};
+use super::piece::{Corner, Piece};
 use crate::complex::{Complex, SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
@@ -26,7 +26,6 @@ pub(super) struct Assembly<const D: usize> {
     pub domains: Domains,
     pub outer: Vec<[u64; D]>,
     pub encroaching: Vec<u64>,
-    pub counts: Counts,
     pub state: State<D>,
 }
 
@@ -89,10 +88,8 @@ impl<const D: usize> Assembly<D> {
             true => Interface::default(),
             false => Interface::new(domains.non_owned()?),
         };
-        let mut counts = Counts::default();
         let mut encroaching = Vec::new();
         for piece in pieces {
-            counts.add(&piece.counts);
             encroaching.try_extend(&piece.encroaching)?;
         }
         let seed = u128::from(parameters.seed) << 64 | u128::from(maker);
@@ -115,7 +112,7 @@ impl<const D: usize> Assembly<D> {
             stats: Stats::default(),
             parameters: parameters.clone(),
         };
-        Ok(Self { names, domains, outer: outer(pieces)?, encroaching, counts, state })
+        Ok(Self { names, domains, outer: outer(pieces)?, encroaching, state })
     }
 
     /// Goes through rounds and refinement, as far as the interface allows, and becomes a piece.
@@ -158,7 +155,6 @@ impl<const D: usize> Assembly<D> {
         let mut piece = Piece {
             outer: std::mem::take(&mut self.outer),
             encroaching: std::mem::take(&mut self.encroaching),
-            counts: self.all_counts(),
             maker,
             ..Piece::default()
         };
@@ -166,21 +162,6 @@ impl<const D: usize> Assembly<D> {
         self.write_corners(&mut piece)?;
         self.domains.write(&mut self.state.hierarchy, &self.names, &mut piece)?;
         Ok(piece)
-    }
-
-    fn all_counts(&self) -> Counts {
-        let stats = &self.state.stats;
-        let mut counts = self.counts;
-        counts.add(&Counts {
-            touches: self.state.conflict_lists.total_touches(),
-            simplices_created: self.state.delaunay.simplices_created(),
-            exact_fallbacks: self.state.delaunay.exact_fallbacks(),
-            yields: stats.yields,
-            cages_created: stats.cages_created,
-            cages_grown: stats.cages_grown,
-            cages_released: stats.cages_released,
-        });
-        counts
     }
 
     /// Simplices with the ids that they have here for vertices; [`Self::write_corners`] puts in

@@ -1,6 +1,6 @@
 //! Pieces as bytes, to be sent. All numbers are written with the least byte first.
 
-use super::piece::{Corner, Counts, NamedDomain, Piece};
+use super::piece::{Corner, NamedDomain, Piece};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, with_capacity};
 
@@ -109,16 +109,6 @@ sent_fields!(
 );
 sent_fields!(NamedDomain<const D>, name, parent, point, radius, outside, center, cage, version);
 sent_fields!(
-    Counts,
-    touches,
-    simplices_created,
-    exact_fallbacks,
-    yields,
-    cages_created,
-    cages_grown,
-    cages_released
-);
-sent_fields!(
     Piece<const D>,
     corners,
     waiting,
@@ -129,7 +119,6 @@ sent_fields!(
     released,
     outer,
     encroaching,
-    counts,
     maker
 );
 

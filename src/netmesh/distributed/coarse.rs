@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, First};
 use super::hierarchy::Domains;
 use super::maker::Maker;
-use super::piece::{Counts, Piece};
+use super::piece::Piece;
 use crate::complex::VertexId;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
@@ -54,7 +54,6 @@ impl<const D: usize> Coarse<D> {
             domains: Domains::default(),
             outer: Vec::new(),
             encroaching: Vec::new(),
-            counts: Counts::default(),
             state,
         };
         let piece = made.into_piece(0)?;
@@ -75,15 +74,6 @@ impl<const D: usize> Coarse<D> {
 
     pub fn maker(&self) -> &Maker<D> {
         &self.maker
-    }
-
-    /// What was counted. All processes have counted the same.
-    pub fn counts(&self) -> &Counts {
-        &self.piece.counts
-    }
-
-    pub fn simplex_count(&self) -> usize {
-        self.piece.simplex_count()
     }
 
     /// For each point the simplex that it is in, `u32::MAX` if it is of the sample. That does not

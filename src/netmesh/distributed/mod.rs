@@ -34,6 +34,6 @@ mod tests;
 pub use coarse::Coarse;
 pub use maker::Maker;
 pub use names::MADE;
-pub use piece::{Counts, Piece};
+pub use piece::Piece;
 pub use plain::{HULL, INTERFACE, NO_DOMAIN, PlainDomain, PlainPiece};
 pub use seam::RINGS;

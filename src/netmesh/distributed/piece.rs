@@ -27,7 +27,6 @@ pub struct Piece<const D: usize> {
     pub(super) outer: Vec<[u64; D]>,
     /// Inputs that encroach a domain around their cage, which had to stay as it is.
     pub(super) encroaching: Vec<u64>,
-    pub(super) counts: Counts,
     /// The number of the partition that made it.
     pub(super) maker: u32,
 }
@@ -61,30 +60,6 @@ pub(super) struct NamedDomain<const D: usize> {
     pub version: u64,
 }
 
-/// What was counted while the piece was made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    pub touches: u64,
-    pub simplices_created: u64,
-    pub exact_fallbacks: u64,
-    pub yields: u64,
-    pub cages_created: u64,
-    pub cages_grown: u64,
-    pub cages_released: u64,
-}
-
-impl Counts {
-    pub fn add(&mut self, other: &Self) {
-        self.touches += other.touches;
-        self.simplices_created += other.simplices_created;
-        self.exact_fallbacks += other.exact_fallbacks;
-        self.yields += other.yields;
-        self.cages_created += other.cages_created;
-        self.cages_grown += other.cages_grown;
-        self.cages_released += other.cages_released;
-    }
-}
-
 impl<const D: usize> Piece<D> {
     pub(super) const CORNERS: usize = D + 1;
 
@@ -96,11 +71,6 @@ impl<const D: usize> Piece<D> {
     /// pieces that knows nothing of where they are.
     pub fn maker(&self) -> u32 {
         self.maker
-    }
-
-    /// Inputs that wait for their insertion.
-    pub fn waiting_count(&self) -> usize {
-        self.waiting.len()
     }
 
     pub(super) fn vertices_of(&self, simplex: usize) -> &[u32] {

@@ -37,9 +37,7 @@ impl<const D: usize> Piece<D> {
     ) -> Result<(Self, Self)> {
         let out = self.select(&is_out, &mut tick)?;
         is_out.iter_mut().for_each(|is_out| *is_out = !*is_out);
-        let mut left = self.select(&is_out, &mut tick)?;
-        left.counts = self.counts;
-        Ok((left, out))
+        Ok((self.select(&is_out, &mut tick)?, out))
     }
 
     /// The names of vertices where something is left to do, and of the centres and cages of the

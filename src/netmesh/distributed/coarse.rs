@@ -129,7 +129,9 @@ impl<const D: usize> Coarse<D> {
             *partition = (middle * count as u128 / u128::from(total)) as u32;
             before += 1 + weight;
         }
-        Ok(collected(self.anchors.iter().map(|&anchor| partition_of[anchor as usize]))?)
+        let mut all = collected(self.anchors.iter().map(|&anchor| partition_of[anchor as usize]))?;
+        self.piece.beyond_hull().for_each(|(infinite, finite)| all[infinite] = all[finite]);
+        Ok(all)
     }
 
     /// Partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]), and the

@@ -161,6 +161,26 @@ impl<const D: usize> Piece<D> {
         Ok(selected)
     }
 
+    /// The infinite simplices, each with the finite one that it shares a facet of the hull with.
+    pub(super) fn beyond_hull(&self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.simplex_count()).filter_map(|simplex| {
+            let infinite =
+                self.vertices_of(simplex).iter().position(|&vertex| vertex == u32::MAX)?;
+            Some((simplex, self.neighbors_of(simplex)[infinite] as usize))
+        })
+    }
+
+    /// Marks infinite simplices as the finite ones beside them, so that a facet of the hull is not
+    /// at an interface: both if one of them is marked.
+    pub(super) fn keep_hull_together(&self, is_marked: &mut [bool]) {
+        for (infinite, finite) in self.beyond_hull() {
+            is_marked[finite] |= is_marked[infinite];
+        }
+        for (infinite, finite) in self.beyond_hull() {
+            is_marked[infinite] = is_marked[finite];
+        }
+    }
+
     /// Domain -> whether one of `corners` is in it or in its cage, or one of the `others` is it, or
     /// either of a domain within it.
     pub(super) fn domains_around<'a>(

@@ -35,6 +35,7 @@ impl<const D: usize> Piece<D> {
         mut is_out: Vec<bool>,
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<(Self, Self)> {
+        self.keep_hull_together(&mut is_out);
         let out = self.select(&is_out, &mut tick)?;
         is_out.iter_mut().for_each(|is_out| *is_out = !*is_out);
         Ok((self.select(&is_out, &mut tick)?, out))

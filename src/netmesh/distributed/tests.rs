@@ -90,6 +90,10 @@ fn run<const D: usize>(
         seams = next;
     }
     settled.extend(seams.into_iter().flatten());
+    for piece in &settled {
+        // Otherwise nobody would know that the facet is on the hull, once infinite simplices are gone.
+        assert!(piece.beyond_hull().all(|(infinite, finite)| infinite != finite));
+    }
     let mut rings = 2;
     loop {
         let mut names = settled.last().unwrap().unsettled_names().unwrap();

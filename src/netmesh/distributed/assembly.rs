@@ -26,6 +26,9 @@ pub(super) struct Assembly<const D: usize> {
     pub domains: Domains,
     pub outer: Vec<[u64; D]>,
     pub encroaching: Vec<u64>,
+    /// Vertices that others have simplices at, each with its distance to the nearest other vertex
+    /// when the pieces were put together; negative if it has fallen before.
+    pub shared: Vec<(VertexId, f64)>,
     pub state: State<D>,
 }
 
@@ -88,9 +91,17 @@ impl<const D: usize> Assembly<D> {
             true => Interface::default(),
             false => Interface::new(domains.non_owned()?),
         };
-        let mut encroaching = Vec::new();
+        let (mut encroaching, mut nearer) = (Vec::new(), Vec::new());
         for piece in pieces {
             encroaching.try_extend(&piece.encroaching)?;
+            nearer.try_extend(&piece.nearer)?;
+        }
+        nearer.sort_unstable();
+        let mut nearest_of_shared = Vec::new();
+        for vertex in VertexId::below(count).filter(|&vertex| shared[vertex]) {
+            let has_fallen = nearer.binary_search(&names[vertex]).is_ok();
+            let nearest = if has_fallen { -1.0 } else { cells[vertex].nearest };
+            nearest_of_shared.try_push((vertex, nearest))?;
         }
         let seed = u128::from(parameters.seed) << 64 | u128::from(maker);
         let state = State {
@@ -112,7 +123,14 @@ impl<const D: usize> Assembly<D> {
             stats: Stats::default(),
             parameters: parameters.clone(),
         };
-        Ok(Self { names, domains, outer: outer(pieces)?, encroaching, state })
+        Ok(Self {
+            names,
+            domains,
+            outer: outer(pieces)?,
+            encroaching,
+            shared: nearest_of_shared,
+            state,
+        })
     }
 
     /// Goes through rounds and refinement, as far as the interface allows, and becomes a piece.
@@ -183,10 +201,21 @@ impl<const D: usize> Assembly<D> {
             piece.neighbors.extend(neighbors.map(|neighbor| ids[neighbor.index()]));
             piece.is_unsettled.push(self.state.conflict_lists.count(simplex) > 0);
         }
+        let mut is_nearer = filled(self.state.delaunay.point_count(), false)?;
+        for &(vertex, before) in &self.shared {
+            // A distance that had fallen before is below that of any vertex.
+            if before < 0.0 || self.state.cells[vertex].nearest < before {
+                is_nearer[vertex.index()] = true;
+                piece.nearer.try_push(self.names[vertex.index()])?;
+            }
+        }
         for &simplex in &self.state.interface.blocked {
             if complex.is_live(simplex) && self.state.refine_list.is_limited(simplex) {
                 piece.is_unsettled[ids[simplex.index()] as usize] = true;
             }
+        }
+        for simplex in live().filter(|&simplex| self.has_nearer(simplex, &is_nearer)) {
+            piece.is_unsettled[ids[simplex.index()] as usize] = true;
         }
         for input in VertexId::below(self.state.inputs) {
             if !complex.contains_vertex(input) {
@@ -195,6 +224,11 @@ impl<const D: usize> Assembly<D> {
             }
         }
         Ok(())
+    }
+
+    fn has_nearer(&self, simplex: SimplexId, is_nearer: &[bool]) -> bool {
+        let mut vertices = self.state.delaunay.complex().vertices(simplex).iter();
+        vertices.any(|vertex| is_nearer.get(vertex.index()) == Some(&true))
     }
 
     /// Waiting inputs first, then the vertices of simplices.

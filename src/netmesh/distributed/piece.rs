@@ -27,6 +27,9 @@ pub struct Piece<const D: usize> {
     pub(super) outer: Vec<[u64; D]>,
     /// Inputs that encroach a domain around their cage, which had to stay as it is.
     pub(super) encroaching: Vec<u64>,
+    /// Vertices that came nearer to others in this piece, or in one that it was made of, while other
+    /// pieces have simplices at them: those may have got bad.
+    pub(super) nearer: Vec<u64>,
     /// The number of the partition that made it.
     pub(super) maker: u32,
 }
@@ -156,8 +159,8 @@ impl<const D: usize> Piece<D> {
         selected.domains = collected(around.map(|(domain, _)| domain.clone()))?;
         selected.released = collected(self.released.iter().copied())?;
         selected.outer = self.outer_of(&selected)?;
-        let has = |name: &&u64| selected.corners.iter().any(|corner| corner.name == **name);
-        selected.encroaching = collected(self.encroaching.iter().filter(has).copied())?;
+        selected.encroaching = selected.own_names(&self.encroaching)?;
+        selected.nearer = selected.own_names(&self.nearer)?;
         Ok(selected)
     }
 
@@ -213,6 +216,20 @@ impl<const D: usize> Piece<D> {
         }
         others.for_each(want);
         Ok(is_wanted)
+    }
+
+    /// Those of `names` that are of vertices of this piece.
+    fn own_names(&self, names: &[u64]) -> AllocResult<Vec<u64>> {
+        let mut wanted = collected(names.iter().copied())?;
+        wanted.sort_unstable();
+        let corners = self.corners.iter().map(|corner| corner.name);
+        let mut own = Vec::new();
+        if !wanted.is_empty() {
+            for name in corners.filter(|name| wanted.binary_search(name).is_ok()) {
+                own.try_push(name)?;
+            }
+        }
+        Ok(own)
     }
 
     /// The outer facets of this piece that `selected` has.

@@ -26,9 +26,10 @@ pub(super) struct Assembly<const D: usize> {
     pub domains: Domains,
     pub outer: Vec<[u64; D]>,
     pub encroaching: Vec<u64>,
-    /// Vertices that others have simplices at, each with its distance to the nearest other vertex
-    /// when the pieces were put together; negative if it has fallen before.
-    pub shared: Vec<(VertexId, f64)>,
+    /// The vertices of simplices at interfaces, which stay as they are even if they get bad, each
+    /// with its distance to the nearest other vertex when the pieces were put together; negative if
+    /// it has fallen before.
+    pub watched: Vec<(VertexId, f64)>,
     pub state: State<D>,
 }
 
@@ -71,10 +72,11 @@ impl<const D: usize> Assembly<D> {
         let mut cells = Array::with_capacity(count)?;
         for corner in &vertices.corners {
             points.try_push(corner.point)?;
-            cells.try_push(Cell { nearest: corner.nearest, farthest: corner.farthest })?;
+            cells.try_push(Cell { nearest: corner.nearest, ..Cell::NEW })?;
         }
         let delaunay = Delaunay::of_complex(points, complex, || watch.poll_after(1))?;
         let shared = delaunay.interface_vertices()?;
+        measure_farthest(&mut cells, &delaunay, &shared);
         let names = collected(vertices.corners.iter().map(|corner| corner.name))?;
         let (hierarchy, domains): (Hierarchy<D>, Domains) =
             with_domains(pieces, &vertices.corners, &names, &shared)?;
@@ -97,11 +99,12 @@ impl<const D: usize> Assembly<D> {
             nearer.try_extend(&piece.nearer)?;
         }
         nearer.sort_unstable();
-        let mut nearest_of_shared = Vec::new();
-        for vertex in VertexId::below(count).filter(|&vertex| shared[vertex]) {
+        let mut watched = Vec::new();
+        let is_watched = at_interface(&delaunay)?;
+        for vertex in VertexId::below(count).filter(|&vertex| is_watched[vertex]) {
             let has_fallen = nearer.binary_search(&names[vertex]).is_ok();
             let nearest = if has_fallen { -1.0 } else { cells[vertex].nearest };
-            nearest_of_shared.try_push((vertex, nearest))?;
+            watched.try_push((vertex, nearest))?;
         }
         let seed = u128::from(parameters.seed) << 64 | u128::from(maker);
         let state = State {
@@ -123,14 +126,7 @@ impl<const D: usize> Assembly<D> {
             stats: Stats::default(),
             parameters: parameters.clone(),
         };
-        Ok(Self {
-            names,
-            domains,
-            outer: outer(pieces)?,
-            encroaching,
-            shared: nearest_of_shared,
-            state,
-        })
+        Ok(Self { names, domains, outer: outer(pieces)?, encroaching, watched, state })
     }
 
     /// Goes through rounds and refinement, as far as the interface allows, and becomes a piece.
@@ -202,7 +198,7 @@ impl<const D: usize> Assembly<D> {
             piece.is_unsettled.push(self.state.conflict_lists.count(simplex) > 0);
         }
         let mut is_nearer = filled(self.state.delaunay.point_count(), false)?;
-        for &(vertex, before) in &self.shared {
+        for &(vertex, before) in &self.watched {
             // A distance that had fallen before is below that of any vertex.
             if before < 0.0 || self.state.cells[vertex].nearest < before {
                 is_nearer[vertex.index()] = true;
@@ -246,7 +242,7 @@ impl<const D: usize> Assembly<D> {
         piece.corners = with_capacity(order.len())?;
         for vertex in order {
             let is_inserted = self.state.delaunay.complex().contains_vertex(vertex);
-            let Cell { nearest, farthest } = self.state.cells[vertex];
+            let Cell { nearest, .. } = self.state.cells[vertex];
             let hierarchy = &mut self.state.hierarchy;
             let cage = hierarchy.cage_of(vertex);
             let domain = is_inserted.then(|| hierarchy.domain_of(vertex));
@@ -254,7 +250,6 @@ impl<const D: usize> Assembly<D> {
                 name: self.names[vertex.index()],
                 point: *self.state.delaunay.point(vertex),
                 nearest,
-                farthest,
                 domain: domain.map_or(NOTHING, |domain| self.domains.name(domain)),
                 cage: self.domains.name(cage),
                 is_precision_limited: limited[vertex.index()],
@@ -305,6 +300,35 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(false);
             }
         }
+    }
+}
+
+/// Vertex -> whether it is of a simplex at an interface.
+fn at_interface<const D: usize>(delaunay: &Delaunay<D>) -> AllocResult<Vec<bool>> {
+    let complex = delaunay.complex();
+    let mut is_at_interface = filled(delaunay.point_count(), false)?;
+    for simplex in complex.simplices() {
+        if (0..=D).any(|index| complex.is_interface(simplex, index)) {
+            for vertex in complex.vertices(simplex).iter().filter(|vertex| vertex.is_valid()) {
+                is_at_interface[vertex.index()] = true;
+            }
+        }
+    }
+    Ok(is_at_interface)
+}
+
+/// The farthest corner of each vertex; that of a `shared` one is not known.
+fn measure_farthest<const D: usize>(cells: &mut [Cell], delaunay: &Delaunay<D>, shared: &[bool]) {
+    for simplex in delaunay.complex().simplices() {
+        if let Some(radius) = delaunay.ball(simplex).map(|ball| ball.radius()) {
+            for &vertex in delaunay.complex().vertices(simplex) {
+                let cell = &mut cells[vertex.index()];
+                cell.farthest = cell.farthest.max(radius);
+            }
+        }
+    }
+    for (cell, _) in cells.iter_mut().zip(shared).filter(|(_, is_shared)| **is_shared) {
+        cell.farthest = f64::INFINITY;
     }
 }
 
@@ -384,7 +408,6 @@ fn number<const D: usize>(
         ids[at as usize][vertex as usize] = known;
         let corner: &mut Corner<D> = &mut corners[known as usize];
         corner.nearest = corner.nearest.min(own.nearest);
-        corner.farthest = corner.farthest.max(own.farthest);
         corner.is_precision_limited |= own.is_precision_limited;
         if corner.domain == NOTHING {
             corner.domain = own.domain;

@@ -105,7 +105,7 @@ macro_rules! sent_fields {
 }
 
 sent_fields!(
-    Corner<const D>, name, point, nearest, farthest, domain, cage, is_precision_limited
+    Corner<const D>, name, point, nearest, domain, cage, is_precision_limited
 );
 sent_fields!(NamedDomain<const D>, name, parent, point, radius, outside, center, cage, version);
 sent_fields!(

@@ -54,7 +54,7 @@ impl<const D: usize> Coarse<D> {
             domains: Domains::default(),
             outer: Vec::new(),
             encroaching: Vec::new(),
-            shared: Vec::new(),
+            watched: Vec::new(),
             state,
         };
         let piece = made.into_piece(0)?;

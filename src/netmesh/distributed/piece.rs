@@ -27,8 +27,8 @@ pub struct Piece<const D: usize> {
     pub(super) outer: Vec<[u64; D]>,
     /// Inputs that encroach a domain around their cage, which had to stay as it is.
     pub(super) encroaching: Vec<u64>,
-    /// Vertices that came nearer to others in this piece, or in one that it was made of, while other
-    /// pieces have simplices at them: those may have got bad.
+    /// Vertices that came nearer to others in this piece, or in one that it was made of, and have
+    /// simplices in other pieces, or at interfaces: those may have got bad.
     pub(super) nearer: Vec<u64>,
     /// The number of the partition that made it.
     pub(super) maker: u32,
@@ -39,9 +39,8 @@ pub struct Piece<const D: usize> {
 pub(super) struct Corner<const D: usize> {
     pub name: u64,
     pub point: [f64; D],
-    /// As in [`crate::netmesh::state::Cell`].
+    /// The distance to the nearest other vertex, as far as the piece knows.
     pub nearest: f64,
-    pub farthest: f64,
     /// The innermost domain; nothing for an input that waits.
     pub domain: u64,
     /// The domain whose cage it is part of, or nothing.
@@ -265,7 +264,6 @@ impl<const D: usize> Piece<D> {
                 name,
                 point,
                 nearest: f64::INFINITY,
-                farthest: 0.0,
                 domain: NOTHING,
                 cage: NOTHING,
                 is_precision_limited: false,

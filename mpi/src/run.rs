@@ -30,6 +30,12 @@ pub fn run(
     agreed(comm, || check_equal(comm, dim, options))?;
     let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress))?;
     let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;
+    // A partition knows its own vertices only.
+    if options.max_vertices != 0 && mesh.totals.vertices > options.max_vertices {
+        let (most, made) = (options.max_vertices, mesh.totals.vertices);
+        let message = format!("options.max_vertices is {most}; the mesh has {made}");
+        return Err(Error::new(ErrorKind::Limit, message));
+    }
     // The options held for the run.
     mesh.promise = Promise::of(&Parameters::resolve(dim, options)?);
     Ok(mesh)

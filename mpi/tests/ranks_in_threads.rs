@@ -223,7 +223,7 @@ fn what_does_not_fit_together_is_told_to_all() {
         (
             |_, points, _, _| points.clear(),
             ErrorKind::DegenerateInput,
-            "no rank has a point; a mesh needs at least two distinct points",
+            "0 points, 0 of them distinct",
         ),
     ];
     for (change, kind, message) in changes {

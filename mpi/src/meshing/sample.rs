@@ -100,7 +100,7 @@ fn ends<const D: usize, I: Iterator<Item = Input<D>>>(
     }
     let center = least(comm, inputs(), |point| netmesh::numerics::distance(point, &middle))?;
     let Some(center) = center else {
-        let message = "no rank has a point; a mesh needs at least two distinct points";
+        let message = "0 points, 0 of them distinct; a mesh needs at least two distinct points";
         return Err(Error::new(ErrorKind::DegenerateInput, message));
     };
     let farthest =

@@ -20,6 +20,17 @@ pub fn words_of(bytes: &[u8]) -> impl ExactSizeIterator<Item = u64> + Clone + '_
     bytes.chunks_exact(8).map(|word| u64::from_le_bytes(word.try_into().unwrap_or_default()))
 }
 
+/// What chooses something by these words alone: mixed as by Steele, Lea and Flood, "Fast splittable
+/// pseudorandom number generators", 2014.
+pub fn hash(words: &[u64]) -> u64 {
+    words.iter().fold(0, |hash, word| {
+        let mixed = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ mixed >> 31
+    })
+}
+
 /// Takes a message apart.
 pub struct Words<'a> {
     rest: &'a [u8],

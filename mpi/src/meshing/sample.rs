@@ -3,7 +3,7 @@
 
 use crate::comm::{Communicator, agreed};
 use crate::memory::{TryGrow, collected};
-use crate::words::{append, words_of};
+use crate::words::{append, hash, words_of};
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
@@ -135,15 +135,4 @@ fn least<const D: usize>(
         all.try_extend(&inputs_of(&bytes)?)?;
     }
     Ok(all.into_iter().min_by(&order))
-}
-
-/// What chooses the sample: mixed as by Steele, Lea and Flood, "Fast splittable pseudorandom number
-/// generators", 2014.
-fn hash(words: &[u64]) -> u64 {
-    words.iter().fold(0, |hash, word| {
-        let mixed = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ mixed >> 31
-    })
 }

@@ -4,7 +4,7 @@ use super::defect;
 use super::merged::Merged;
 use crate::comm::Communicator;
 use crate::memory::{TryGrow, collected, filled, with_capacity};
-use crate::words::{Words, append};
+use crate::words::{Words, append, hash};
 use netmesh::Result;
 use netmesh::mesh::MAX_DIM;
 
@@ -19,16 +19,9 @@ pub struct Crossing {
     pub rank: u32,
 }
 
-/// The rank that knows about something with these names; mixed as by Steele, Lea and Flood, "Fast
-/// splittable pseudorandom number generators", 2014.
+/// The rank that knows about something with these names.
 fn keeper(names: &[u64], ranks: usize) -> usize {
-    let mix = |hash: u64, name: &u64| {
-        let mixed = (hash ^ name).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ mixed >> 31
-    };
-    (names.iter().fold(0, mix) % ranks as u64) as usize
+    (hash(names) % ranks as u64) as usize
 }
 
 pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {

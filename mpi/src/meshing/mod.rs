@@ -1,7 +1,7 @@
 //! The algorithm (the core's `distributed` has its parts): all ranks make the same coarse mesh of a
 //! sample of the inputs ([`sample`]), which is cut into partitions ([`partitions`]). Each rank makes
-//! some of them; what they leave at their interfaces is joined along a tree, and what is left then is
-//! taken out of all of them once more ([`tree`]). The pieces stay on the ranks where they were made.
+//! some of them; what they leave at their interfaces is cut anew and joined, in phases, and what is left
+//! then is taken out of all of them once more ([`phases`]). The pieces stay on the ranks where they were made.
 //!
 //! The partitions follow from the inputs alone, each is made of the same pieces on any rank, and no
 //! number of a rank enters any: so the mesh is the same on any number of ranks. A rank has its
@@ -9,8 +9,8 @@
 
 mod finish;
 mod partitions;
+mod phases;
 mod sample;
-mod tree;
 
 use crate::comm::{Communicator, agreed};
 use crate::memory::collected;
@@ -56,10 +56,9 @@ fn mesh_in<const D: usize>(
         );
         watch.next(0.05, |progress| Coarse::new(&own, &names, options, Some(progress)))
     })?;
-    drop(sample);
-    let own = partitions::share(comm, &coarse, &points, first, total, watch)?;
-    drop(points);
-    let pieces = tree::make(comm, &coarse, own, watch)?;
+    let own = partitions::share(comm, &coarse, &sample, &points, [first, total], watch)?;
+    drop((sample, points));
+    let pieces = phases::make(comm, &coarse, own, watch)?;
     finish::finish(comm, pieces)
 }
 

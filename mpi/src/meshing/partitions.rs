@@ -3,11 +3,11 @@
 
 use super::Watch;
 use super::sample::{Input, keep_distinct};
-use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected, filled, with_capacity};
+use crate::comm::{Communicator, agreed};
+use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{append, words_of};
 use netmesh::Result;
-use netmesh::distributed::{Coarse, Piece};
+use netmesh::distributed::{Bisection, Coarse, Piece};
 
 /// Inputs of a partition of a large mesh, and the least that a partition of a small one has.
 const LARGE: u64 = 1 << 18;
@@ -17,7 +17,7 @@ const SMALL: u64 = 1 << 9;
 const FEW: u64 = 8;
 
 /// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
-fn partition_count(total: u64) -> usize {
+pub fn partition_count(total: u64) -> usize {
     (total / LARGE).max((total / SMALL).min(FEW)).max(1) as usize
 }
 
@@ -36,24 +36,22 @@ pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
     partition * ranks / count
 }
 
-/// Collective: cuts the coarse mesh, and sends each input to where its partition is made.
+/// Collective: cuts the coarse mesh of `sample`, and sends each input to where its partition is made.
+/// `first`: the number of this rank's first point, `total` that of all points.
 pub fn share<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
+    sample: &[Input<D>],
     points: &[[f64; D]],
-    first: u64,
-    total: u64,
+    [first, total]: [u64; 2],
     watch: &mut Watch<'_, '_>,
 ) -> Result<Share<D>> {
     let count = partition_count(total);
-    let located =
-        agreed(comm, || watch.next(0.05, |progress| coarse.locate(points, Some(progress))))?;
-    let mut weights = filled(coarse.anchor_count(), 0u64)?;
-    for &simplex in located.iter().filter(|simplex| **simplex != u32::MAX) {
-        weights[coarse.anchors()[simplex as usize] as usize] += 1;
-    }
-    comm.all_reduce_integers(&mut weights, Operation::Sum)?;
-    let partition_of = agreed(comm, || coarse.partitions(&weights, count))?;
+    let (located, partition_of) = agreed(comm, || {
+        let located = watch.next(0.05, |progress| coarse.locate(points, Some(progress)))?;
+        let sample = collected(sample.iter().map(|input| input.point))?;
+        Ok((located, coarse.partitions(&Bisection::new(sample, count, 0)?)?))
+    })?;
     let messages = agreed(comm, || {
         let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
         for ((name, point), &simplex) in (first..).zip(points).zip(&located) {

@@ -1,6 +1,7 @@
 //! The coarse mesh, which all processes make alike, and how it is cut.
 
 use super::assembly::{Assembly, First};
+use super::bisection::Bisection;
 use super::hierarchy::Domains;
 use super::maker::Maker;
 use super::piece::Piece;
@@ -18,9 +19,7 @@ use crate::parameters::Parameters;
 pub struct Coarse<const D: usize> {
     piece: Piece<D>,
     delaunay: Delaunay<D>,
-    /// Simplex -> the point of the sample that it is near. Those come first among the vertices, in
-    /// an order of locality.
-    anchors: Vec<u32>,
+    /// How many points the sample has, which come first among the vertices.
     sample: usize,
     maker: Maker<D>,
 }
@@ -64,13 +63,7 @@ impl<const D: usize> Coarse<D> {
         let again = maker.assemble(&pieces, First::Waiting, 0, &mut watch)?;
         let [piece] = pieces;
         let delaunay = again.state.delaunay;
-        let anchored = delaunay.complex().order_by_anchor(sample.len(), || watch.poll_after(1))?;
-        let mut anchors = filled(piece.simplex_count(), 0u32)?;
-        for anchor in VertexId::below(sample.len()) {
-            let own = anchored.of(anchor).iter();
-            own.for_each(|&simplex| anchors[simplex.index()] = anchor.number());
-        }
-        Ok(Self { piece, delaunay, anchors, sample: sample.len(), maker })
+        Ok(Self { piece, delaunay, sample: sample.len(), maker })
     }
 
     pub fn maker(&self) -> &Maker<D> {
@@ -106,33 +99,12 @@ impl<const D: usize> Coarse<D> {
         Ok(found)
     }
 
-    /// Which inputs are to be counted together for [`Self::partitions`]: a number below
-    /// [`Self::anchor_count`] for each simplex.
-    pub fn anchors(&self) -> &[u32] {
-        &self.anchors
-    }
-
-    pub fn anchor_count(&self) -> usize {
-        self.sample
-    }
-
-    /// Simplex -> its partition, of `count`. Partitions are stretches of an order of locality, of
-    /// about equal weights. `weights`: anchor -> the number of inputs located at its simplices.
+    /// Simplex -> its partition.
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn partitions(&self, weights: &[u64], count: usize) -> Result<Vec<u32>> {
-        let total: u64 = weights.iter().sum::<u64>() + self.sample as u64;
-        let mut before = 0u64;
-        let mut partition_of = filled(self.sample, 0u32)?;
-        for (partition, weight) in partition_of.iter_mut().zip(weights) {
-            let middle = u128::from(before + weight.div_ceil(2));
-            *partition = (middle * count as u128 / u128::from(total)) as u32;
-            before += 1 + weight;
-        }
-        let mut all = collected(self.anchors.iter().map(|&anchor| partition_of[anchor as usize]))?;
-        self.piece.beyond_hull().for_each(|(infinite, finite)| all[infinite] = all[finite]);
-        Ok(all)
+    pub fn partitions(&self, cut: &Bisection<D>) -> Result<Vec<u32>> {
+        self.piece.parts(cut)
     }
 
     /// Partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]), and the

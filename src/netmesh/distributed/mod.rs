@@ -2,15 +2,15 @@
 //! make alike, is cut into partitions. Each is a [`Piece`], plain data, and goes through rounds and
 //! refinement as the partitions of one process do (`partitions`). What it could not do, for others
 //! have a share in it, is at its interface: the simplices there, the seam, are put together with
-//! those of the other side and go through the same. So along a tree of partitions, until nothing is
-//! left at the root. Everything else is settled and stays where it is.
+//! those of the other side and go through the same. Seams are cut anew for that, along other planes
+//! ([`Bisection`]): what is left then lies where planes of two phases cross, after the next phase where
+//! those of three do, and in the end nowhere. Everything else is settled and stays where it is.
 //!
 //! ```text
-//!     1   2   3   4     partitions, each with a seam at its interface
-//!      \ /     \ /
-//!      1+2     3+4      the seams between 1 and 2, and 3 and 4; what is at the interface of both
-//!         \    /        goes on
-//!         1+2+3+4
+//!     .     |     .         |  planes of the first phase, with seams along them
+//!     .     |     .         .  planes of the second: a partition has a stretch of seam
+//!   ..x.....|.....x..       x  what is left for the third
+//!     .     |     .
 //! ```
 //!
 //! What a partition makes depends on the pieces that it is made of, and on nothing else: not on
@@ -20,6 +20,7 @@
 //! sample is a part of the inputs, chosen by their coordinates.
 
 mod assembly;
+mod bisection;
 mod bytes;
 mod coarse;
 mod hierarchy;
@@ -31,6 +32,7 @@ mod seam;
 #[cfg(test)]
 mod tests;
 
+pub use bisection::Bisection;
 pub use coarse::Coarse;
 pub use maker::Maker;
 pub use names::MADE;

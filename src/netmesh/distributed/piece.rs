@@ -1,6 +1,7 @@
 //! A piece of a mesh as plain data that no id of another piece is needed for: it can be sent,
 //! divided, and put together with others.
 
+use super::bisection::Bisection;
 use super::names::{NOTHING, is_input};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
@@ -73,6 +74,16 @@ impl<const D: usize> Piece<D> {
     /// pieces that knows nothing of where they are.
     pub fn maker(&self) -> u32 {
         self.maker
+    }
+
+    /// The vertices, and among them first the inputs that wait: names and points.
+    pub fn vertices(&self) -> impl ExactSizeIterator<Item = (u64, [f64; D])> {
+        self.corners.iter().map(|corner| (corner.name, corner.point))
+    }
+
+    /// How many inputs wait for their insertion.
+    pub fn waiting_count(&self) -> usize {
+        self.waiting.len()
     }
 
     pub(super) fn vertices_of(&self, simplex: usize) -> &[u32] {
@@ -170,6 +181,25 @@ impl<const D: usize> Piece<D> {
                 self.vertices_of(simplex).iter().position(|&vertex| vertex == u32::MAX)?;
             Some((simplex, self.neighbors_of(simplex)[infinite] as usize))
         })
+    }
+
+    /// Simplex -> the part of `cut` that its middle is in; infinite ones go with the finite ones beside
+    /// them.
+    pub(super) fn parts(&self, cut: &Bisection<D>) -> Result<Vec<u32>> {
+        let share = 1.0 / Self::CORNERS as f64;
+        let middle = |simplex: usize| {
+            let mut middle = [0.0; D];
+            for &vertex in self.vertices_of(simplex) {
+                let corner = self.corners.get(vertex as usize);
+                let point = corner.map_or([0.0; D], |corner| corner.point);
+                middle.iter_mut().zip(point).for_each(|(sum, x)| *sum += share * x);
+            }
+            middle
+        };
+        let mut parts =
+            collected((0..self.simplex_count()).map(|simplex| cut.part_of(&middle(simplex))))?;
+        self.beyond_hull().for_each(|(infinite, finite)| parts[infinite] = parts[finite]);
+        Ok(parts)
     }
 
     /// Marks infinite simplices as the finite ones beside them, so that a facet of the hull is not

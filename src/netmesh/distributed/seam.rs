@@ -2,9 +2,10 @@
 //! to be seen before it goes on, and those where it could not do what it wanted. The rest is
 //! settled. A seam is what the partitions on both sides leave.
 
+use super::bisection::Bisection;
 use super::piece::Piece;
 use crate::error::Result;
-use crate::memory::{TryGrow, collected, filled};
+use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::netmesh::distributed::names::NOTHING;
 
 /// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
@@ -39,6 +40,32 @@ impl<const D: usize> Piece<D> {
         let out = self.select(&is_out, &mut tick)?;
         is_out.iter_mut().for_each(|is_out| *is_out = !*is_out);
         Ok((self.select(&is_out, &mut tick)?, out))
+    }
+
+    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number, in
+    /// rising order.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn cut_apart(mut self, cut: &Bisection<D>) -> Result<Vec<(u32, Self)>> {
+        let part_of = self.parts(cut)?;
+        for (at, &neighbor) in self.neighbors.iter().enumerate() {
+            let simplex = at / Self::CORNERS;
+            if part_of[simplex] != part_of[neighbor as usize] {
+                self.outer.try_push(self.facet(simplex, at % Self::CORNERS))?;
+            }
+        }
+        self.outer.sort_unstable();
+        self.outer.dedup();
+        let mut numbers = collected(part_of.iter().copied())?;
+        numbers.sort_unstable();
+        numbers.dedup();
+        let mut parts = with_capacity(numbers.len())?;
+        for number in numbers {
+            let is_own = collected(part_of.iter().map(|&part| part == number))?;
+            parts.push((number, self.select(&is_own, || Ok(()))?));
+        }
+        Ok(parts)
     }
 
     /// The names of vertices where something is left to do, and of the centres and cages of the

@@ -52,14 +52,17 @@ fn run<const D: usize>(
     let located: Vec<(usize, u32)> =
         simplices.into_iter().enumerate().filter(|&(_, simplex)| simplex != u32::MAX).collect();
     assert_eq!(located.len(), points.len() - sample.len());
-    let mut weights = vec![0; coarse.anchor_count()];
-    for &(_, simplex) in &located {
-        weights[coarse.anchors()[simplex as usize] as usize] += 1;
-    }
-    let partition_of = coarse.partitions(&weights, count).unwrap();
-    let mut seen = Seen::default();
     let mut settled = Vec::new();
-    let mut seams: Vec<Option<Piece<D>>> = Vec::new();
+    let mut seams = Vec::new();
+    let mut number = 0;
+    let mut make = |pieces: Vec<Piece<D>>, settled: &mut Vec<Piece<D>>| {
+        number += 1;
+        let made = coarse.maker().refine(pieces, number, None).unwrap();
+        let (rest, seam) = made.divide(rings, || Ok(())).unwrap();
+        settled.push(rest);
+        seam
+    };
+    let partition_of = coarse.partitions(&Bisection::new(own, count, 0).unwrap()).unwrap();
     for partition in 0..count as u32 {
         let (mut piece, ids) = coarse.cut(&partition_of, partition).unwrap();
         let inputs: Vec<_> = located
@@ -70,26 +73,23 @@ fn run<const D: usize>(
             })
             .collect();
         piece.add_inputs(&inputs).unwrap();
-        let made = coarse.maker().refine(vec![piece], 1 + partition, None).unwrap();
-        let (rest, seam) = made.divide(rings, || Ok(())).unwrap();
-        settled.push(rest);
-        seams.push(seam);
+        seams.extend(make(vec![piece], &mut settled));
     }
-    let mut number = count as u32;
-    while seams.len() > 1 {
-        let mut next = Vec::new();
-        for pair in seams.chunks_mut(2) {
-            let pieces: Vec<_> = pair.iter_mut().filter_map(Option::take).collect();
-            number += 1;
-            seen.seams += 1;
-            let made = coarse.maker().refine(pieces, number, None).unwrap();
-            let (rest, seam) = made.divide(rings, || Ok(())).unwrap();
-            settled.push(rest);
-            next.push(seam);
+    let mut seen = Seen::default();
+    for phase in 1..=D + 1 {
+        let vertices = seams.iter().flat_map(|seam| seam.vertices().map(|(_, point)| point));
+        let count = if phase <= D { count } else { 1 };
+        let cut = Bisection::new(vertices.collect(), count, phase).unwrap();
+        let mut next: Vec<Vec<Piece<D>>> = (0..count).map(|_| Vec::new()).collect();
+        for (part, seam) in seams.drain(..).flat_map(|seam| seam.cut_apart(&cut).unwrap()) {
+            next[part as usize].push(seam);
         }
-        seams = next;
+        for pieces in next.into_iter().filter(|pieces| !pieces.is_empty()) {
+            seen.seams += 1;
+            seams.extend(make(pieces, &mut settled));
+        }
     }
-    settled.extend(seams.into_iter().flatten());
+    settled.extend(seams);
     for piece in &settled {
         // Otherwise nobody would know that the facet is on the hull, once infinite simplices are gone.
         assert!(piece.beyond_hull().all(|(infinite, finite)| infinite != finite));
@@ -198,8 +198,7 @@ fn a_piece_is_what_its_bytes_say() {
     let points = scattered::<3>(600, 5);
     let names: Vec<u64> = (0..600).collect();
     let coarse = Coarse::new(&points, &names, &Options::default(), None).unwrap();
-    let weights = vec![0; coarse.anchor_count()];
-    let partition_of = coarse.partitions(&weights, 2).unwrap();
+    let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
     let (piece, _) = coarse.cut(&partition_of, 1).unwrap();
     let bytes = piece.to_bytes().unwrap();
     assert_eq!(Piece::from_bytes(&bytes).unwrap(), piece);

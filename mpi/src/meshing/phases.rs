@@ -1,0 +1,294 @@
+//! Partitions, and the phases in which their seams are cut anew and joined.
+
+use super::Watch;
+use super::partitions::{Share, owner, partition_count};
+use crate::comm::{Communicator, Operation, agreed};
+use crate::memory::{TryGrow, collected, with_capacity};
+use crate::words::{append, bytes_of, hash, words_of};
+use netmesh::Result;
+use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
+
+/// What is left in the end is taken out with twice so many steps around it, then with four times as
+/// many, and so on: in the end that is all.
+const FIRST_RINGS: usize = 2;
+
+/// So many vertices of seams say, for each partition, where the next cuts are.
+const SAMPLES: u64 = 512;
+
+/// A vertex that a seam has takes this part of the time of an input that waits.
+const WAITING: u64 = 8;
+
+/// What a partition leaves, with its number in its phase.
+type Seam<const D: usize> = (u32, Piece<D>);
+
+/// Collective: makes all partitions, and what they leave. Answers the settled pieces of this rank.
+///
+/// The planes of D phases meet in points, about which the one after them has no plane. What is left
+/// even so, where domains reach far, goes to one rank.
+pub fn make<const D: usize>(
+    comm: &dyn Communicator,
+    coarse: &Coarse<D>,
+    share: Share<D>,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<Piece<D>>> {
+    let Share { pieces, first, count } = share;
+    let maker = coarse.maker();
+    let mut settled = Vec::new();
+    let mut seams = Vec::new();
+    agreed(comm, || {
+        let part = 0.5 / pieces.len() as f64;
+        for (partition, piece) in (first as u32..).zip(pieces) {
+            let (rest, seam) = refine(maker, vec![piece], 1 + partition, part, watch)?;
+            settled.try_push_one(rest)?;
+            seams.try_push_all(seam.map(|seam| (partition, seam)))?;
+        }
+        Ok(())
+    })?;
+    let mut made = count as u32;
+    for phase in 1..=D + 1 {
+        let (cut, count) = cut_of(comm, &seams, phase)?;
+        let shared = exchange(comm, seams, &cut, count)?;
+        seams = Vec::new();
+        agreed(comm, || {
+            let part = 0.4 / (D + 1) as f64 / shared.len() as f64;
+            for (partition, pieces) in shared {
+                let number = made + 1 + partition;
+                let (rest, seam) = refine(maker, pieces, number, part, watch)?;
+                settled.try_push_one(rest)?;
+                seams.try_push_all(seam.map(|seam| (partition, seam)))?;
+            }
+            Ok(())
+        })?;
+        made += count as u32;
+    }
+    settled.try_push_all(seams.into_iter().map(|(_, seam)| seam))?;
+    make_rest(comm, maker, settled, owner(0, 1, comm.size()), made, watch)
+}
+
+/// Refines what `pieces` are together. What is settled, and the seam.
+fn refine<const D: usize>(
+    maker: &Maker<D>,
+    pieces: Vec<Piece<D>>,
+    number: u32,
+    part: f64,
+    watch: &mut Watch<'_, '_>,
+) -> Result<(Piece<D>, Option<Piece<D>>)> {
+    let made = watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?;
+    made.divide(RINGS, || Ok(()))
+}
+
+/// Collective: where the seams of all ranks are cut, and into how many partitions; in the last phase
+/// into one. Vertices that their names choose say where.
+fn cut_of<const D: usize>(
+    comm: &dyn Communicator,
+    seams: &[Seam<D>],
+    phase: usize,
+) -> Result<(Bisection<D>, usize)> {
+    let sum = |count: fn(&Piece<D>) -> usize| -> u64 {
+        seams.iter().map(|(_, seam)| count(seam) as u64).sum()
+    };
+    let mut counts = [sum(Piece::waiting_count), sum(|seam| seam.vertices().len())];
+    comm.all_reduce_integers(&mut counts, Operation::Sum)?;
+    let [waiting, vertices] = counts;
+    let weight = waiting + (vertices - waiting) / WAITING;
+    let count = if phase <= D { partition_count(weight) } else { 1 };
+    let one_of = (weight / (SAMPLES * count as u64)).max(1);
+    let message = agreed(comm, || {
+        let mut message = Vec::new();
+        for (_, seam) in seams {
+            let waiting = seam.waiting_count();
+            for (at, (name, point)) in seam.vertices().enumerate() {
+                let one_of = if at < waiting { one_of } else { WAITING * one_of };
+                if hash(&[name]) % one_of == 0 {
+                    append(&mut message, &point.map(f64::to_bits))?;
+                }
+            }
+        }
+        Ok(message)
+    })?;
+    let all = comm.all_gather(&message)?;
+    let cut = agreed(comm, || {
+        let mut points = Vec::new();
+        for message in &all {
+            let words: Vec<u64> = collected(words_of(message))?;
+            for words in words.chunks_exact(D) {
+                points.try_push(std::array::from_fn(|axis| f64::from_bits(words[axis])))?;
+            }
+        }
+        Bisection::new(points, count, phase)
+    })?;
+    Ok((cut, count))
+}
+
+/// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. The partitions
+/// that this rank makes, with their pieces in the order of the partitions that left them.
+fn exchange<const D: usize>(
+    comm: &dyn Communicator,
+    seams: Vec<Seam<D>>,
+    cut: &Bisection<D>,
+    count: usize,
+) -> Result<Vec<(u32, Vec<Piece<D>>)>> {
+    let mut kept: Vec<(u32, u32, Piece<D>)> = Vec::new();
+    let messages = agreed(comm, || {
+        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+        for (from, seam) in seams {
+            for (partition, piece) in seam.cut_apart(cut)? {
+                match owner(partition as usize, count, comm.size()) {
+                    to if to == comm.rank() => kept.try_push_one((partition, from, piece))?,
+                    to => append_piece(&mut messages[to], [partition, from], &piece)?,
+                }
+            }
+        }
+        Ok(messages)
+    })?;
+    let received = comm.all_to_all(messages)?;
+    agreed(comm, || {
+        for message in received {
+            read_pieces(&message, |[partition, from], piece| {
+                kept.try_push_one((partition, from, piece))
+            })?;
+        }
+        kept.sort_by_key(|&(partition, from, _)| (partition, from));
+        let mut shared: Vec<(u32, Vec<Piece<D>>)> = Vec::new();
+        for (partition, _, piece) in kept {
+            match shared.last_mut() {
+                Some((last, pieces)) if *last == partition => pieces.try_push_one(piece)?,
+                _ => shared.try_push_one((partition, vec![piece]))?,
+            }
+        }
+        Ok(shared)
+    })
+}
+
+fn append_piece<const D: usize>(
+    message: &mut Vec<u8>,
+    place: [u32; 2],
+    piece: &Piece<D>,
+) -> Result<()> {
+    let bytes = piece.to_bytes()?;
+    append(message, &[place[0].into(), place[1].into(), bytes.len() as u64])?;
+    message.try_extend(&bytes)
+}
+
+fn read_pieces<const D: usize>(
+    mut message: &[u8],
+    mut take: impl FnMut([u32; 2], Piece<D>) -> Result<()>,
+) -> Result<()> {
+    while let Some((head, rest)) = message.split_at_checked(24) {
+        let head: Vec<u64> = collected(words_of(head))?;
+        let (bytes, rest) = rest.split_at((head[2] as usize).min(rest.len()));
+        take([head[0] as u32, head[1] as u32], Piece::from_bytes(bytes)?)?;
+        message = rest;
+    }
+    Ok(())
+}
+
+/// Collective: what the last piece on `rank` has left to do is taken out of the pieces of all ranks,
+/// with so much around it that it can be done.
+fn make_rest<const D: usize>(
+    comm: &dyn Communicator,
+    maker: &Maker<D>,
+    mut settled: Vec<Piece<D>>,
+    rank: usize,
+    mut number: u32,
+    watch: &mut Watch<'_, '_>,
+) -> Result<Vec<Piece<D>>> {
+    let mut rings = FIRST_RINGS;
+    loop {
+        let left = agreed(comm, || match settled.last() {
+            Some(last) if comm.rank() == rank && !maker.is_done(last)? => last.unsettled_names(),
+            _ => Ok(Vec::new()),
+        })?;
+        let mut names = all_names(comm, left)?;
+        if names.is_empty() {
+            return Ok(settled);
+        }
+        rings *= 2;
+        for _ in 0..rings {
+            let beside = agreed(comm, || {
+                let mut beside = Vec::new();
+                for piece in &settled {
+                    beside.try_extend(&piece.names_beside(&names)?)?;
+                }
+                Ok(beside)
+            })?;
+            names = all_names(comm, beside)?;
+        }
+        let (kept, messages) = agreed(comm, || take_out(comm, &mut settled, &names, rank))?;
+        let received = comm.all_to_all(messages)?;
+        number += 1;
+        agreed(comm, || {
+            let mut pieces = Vec::new();
+            for (from, message) in received.iter().enumerate() {
+                if from == rank {
+                    continue;
+                }
+                read_pieces(message, |_, piece| pieces.try_push_one(piece))?;
+            }
+            if comm.rank() == rank {
+                let mut all = kept;
+                all.try_push_all(pieces)?;
+                // In the order in which the pieces were made, wherever that was.
+                all.sort_by_key(Piece::maker);
+                settled.try_push_one(
+                    watch.next(0.1, |progress| maker.refine(all, number, Some(progress)))?,
+                )?;
+            }
+            Ok(())
+        })?;
+    }
+}
+
+/// Takes the simplices beside vertices of these names out of all pieces: those that stay on this rank,
+/// if it is that which goes on, and messages with the others.
+fn take_out<const D: usize>(
+    comm: &dyn Communicator,
+    settled: &mut Vec<Piece<D>>,
+    names: &[u64],
+    rank: usize,
+) -> Result<(Vec<Piece<D>>, Vec<Vec<u8>>)> {
+    let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+    let mut kept = Vec::new();
+    for (at, piece) in std::mem::take(settled).into_iter().enumerate() {
+        let (left, taken) = piece.take_out(names)?;
+        settled.try_push_one(left)?;
+        if taken.simplex_count() == 0 {
+            continue;
+        }
+        match comm.rank() == rank {
+            true => kept.try_push_one(taken)?,
+            false => append_piece(&mut messages[rank], [0, at as u32], &taken)?,
+        }
+    }
+    Ok((kept, messages))
+}
+
+/// Collective: the names of all ranks, rising.
+fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
+    own.sort_unstable();
+    own.dedup();
+    let mut all = Vec::new();
+    for bytes in comm.all_gather(&bytes_of(&own)?)? {
+        let names: Vec<u64> = collected(words_of(&bytes))?;
+        all.try_extend(&names)?;
+    }
+    all.sort_unstable();
+    all.dedup();
+    Ok(all)
+}
+
+/// Growth of lists of pieces, which are not copied.
+trait Pieces<T> {
+    fn try_push_one(&mut self, piece: T) -> Result<()>;
+    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()>;
+}
+
+impl<T> Pieces<T> for Vec<T> {
+    fn try_push_one(&mut self, piece: T) -> Result<()> {
+        self.try_push(piece)
+    }
+
+    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()> {
+        pieces.into_iter().try_for_each(|piece| self.try_push(piece))
+    }
+}

@@ -3,7 +3,7 @@
 use super::Watch;
 use super::partitions::{Share, owner, partition_count};
 use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected, with_capacity};
+use crate::memory::{TryGrow, collected};
 use crate::words::{append, bytes_of, hash, words_of};
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};

@@ -1,5 +1,6 @@
 //! The result of a run as one rank has it. Plain data.
 
+use crate::work::Work;
 use netmesh::{Criterion, Output, Parameters};
 
 /// No id: across the hull, no domain.
@@ -113,6 +114,8 @@ pub struct DistributedMesh {
     pub interface: Vec<InterfaceFacet>,
     /// Bytes that this rank has sent to others.
     pub bytes_sent: u64,
+    /// What the steps of the run took on this rank, in their order.
+    pub work: Vec<Work>,
 }
 
 impl DistributedMesh {

@@ -7,10 +7,11 @@
 //! | `words` | messages as 64-bit words | `memory` |
 //! | `comm` | how ranks talk, and how they fail together; MPI, and threads in its place | `memory` |
 //! | `piece` | what the algorithm leaves on a rank | |
-//! | `meshing` | the algorithm | `memory`, `words`, `comm`, `piece` |
-//! | `distributed` | a rank's part of the mesh, as plain arrays | |
+//! | `work` | what the steps of a run take on a rank | `memory`, `comm` |
+//! | `meshing` | the algorithm | `memory`, `words`, `comm`, `piece`, `work` |
+//! | `distributed` | a rank's part of the mesh, as plain arrays | `work` |
 //! | `numbering` | from pieces to that: ids, ghosts, interfaces | `memory`, `words`, `comm`, `piece`, `distributed` |
-//! | `run` | a run: the checks, the algorithm, the numbers | `comm`, `meshing`, `distributed`, `numbering` |
+//! | `run` | a run: the checks, the algorithm, the numbers | `comm`, `meshing`, `distributed`, `numbering`, `work` |
 //! | `certificate` | the checker of a mesh of several ranks, a file per rule, apart from what makes it | `memory`, `words`, `comm`, `distributed` |
 //! | `input` | each rank's share of a file of points | `memory`, `comm` |
 //! | `output` | files that all ranks write, complete or not at all | `memory`, `words`, `comm`, `distributed` |
@@ -31,6 +32,7 @@ pub mod output;
 pub mod piece;
 mod run;
 mod words;
+pub mod work;
 
 pub use certificate::validate;
 pub use distributed::DistributedMesh;

@@ -3,6 +3,7 @@
 use crate::comm::{Communicator, Operation, agreed};
 use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
+use crate::work::{Notes, Step};
 use crate::{meshing, numbering};
 use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
@@ -28,8 +29,11 @@ pub fn run(
         check_options(options)
     })?;
     agreed(comm, || check_equal(comm, dim, options))?;
-    let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress))?;
+    let mut notes = Notes::new(comm);
+    let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress, &mut notes))?;
     let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;
+    agreed(comm, || notes.end(Step::Numbers, 0, mesh.simplex_count() as u64))?;
+    mesh.work = notes.into_work();
     // A partition knows its own vertices only.
     if options.max_vertices != 0 && mesh.totals.vertices > options.max_vertices {
         let (most, made) = (options.max_vertices, mesh.totals.vertices);

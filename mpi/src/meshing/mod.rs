@@ -15,6 +15,7 @@ mod sample;
 use crate::comm::{Communicator, agreed};
 use crate::memory::collected;
 use crate::piece::Piece;
+use crate::work::{Notes, Step};
 use netmesh::distributed::Coarse;
 use netmesh::options::ProgressFn;
 use netmesh::{Options, Progress, Result};
@@ -30,8 +31,9 @@ pub fn mesh(
     points: &[f64],
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
+    notes: &mut Notes<'_>,
 ) -> Result<Vec<Piece>> {
-    let mut watch = Watch { progress, done: 0.0, share: 0.0 };
+    let mut watch = Watch { progress, done: 0.0, share: 0.0, notes };
     match dim {
         2 => mesh_in::<2>(comm, points, options, &mut watch),
         3 => mesh_in::<3>(comm, points, options, &mut watch),
@@ -43,7 +45,7 @@ fn mesh_in<const D: usize>(
     comm: &dyn Communicator,
     points: &[f64],
     options: &Options,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Vec<Piece>> {
     let points: Vec<[f64; D]> =
         collected(points.chunks_exact(D).map(|point| std::array::from_fn(|axis| point[axis])))?;
@@ -56,21 +58,24 @@ fn mesh_in<const D: usize>(
         );
         watch.next(0.05, |progress| Coarse::new(&own, &names, options, Some(progress)))
     })?;
+    watch.notes.end(Step::Coarse, sample.len() as u64, 0)?;
     let own = partitions::share(comm, &coarse, &sample, &points, [first, total], watch)?;
+    watch.notes.end(Step::Inputs, points.len() as u64, 0)?;
     drop((sample, points));
     let pieces = phases::make(comm, &coarse, own, watch)?;
     finish::finish(comm, pieces)
 }
 
-/// What the caller is told of all the parts that a run has on this rank.
-pub struct Watch<'a, 'b> {
+/// What the caller is told of all the parts that a run has on this rank, and what they took.
+pub struct Watch<'a, 'b, 'c> {
     progress: Option<&'a mut ProgressFn<'b>>,
+    notes: &'a mut Notes<'c>,
     /// The part of the run that is done, and that which goes on.
     done: f64,
     share: f64,
 }
 
-impl Watch<'_, '_> {
+impl Watch<'_, '_, '_> {
     /// Does a part of the run that is `share` of it.
     fn next<T>(
         &mut self,
@@ -79,7 +84,7 @@ impl Watch<'_, '_> {
     ) -> Result<T> {
         self.done += self.share;
         self.share = share;
-        let Self { progress, done, share } = self;
+        let Self { progress, done, share, .. } = self;
         act(&mut |own: &Progress| {
             let fraction = (*done + *share * own.fraction.clamp(0.0, 1.0)).min(1.0);
             progress.as_mut().is_none_or(|tell| tell(&Progress { fraction, ..*own }))

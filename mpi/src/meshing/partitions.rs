@@ -44,7 +44,7 @@ pub fn share<const D: usize>(
     sample: &[Input<D>],
     points: &[[f64; D]],
     [first, total]: [u64; 2],
-    watch: &mut Watch<'_, '_>,
+    watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Share<D>> {
     let count = partition_count(total);
     let (located, partition_of) = agreed(comm, || {

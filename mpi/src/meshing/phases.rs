@@ -5,6 +5,7 @@ use super::partitions::{Share, owner, partition_count};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::memory::{TryGrow, collected};
 use crate::words::{append, bytes_of, hash, words_of};
+use crate::work::Step;
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
 
@@ -29,7 +30,7 @@ pub fn make<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
     share: Share<D>,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Vec<Piece<D>>> {
     let Share { pieces, first, count } = share;
     let maker = coarse.maker();
@@ -38,7 +39,8 @@ pub fn make<const D: usize>(
     agreed(comm, || {
         let part = 0.5 / pieces.len() as f64;
         for (partition, piece) in (first as u32..).zip(pieces) {
-            let (rest, seam) = refine(maker, vec![piece], 1 + partition, part, watch)?;
+            let step = Step::Partition { phase: 0, number: partition };
+            let (rest, seam) = refine(maker, vec![piece], 1 + partition, step, part, watch)?;
             settled.try_push_one(rest)?;
             seams.try_push_all(seam.map(|seam| (partition, seam)))?;
         }
@@ -48,12 +50,14 @@ pub fn make<const D: usize>(
     for phase in 1..=D + 1 {
         let (cut, count) = cut_of(comm, &seams, phase)?;
         let shared = exchange(comm, seams, &cut, count)?;
+        watch.notes.end(Step::Seams { phase: phase as u32 }, 0, 0)?;
         seams = Vec::new();
         agreed(comm, || {
             let part = 0.4 / (D + 1) as f64 / shared.len() as f64;
             for (partition, pieces) in shared {
+                let step = Step::Partition { phase: phase as u32, number: partition };
                 let number = made + 1 + partition;
-                let (rest, seam) = refine(maker, pieces, number, part, watch)?;
+                let (rest, seam) = refine(maker, pieces, number, step, part, watch)?;
                 settled.try_push_one(rest)?;
                 seams.try_push_all(seam.map(|seam| (partition, seam)))?;
             }
@@ -62,7 +66,9 @@ pub fn make<const D: usize>(
         made += count as u32;
     }
     settled.try_push_all(seams.into_iter().map(|(_, seam)| seam))?;
-    make_rest(comm, maker, settled, owner(0, 1, comm.size()), made, watch)
+    let settled = make_rest(comm, maker, settled, owner(0, 1, comm.size()), made, watch)?;
+    watch.notes.end(Step::Rest, 0, 0)?;
+    Ok(settled)
 }
 
 /// Refines what `pieces` are together. What is settled, and the seam.
@@ -70,11 +76,16 @@ fn refine<const D: usize>(
     maker: &Maker<D>,
     pieces: Vec<Piece<D>>,
     number: u32,
+    step: Step,
     part: f64,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut Watch<'_, '_, '_>,
 ) -> Result<(Piece<D>, Option<Piece<D>>)> {
+    let sum = |count: fn(&Piece<D>) -> usize| pieces.iter().map(|piece| count(piece) as u64).sum();
+    let (inputs, simplices) = (sum(Piece::waiting_count), sum(Piece::simplex_count));
     let made = watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?;
-    made.divide(RINGS, || Ok(()))
+    let divided = made.divide(RINGS, || Ok(()))?;
+    watch.notes.end(step, inputs, simplices)?;
+    Ok(divided)
 }
 
 /// Collective: where the seams of all ranks are cut, and into how many partitions; in the last phase
@@ -191,7 +202,7 @@ fn make_rest<const D: usize>(
     mut settled: Vec<Piece<D>>,
     rank: usize,
     mut number: u32,
-    watch: &mut Watch<'_, '_>,
+    watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Vec<Piece<D>>> {
     let mut rings = FIRST_RINGS;
     loop {

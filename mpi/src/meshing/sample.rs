@@ -7,10 +7,22 @@ use crate::words::{append, hash, words_of};
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
-/// One input in this many is of the sample. With more the coarse mesh, which all ranks make, would
-/// take a share of the time that does not shrink with them; with fewer more inputs would wait at the
-/// interfaces, whose simplices are as large as those of the coarse mesh.
-const SAMPLED: u64 = 32;
+/// The sample has some 2 n^(2/3) of n inputs: what all ranks make grows with the surface of what they
+/// make together, as seams do. With more the coarse mesh would take most of the time of many ranks;
+/// with fewer more inputs would wait at the seams, whose simplices are as large as those of the coarse
+/// mesh.
+const SHARE: u64 = 2;
+
+/// One input in this many is of the sample: the cube root of `total`, over [`SHARE`].
+fn one_of(total: u64) -> u64 {
+    let is_root = |root: u64| u128::from(SHARE * root).pow(3) >= u128::from(total);
+    let mut bounds = [0, 1 << 22];
+    while bounds[1] - bounds[0] > 1 {
+        let middle = u64::midpoint(bounds[0], bounds[1]);
+        bounds[usize::from(is_root(middle))] = middle;
+    }
+    bounds[1]
+}
 
 /// An input and its number among those of all ranks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,7 +81,8 @@ pub fn sample<const D: usize>(
     let ends = ends(comm, inputs, total)?;
     let message = agreed(comm, || {
         let mut bytes = Vec::new();
-        let own = inputs().filter(|input| hash(&input.bits()) % SAMPLED == 0);
+        let one_of = one_of(total);
+        let own = inputs().filter(|input| hash(&input.bits()) % one_of == 0);
         own.into_iter().try_for_each(|input| input.append_to(&mut bytes))?;
         Ok(bytes)
     })?;
@@ -135,4 +148,15 @@ fn least<const D: usize>(
         all.try_extend(&inputs_of(&bytes)?)?;
     }
     Ok(all.into_iter().min_by(&order))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::one_of;
+
+    #[test]
+    fn samples_grow_as_surfaces_do() {
+        let totals = [0, 1, 8, 9, 1000, 64_000, 1_000_000, 1_000_000_000, u64::MAX];
+        assert_eq!(totals.map(one_of), [1, 1, 1, 2, 5, 20, 50, 500, 1_321_123]);
+    }
 }

@@ -5,12 +5,15 @@ mod rows;
 mod shared;
 mod unfinished;
 mod vtu;
+mod work;
 
 use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use netmesh::{Error, ErrorKind, Result};
 use std::io;
 use std::path::Path;
+
+pub use work::write_work;
 
 /// Formats of distributed meshes. Append only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -42,6 +42,11 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
+    /// Where a table goes of what every step of the run took on every rank: processor time, bytes
+    /// that it has sent (comma-separated values)
+    #[arg(long, value_name = "FILE")]
+    pub work: Option<PathBuf>,
+
     /// Print nothing but errors
     #[arg(short, long)]
     pub quiet: bool,

@@ -31,6 +31,10 @@ pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure
             .map_err(|error| Failure::writing(&name(path), &error))?;
         times.write = Some(start.elapsed());
     }
+    if let Some(path) = &arguments.work {
+        output::write_work(comm, &mesh, path)
+            .map_err(|error| Failure::writing(&name(path), &error))?;
+    }
     let mut report = None;
     if arguments.validate {
         let start = Instant::now();
@@ -55,6 +59,10 @@ fn require(report: &Report) -> Result<(), Failure> {
 
 /// What is written for NAME.npy has other names.
 fn refuse_input_as_output(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.work.as_ref() == Some(&arguments.input) {
+        let message = format!("{}: the table would replace the input", arguments.input.display());
+        return Err(Failure::new(ExitCode::Usage, message));
+    }
     let Some(output) = &arguments.output else { return Ok(()) };
     let is_written = |extension: &str| output.with_extension(extension) == arguments.input;
     if is_written("points.npy") || is_written("simplices.npy") {

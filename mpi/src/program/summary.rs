@@ -28,6 +28,11 @@ pub fn print(
     let (mut most, mut sum) = (own, own);
     comm.all_reduce_integers(&mut most, Operation::Max)?;
     comm.all_reduce_integers(&mut sum, Operation::Sum)?;
+    let alone = mesh.work.iter().filter(|work| work.step.is_alone());
+    let own: f64 = alone.map(|work| work.seconds).sum();
+    let (mut slowest, mut all) = ([own], [own]);
+    comm.all_reduce_numbers(&mut slowest, Operation::Max)?;
+    comm.all_reduce_numbers(&mut all, Operation::Sum)?;
     if comm.rank() != 0 {
         return Ok(());
     }
@@ -46,8 +51,11 @@ pub fn print(
          mesh        {vertices} vertices\n            {all_simplices} simplices, {domains} domains, {pieces} pieces\n\
          ranks       {simplices} simplices and {ghosts} ghosts at most\n            \
          sent {sent} bytes, {bytes} by one at most\n\
+         work        {} for partitions by one rank at most, {} by each on average\n\
          time        mesh {}, read {}",
         arguments.input.display(),
+        milliseconds(Duration::from_secs_f64(slowest[0])),
+        milliseconds(Duration::from_secs_f64(all[0] / ranks as f64)),
         milliseconds(times.mesh),
         milliseconds(times.read),
     );

@@ -2,11 +2,15 @@
  * MPI as Rust sees it: communicators behind a pointer, counts of 64 bits, waits that end when another
  * rank has failed. Sizes beyond what an int can say go in pieces of at most `chunk` bytes.
  */
+/* For clock_gettime. */
+#define _POSIX_C_SOURCE 200112L
+
 #include "layer.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* The answer of a wait that a failure of another rank has ended; no error code of MPI is negative. */
 #define INTERRUPTED (-1)
@@ -272,6 +276,14 @@ void netmesh_ranks_notify(netmesh_ranks *ranks)
             MPI_Isend(NULL, 0, MPI_BYTE, rank, 0, ranks->notices, &request) == MPI_SUCCESS)
             MPI_Request_free(&request);
     }
+}
+
+/* The processor time of the calling thread. */
+double netmesh_processor_seconds(void)
+{
+    struct timespec time = {0, 0};
+    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 /* For the program: begins MPI, and ends it. */

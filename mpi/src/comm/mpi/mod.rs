@@ -4,4 +4,4 @@ mod files;
 mod ranks;
 
 pub use files::SharedFile;
-pub use ranks::{Ranks, begin, end};
+pub use ranks::{Ranks, begin, end, processor_seconds};

@@ -24,6 +24,7 @@ const NOT_RUNNING: c_int = -3;
 const CHUNK: u64 = 1 << 30;
 
 unsafe extern "C" {
+    fn netmesh_processor_seconds() -> f64;
     fn netmesh_ranks_open(of: *const c_void, opened: *mut *mut RawRanks) -> c_int;
     fn netmesh_ranks_open_world(opened: *mut *mut RawRanks) -> c_int;
     fn netmesh_ranks_close(ranks: *mut RawRanks);
@@ -101,6 +102,12 @@ pub fn begin() -> Result<()> {
 pub fn end() -> Result<()> {
     // SAFETY: `begin` was called.
     checked("MPI_Finalize", unsafe { netmesh_mpi_end() })
+}
+
+/// The processor time of this thread, in seconds from some beginning.
+pub fn processor_seconds() -> f64 {
+    // SAFETY: no condition.
+    unsafe { netmesh_processor_seconds() }
 }
 
 /// The ranks of a communicator of MPI, which talk apart from what else goes through that.

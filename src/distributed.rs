@@ -2,6 +2,6 @@
 //! what it sends. Communication is its own. [`Coarse`] tells the way.
 
 pub use crate::netmesh::distributed::{
-    Bisection, Coarse, HULL, INTERFACE, MADE, Maker, NO_DOMAIN, Piece, PlainDomain, PlainPiece,
-    RINGS,
+    Bisection, Coarse, HULL, INTERFACE, Located, MADE, Maker, NO_DOMAIN, Piece, PlainDomain,
+    PlainPiece, RINGS,
 };

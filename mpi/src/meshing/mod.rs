@@ -51,7 +51,7 @@ fn mesh_in<const D: usize>(
         collected(points.chunks_exact(D).map(|point| std::array::from_fn(|axis| point[axis])))?;
     let (first, total) = comm.exclusive_sum(points.len() as u64)?;
     let sample = sample::sample(comm, &points, first, total)?;
-    let coarse = agreed(comm, || {
+    let mut coarse = agreed(comm, || {
         let (own, names) = (
             collected(sample.iter().map(|input| input.point))?,
             collected(sample.iter().map(|input| input.name))?,
@@ -59,7 +59,7 @@ fn mesh_in<const D: usize>(
         watch.next(0.05, |progress| Coarse::new(&own, &names, options, Some(progress)))
     })?;
     watch.notes.end(Step::Coarse, sample.len() as u64, 0)?;
-    let own = partitions::share(comm, &coarse, &sample, &points, [first, total], watch)?;
+    let own = partitions::share(comm, &mut coarse, &sample, &points, [first, total], watch)?;
     watch.notes.end(Step::Inputs, points.len() as u64, 0)?;
     drop((sample, points));
     let pieces = phases::make(comm, &coarse, own, watch)?;

@@ -7,7 +7,7 @@ use crate::comm::{Communicator, agreed};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{append, words_of};
 use netmesh::Result;
-use netmesh::distributed::{Bisection, Coarse, Piece};
+use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
 /// Inputs of a partition of a large mesh, and the least that a partition of a small one has.
 const LARGE: u64 = 1 << 18;
@@ -40,18 +40,20 @@ pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
 /// `first`: the number of this rank's first point, `total` that of all points.
 pub fn share<const D: usize>(
     comm: &dyn Communicator,
-    coarse: &Coarse<D>,
+    coarse: &mut Coarse<D>,
     sample: &[Input<D>],
     points: &[[f64; D]],
     [first, total]: [u64; 2],
     watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Share<D>> {
     let count = partition_count(total);
-    let (located, partition_of) = agreed(comm, || {
+    let (Located { simplices: located, at_steiner_points }, partition_of) = agreed(comm, || {
         let located = watch.next(0.05, |progress| coarse.locate(points, Some(progress)))?;
         let sample = collected(sample.iter().map(|input| input.point))?;
         Ok((located, coarse.partitions(&Bisection::new(sample, count, 0)?)?))
     })?;
+    yield_to(comm, coarse, &at_steiner_points, first)?;
+    let coarse = &*coarse;
     let messages = agreed(comm, || {
         let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
         for ((name, point), &simplex) in (first..).zip(points).zip(&located) {
@@ -66,6 +68,35 @@ pub fn share<const D: usize>(
     drop(located);
     let received = comm.all_to_all(messages)?;
     agreed(comm, || own_partitions(comm, coarse, &received, &partition_of, count))
+}
+
+/// Collective: makes Steiner points of the coarse mesh that are where inputs are those inputs, on all
+/// ranks; of equal inputs that with the least name.
+fn yield_to<const D: usize>(
+    comm: &dyn Communicator,
+    coarse: &mut Coarse<D>,
+    at_steiner_points: &[(usize, u32)],
+    first: u64,
+) -> Result<()> {
+    let message = agreed(comm, || {
+        let mut message = Vec::new();
+        for &(at, vertex) in at_steiner_points {
+            append(&mut message, &[u64::from(vertex), first + at as u64])?;
+        }
+        Ok(message)
+    })?;
+    let all = comm.all_gather(&message)?;
+    agreed(comm, || {
+        let mut inputs: Vec<(u32, u64)> = Vec::new();
+        for message in &all {
+            let words: Vec<u64> = collected(words_of(message))?;
+            let pairs = words.chunks_exact(2);
+            pairs.into_iter().try_for_each(|pair| inputs.try_push((pair[0] as u32, pair[1])))?;
+        }
+        inputs.sort_unstable();
+        inputs.dedup_by_key(|&mut (vertex, _)| vertex);
+        coarse.yield_to(&inputs)
+    })
 }
 
 fn own_partitions<const D: usize>(

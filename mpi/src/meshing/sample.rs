@@ -7,15 +7,12 @@ use crate::words::{append, hash, words_of};
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
-/// The sample has some 2 n^(2/3) of n inputs: what all ranks make grows with the surface of what they
-/// make together, as seams do. With more the coarse mesh would take most of the time of many ranks;
-/// with fewer more inputs would wait at the seams, whose simplices are as large as those of the coarse
-/// mesh.
-const SHARE: u64 = 2;
-
-/// One input in this many is of the sample: the cube root of `total`, over [`SHARE`].
+/// One input in this many is of the sample: the cube root of all. So what all ranks make grows as
+/// seams do, with a surface. With more of them the coarse mesh would take most of the time of many
+/// ranks, and have more vertices than it need, for they yield to inputs of the sample only; with fewer
+/// more inputs would wait at the seams, whose simplices are as large as those of the coarse mesh.
 fn one_of(total: u64) -> u64 {
-    let is_root = |root: u64| u128::from(SHARE * root).pow(3) >= u128::from(total);
+    let is_root = |root: u64| u128::from(root).pow(3) >= u128::from(total);
     let mut bounds = [0, 1 << 22];
     while bounds[1] - bounds[0] > 1 {
         let middle = u64::midpoint(bounds[0], bounds[1]);
@@ -157,6 +154,6 @@ mod tests {
     #[test]
     fn samples_grow_as_surfaces_do() {
         let totals = [0, 1, 8, 9, 1000, 64_000, 1_000_000, 1_000_000_000, u64::MAX];
-        assert_eq!(totals.map(one_of), [1, 1, 1, 2, 5, 20, 50, 500, 1_321_123]);
+        assert_eq!(totals.map(one_of), [1, 1, 2, 3, 10, 40, 100, 1000, 2_642_246]);
     }
 }

@@ -31,7 +31,8 @@ typedef struct cloud {
 } cloud;
 
 /*
- * shape: uniform, clusters, nested, sphere, lattice, duplicates. shares: even (blocks of one size), first,
+ * shape: uniform, clusters, nested, sphere, lattice, duplicates, or a path with a / in it, of a file with a
+ * line for each point. shares: even (blocks of one size), first,
  * last (all points on that rank), odd (none on ranks 0, 2, ...), uneven.
  */
 cloud make_cloud(const char *shape, uint32_t dim, uint64_t count, const char *shares);

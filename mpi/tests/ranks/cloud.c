@@ -45,6 +45,16 @@ static void point_of(const char *shape, uint32_t dim, uint64_t i, uint64_t count
     }
 }
 
+/* The first points of a text file that has a line for each. */
+static void read_points(const char *path, uint32_t dim, uint64_t count, double *points)
+{
+    FILE *file = fopen(path, "r");
+    CHECK(file != NULL);
+    for (uint64_t i = 0; i < count * dim; i++)
+        CHECK(fscanf(file, "%lf", points + i) == 1);
+    fclose(file);
+}
+
 static uint64_t share_start(const char *shares, uint64_t count, uint64_t rank, uint64_t ranks)
 {
     if (strcmp(shares, "first") == 0)
@@ -67,7 +77,9 @@ cloud make_cloud(const char *shape, uint32_t dim, uint64_t count, const char *sh
     cloud made = { dim, count, malloc(count * dim * sizeof(double)), 0, 0 };
     uint64_t state = 12345;
     CHECK(made.points != NULL);
-    for (uint64_t i = 0; i < count; i++)
+    if (strchr(shape, '/') != NULL)
+        read_points(shape, dim, count, made.points);
+    for (uint64_t i = 0; strchr(shape, '/') == NULL && i < count; i++)
         point_of(shape, dim, i, count, &state, made.points + i * dim, made.points);
     made.first = share_start(shares, count, (uint64_t)rank, (uint64_t)ranks);
     made.local = share_start(shares, count, (uint64_t)rank + 1, (uint64_t)ranks) - made.first;

@@ -225,6 +225,18 @@ static void check_certificate(const nm_mpi_mesh *mesh)
     CHECK(report.simplex == NM_MPI_NONE && report.vertex == NM_MPI_NONE && report.rank == NM_NONE);
 }
 
+/* About as many vertices as nm_run makes of the points of all ranks. */
+static void check_vertices(const cloud *points, const nm_options *options, uint64_t vertices)
+{
+    nm_mesh *mesh = NULL;
+    nm_counts counts = NM_COUNTS_INIT;
+    CHECK(nm_mesh_create(points->dim, points->count, points->points, 0, &mesh) == NM_OK);
+    CHECK(nm_run(mesh, options) == NM_OK);
+    CHECK(nm_mesh_counts(mesh, &counts) == NM_OK);
+    printf("ratio %.4f\n", (double)vertices / (double)counts.vertices);
+    nm_mesh_free(mesh);
+}
+
 int main(int argc, char **argv)
 {
     MPI_Init(&argc, &argv);
@@ -242,6 +254,8 @@ int main(int argc, char **argv)
     check_sums(&a, &points, sums);
     check_ghosts(&a);
     check_certificate(mesh);
+    if (a.counts.ranks == 1)
+        check_vertices(&points, &options, a.counts.vertices);
     if (a.counts.rank == 0)
         printf("vertices %" PRIu64 " duplicates %" PRIu64 " simplices %" PRIu64 " domains %" PRIu64
                " hull %" PRIu64 " hash %016" PRIx64 "\n",

@@ -8,12 +8,21 @@ use super::piece::Piece;
 use crate::complex::VertexId;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
-use crate::memory::{collected, copied, filled};
+use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::Inputs;
 use crate::netmesh::rounds::order::by_locality;
 use crate::netmesh::{Mesher, Watch};
 use crate::options::{Options, ProgressFn};
 use crate::parameters::Parameters;
+
+/// Where points are in the coarse mesh.
+pub struct Located {
+    /// By point, a simplex that it is in; `u32::MAX` if it is at a vertex.
+    pub simplices: Vec<u32>,
+    /// The points at vertices that are not of the sample, each with the vertex. On lattices there are
+    /// some.
+    pub at_steiner_points: Vec<(usize, u32)>,
+}
 
 /// The NETMESH mesh of a sample, with the loose bound that holds while inputs go in.
 pub struct Coarse<const D: usize> {
@@ -70,9 +79,8 @@ impl<const D: usize> Coarse<D> {
         &self.maker
     }
 
-    /// For each point the simplex that it is in, `u32::MAX` if it is of the sample. That does not
-    /// depend on the other points. They are visited in an order of locality, so that walks are
-    /// short.
+    /// Where `points` are. That does not depend on the others of them. They are visited in an order of
+    /// locality, so that walks are short.
     ///
     /// # Errors
     /// `NonFinite`; `OutOfMemory`; `Cancelled`.
@@ -80,23 +88,47 @@ impl<const D: usize> Coarse<D> {
         &self,
         points: &[[f64; D]],
         progress: Option<&mut ProgressFn<'_>>,
-    ) -> Result<Vec<u32>> {
+    ) -> Result<Located> {
         let mut watch = Watch::new(progress);
-        let bits = |point: &[f64; D]| point.map(|x| (x + 0.0).to_bits());
-        let sample = &self.piece.corners[..self.sample];
-        let mut sampled = collected(sample.iter().map(|corner| bits(&corner.point)))?;
-        sampled.sort_unstable();
-        let mut found = filled(points.len(), u32::MAX)?;
+        let mut found =
+            Located { simplices: filled(points.len(), u32::MAX)?, at_steiner_points: Vec::new() };
         let mut near = self.delaunay.complex().incident(VertexId::new(0));
         for at in order_of(points, &mut watch)? {
             watch.poll_after(4)?;
-            if sampled.binary_search(&bits(&points[at])).is_err() {
-                let simplex = self.delaunay.first_simplex_at(near, &points[at])?;
-                near = simplex.expect("the outer cage surrounds the inputs");
-                found[at] = near.number();
+            let simplex = self.delaunay.first_simplex_at(near, &points[at])?;
+            near = simplex.expect("the outer cage surrounds the inputs");
+            let mut vertices = self.delaunay.complex().vertices(near).iter();
+            let is_here = |vertex: &&VertexId| {
+                vertex.is_valid() && *self.delaunay.point(**vertex) == points[at]
+            };
+            match vertices.find(is_here) {
+                None => found.simplices[at] = near.number(),
+                Some(vertex) if vertex.index() < self.sample => {}
+                Some(vertex) => found.at_steiner_points.try_push((at, vertex.number()))?,
             }
         }
         Ok(found)
+    }
+
+    /// Makes Steiner points, by [`Located::at_steiner_points`], the inputs of the given names, as if
+    /// they had yielded to them. Each vertex is there once.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn yield_to(&mut self, inputs: &[(u32, u64)]) -> Result<()> {
+        let mut renamed = with_capacity(inputs.len())?;
+        for &(vertex, name) in inputs {
+            let corner = &mut self.piece.corners[vertex as usize];
+            renamed.push((std::mem::replace(&mut corner.name, name), name));
+        }
+        renamed.sort_unstable();
+        let domains = self.piece.domains.iter_mut();
+        for name in domains.flat_map(|domain| domain.cage.iter_mut().chain([&mut domain.center])) {
+            if let Ok(at) = renamed.binary_search_by_key(name, |&(old, _)| old) {
+                *name = renamed[at].1;
+            }
+        }
+        Ok(())
     }
 
     /// Simplex -> its partition.

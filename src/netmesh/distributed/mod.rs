@@ -33,7 +33,7 @@ mod seam;
 mod tests;
 
 pub use bisection::Bisection;
-pub use coarse::Coarse;
+pub use coarse::{Coarse, Located};
 pub use maker::Maker;
 pub use names::MADE;
 pub use piece::Piece;

@@ -47,11 +47,14 @@ fn run<const D: usize>(
     let sample = sample_of(points);
     let own: Vec<[f64; D]> = sample.iter().map(|&at| points[at]).collect();
     let names: Vec<u64> = sample.iter().map(|&at| at as u64).collect();
-    let coarse = Coarse::new(&own, &names, options, None).unwrap();
-    let simplices = coarse.locate(points, None).unwrap();
+    let mut coarse = Coarse::new(&own, &names, options, None).unwrap();
+    let Located { simplices, at_steiner_points } = coarse.locate(points, None).unwrap();
     let located: Vec<(usize, u32)> =
         simplices.into_iter().enumerate().filter(|&(_, simplex)| simplex != u32::MAX).collect();
-    assert_eq!(located.len(), points.len() - sample.len());
+    assert_eq!(located.len() + at_steiner_points.len(), points.len() - sample.len());
+    let at_steiner_points: Vec<_> =
+        at_steiner_points.iter().map(|&(at, vertex)| (vertex, at as u64)).collect();
+    coarse.yield_to(&at_steiner_points).unwrap();
     let mut settled = Vec::new();
     let mut seams = Vec::new();
     let mut number = 0;
@@ -177,6 +180,26 @@ fn nested_clusters() {
     check::<2>("nested, finished", &nested(1000), &well_spaced(), 3);
 }
 
+/// Steiner points of the coarse mesh are where inputs are that it does not have.
+#[test]
+fn steiner_points_yield_to_inputs_that_are_not_of_the_sample() {
+    let mut points = lattice::<2>(40);
+    let mut random = Random(0);
+    for at in 0..points.len() {
+        points.swap(at, (random.unit() * 1600.0) as usize);
+    }
+    let sample = sample_of(&points);
+    let own: Vec<[f64; 2]> = sample.iter().map(|&at| points[at]).collect();
+    let names: Vec<u64> = sample.iter().map(|&at| at as u64).collect();
+    let coarse = Coarse::new(&own, &names, &Options::default(), None).unwrap();
+    assert!(!coarse.locate(&points, None).unwrap().at_steiner_points.is_empty());
+    for options in [Options::default(), well_spaced()] {
+        let (made, _) = run(&points, &options, 3, RINGS);
+        let inputs = Inputs::new(2, points.len(), points.as_flattened(), 0).unwrap();
+        assert_eq!(validate(&inputs, &made, 3).unwrap().level, 3);
+    }
+}
+
 #[test]
 fn lattices() {
     check::<2>("lattice", &lattice(50), &Options::default(), 4);
@@ -220,7 +243,12 @@ fn where_a_point_is_does_not_depend_on_the_others() {
     let coarse = Coarse::new(&own, &names, &Options::default(), None).unwrap();
     let all = coarse.locate(&points, None).unwrap();
     for (at, point) in points.iter().enumerate() {
-        assert_eq!(coarse.locate(&[*point], None).unwrap(), [all[at]]);
-        assert_eq!(all[at] == u32::MAX, sample.binary_search(&at).is_ok());
+        let alone = coarse.locate(&[*point], None).unwrap();
+        assert_eq!(alone.simplices, [all.simplices[at]]);
+        let yields = all.at_steiner_points.iter().find(|(other, _)| *other == at);
+        let alone = alone.at_steiner_points.first();
+        assert_eq!(yields.map(|&(_, vertex)| vertex), alone.map(|&(_, vertex)| vertex));
+        let is_at_vertex = sample.binary_search(&at).is_ok() || yields.is_some();
+        assert_eq!(all.simplices[at] == u32::MAX, is_at_vertex);
     }
 }

@@ -56,6 +56,13 @@ same_test() {
   same nested 3 1200 hierarchical
   same sphere 3 1000 hierarchical
   same duplicates 3 900 finished
+  same lattice 2 10000 hierarchical
+  local scan="${NETMESH_DATA:-$here/../../../shared/data}/isprs_samp11_utm.xyz"
+  if [ -e "$scan" ]; then
+    same "$scan" 3 10000 hierarchical
+  else
+    echo "skipped: same mesh of a scan: there is no $scan"
+  fi
 }
 
 statuses_test() {

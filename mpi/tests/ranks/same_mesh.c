@@ -225,15 +225,20 @@ static void check_certificate(const nm_mpi_mesh *mesh)
     CHECK(report.simplex == NM_MPI_NONE && report.vertex == NM_MPI_NONE && report.rank == NM_NONE);
 }
 
-/* About as many vertices as nm_run makes of the points of all ranks. */
-static void check_vertices(const cloud *points, const nm_options *options, uint64_t vertices)
+/*
+ * About as many vertices as nm_run makes of the points of all ranks: within 2 percent from 10,000 points
+ * on. In the coarse mesh Steiner points yield to the points of the sample only, which is felt in small
+ * meshes; on a lattice, where most Steiner points yield, more than elsewhere.
+ */
+static void check_vertices(const char *shape, const cloud *points, const nm_options *options, uint64_t vertices)
 {
+    double most = strcmp(shape, "lattice") == 0 ? 1.1 : points->count < 10000 ? 1.04 : 1.02;
     nm_mesh *mesh = NULL;
     nm_counts counts = NM_COUNTS_INIT;
     CHECK(nm_mesh_create(points->dim, points->count, points->points, 0, &mesh) == NM_OK);
     CHECK(nm_run(mesh, options) == NM_OK);
     CHECK(nm_mesh_counts(mesh, &counts) == NM_OK);
-    printf("ratio %.4f\n", (double)vertices / (double)counts.vertices);
+    CHECK((double)vertices <= most * (double)counts.vertices);
     nm_mesh_free(mesh);
 }
 
@@ -255,7 +260,7 @@ int main(int argc, char **argv)
     check_ghosts(&a);
     check_certificate(mesh);
     if (a.counts.ranks == 1)
-        check_vertices(&points, &options, a.counts.vertices);
+        check_vertices(argv[1], &points, &options, a.counts.vertices);
     if (a.counts.rank == 0)
         printf("vertices %" PRIu64 " duplicates %" PRIu64 " simplices %" PRIu64 " domains %" PRIu64
                " hull %" PRIu64 " hash %016" PRIx64 "\n",

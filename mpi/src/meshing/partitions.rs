@@ -11,13 +11,13 @@ use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
 /// Inputs of a partition of a large mesh, and the least that a partition of a small one has.
 const LARGE: u64 = 1 << 18;
-const SMALL: u64 = 1 << 9;
+pub const SMALL: u64 = 1 << 9;
 
 /// A small mesh has at most so many partitions.
 const FEW: u64 = 8;
 
 /// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
-pub fn partition_count(total: u64) -> usize {
+fn partition_count(total: u64) -> usize {
     (total / LARGE).max((total / SMALL).min(FEW)).max(1) as usize
 }
 

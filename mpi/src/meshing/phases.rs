@@ -1,7 +1,7 @@
 //! Partitions, and the phases in which their seams are cut anew and joined.
 
 use super::Watch;
-use super::partitions::{Share, owner, partition_count};
+use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::memory::{TryGrow, collected};
 use crate::words::{append, bytes_of, hash, words_of};
@@ -24,8 +24,8 @@ type Seam<const D: usize> = (u32, Piece<D>);
 
 /// Collective: makes all partitions, and what they leave. Answers the settled pieces of this rank.
 ///
-/// The planes of D phases meet in points, about which the one after them has no plane. What is left
-/// even so, where domains reach far, goes to one rank.
+/// What a phase leaves lies along its planes and those of the phases before, so it gets less and less,
+/// and so do the partitions that it is cut into, until one of them has all.
 pub fn make<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
@@ -46,16 +46,19 @@ pub fn make<const D: usize>(
         }
         Ok(())
     })?;
-    let mut made = count as u32;
-    for phase in 1..=D + 1 {
-        let (cut, count) = cut_of(comm, &seams, phase)?;
+    let (mut made, mut phase, mut count) = (count as u32, 0, count);
+    while count > 1 {
+        phase += 1;
+        let most = if phase == 1 { count } else { count / 2 };
+        let cut;
+        (cut, count) = cut_of(comm, &seams, phase, most)?;
         let shared = exchange(comm, seams, &cut, count)?;
-        watch.notes.end(Step::Seams { phase: phase as u32 }, 0, 0)?;
+        watch.notes.end(Step::Seams { phase }, 0, 0)?;
         seams = Vec::new();
         agreed(comm, || {
-            let part = 0.4 / (D + 1) as f64 / shared.len() as f64;
+            let part = 0.2 / f64::from(phase * phase) / shared.len() as f64;
             for (partition, pieces) in shared {
-                let step = Step::Partition { phase: phase as u32, number: partition };
+                let step = Step::Partition { phase, number: partition };
                 let number = made + 1 + partition;
                 let (rest, seam) = refine(maker, pieces, number, step, part, watch)?;
                 settled.try_push_one(rest)?;
@@ -88,12 +91,13 @@ fn refine<const D: usize>(
     Ok(divided)
 }
 
-/// Collective: where the seams of all ranks are cut, and into how many partitions; in the last phase
-/// into one. Vertices that their names choose say where.
+/// Collective: where the seams of all ranks are cut, and into how many partitions. Vertices that their
+/// names choose say where.
 fn cut_of<const D: usize>(
     comm: &dyn Communicator,
     seams: &[Seam<D>],
-    phase: usize,
+    phase: u32,
+    most: usize,
 ) -> Result<(Bisection<D>, usize)> {
     let sum = |count: fn(&Piece<D>) -> usize| -> u64 {
         seams.iter().map(|(_, seam)| count(seam) as u64).sum()
@@ -102,7 +106,7 @@ fn cut_of<const D: usize>(
     comm.all_reduce_integers(&mut counts, Operation::Sum)?;
     let [waiting, vertices] = counts;
     let weight = waiting + (vertices - waiting) / WAITING;
-    let count = if phase <= D { partition_count(weight) } else { 1 };
+    let count = most.min((weight / SMALL) as usize).max(1);
     let one_of = (weight / (SAMPLES * count as u64)).max(1);
     let message = agreed(comm, || {
         let mut message = Vec::new();
@@ -126,7 +130,7 @@ fn cut_of<const D: usize>(
                 points.try_push(std::array::from_fn(|axis| f64::from_bits(words[axis])))?;
             }
         }
-        Bisection::new(points, count, phase)
+        Bisection::new(points, count, phase as usize)
     })?;
     Ok((cut, count))
 }
@@ -263,9 +267,7 @@ fn take_out<const D: usize>(
     for (at, piece) in std::mem::take(settled).into_iter().enumerate() {
         let (left, taken) = piece.take_out(names)?;
         settled.try_push_one(left)?;
-        if taken.simplex_count() == 0 {
-            continue;
-        }
+        let Some(taken) = taken else { continue };
         match comm.rank() == rank {
             true => kept.try_push_one(taken)?,
             false => append_piece(&mut messages[rank], [0, at as u32], &taken)?,

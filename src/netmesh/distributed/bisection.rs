@@ -26,7 +26,7 @@ enum Half {
 
 impl<const D: usize> Bisection<D> {
     /// `count` parts that have about as many of `points`, whose order does not matter. A part may have
-    /// none if many of them are equal. Planes of different phases, of D + 1 at least, are not parallel.
+    /// none if many of them are equal. Planes of four phases that follow each other are not parallel.
     /// O(n log n log `count`).
     ///
     /// # Errors

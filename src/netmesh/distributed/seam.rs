@@ -93,27 +93,35 @@ impl<const D: usize> Piece<D> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn names_beside(&self, names: &[u64]) -> Result<Vec<u64>> {
-        self.names_of(&self.touching(names)?)
+        match self.touching(names)? {
+            Some(is_touching) => self.names_of(&is_touching),
+            None => Ok(Vec::new()),
+        }
     }
 
     /// What is left of the piece, and the simplices that have a vertex of the given names, which
-    /// rise.
+    /// rise; nothing if there are none.
     ///
     /// # Errors
     /// `OutOfMemory`.
-    pub fn take_out(self, names: &[u64]) -> Result<(Self, Self)> {
-        let is_out = self.touching(names)?;
-        self.split(is_out, || Ok(()))
+    pub fn take_out(self, names: &[u64]) -> Result<(Self, Option<Self>)> {
+        let Some(is_out) = self.touching(names)? else { return Ok((self, None)) };
+        let (left, out) = self.split(is_out, || Ok(()))?;
+        Ok((left, Some(out)))
     }
 
-    fn touching(&self, names: &[u64]) -> Result<Vec<bool>> {
+    /// Simplex -> whether it has a vertex of the given names, if any has.
+    fn touching(&self, names: &[u64]) -> Result<Option<Vec<bool>>> {
         let is_named =
             collected(self.corners.iter().map(|corner| names.binary_search(&corner.name).is_ok()))?;
+        if !is_named.contains(&true) {
+            return Ok(None);
+        }
         let is_touching = |simplex| {
             let mut vertices = self.vertices_of(simplex).iter();
             vertices.any(|&vertex| is_named.get(vertex as usize) == Some(&true))
         };
-        Ok(collected((0..self.simplex_count()).map(is_touching))?)
+        Ok(Some(collected((0..self.simplex_count()).map(is_touching))?))
     }
 
     fn names_of(&self, is_in: &[bool]) -> Result<Vec<u64>> {

@@ -79,9 +79,9 @@ fn run<const D: usize>(
         seams.extend(make(vec![piece], &mut settled));
     }
     let mut seen = Seen::default();
-    for phase in 1..=D + 1 {
+    for phase in 1..=4 {
         let vertices = seams.iter().flat_map(|seam| seam.vertices().map(|(_, point)| point));
-        let count = if phase <= D { count } else { 1 };
+        let count = if phase < 4 { count } else { 1 };
         let cut = Bisection::new(vertices.collect(), count, phase).unwrap();
         let mut next: Vec<Vec<Piece<D>>> = (0..count).map(|_| Vec::new()).collect();
         for (part, seam) in seams.drain(..).flat_map(|seam| seam.cut_apart(&cut).unwrap()) {
@@ -113,6 +113,7 @@ fn run<const D: usize>(
             settled.into_iter().map(|piece| piece.take_out(&names).unwrap()).unzip();
         settled = left;
         number += 1;
+        let taken = taken.into_iter().flatten().collect();
         settled.push(coarse.maker().refine(taken, number, None).unwrap());
     }
     (coarse.maker().whole(settled).unwrap(), seen)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the programs of the tests on several numbers of ranks, and compares what they say.
 #
-#   run.sh messages|same|statuses|files|faults PROGRAMS SCRATCH
+#   run.sh messages|same|work|statuses|files|faults PROGRAMS SCRATCH
 #
 # PROGRAMS: the directory with messages, same_mesh, statuses and netmesh-mpi. SCRATCH: a directory for files.
 # NETMESH_MPIRUN: the launcher, mpirun if not given. What cannot run here is a line `SKIP: REASON`.
@@ -63,6 +63,30 @@ same_test() {
   else
     echo "skipped: same mesh of a scan: there is no $scan"
   fi
+}
+
+# The table of what a run took: partitions are the same on any number of ranks, and the model reads it.
+work_test() {
+  local directory="$scratch/work" number
+  rm -rf "$directory"
+  mkdir -p "$directory"
+  cd "$directory"
+  awk 'BEGIN { srand(7); for (i = 0; i < 20000; i++) print rand(), rand(), rand() }' >points.xyz
+  for number in 1 3 8; do
+    ranks "$number" "$programs/netmesh-mpi" points.xyz --work "$number.csv" --quiet
+    # Phase, number, inputs and simplices of every partition, whoever made it.
+    grep '^[0-9]*,partition,' "$number.csv" | cut -d, -f3-6 | sort >"$number.partitions"
+    cmp 1.partitions "$number.partitions"
+    [ "$(cut -d, -f1 "$number.csv" | sort -u | wc -l)" -eq $((number + 1)) ] || fail "ranks are missing"
+  done
+  # Several phases, of fewer and fewer partitions.
+  [ "$(cut -d, -f1 1.partitions | uniq -c | awk '{ printf "%s ", $1 }')" = "8 8 4 2 1 " ] ||
+    fail "phases: $(cut -d, -f1 1.partitions | uniq -c)"
+  refused 2 'the table would replace the input' 2 points.xyz --work points.xyz
+  refused 8 'cannot write' 3 points.xyz --work absent/work.csv
+  # From its own partitions the model foresees what a run took, and nothing else.
+  "${NETMESH_PYTHON:-python3}" "$here/../model/scaling.py" replay 1.csv 1.csv | grep '+0%'
+  "${NETMESH_PYTHON:-python3}" "$here/../model/scaling.py" predict 1.csv 8.csv --ranks 64 | grep '^ *64 '
 }
 
 statuses_test() {

@@ -2,7 +2,7 @@
 //! This is a sample sort along the order of locality of the coarse mesh.
 
 use super::Watch;
-use super::sample::{Input, keep_distinct};
+use super::sample::{Input, keep_distinct, one_of};
 use crate::comm::{Communicator, agreed};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{append, words_of};
@@ -13,12 +13,17 @@ use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 const LARGE: u64 = 1 << 18;
 pub const SMALL: u64 = 1 << 9;
 
+/// The least number of sampled inputs in a partition of a large mesh: with fewer, most of its inputs
+/// would be near an interface, and wait.
+const SAMPLED: u64 = 1 << 10;
+
 /// A small mesh has at most so many partitions.
 const FEW: u64 = 8;
 
 /// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
 fn partition_count(total: u64) -> usize {
-    (total / LARGE).max((total / SMALL).min(FEW)).max(1) as usize
+    let large = LARGE.max(SAMPLED * one_of(total));
+    (total / large).max((total / SMALL).min(FEW)).max(1) as usize
 }
 
 /// The partitions, and which of them this rank makes.
@@ -147,7 +152,8 @@ mod tests {
 
     #[test]
     fn partitions_follow_from_the_inputs_and_every_rank_has_its_share() {
-        assert_eq!([1, 900, 2000, 100_000, 10_000_000].map(partition_count), [1, 1, 3, 8, 38]);
+        let totals = [1, 900, 2000, 100_000, 10_000_000, 1_000_000_000];
+        assert_eq!(totals.map(partition_count), [1, 1, 3, 8, 38, 976]);
         for (count, ranks) in [(1, 3), (7, 3), (16, 16), (38, 8), (3, 5)] {
             let owners: Vec<usize> =
                 (0..count).map(|partition| owner(partition, count, ranks)).collect();

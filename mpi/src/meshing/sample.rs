@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 /// seams do, with a surface. With more of them the coarse mesh would take most of the time of many
 /// ranks, and have more vertices than it need, for they yield to inputs of the sample only; with fewer
 /// more inputs would wait at the seams, whose simplices are as large as those of the coarse mesh.
-fn one_of(total: u64) -> u64 {
+pub fn one_of(total: u64) -> u64 {
     let is_root = |root: u64| u128::from(root).pow(3) >= u128::from(total);
     let mut bounds = [0, 1 << 22];
     while bounds[1] - bounds[0] > 1 {

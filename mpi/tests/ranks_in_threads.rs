@@ -91,11 +91,11 @@ fn a_failure_of_one_rank_reaches_all_wherever_they_are() {
 #[test]
 fn a_panic_of_one_rank_is_an_error_on_all() {
     let answers = threads::run(3, |comm| {
-        let phase = || {
+        let fails = || {
             assert!(comm.rank() != 2, "a defect");
             comm.barrier()
         };
-        let error = agreed(comm, phase).unwrap_err();
+        let error = agreed(comm, fails).unwrap_err();
         // Whatever comes next has the same answer, at once.
         assert_eq!(comm.barrier().unwrap_err(), error);
         assert_eq!(comm.receive(0, 1).unwrap_err(), error);

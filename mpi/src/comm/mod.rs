@@ -64,7 +64,7 @@ pub trait Communicator {
     fn fail(&self, error: Error) -> Error;
 }
 
-/// Collective: `local` where all ranks have succeeded, else the same error on all ranks. Ends a phase.
+/// Collective: `local` where all ranks have succeeded, else the same error on all ranks.
 pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     match local {
         Ok(value) => comm.barrier().map(|()| value),
@@ -72,9 +72,9 @@ pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     }
 }
 
-/// Collective: runs a phase so that a panic on one rank is an error on all.
-pub fn agreed<T>(comm: &dyn Communicator, phase: impl FnOnce() -> Result<T>) -> Result<T> {
-    let local = catch_unwind(AssertUnwindSafe(phase)).unwrap_or_else(|payload| {
+/// Collective: does what needs no other rank so that a panic on one is an error on all.
+pub fn agreed<T>(comm: &dyn Communicator, act: impl FnOnce() -> Result<T>) -> Result<T> {
+    let local = catch_unwind(AssertUnwindSafe(act)).unwrap_or_else(|payload| {
         let reason = payload.downcast_ref::<&str>().copied();
         let reason = reason.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
         let reason = reason.unwrap_or("no reason given");

@@ -7,18 +7,18 @@ use crate::words::{append, hash, words_of};
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
-/// One input in this many is of the sample: the cube root of all. So what all ranks make grows as
-/// seams do, with a surface. With more of them the coarse mesh would take most of the time of many
-/// ranks, and have more vertices than it need, for they yield to inputs of the sample only; with fewer
-/// more inputs would wait at the seams, whose simplices are as large as those of the coarse mesh.
+/// One input in this many is of the sample, unless that would have more than [`MOST`]. With more the
+/// coarse mesh, which all ranks make, would take a share of the time that does not shrink with them;
+/// with fewer more inputs would wait at the seams, whose simplices are as large as those of the coarse
+/// mesh.
+const SAMPLED: u64 = 32;
+
+/// About so many inputs are in a sample at most: what all ranks make is bounded.
+const MOST: u64 = 1 << 20;
+
+/// One input in this many is of the sample of so many.
 pub fn one_of(total: u64) -> u64 {
-    let is_root = |root: u64| u128::from(root).pow(3) >= u128::from(total);
-    let mut bounds = [0, 1 << 22];
-    while bounds[1] - bounds[0] > 1 {
-        let middle = u64::midpoint(bounds[0], bounds[1]);
-        bounds[usize::from(is_root(middle))] = middle;
-    }
-    bounds[1]
+    SAMPLED.max(total / MOST)
 }
 
 /// An input and its number among those of all ranks.
@@ -145,15 +145,4 @@ fn least<const D: usize>(
         all.try_extend(&inputs_of(&bytes)?)?;
     }
     Ok(all.into_iter().min_by(&order))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::one_of;
-
-    #[test]
-    fn samples_grow_as_surfaces_do() {
-        let totals = [0, 1, 8, 9, 1000, 64_000, 1_000_000, 1_000_000_000, u64::MAX];
-        assert_eq!(totals.map(one_of), [1, 1, 2, 3, 10, 40, 100, 1000, 2_642_246]);
-    }
 }

@@ -16,9 +16,19 @@ import collections
 import csv
 import math
 
-# The rules of the program: inputs of a partition, and the least number of sampled ones in it.
-LARGE = 1 << 18
+# The rules of the program: the least number of inputs of a partition in a large mesh, and of sampled
+# ones; partitions are a multiple of FEW; one input in 32 is sampled, and a million at most.
+LARGE = 1 << 19
 SAMPLED = 1 << 10
+FEW = 8
+
+
+def one_of(points):
+    return max(32, points // (1 << 20))
+
+
+def partitions_of(points):
+    return FEW * max(1, int(points // (FEW * max(LARGE, SAMPLED * one_of(points)))))
 
 
 class Run:
@@ -119,8 +129,7 @@ class Laws:
         # Thicknesses of what waits, and of what a seam has, in distances between inputs; by how much
         # both fall from phase to phase.
         count = len(one.phases[0])
-        root = self.points ** (1 / 3)
-        self.waiting = self.thickness(waiting[1] / self.points, count) / root ** (1 / dim)
+        self.waiting = self.thickness(waiting[1] / self.points, count) / one_of(self.points) ** (1 / dim)
         self.all_simplices = one.step("numbers", 1)
         self.seam = self.thickness(simplices[1] / self.all_simplices, count)
         self.fall = [(b / a, d / c) for a, b, c, d in zip(waiting[1:], waiting[2:-1], simplices[1:], simplices[2:])]
@@ -143,12 +152,11 @@ class Laws:
         return 1 - max(0.0, 1 - 2 * thickness * self.inner(count) / side) ** self.dim
 
     def seconds(self, points, ranks, bandwidth):
-        root = points ** (1 / 3)
-        count = max(1, int(points // max(LARGE, SAMPLED * root)))
+        count, sampled = partitions_of(points), points / one_of(points)
         share = math.ceil(count / ranks) / count
-        coarse = self.per_sampled * points / root
+        coarse = self.per_sampled * sampled
         located = self.per_point * points / ranks
-        waits = points * self.part(self.waiting * root ** (1 / self.dim), points, count)
+        waits = points * self.part(self.waiting * one_of(points) ** (1 / self.dim), points, count)
         simplices = self.all_simplices / self.points * points * self.part(self.seam, points, count)
         partitions = self.per_input * (points - waits) * share
         seams, moved, busy = 0.0, simplices * self.sent_numbers, count
@@ -161,7 +169,7 @@ class Laws:
             if busy == 1:
                 break
             waits, simplices, busy = left, simplices * fall[1], max(1, busy // 2)
-        sent = points / root * 8 * (1 + self.dim) + points / ranks * self.sent_per_point + moved / ranks
+        sent = sampled * 8 * (1 + self.dim) + points / ranks * self.sent_per_point + moved / ranks
         return count, coarse, located, partitions, seams, sent / bandwidth, sent
 
 

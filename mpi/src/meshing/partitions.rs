@@ -9,21 +9,25 @@ use crate::words::{append, words_of};
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
-/// Inputs of a partition of a large mesh, and the least that a partition of a small one has.
-const LARGE: u64 = 1 << 18;
+/// The least number of inputs of a partition in a large mesh, and in a small one.
+const LARGE: u64 = 1 << 19;
 pub const SMALL: u64 = 1 << 9;
 
 /// The least number of sampled inputs in a partition of a large mesh: with fewer, most of its inputs
 /// would be near an interface, and wait.
 const SAMPLED: u64 = 1 << 10;
 
-/// A small mesh has at most so many partitions.
+/// A small mesh has at most so many partitions, and a large one a multiple of that, for equal shares on
+/// the usual numbers of ranks.
 const FEW: u64 = 8;
 
 /// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
 fn partition_count(total: u64) -> usize {
     let large = LARGE.max(SAMPLED * one_of(total));
-    (total / large).max((total / SMALL).min(FEW)).max(1) as usize
+    match total / (FEW * large) {
+        0 => (total / SMALL).clamp(1, FEW) as usize,
+        several => (several * FEW) as usize,
+    }
 }
 
 /// The partitions, and which of them this rank makes.
@@ -153,7 +157,7 @@ mod tests {
     #[test]
     fn partitions_follow_from_the_inputs_and_every_rank_has_its_share() {
         let totals = [1, 900, 2000, 100_000, 10_000_000, 1_000_000_000];
-        assert_eq!(totals.map(partition_count), [1, 1, 3, 8, 38, 1024]);
+        assert_eq!(totals.map(partition_count), [1, 1, 3, 8, 16, 1024]);
         for (count, ranks) in [(1, 3), (7, 3), (16, 16), (38, 8), (3, 5)] {
             let owners: Vec<usize> =
                 (0..count).map(|partition| owner(partition, count, ranks)).collect();

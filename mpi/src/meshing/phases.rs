@@ -3,7 +3,7 @@
 use super::Watch;
 use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected};
+use crate::memory::{TryGrow, collected, filled};
 use crate::words::{append, bytes_of, hash, words_of};
 use crate::work::Step;
 use netmesh::Result;
@@ -47,12 +47,14 @@ pub fn make<const D: usize>(
         Ok(())
     })?;
     let (mut made, mut phase, mut count) = (count as u32, 0, count);
+    let mut owners = vec![owner(0, 1, comm.size()) as u32];
     while count > 1 {
         phase += 1;
         let most = if phase == 1 { count } else { count / 2 };
         let cut;
         (cut, count) = cut_of(comm, &seams, phase, most)?;
-        let shared = exchange(comm, seams, &cut, count)?;
+        let shared;
+        (owners, shared) = exchange(comm, seams, &cut, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
         seams = Vec::new();
         agreed(comm, || {
@@ -69,7 +71,7 @@ pub fn make<const D: usize>(
         made += count as u32;
     }
     settled.try_push_all(seams.into_iter().map(|(_, seam)| seam))?;
-    let settled = make_rest(comm, maker, settled, owner(0, 1, comm.size()), made, watch)?;
+    let settled = make_rest(comm, maker, settled, owners[0] as usize, made, watch)?;
     watch.notes.end(Step::Rest, 0, 0)?;
     Ok(settled)
 }
@@ -135,26 +137,36 @@ fn cut_of<const D: usize>(
     Ok((cut, count))
 }
 
-/// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. The partitions
-/// that this rank makes, with their pieces in the order of the partitions that left them.
+/// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. Those ranks, and
+/// the partitions that this rank makes, with their pieces in the order of the partitions that left them.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Seam<D>>,
     cut: &Bisection<D>,
     count: usize,
-) -> Result<Vec<(u32, Vec<Piece<D>>)>> {
+) -> Result<(Vec<u32>, Vec<(u32, Vec<Piece<D>>)>)> {
     let mut kept: Vec<(u32, u32, Piece<D>)> = Vec::new();
-    let messages = agreed(comm, || {
-        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+    let own = agreed(comm, || {
+        let mut own = filled(count, 0u64)?;
         for (from, seam) in seams {
             for (partition, piece) in seam.cut_apart(cut)? {
-                match owner(partition as usize, count, comm.size()) {
-                    to if to == comm.rank() => kept.try_push_one((partition, from, piece))?,
-                    to => append_piece(&mut messages[to], [partition, from], &piece)?,
-                }
+                own[partition as usize] += piece.simplex_count() as u64;
+                kept.try_push_one((partition, from, piece))?;
             }
         }
-        Ok(messages)
+        bytes_of(&own)
+    })?;
+    let shares = comm.all_gather(&own)?;
+    let (owners, messages) = agreed(comm, || {
+        let owners = owners_of(&shares, count)?;
+        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+        for (partition, from, piece) in std::mem::take(&mut kept) {
+            match owners[partition as usize] as usize {
+                to if to == comm.rank() => kept.try_push_one((partition, from, piece))?,
+                to => append_piece(&mut messages[to], [partition, from], &piece)?,
+            }
+        }
+        Ok((owners, messages))
     })?;
     let received = comm.all_to_all(messages)?;
     agreed(comm, || {
@@ -171,8 +183,30 @@ fn exchange<const D: usize>(
                 _ => shared.try_push_one((partition, vec![piece]))?,
             }
         }
-        Ok(shared)
+        Ok((owners, shared))
     })
+}
+
+/// The rank that makes each partition: one that has much of it, so that little is sent, and none more
+/// partitions than others. `shares`: by rank, how much of each partition it has. The mesh does not
+/// depend on it.
+fn owners_of(shares: &[Vec<u8>], count: usize) -> Result<Vec<u32>> {
+    let most = count.div_ceil(shares.len());
+    let mut wishes = Vec::new();
+    for (rank, share) in (0..).zip(shares) {
+        for (partition, has) in words_of(share).enumerate() {
+            wishes.try_push((u64::MAX - has, partition, rank))?;
+        }
+    }
+    wishes.sort_unstable();
+    let (mut owners, mut loads) = (filled(count, u32::MAX)?, filled(shares.len(), 0)?);
+    for (_, partition, rank) in wishes {
+        if owners[partition] == u32::MAX && loads[rank as usize] < most {
+            owners[partition] = rank;
+            loads[rank as usize] += 1;
+        }
+    }
+    Ok(owners)
 }
 
 fn append_piece<const D: usize>(
@@ -303,5 +337,24 @@ impl<T> Pieces<T> for Vec<T> {
 
     fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()> {
         pieces.into_iter().try_for_each(|piece| self.try_push(piece))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn partitions_are_made_where_most_of_them_is_and_by_all_ranks_alike() {
+        let owners = |shares: &[&[u64]], count| {
+            let shares: Vec<Vec<u8>> =
+                shares.iter().map(|share| bytes_of(share).unwrap()).collect();
+            owners_of(&shares, count).unwrap()
+        };
+        assert_eq!(owners(&[&[5, 9], &[7, 8]], 2), [1, 0]);
+        // The third has nothing of any, and takes what others have no room for.
+        assert_eq!(owners(&[&[9, 8, 7], &[3, 2, 6], &[0, 0, 0]], 3), [0, 2, 1]);
+        assert_eq!(owners(&[&[1, 2, 3, 4, 5], &[0; 5]], 5), [1, 1, 0, 0, 0]);
+        assert_eq!(owners(&[&[4], &[4], &[5]], 1), [2]);
     }
 }

@@ -51,9 +51,9 @@ fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
     crossing([[&[a, 0.0], &[b, 1.0]], level]).map_or(a, |[x, _]| x)
 }
 
-/// The sum of `a`, and of `fraction` times the two parts of `b - a`, with all its bits: five
-/// numbers without a common bit, of which the largest is the sum, rounded (J. R. Shewchuk,
-/// "Adaptive Precision Floating-Point Arithmetic", 1997, theorem 10).
+/// The sum of `a`, and of `fraction` times the two parts of `b - a`, rounded once: all its bits are
+/// in five numbers without a common one, by rising magnitude (J. R. Shewchuk, "Adaptive Precision
+/// Floating-Point Arithmetic", 1997, theorem 10).
 fn sum_between(a: f64, b: f64, fraction: f64) -> f64 {
     let (difference, rest) = sum_of(b, -a);
     let (high, low) = product_of(fraction, difference);
@@ -66,7 +66,25 @@ fn sum_between(a: f64, b: f64, fraction: f64) -> f64 {
         }
         parts[count] = carried;
     }
-    parts.into_iter().fold(0.0, |sum, part| sum + part)
+    rounded(parts)
+}
+
+/// The double nearest to the sum of numbers without a common bit, by rising magnitude.
+fn rounded(parts: [f64; 5]) -> f64 {
+    let mut from_largest = parts.into_iter().rev();
+    let (mut sum, mut lacking) = (0.0, 0.0);
+    for part in from_largest.by_ref() {
+        (sum, lacking) = sum_of(sum, part);
+        if lacking != 0.0 {
+            break;
+        }
+    }
+    // The rest is less than any bit of these two: it tells only where the sum was a tie, which went to
+    // the even double.
+    let below = from_largest.find(|&part| part != 0.0).unwrap_or(0.0);
+    let next = sum + 2.0 * lacking;
+    let is_tie = next - sum == 2.0 * lacking;
+    if is_tie && below * lacking.signum() > 0.0 { next } else { sum }
 }
 
 /// The sum, rounded, and what it lacks.
@@ -146,6 +164,25 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// The largest part of the sum is a tie, which goes to the even double unless what is below says
+    /// otherwise: products of fractions that are rounded nearly are powers of two.
+    #[test]
+    fn a_tie_is_no_tie_if_there_is_more() {
+        let third = 2f64.powi(-52) / 3.0;
+        let odd = 3.0 + 2f64.powi(-51);
+        for sign in [1.0, -1.0] {
+            // The nearest doubles to odd - 2^-52 (1 - 2^-54), and to what is beyond the tie.
+            let end = odd - 3.0;
+            assert_eq!(point_between(&[sign * odd], &[sign * end], third), [sign * odd]);
+            let above = third.next_up();
+            assert_eq!(point_between(&[sign * odd], &[sign * end], above), [sign * 3.0]);
+            // An even double keeps the tie, and gives way beyond it.
+            assert_eq!(point_between(&[sign * 3.0], &[0.0], third), [sign * 3.0]);
+            let below = 3.0 - 2f64.powi(-51);
+            assert_eq!(point_between(&[sign * 3.0], &[0.0], above), [sign * below]);
         }
     }
 

@@ -66,3 +66,17 @@ fn segments_between_points_of_any_magnitude() {
     let report = validate_mesh(&mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
 }
+
+/// Sharp corners put vertices where one coordinate is half a unit in the last place from an end's, but
+/// for 2^-54 of that. Sums in which that was lost took the tie to the other double.
+#[test]
+fn vertices_that_nearly_are_half_a_unit_from_an_end() {
+    let points =
+        [[0.0, -4.492201113413975e69], [0.0, -4.622951982840224e164], [5.996942416370306e177, 0.0]];
+    let mut mesh = Mesh::new(2, 3, points.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 2, 1, 2], None).unwrap();
+    let options = Options { output: Output::WellSpaced, ..Options::default() };
+    mesh.run(&options, None).unwrap();
+    let report = validate_mesh(&mesh, 3).unwrap();
+    assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
+}

@@ -183,6 +183,18 @@ impl Chains {
         }
     }
 
+    /// The first of the lines that `vertex` is on, be it an end of them or not.
+    pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
+        match self.place(vertex) {
+            Place::Elsewhere => None,
+            Place::End(end) => {
+                let [start, end] = [end, end + 1].map(|at| self.starts[at as usize] as usize);
+                self.at_ends[start..end].iter().map(|at_end| at_end.line).min()
+            }
+            Place::Between([before, _]) => Some(self.get(before).line),
+        }
+    }
+
     /// The vertices next to `vertex` on the line that it is on and no end of.
     pub fn neighbors_on_line(&self, vertex: VertexId) -> Option<[VertexId; 2]> {
         match self.place(vertex) {
@@ -214,16 +226,6 @@ impl Chains {
             _ => own.binary_search_by_key(&other, |at_end| at_end.other).ok(),
         };
         found.map(|at| start + at)
-    }
-
-    /// The subsegment between two vertices.
-    #[inline]
-    pub fn between(&self, a: VertexId, b: VertexId) -> Option<u32> {
-        let (place, other) = (self.place(a), self.place(b));
-        if place == Place::Elsewhere || other == Place::Elsewhere {
-            return None;
-        }
-        self.between_places((a, place), (b, other))
     }
 
     /// The subsegments between the vertices of a triangle: number i is opposite vertex number i.
@@ -360,7 +362,9 @@ mod tests {
     fn edges_are_found_from_both_ends_before_and_after_splits() {
         let mut chains = triangle();
         let ends = |chains: &Chains, a, b| {
-            let found = [(a, b), (b, a)].map(|(a, b)| chains.between(vertex(a), vertex(b)));
+            let elsewhere = vertex(6);
+            let found = [(a, b), (b, a)]
+                .map(|(a, b)| chains.sides_of(&[vertex(a), vertex(b), elsewhere])[2]);
             assert_eq!(found[0], found[1]);
             found[0]
         };

@@ -148,26 +148,33 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Refuses a seed on a segment, which is in no region.
+    /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
     fn refuse_on_segment(&self, number: usize, x: &[f64; D], simplex: SimplexId) -> Result<()> {
-        let vertices = self.state.delaunay.complex().vertices(simplex);
-        for index in 0..=D {
-            let mut points: [&[f64; D]; 3] =
-                std::array::from_fn(|at| self.state.delaunay.point(vertices[at]));
-            points[index] = x;
-            let edge = [1, 2].map(|step| vertices[(index + step) % 3]);
-            let line = self.state.segments.chains.between(edge[0], edge[1]);
-            if let (Some(subsegment), Sign::Zero) = (line, orientation(&points)) {
-                let line = self.state.segments.chains.get(subsegment).line;
-                let segment = self.state.segments.chains.lines[line as usize].segment;
-                let name = name_of(segment);
-                let message = message!(
-                    "regions[{number}].seed is on {name}; it must be in the interior \
-                     of a region"
-                );
-                return Err(Error::new(ErrorKind::InvalidArgument, message));
-            }
+        let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
+        let name = name_of(self.state.segments.chains.lines[line as usize].segment);
+        let message = message!(
+            "regions[{number}].seed is on {name}; it must be in the interior \
+             of a region"
+        );
+        Err(Error::new(ErrorKind::InvalidArgument, message))
+    }
+
+    /// The line that a point of the closure of `simplex` is on. At a vertex of a line it may be that
+    /// no side of the simplex is of that line.
+    fn line_under(&self, x: &[f64; D], simplex: SimplexId) -> Option<u32> {
+        let State { delaunay, segments, .. } = &self.state;
+        let (vertices, chains) = (delaunay.complex().vertices(simplex), &segments.chains);
+        let at_vertex = vertices.iter().find(|&&vertex| delaunay.point(vertex) == x);
+        if let Some(&vertex) = at_vertex {
+            return chains.line_at(vertex);
         }
-        Ok(())
+        let is_on = |index: usize| {
+            let mut points: [&[f64; D]; 3] = std::array::from_fn(|at| delaunay.point(vertices[at]));
+            points[index] = x;
+            orientation(&points) == Sign::Zero
+        };
+        let sides = chains.sides_of(vertices).into_iter().enumerate();
+        let side = sides.filter(|&(index, _)| is_on(index)).find_map(|(_, side)| side)?;
+        Some(chains.get(side).line)
     }
 }

@@ -29,6 +29,14 @@ impl Domain {
         self
     }
 
+    /// Adds a segment between new points.
+    fn segment(mut self, a: [f64; 2], b: [f64; 2]) -> Self {
+        let first = self.points.len() as u32;
+        self.points.extend([a, b]);
+        self.segments.push([first, first + 1]);
+        self
+    }
+
     fn region(mut self, seed: [f64; 2], label: i32) -> Self {
         self.regions.push(Region { seed, label, ..Region::default() });
         self
@@ -313,17 +321,53 @@ fn without_a_cut_the_mesh_reaches_to_its_cage() {
 #[test]
 fn a_seed_on_a_segment_is_refused() {
     let domain = Domain::default().curve(&square(1.0)).hole([1.0, 0.25]);
-    let mut mesh = Mesh::new(2, 4, domain.points.as_flattened(), 0).unwrap();
+    assert_seed_refused(&domain, "regions[0].seed is on segments[1];");
+}
+
+fn assert_seed_refused(domain: &Domain, message: &str) {
+    let points = domain.points.as_flattened();
+    let mut mesh = Mesh::new(2, domain.points.len(), points, 0).unwrap();
     mesh.set_segments(domain.segments.as_flattened(), None).unwrap();
     mesh.set_regions(&domain.regions).unwrap();
-    let error = mesh.run(&inside(20.0), None).unwrap_err();
+    let error = mesh.run(&inside(20.0), None).expect_err(message);
     assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-    assert!(
-        error.message().starts_with("regions[0].seed is on segments[1];"),
-        "{}",
-        error.message()
-    );
+    assert!(error.message().starts_with(message), "{}", error.message());
     assert!(mesh.triangulation().is_none());
+}
+
+/// A triangle at an end of segments need have none of them for a side. Inputs all round the end let
+/// the seed be found in such triangles, on either side.
+#[test]
+fn a_seed_at_an_end_of_segments_is_refused() {
+    for center in [[0.0, 0.0], [0.25, -0.125], [-0.5, 0.375]] {
+        for spokes in [vec![0], vec![3, 8], vec![1, 4, 6, 9]] {
+            for is_hole in [false, true] {
+                let mut domain = Domain::default().curve(&square(1.0));
+                domain.points.push(center);
+                domain.points.extend(circle(11, center, 0.25));
+                domain.segments.extend(spokes.iter().map(|spoke| [4, 5 + spoke]));
+                domain.regions.push(Region {
+                    seed: center,
+                    label: 7,
+                    is_hole,
+                    ..Region::default()
+                });
+                assert_seed_refused(&domain, "regions[0].seed is on segments[4];");
+            }
+        }
+    }
+}
+
+/// The middle of a segment becomes a vertex of its chain.
+#[test]
+fn a_seed_at_a_vertex_on_a_segment_is_refused() {
+    let seed = [-0.125, 0.125];
+    for [x, y] in [[0.5, 0.5], [0.5, -0.25], [0.5, 0.125], [-0.25, -0.5], [0.0, -0.625]] {
+        let ends = [1.0, -1.0].map(|side| [seed[0] + side * x, seed[1] + side * y]);
+        let mut domain = Domain::default().curve(&square(1.0)).segment(ends[0], ends[1]);
+        domain.points.extend(circle(11, seed, 0.25));
+        assert_seed_refused(&domain.region(seed, 7), "regions[0].seed is on segments[4];");
+    }
 }
 
 /// Two segments an ulp apart ask for more vertices than anyone has: the limit says so.

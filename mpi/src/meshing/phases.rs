@@ -22,6 +22,9 @@ const WAITING: u64 = 8;
 /// What a partition leaves, with its number in its phase.
 type Seam<const D: usize> = (u32, Piece<D>);
 
+/// A partition by its number, and the pieces that it is made of.
+type Joined<const D: usize> = (u32, Vec<Piece<D>>);
+
 /// Collective: makes all partitions, and what they leave. Answers the settled pieces of this rank.
 ///
 /// What a phase leaves lies along its planes and those of the phases before, so it gets less and less,
@@ -144,7 +147,7 @@ fn exchange<const D: usize>(
     seams: Vec<Seam<D>>,
     cut: &Bisection<D>,
     count: usize,
-) -> Result<(Vec<u32>, Vec<(u32, Vec<Piece<D>>)>)> {
+) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
     let mut kept: Vec<(u32, u32, Piece<D>)> = Vec::new();
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
@@ -176,7 +179,7 @@ fn exchange<const D: usize>(
             })?;
         }
         kept.sort_by_key(|&(partition, from, _)| (partition, from));
-        let mut shared: Vec<(u32, Vec<Piece<D>>)> = Vec::new();
+        let mut shared: Vec<Joined<D>> = Vec::new();
         for (partition, _, piece) in kept {
             match shared.last_mut() {
                 Some((last, pieces)) if *last == partition => pieces.try_push_one(piece)?,

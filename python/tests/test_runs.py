@@ -137,7 +137,8 @@ def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random):
             start = time.monotonic()
             with pytest.raises(Alarm):
                 call(m)
-            assert time.monotonic() - start < needed / 2
+            # A wait that goes on takes as long as the call; one that ends has a thread to begin.
+            assert time.monotonic() - start < 0.75 * needed
     finally:
         signal.signal(signal.SIGALRM, before)
     # What another thread had begun is there.

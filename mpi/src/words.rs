@@ -1,6 +1,6 @@
 //! Messages as 64-bit words, in the byte order of files: ranks may be of different machines.
 
-use crate::memory::{TryGrow, with_capacity};
+use crate::memory::{TryGrow, collected, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 
 /// Appends `words` to `bytes`.
@@ -18,6 +18,18 @@ pub fn bytes_of(words: &[u64]) -> Result<Vec<u8>> {
 /// The words of a message.
 pub fn words_of(bytes: &[u8]) -> impl ExactSizeIterator<Item = u64> + Clone + '_ {
     bytes.chunks_exact(8).map(|word| u64::from_le_bytes(word.try_into().unwrap_or_default()))
+}
+
+/// The words of several messages, one after another.
+pub fn all_words(messages: &[Vec<u8>]) -> Result<Vec<u64>> {
+    let mut words = with_capacity(messages.iter().map(|message| message.len() / 8).sum())?;
+    messages.iter().for_each(|message| words.extend(words_of(message)));
+    Ok(words)
+}
+
+/// A message for each rank, to be filled.
+pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {
+    collected((0..ranks).map(|_| Vec::new()))
 }
 
 /// What chooses something by these words alone: mixed as by Steele, Lea and Flood, "Fast splittable

@@ -1,9 +1,9 @@
 //! Pieces without what making them took. A domain may have been dissolved where others did not see it.
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::{TryGrow, collected, with_capacity};
+use crate::memory::{collected, with_capacity};
 use crate::piece::{HULL, INTERFACE, Piece, PieceDomain};
-use crate::words::{bytes_of, words_of};
+use crate::words::{all_words, bytes_of};
 use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
 use netmesh::{Result, VertexKind};
 
@@ -21,13 +21,9 @@ pub fn finish<const D: usize>(
     })?;
     let own: Vec<u64> =
         collected(plain.iter().flat_map(|piece| piece.released.iter().flatten().copied()))?;
-    let mut released: Vec<[u64; 2]> = Vec::new();
-    for bytes in comm.all_gather(&bytes_of(&own)?)? {
-        let names: Vec<u64> = collected(words_of(&bytes))?;
-        for pair in names.chunks_exact(2) {
-            released.try_push([pair[0], pair[1]])?;
-        }
-    }
+    let names = all_words(&comm.all_gather(&bytes_of(&own)?)?)?;
+    let mut released: Vec<[u64; 2]> =
+        collected(names.chunks_exact(2).map(|pair| [pair[0], pair[1]]))?;
     released.sort_unstable();
     released.dedup();
     agreed(comm, || {

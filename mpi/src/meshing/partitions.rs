@@ -5,7 +5,7 @@ use super::Watch;
 use super::sample::{Input, keep_distinct, one_of};
 use crate::comm::{Communicator, agreed};
 use crate::memory::{TryGrow, collected, with_capacity};
-use crate::words::{append, words_of};
+use crate::words::{all_words, append, empty_messages, words_of};
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
@@ -41,7 +41,7 @@ pub struct Share<const D: usize> {
 }
 
 /// The rank that makes a partition.
-pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
+fn owner(partition: usize, count: usize, ranks: usize) -> usize {
     partition * ranks / count
 }
 
@@ -64,7 +64,7 @@ pub fn share<const D: usize>(
     yield_to(comm, coarse, &at_steiner_points, first)?;
     let coarse = &*coarse;
     let messages = agreed(comm, || {
-        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+        let mut messages = empty_messages(comm.size())?;
         for ((name, point), &simplex) in (first..).zip(points).zip(&located) {
             if let Some(&partition) = partition_of.get(simplex as usize) {
                 let message = &mut messages[owner(partition as usize, count, comm.size())];
@@ -96,12 +96,9 @@ fn yield_to<const D: usize>(
     })?;
     let all = comm.all_gather(&message)?;
     agreed(comm, || {
-        let mut inputs: Vec<(u32, u64)> = Vec::new();
-        for message in &all {
-            let words: Vec<u64> = collected(words_of(message))?;
-            let pairs = words.chunks_exact(2);
-            pairs.into_iter().try_for_each(|pair| inputs.try_push((pair[0] as u32, pair[1])))?;
-        }
+        let words = all_words(&all)?;
+        let mut inputs: Vec<(u32, u64)> =
+            collected(words.chunks_exact(2).map(|pair| (pair[0] as u32, pair[1])))?;
         inputs.sort_unstable();
         inputs.dedup_by_key(|&mut (vertex, _)| vertex);
         coarse.yield_to(&inputs)

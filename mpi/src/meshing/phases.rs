@@ -1,10 +1,10 @@
 //! Partitions, and the phases in which their seams are cut anew and joined.
 
 use super::Watch;
-use super::partitions::{SMALL, Share, owner};
+use super::partitions::{SMALL, Share};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::memory::{TryGrow, collected, filled};
-use crate::words::{append, bytes_of, hash, words_of};
+use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
 use crate::work::Step;
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
@@ -35,22 +35,15 @@ pub fn make<const D: usize>(
     share: Share<D>,
     watch: &mut Watch<'_, '_, '_>,
 ) -> Result<Vec<Piece<D>>> {
-    let Share { pieces, first, count } = share;
+    let Share { pieces, first, mut count } = share;
     let maker = coarse.maker();
     let mut settled = Vec::new();
-    let mut seams = Vec::new();
-    agreed(comm, || {
-        let part = 0.5 / pieces.len() as f64;
-        for (partition, piece) in (first as u32..).zip(pieces) {
-            let step = Step::Partition { phase: 0, number: partition };
-            let (rest, seam) = refine(maker, vec![piece], 1 + partition, step, part, watch)?;
-            settled.try_push_one(rest)?;
-            seams.try_push_all(seam.map(|seam| (partition, seam)))?;
-        }
-        Ok(())
-    })?;
-    let (mut made, mut phase, mut count) = (count as u32, 0, count);
-    let mut owners = vec![owner(0, 1, comm.size()) as u32];
+    let alone = (first as u32..).zip(pieces.into_iter().map(|piece| vec![piece]));
+    let mut seams =
+        agreed(comm, || make_phase(maker, collected(alone)?, 0, 0, &mut settled, watch))?;
+    let (mut made, mut phase) = (count as u32, 0);
+    // If there is one partition, the first rank makes it.
+    let mut owners = vec![0];
     while count > 1 {
         phase += 1;
         let most = if phase == 1 { count } else { count / 2 };
@@ -59,18 +52,7 @@ pub fn make<const D: usize>(
         let shared;
         (owners, shared) = exchange(comm, seams, &cut, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
-        seams = Vec::new();
-        agreed(comm, || {
-            let part = 0.2 / f64::from(phase * phase) / shared.len() as f64;
-            for (partition, pieces) in shared {
-                let step = Step::Partition { phase, number: partition };
-                let number = made + 1 + partition;
-                let (rest, seam) = refine(maker, pieces, number, step, part, watch)?;
-                settled.try_push_one(rest)?;
-                seams.try_push_all(seam.map(|seam| (partition, seam)))?;
-            }
-            Ok(())
-        })?;
+        seams = agreed(comm, || make_phase(maker, shared, phase, made, &mut settled, watch))?;
         made += count as u32;
     }
     settled.try_push_all(seams.into_iter().map(|(_, seam)| seam))?;
@@ -79,21 +61,31 @@ pub fn make<const D: usize>(
     Ok(settled)
 }
 
-/// Refines what `pieces` are together. What is settled, and the seam.
-fn refine<const D: usize>(
+/// Refines the partitions of a phase that this rank makes; `made` are those of the phases before.
+/// Their seams; what is settled goes to `settled`.
+fn make_phase<const D: usize>(
     maker: &Maker<D>,
-    pieces: Vec<Piece<D>>,
-    number: u32,
-    step: Step,
-    part: f64,
+    partitions: Vec<Joined<D>>,
+    phase: u32,
+    made: u32,
+    settled: &mut Vec<Piece<D>>,
     watch: &mut Watch<'_, '_, '_>,
-) -> Result<(Piece<D>, Option<Piece<D>>)> {
-    let sum = |count: fn(&Piece<D>) -> usize| pieces.iter().map(|piece| count(piece) as u64).sum();
-    let (inputs, simplices) = (sum(Piece::waiting_count), sum(Piece::simplex_count));
-    let made = watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?;
-    let divided = made.divide(RINGS, || Ok(()))?;
-    watch.notes.end(step, inputs, simplices)?;
-    Ok(divided)
+) -> Result<Vec<Seam<D>>> {
+    let share = if phase == 0 { 0.5 } else { 0.2 / f64::from(phase * phase) };
+    let part = share / partitions.len() as f64;
+    let mut seams = Vec::new();
+    for (partition, pieces) in partitions {
+        let sum =
+            |count: fn(&Piece<D>) -> usize| pieces.iter().map(|piece| count(piece) as u64).sum();
+        let (inputs, simplices) = (sum(Piece::waiting_count), sum(Piece::simplex_count));
+        let number = made + 1 + partition;
+        let made = watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?;
+        let (rest, seam) = made.divide(RINGS, || Ok(()))?;
+        watch.notes.end(Step::Partition { phase, number: partition }, inputs, simplices)?;
+        settled.try_push_one(rest)?;
+        seams.try_push_all(seam.map(|seam| (partition, seam)))?;
+    }
+    Ok(seams)
 }
 
 /// Collective: where the seams of all ranks are cut, and into how many partitions. Vertices that their
@@ -128,14 +120,9 @@ fn cut_of<const D: usize>(
     })?;
     let all = comm.all_gather(&message)?;
     let cut = agreed(comm, || {
-        let mut points = Vec::new();
-        for message in &all {
-            let words: Vec<u64> = collected(words_of(message))?;
-            for words in words.chunks_exact(D) {
-                points.try_push(std::array::from_fn(|axis| f64::from_bits(words[axis])))?;
-            }
-        }
-        Bisection::new(points, count, phase as usize)
+        let words = all_words(&all)?;
+        let point = |words: &[u64]| std::array::from_fn(|axis| f64::from_bits(words[axis]));
+        Bisection::new(collected(words.chunks_exact(D).map(point))?, count, phase as usize)
     })?;
     Ok((cut, count))
 }
@@ -162,7 +149,7 @@ fn exchange<const D: usize>(
     let shares = comm.all_gather(&own)?;
     let (owners, messages) = agreed(comm, || {
         let owners = owners_of(&shares, count)?;
-        let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+        let mut messages = empty_messages(comm.size())?;
         for (partition, from, piece) in std::mem::take(&mut kept) {
             match owners[partition as usize] as usize {
                 to if to == comm.rank() => kept.try_push_one((partition, from, piece))?,
@@ -299,7 +286,7 @@ fn take_out<const D: usize>(
     names: &[u64],
     rank: usize,
 ) -> Result<(Vec<Piece<D>>, Vec<Vec<u8>>)> {
-    let mut messages: Vec<Vec<u8>> = collected((0..comm.size()).map(|_| Vec::new()))?;
+    let mut messages = empty_messages(comm.size())?;
     let mut kept = Vec::new();
     for (at, piece) in std::mem::take(settled).into_iter().enumerate() {
         let (left, taken) = piece.take_out(names)?;
@@ -317,11 +304,7 @@ fn take_out<const D: usize>(
 fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     own.sort_unstable();
     own.dedup();
-    let mut all = Vec::new();
-    for bytes in comm.all_gather(&bytes_of(&own)?)? {
-        let names: Vec<u64> = collected(words_of(&bytes))?;
-        all.try_extend(&names)?;
-    }
+    let mut all = all_words(&comm.all_gather(&bytes_of(&own)?)?)?;
     all.sort_unstable();
     all.dedup();
     Ok(all)

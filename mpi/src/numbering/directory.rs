@@ -3,8 +3,8 @@
 use super::defect;
 use super::merged::Merged;
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, collected, filled, with_capacity};
-use crate::words::{Words, append, hash};
+use crate::memory::{TryGrow, filled, with_capacity};
+use crate::words::{Words, append, empty_messages, hash};
 use netmesh::Result;
 use netmesh::mesh::MAX_DIM;
 
@@ -22,10 +22,6 @@ pub struct Crossing {
 /// The rank that knows about something with these names.
 fn keeper(names: &[u64], ranks: usize) -> usize {
     (hash(names) % ranks as u64) as usize
-}
-
-pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {
-    collected((0..ranks).map(|_| Vec::new()))
 }
 
 /// A facet as the directory sees it: the names of its vertices, the place among all neighbours of all

@@ -1,11 +1,11 @@
 //! Simplices of other ranks that share a vertex with an own one.
 
 use super::defect;
-use super::directory::{Crossing, Shared, empty_messages};
+use super::directory::{Crossing, Shared};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Ghost, InterfaceFacet};
 use crate::memory::{TryGrow, collected, copied, with_capacity};
-use crate::words::{Words, append};
+use crate::words::{Words, append, empty_messages};
 use netmesh::Result;
 
 /// Collective: each rank sends the others its simplices that share a vertex with theirs.

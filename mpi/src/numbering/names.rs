@@ -1,9 +1,8 @@
 //! Numbers of names: each is that of the names below it on all ranks.
 
-use super::directory::empty_messages;
 use crate::comm::Communicator;
 use crate::memory::{TryGrow, collected, with_capacity};
-use crate::words::{bytes_of, words_of};
+use crate::words::{bytes_of, empty_messages, words_of};
 use netmesh::Result;
 
 /// How many of its names a rank tells all for the choice of ranges.

@@ -2,7 +2,7 @@
 
 use crate::comm::Communicator;
 use crate::memory::{TryGrow, collected, filled};
-use crate::words::{Words, append};
+use crate::words::{Words, append, empty_messages};
 use netmesh::{Error, ErrorKind, Result};
 
 /// The rows of a rank.
@@ -23,7 +23,7 @@ pub fn gather<'a>(
     let ranks = comm.size() as u64;
     let start_of = |rank: u64| (u128::from(all) * u128::from(rank) / u128::from(ranks)) as u64;
     let starts: Vec<u64> = collected((0..=ranks).map(start_of))?;
-    let mut messages: Vec<Vec<u8>> = collected((0..ranks).map(|_| Vec::new()))?;
+    let mut messages = empty_messages(comm.size())?;
     for (id, row) in rows {
         let rank = starts.partition_point(|start| *start <= id) - 1;
         append(&mut messages[rank], &[id])?;

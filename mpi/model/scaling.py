@@ -21,6 +21,8 @@ import math
 LARGE = 1 << 19
 SAMPLED = 1 << 10
 FEW = 8
+# In so many phases after the first there are as many partitions, then half as many from phase to phase.
+WHOLE = 2
 
 
 def one_of(points):
@@ -170,7 +172,8 @@ class Laws:
             moved += simplices * self.sent_per_simplex
             if busy == 1:
                 break
-            waits, simplices, busy = left, simplices * fall[1], max(1, busy // 2)
+            waits, simplices = left, simplices * fall[1]
+            busy = busy if phase < WHOLE else max(1, busy // 2)
         sent = sampled * 8 * (1 + self.dim) + points / ranks * self.sent_per_point + moved / ranks
         return count, coarse, located, partitions, seams, sent / bandwidth, sent
 

@@ -54,6 +54,8 @@ same_test() {
   same lattice 2 900 hierarchical
   same duplicates 2 1500 hierarchical
   same nested 3 1200 hierarchical
+  same crowds 3 10000 hierarchical
+  same crowds 2 3000 finished
   same sphere 3 1000 hierarchical
   same duplicates 3 900 finished
   same lattice 2 10000 hierarchical
@@ -80,7 +82,7 @@ work_test() {
     [ "$(cut -d, -f1 "$number.csv" | sort -u | wc -l)" -eq $((number + 1)) ] || fail "ranks are missing"
   done
   # Several phases, of fewer and fewer partitions.
-  [ "$(cut -d, -f1 1.partitions | uniq -c | awk '{ printf "%s ", $1 }')" = "8 8 4 2 1 " ] ||
+  [ "$(cut -d, -f1 1.partitions | uniq -c | awk '{ printf "%s ", $1 }')" = "8 8 8 4 2 1 " ] ||
     fail "phases: $(cut -d, -f1 1.partitions | uniq -c)"
   refused 2 'the table would replace the input' 2 points.xyz --work points.xyz
   refused 8 'cannot write' 3 points.xyz --work absent/work.csv

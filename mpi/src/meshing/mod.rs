@@ -56,7 +56,8 @@ fn mesh_in<const D: usize>(
             collected(sample.iter().map(|input| input.point))?,
             collected(sample.iter().map(|input| input.name))?,
         );
-        watch.next(0.05, |progress| Coarse::new(&own, &names, options, Some(progress)))
+        let small = partitions::small_cluster(sample.len(), total);
+        watch.next(0.05, |progress| Coarse::new(&own, &names, small, options, Some(progress)))
     })?;
     watch.notes.end(Step::Coarse, sample.len() as u64, 0)?;
     let own = partitions::share(comm, &mut coarse, &sample, &points, [first, total], watch)?;

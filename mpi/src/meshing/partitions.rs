@@ -30,6 +30,14 @@ fn partition_count(total: u64) -> usize {
     }
 }
 
+/// A cluster that has no more than this part of a partition is made by one partition.
+const CLUSTER: usize = 8;
+
+/// How many points of a sample of so many a cluster has that is one vertex of the coarse mesh.
+pub fn small_cluster(sample: usize, total: u64) -> usize {
+    sample / (CLUSTER * partition_count(total))
+}
+
 /// The partitions, and which of them this rank makes.
 pub struct Share<const D: usize> {
     /// Those of this rank, in order, each with inputs that wait.

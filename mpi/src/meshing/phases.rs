@@ -3,7 +3,7 @@
 use super::Watch;
 use super::partitions::{SMALL, Share};
 use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected, filled};
+use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
 use crate::work::Step;
 use netmesh::Result;
@@ -13,14 +13,15 @@ use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
 /// many, and so on: in the end that is all.
 const FIRST_RINGS: usize = 2;
 
+/// In so many phases there are as many partitions as at first. Then what is left is so little that
+/// fewer leave less: those of the next phase are half as many, and so on.
+const WHOLE: u32 = 2;
+
 /// So many vertices of seams say, for each partition, where the next cuts are.
 const SAMPLES: u64 = 512;
 
 /// A vertex that a seam has takes this part of the time of an input that waits.
 const WAITING: u64 = 8;
-
-/// What a partition leaves, with its number in its phase.
-type Seam<const D: usize> = (u32, Piece<D>);
 
 /// A partition by its number, and the pieces that it is made of.
 type Joined<const D: usize> = (u32, Vec<Piece<D>>);
@@ -39,65 +40,89 @@ pub fn make<const D: usize>(
     let maker = coarse.maker();
     let mut settled = Vec::new();
     let alone = (first as u32..).zip(pieces.into_iter().map(|piece| vec![piece]));
-    let mut seams =
-        agreed(comm, || make_phase(maker, collected(alone)?, 0, 0, &mut settled, watch))?;
+    let mut own = agreed(comm, || make_phase(maker, collected(alone)?, 0, 0, watch))?;
     let (mut made, mut phase) = (count as u32, 0);
     // If there is one partition, the first rank makes it.
     let mut owners = vec![0];
     while count > 1 {
         phase += 1;
-        let most = if phase == 1 { count } else { count / 2 };
+        let most = if phase <= WHOLE { count } else { count / 2 };
+        let seams = leave(comm, own, &mut settled)?;
         let cut;
         (cut, count) = cut_of(comm, &seams, phase, most)?;
         let shared;
         (owners, shared) = exchange(comm, seams, &cut, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
-        seams = agreed(comm, || make_phase(maker, shared, phase, made, &mut settled, watch))?;
+        own = agreed(comm, || make_phase(maker, shared, phase, made, watch))?;
         made += count as u32;
     }
-    settled.try_push_all(seams.into_iter().map(|(_, seam)| seam))?;
+    settled.try_push_all(own)?;
     let settled = make_rest(comm, maker, settled, owners[0] as usize, made, watch)?;
     watch.notes.end(Step::Rest, 0, 0)?;
     Ok(settled)
 }
 
 /// Refines the partitions of a phase that this rank makes; `made` are those of the phases before.
-/// Their seams; what is settled goes to `settled`.
 fn make_phase<const D: usize>(
     maker: &Maker<D>,
     partitions: Vec<Joined<D>>,
     phase: u32,
     made: u32,
-    settled: &mut Vec<Piece<D>>,
     watch: &mut Watch<'_, '_, '_>,
-) -> Result<Vec<Seam<D>>> {
+) -> Result<Vec<Piece<D>>> {
     let share = if phase == 0 { 0.5 } else { 0.2 / f64::from(phase * phase) };
     let part = share / partitions.len() as f64;
-    let mut seams = Vec::new();
+    let mut own = with_capacity(partitions.len())?;
     for (partition, pieces) in partitions {
         let sum =
             |count: fn(&Piece<D>) -> usize| pieces.iter().map(|piece| count(piece) as u64).sum();
         let (inputs, simplices) = (sum(Piece::waiting_count), sum(Piece::simplex_count));
         let number = made + 1 + partition;
-        let made = watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?;
-        let (rest, seam) = made.divide(RINGS, || Ok(()))?;
+        own.push(watch.next(part, |progress| maker.refine(pieces, number, Some(progress)))?);
         watch.notes.end(Step::Partition { phase, number: partition }, inputs, simplices)?;
-        settled.try_push_one(rest)?;
-        seams.try_push_all(seam.map(|seam| (partition, seam)))?;
     }
-    Ok(seams)
+    Ok(own)
+}
+
+/// Collective: the seams that the partitions `made` in a phase leave, and what they want of the pieces
+/// that are settled. Those are then all the others.
+fn leave<const D: usize>(
+    comm: &dyn Communicator,
+    made: Vec<Piece<D>>,
+    settled: &mut Vec<Piece<D>>,
+) -> Result<Vec<Piece<D>>> {
+    let own = agreed(comm, || {
+        let mut own = Vec::new();
+        made.iter().try_for_each(|piece| own.try_extend(&piece.wanted_names()?))?;
+        Ok(own)
+    })?;
+    let wanted = all_names(comm, own)?;
+    agreed(comm, || {
+        let mut seams = Vec::new();
+        for piece in std::mem::take(settled) {
+            let (left, given) = piece.give(RINGS, &wanted, || Ok(()))?;
+            settled.try_push_one(left)?;
+            seams.try_push_all(given)?;
+        }
+        for piece in made {
+            let (rest, seam) = piece.divide(RINGS, &wanted, || Ok(()))?;
+            settled.try_push_one(rest)?;
+            seams.try_push_all(seam)?;
+        }
+        Ok(seams)
+    })
 }
 
 /// Collective: where the seams of all ranks are cut, and into how many partitions. Vertices that their
 /// names choose say where.
 fn cut_of<const D: usize>(
     comm: &dyn Communicator,
-    seams: &[Seam<D>],
+    seams: &[Piece<D>],
     phase: u32,
     most: usize,
 ) -> Result<(Bisection<D>, usize)> {
     let sum = |count: fn(&Piece<D>) -> usize| -> u64 {
-        seams.iter().map(|(_, seam)| count(seam) as u64).sum()
+        seams.iter().map(|seam| count(seam) as u64).sum()
     };
     let mut counts = [sum(Piece::waiting_count), sum(|seam| seam.vertices().len())];
     comm.all_reduce_integers(&mut counts, Operation::Sum)?;
@@ -107,7 +132,7 @@ fn cut_of<const D: usize>(
     let one_of = (weight / (SAMPLES * count as u64)).max(1);
     let message = agreed(comm, || {
         let mut message = Vec::new();
-        for (_, seam) in seams {
+        for seam in seams {
             let waiting = seam.waiting_count();
             for (at, (name, point)) in seam.vertices().enumerate() {
                 let one_of = if at < waiting { one_of } else { WAITING * one_of };
@@ -128,17 +153,18 @@ fn cut_of<const D: usize>(
 }
 
 /// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. Those ranks, and
-/// the partitions that this rank makes, with their pieces in the order of the partitions that left them.
+/// the partitions that this rank makes, with their pieces in the order in which those were made.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
-    seams: Vec<Seam<D>>,
+    seams: Vec<Piece<D>>,
     cut: &Bisection<D>,
     count: usize,
 ) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
     let mut kept: Vec<(u32, u32, Piece<D>)> = Vec::new();
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
-        for (from, seam) in seams {
+        for seam in seams {
+            let from = seam.maker();
             for (partition, piece) in seam.cut_apart(cut)? {
                 own[partition as usize] += piece.simplex_count() as u64;
                 kept.try_push_one((partition, from, piece))?;

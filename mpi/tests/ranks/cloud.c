@@ -21,6 +21,11 @@ static void point_of(const char *shape, uint32_t dim, uint64_t i, uint64_t count
     if (strcmp(shape, "clusters") == 0) {
         for (uint32_t k = 0; k < dim; k++)
             point[k] = (double)((i % 5) * (k + 3) % 7) + 0.01 * point[k] * point[k];
+    } else if (strcmp(shape, "crowds") == 0) {
+        /* Each far smaller than its distance to the next. */
+        uint64_t crowd = i % (count / 50 + 1);
+        for (uint32_t k = 0; k < dim; k++)
+            point[k] = uniform(&crowd) + 1e-6 * point[k];
     } else if (strcmp(shape, "nested") == 0) {
         double scale = pow(10.0, -3.0 * (double)(i % 4));
         for (uint32_t k = 0; k < dim; k++)

@@ -228,11 +228,13 @@ static void check_certificate(const nm_mpi_mesh *mesh)
 /*
  * About as many vertices as nm_run makes of the points of all ranks: within 2 percent from 10,000 points
  * on. In the coarse mesh Steiner points yield to the points of the sample only, which is felt in small
- * meshes; on a lattice, where most Steiner points yield, more than elsewhere.
+ * meshes; on a lattice, where most Steiner points yield, more than elsewhere. A finished mesh fills the gaps
+ * between crowds, and those that wait at interfaces come late.
  */
 static void check_vertices(const char *shape, const cloud *points, const nm_options *options, uint64_t vertices)
 {
-    double most = strcmp(shape, "lattice") == 0 ? 1.1 : points->count < 10000 ? 1.04 : 1.02;
+    int is_late = strcmp(shape, "crowds") == 0 && options->output == NM_OUTPUT_WELL_SPACED;
+    double most = strcmp(shape, "lattice") == 0 ? 1.1 : is_late ? 1.08 : points->count < 10000 ? 1.04 : 1.02;
     nm_mesh *mesh = NULL;
     nm_counts counts = NM_COUNTS_INIT;
     CHECK(nm_mesh_create(points->dim, points->count, points->points, 0, &mesh) == NM_OK);

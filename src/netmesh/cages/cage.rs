@@ -71,7 +71,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         let parent = self.state.hierarchy.parent(cage);
-        if radius > self.room_inside(parent, center) {
+        if radius > self.room_inside(parent, &point) {
             return Ok(self.release_cage(cage)?);
         }
         let mut start = self.state.delaunay.complex().incident(center);
@@ -207,11 +207,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         start: SimplexId,
         cavity: &mut Cavity,
     ) -> Result<bool> {
-        if self.state.interface.is_non_owned(cage) {
+        if self.state.interface.want_non_owned(cage) {
             return Ok(false);
         }
         if let Some(site) = self.grown_site(cage, least, cavity)? {
             if !self.may_make_cage(&site)? {
+                self.state.interface.want(cage)?;
                 return Ok(false);
             }
             self.state.stats.cages_grown += 1;
@@ -257,12 +258,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Lowers the clearance of `cage` to `vertex` if that is outside.
     pub(in crate::netmesh) fn separate(&mut self, cage: DomainId, vertex: VertexId) {
-        debug_assert!(!self.state.interface.is_non_owned(cage));
         let distance =
             self.state.hierarchy.distance_to_center(cage, self.state.delaunay.point(vertex));
         let node = self.state.hierarchy.node_mut(cage);
         if distance >= node.radius && distance < node.outside {
             node.outside = distance;
+            self.state.interface.want_non_owned(cage);
         }
     }
 }

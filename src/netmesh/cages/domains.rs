@@ -210,15 +210,6 @@ impl<const D: usize> Hierarchy<D> {
         domain
     }
 
-    /// What stands for an inserted vertex in M_Omega (Definition 3): the vertex itself if it lies
-    /// in Omega, or the centre of the child of Omega that holds it, or nothing.
-    pub fn representative(&mut self, vertex: VertexId, omega: DomainId) -> Option<VertexId> {
-        if self.domain_of(vertex) == omega {
-            return Some(vertex);
-        }
-        self.child_towards(omega, vertex).map(|child| self.node(child).center)
-    }
-
     /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
     /// outside is recognised without a climb to the root.
     pub fn child_towards(&mut self, omega: DomainId, vertex: VertexId) -> Option<DomainId> {

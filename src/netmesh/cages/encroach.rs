@@ -85,6 +85,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         None
     }
 
+    /// Whether `x`, which is outside of `domain`, encroaches it.
+    pub(in crate::netmesh) fn outer_encroaches(&self, domain: DomainId, x: &[f64; D]) -> bool {
+        self.state.hierarchy.distance_to_center(domain, x)
+            < self.outer_encroachment() * self.state.hierarchy.node(domain).radius
+    }
+
     /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are `cavity`,
     /// encroaches from outside. Returns the innermost domain that then holds `x`.
     pub(in crate::netmesh) fn enter(
@@ -100,13 +106,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(domain);
             }
         }
-        let max_distance = self.state.parameters.encroachment / self.state.parameters.epsilon;
         for at in 0..cavity.vertices.ids.len() {
             let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
             while !self.state.hierarchy.contains(domain, x) {
-                let distance = self.state.hierarchy.distance_to_center(domain, x);
                 let parent = self.state.hierarchy.parent(domain);
-                if distance < max_distance * self.state.hierarchy.node(domain).radius {
+                if self.outer_encroaches(domain, x) {
                     self.release_cage(domain)?;
                 }
                 domain = parent;

@@ -20,6 +20,23 @@ pub(in crate::netmesh) struct CageSite {
     pub center: VertexId,
     pub radius: f64,
     pub parent: DomainId,
+    /// The domain that the centre is that of already.
+    pub inner: Option<DomainId>,
+}
+
+/// A vertex of M_Omega (Definition 3): one that lies in Omega, or the centre of a child of Omega.
+#[derive(Clone, Copy)]
+struct Member<const D: usize> {
+    /// None if another partition has the centre.
+    vertex: VertexId,
+    point: [f64; D],
+    child: Option<DomainId>,
+}
+
+impl<const D: usize> Member<D> {
+    fn site(&self, radius: f64, parent: DomainId) -> CageSite {
+        CageSite { center: self.vertex, radius, parent, inner: self.child }
+    }
 }
 
 /// A cage for an input at distance g from its centre has at least this times g / epsilon for its
@@ -52,16 +69,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some((center, distance)) = self.nearest_in_domain(&x, parent, cavity) else {
             return Ok(None);
         };
-        let child = self.state.hierarchy.child_towards(parent, center);
-        let clearance = match child {
+        let clearance = match center.child {
             Some(child) => self.state.hierarchy.node(child).outside,
-            None => self.state.cells[center].nearest,
+            None => self.state.cells[center.vertex].nearest,
         };
         let most = self.radius_within(clearance) / self.spare_room();
-        let most = most.min(self.room_inside(parent, center));
-        let least = self.radius_for(distance).max(self.smallest_radius(center));
-        let radius = self.lasting_radius(center, child, least, most, cavity)?;
-        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+        let most = most.min(self.room_inside(parent, &center.point));
+        let least = self.radius_for(distance).max(self.smallest_radius(&center.point));
+        let radius = self.lasting_radius(&center, least, most, cavity)?;
+        Ok(radius.map(|radius| center.site(radius, parent)))
     }
 
     /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
@@ -75,10 +91,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<Option<CageSite>> {
         let parent = self.state.hierarchy.parent(cage);
         let node = self.state.hierarchy.node(cage);
-        let (center, outside) = (node.center, node.outside);
-        let most = (outside / self.outer_encroachment()).min(self.room_inside(parent, center));
-        let radius = self.lasting_radius(center, Some(cage), least, most, cavity)?;
-        Ok(radius.map(|radius| CageSite { center, radius, parent }))
+        let center = Member { vertex: node.center, point: node.point, child: Some(cage) };
+        let most = node.outside / self.outer_encroachment();
+        let most = most.min(self.room_inside(parent, &center.point));
+        let radius = self.lasting_radius(&center, least, most, cavity)?;
+        Ok(radius.map(|radius| center.site(radius, parent)))
     }
 
     /// The radius of a cage for a cluster that reaches no farther than `reach` from the vertex
@@ -90,6 +107,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         gap: f64,
         room: f64,
     ) -> Option<f64> {
+        let center = self.state.delaunay.point(center);
         let radius = self.radius_for(reach).max(self.smallest_radius(center));
         (room * radius <= self.radius_within(gap)).then_some(radius)
     }
@@ -111,19 +129,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         (clearance - ROUNDING) / self.outer_encroachment()
     }
 
-    /// The largest radius of a cage round a vertex of `parent` that stays inside its ball. With
+    /// The largest radius of a cage round a point of `parent` that stays inside its ball. With
     /// epsilon at most 0.5 the clearance asks for less.
-    pub(in crate::netmesh) fn room_inside(&self, parent: DomainId, center: VertexId) -> f64 {
+    pub(in crate::netmesh) fn room_inside(&self, parent: DomainId, center: &[f64; D]) -> f64 {
         let radius = self.state.hierarchy.node(parent).radius;
-        let distance =
-            self.state.hierarchy.distance_to_center(parent, self.state.delaunay.point(center));
-        radius * (1.0 - 1e-9) - distance
+        radius * (1.0 - 1e-9) - self.state.hierarchy.distance_to_center(parent, center)
     }
 
-    /// The smallest radius about a vertex that doubles can express: a cage around inputs that are a
+    /// The smallest radius about a point that doubles can express: a cage around inputs that are a
     /// few units of roundoff apart is as large as that takes.
-    fn smallest_radius(&self, center: VertexId) -> f64 {
-        let spacing = spacing_near(self.state.delaunay.point(center));
+    fn smallest_radius(&self, center: &[f64; D]) -> f64 {
+        let spacing = spacing_near(center);
         REPRESENTABLE * spacing / (self.state.parameters.delta * self.state.parameters.cage_scale)
     }
 
@@ -138,13 +154,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x: &[f64; D],
         omega: DomainId,
         cavity: &Cavity,
-    ) -> Option<(VertexId, f64)> {
+    ) -> Option<(Member<D>, f64)> {
         let mut nearest = None;
         let mut least = f64::INFINITY;
         for at in 0..cavity.vertices.ids.len() {
-            let vertex = cavity.vertices.ids[at];
-            let Some(member) = self.state.hierarchy.representative(vertex, omega) else { continue };
-            let distance = distance(x, self.state.delaunay.point(member));
+            let Some(member) = self.representative(cavity.vertices.ids[at], omega) else {
+                continue;
+            };
+            let distance = distance(x, &member.point);
             if distance < least {
                 least = distance;
                 nearest = Some((member, distance));
@@ -153,14 +170,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
         nearest
     }
 
+    /// What stands for an inserted vertex in M_Omega: the vertex itself if it lies in Omega, or the
+    /// centre of the child of Omega that holds it, or nothing.
+    fn representative(&mut self, vertex: VertexId, omega: DomainId) -> Option<Member<D>> {
+        if self.state.hierarchy.domain_of(vertex) == omega {
+            return Some(Member { vertex, point: *self.state.delaunay.point(vertex), child: None });
+        }
+        let child = self.state.hierarchy.child_towards(omega, vertex)?;
+        let node = self.state.hierarchy.node(child);
+        Some(Member { vertex: node.center, point: node.point, child: Some(child) })
+    }
+
     /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
     /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
     /// soon be released and leave their vertices behind. In the mesh of a sample, whose other inputs
     /// nobody knows, it is a larger one.
     fn lasting_radius(
         &mut self,
-        center: VertexId,
-        child: Option<DomainId>,
+        center: &Member<D>,
         least: f64,
         most: f64,
         cavity: &Cavity,
@@ -177,7 +204,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut radius = least;
         let range = self.state.parameters.epsilon * least..max_distance * most;
         // A heap, since often a few of very many are looked at.
-        let mut distances = BinaryHeap::from(self.distances_nearby(center, child, range, cavity)?);
+        let mut distances = BinaryHeap::from(self.distances_nearby(center, range, cavity)?);
         while let Some(Reverse(bits)) = distances.pop() {
             self.watch.poll_after(1)?;
             let distance = f64::from_bits(bits);
@@ -193,12 +220,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in
-    /// `cavity` or next to the centre (or the cage of the `child` domain round it), as
-    /// bits, which are ordered as distances are.
+    /// `cavity` or next to the centre (or the cage of the child round it), as bits, which are
+    /// ordered as distances are.
     fn distances_nearby(
         &mut self,
-        center: VertexId,
-        child: Option<DomainId>,
+        center: &Member<D>,
         range: Range<f64>,
         cavity: &Cavity,
     ) -> Result<Vec<Reverse<u64>>> {
@@ -210,9 +236,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let near = &mut self.scratch.near;
         near.clear();
         near.try_extend(&cavity.simplices)?;
-        let around: &[VertexId] = match child {
+        let around: &[VertexId] = match center.child {
             Some(child) => &self.state.hierarchy.node(child).cage,
-            None => &[center],
+            None => &[center.vertex],
         };
         for &vertex in around {
             self.state.delaunay.star(vertex, &mut self.scratch.star)?;
@@ -223,8 +249,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for &simplex in near.iter() {
             for input in self.state.conflict_lists.entries(simplex) {
                 self.watch.poll_after(1)?;
-                let distance =
-                    distance(self.state.delaunay.point(input), self.state.delaunay.point(center));
+                let distance = distance(self.state.delaunay.point(input), &center.point);
                 if range.contains(&distance) {
                     distances.try_push(Reverse(distance.to_bits()))?;
                 }

@@ -9,13 +9,14 @@ use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Inputs, Stats};
-use crate::netmesh::cages::domains::Hierarchy;
+use crate::netmesh::cages::domains::{DomainId, Hierarchy};
 use crate::netmesh::partitions::interface::Interface;
 use crate::netmesh::refinement::refine_list::RefineList;
 use crate::netmesh::rounds::conflict_lists::ConflictLists;
 use crate::netmesh::rounds::order::by_locality;
 use crate::netmesh::segments::Segments;
 use crate::netmesh::{Cell, Mesher, Stage, State, Watch};
+use crate::options::Output;
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
 
@@ -89,14 +90,17 @@ impl<const D: usize> Assembly<D> {
             }
         };
         let is_whole = pieces.iter().all(|piece| piece.outer.is_empty()) && !shared.contains(&true);
-        let interface = match is_whole {
+        let mut interface = match is_whole {
             true => Interface::default(),
-            false => Interface::new(domains.non_owned()?),
+            false => Interface::new(domains.non_owned()?)?,
         };
         let (mut encroaching, mut nearer) = (Vec::new(), Vec::new());
         for piece in pieces {
             encroaching.try_extend(&piece.encroaching)?;
             nearer.try_extend(&piece.nearer)?;
+            for domain in piece.wanted.iter().filter_map(|&name| domains.of_name(name)) {
+                interface.want_non_owned(domain);
+            }
         }
         nearer.sort_unstable();
         let mut watched = Vec::new();
@@ -174,7 +178,11 @@ impl<const D: usize> Assembly<D> {
         };
         self.write_simplices(&mut piece)?;
         self.write_corners(&mut piece)?;
-        self.domains.write(&mut self.state.hierarchy, &self.names, &mut piece)?;
+        let State { hierarchy, interface, parameters, .. } = &mut self.state;
+        let is_wanted = |domain: DomainId| {
+            parameters.output == Output::WellSpaced || interface.is_wanted(domain)
+        };
+        self.domains.write(hierarchy, &self.names, is_wanted, &mut piece)?;
         Ok(piece)
     }
 

@@ -119,6 +119,7 @@ sent_fields!(
     released,
     outer,
     encroaching,
+    wanted,
     nearer,
     maker
 );

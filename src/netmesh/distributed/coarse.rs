@@ -28,33 +28,40 @@ pub struct Located {
 pub struct Coarse<const D: usize> {
     piece: Piece<D>,
     delaunay: Delaunay<D>,
-    /// How many points the sample has, which come first among the vertices.
-    sample: usize,
+    /// How many vertices are of the sample. They come first.
+    pub(super) sample: usize,
     maker: Maker<D>,
 }
 
 impl<const D: usize> Coarse<D> {
     /// The coarse mesh of `sample`, which must be distinct, have the extreme points of all inputs
     /// along every axis, the input nearest to the middle of their box, and that farthest from the
-    /// latter. `names`: their numbers among all inputs.
+    /// latter. `names`: their numbers among all inputs. Clusters of at most `small` points have one
+    /// vertex.
     ///
     /// # Errors
     /// As those of [`crate::Mesh::run`].
     pub fn new(
         sample: &[[f64; D]],
         names: &[u64],
+        small: usize,
         options: &Options,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<Self> {
         let parameters =
             Parameters { inputs_per_partition: usize::MAX / 2, ..Parameters::resolve(D, options)? };
-        let inputs = Inputs::new(D, sample.len(), sample.as_flattened(), 0)?;
-        let own = Parameters { is_sample: true, ..parameters.clone() };
-        let mut mesher = Mesher::<D>::new(&inputs, own, Watch::new(progress))?;
-        let mut cavity = Cavity::default();
-        mesher.start_netmesh(&mut cavity)?;
-        mesher.insert_rounds(&mut cavity)?;
-        let names = collected(mesher.order.iter().map(|input| names[input.index()]))?;
+        let mut mesher = mesh(sample, &parameters, Watch::new(progress))?;
+        let mut names = collected(mesher.order.iter().map(|input| names[input.index()]))?;
+        if let Some(left) = mesher.thinned(small)? {
+            let points =
+                collected(left.iter().map(|&vertex| *mesher.state.delaunay.point(vertex)))?;
+            let own = collected(left.iter().map(|&vertex| names[vertex.index()]))?;
+            let Mesher { state, watch, .. } = mesher;
+            drop(state);
+            mesher = mesh(&points, &parameters, watch)?;
+            names = collected(mesher.order.iter().map(|input| own[input.index()]))?;
+        }
+        let sample = names.len();
         let template = copied(&mesher.state.template)?;
         let Mesher { state, mut watch, .. } = mesher;
         let made = Assembly {
@@ -72,7 +79,7 @@ impl<const D: usize> Coarse<D> {
         let again = maker.assemble(&pieces, First::Waiting, 0, &mut watch)?;
         let [piece] = pieces;
         let delaunay = again.state.delaunay;
-        Ok(Self { piece, delaunay, sample: sample.len(), maker })
+        Ok(Self { piece, delaunay, sample, maker })
     }
 
     pub fn maker(&self) -> &Maker<D> {
@@ -151,6 +158,21 @@ impl<const D: usize> Coarse<D> {
         let own = (0..).zip(&is_own).filter(|(_, is_own)| **is_own);
         Ok((piece, collected(own.map(|(simplex, _)| simplex))?))
     }
+}
+
+/// The mesh of distinct `points`, with the loose bound.
+fn mesh<'a, 'b, const D: usize>(
+    points: &[[f64; D]],
+    parameters: &Parameters,
+    watch: Watch<'a, 'b>,
+) -> Result<Mesher<'a, 'b, D>> {
+    let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0)?;
+    let own = Parameters { is_sample: true, ..parameters.clone() };
+    let mut mesher = Mesher::new(&inputs, own, watch)?;
+    let mut cavity = Cavity::default();
+    mesher.start_netmesh(&mut cavity)?;
+    mesher.insert_rounds(&mut cavity)?;
+    Ok(mesher)
 }
 
 /// The places of `points` in an order of locality.

@@ -1,5 +1,6 @@
 //! The domains of pieces. A partition that has the centre of a domain, its cage, and all simplices
-//! at them may change it. Others know what it was when it was last changed in one that joined them.
+//! at them may grow or release it. Others know what it was when one that joined them last had all of
+//! it; they may lower its clearance and add to its cage, and what all know together counts.
 
 use super::names::{NOTHING, ROOT_NAME, made_by};
 use super::piece::{Corner, NamedDomain, Piece};
@@ -36,12 +37,15 @@ pub(super) fn with_domains<const D: usize>(
         }
         name
     };
-    let mut latest: Vec<&NamedDomain<D>> =
+    let mut copies: Vec<&NamedDomain<D>> =
         collected(pieces.iter().flat_map(|piece| &piece.domains))?;
-    latest.retain(|domain| taken_by(domain.name) == domain.name);
+    copies.retain(|domain| taken_by(domain.name) == domain.name);
     // By name, the latest version first. The root has the least name.
-    latest.sort_by_key(|domain| (domain.name, u64::MAX - domain.version));
-    latest.dedup_by_key(|domain| domain.name);
+    copies.sort_by_key(|domain| (domain.name, u64::MAX - domain.version));
+    let mut latest = Vec::new();
+    for copies in copies.chunk_by(|a, b| a.name == b.name) {
+        latest.try_push(merged(copies)?)?;
+    }
     let id = |name: u64| match name {
         NOTHING => DomainId::NONE,
         _ => {
@@ -101,9 +105,27 @@ pub(super) fn with_domains<const D: usize>(
     Ok((hierarchy, domains))
 }
 
+/// What the `copies` of a domain know together, the latest first. Every partition that has vertices
+/// on both sides may have lowered the clearance and narrowed gaps of the cage.
+fn merged<const D: usize>(copies: &[&NamedDomain<D>]) -> AllocResult<NamedDomain<D>> {
+    let mut cage = collected(copies[0].cage.iter().copied())?;
+    let mut outside = copies[0].outside;
+    for copy in &copies[1..] {
+        outside = outside.min(copy.outside);
+        if copy.cage != copies[0].cage {
+            cage.try_extend(&copy.cage)?;
+        }
+    }
+    if cage.len() > copies[0].cage.len() {
+        cage.sort_unstable();
+        cage.dedup();
+    }
+    Ok(NamedDomain { outside, cage, ..*copies[0] })
+}
+
 /// Names and ids of the centres and the vertices of cages that there are.
 fn vertices_of_domains<const D: usize>(
-    domains: &[&NamedDomain<D>],
+    domains: &[NamedDomain<D>],
     names: &[u64],
 ) -> AllocResult<Vec<(u64, usize)>> {
     let mut wanted = collected(
@@ -129,6 +151,11 @@ impl Domains {
         }
     }
 
+    /// The living domain of that name, if the pieces have it.
+    pub fn of_name(&self, name: u64) -> Option<DomainId> {
+        self.names[..self.known].binary_search(&name).ok().map(DomainId::new)
+    }
+
     /// Domain -> whether the partition must leave it as it is.
     pub fn non_owned(&self) -> AllocResult<Vec<bool>> {
         collected(self.fixed.iter().map(Option::is_some))
@@ -150,11 +177,12 @@ impl Domains {
     }
 
     /// Writes the living domains to `piece`, and the dissolved ones of which others may know.
-    /// `names`: vertex -> name.
+    /// `names`: vertex -> name. `is_wanted`: whether something is left to do at a domain.
     pub fn write<const D: usize>(
         &mut self,
         hierarchy: &mut Hierarchy<D>,
         names: &[u64],
+        is_wanted: impl Fn(DomainId) -> bool,
         piece: &mut Piece<D>,
     ) -> AllocResult<()> {
         piece.released = std::mem::take(&mut self.released);
@@ -169,15 +197,21 @@ impl Domains {
             let at = domain.index();
             let parent = hierarchy.parent(domain);
             let node = hierarchy.node(domain);
+            let own = node.cage.iter().map(|vertex| names[vertex.index()]);
             let (center, cage) = match self.fixed[at].take() {
-                Some(fixed) => fixed,
+                Some((center, mut cage)) => {
+                    own.into_iter().try_for_each(|name| cage.try_push(name))?;
+                    (center, cage)
+                }
                 None => {
                     self.versions[at] += 1;
-                    let cage = node.cage.iter().map(|vertex| names[vertex.index()]);
-                    (names[node.center.index()], collected(cage)?)
+                    (names[node.center.index()], collected(own)?)
                 }
             };
             debug_assert!((domain == ROOT) == (self.names[at] == ROOT_NAME));
+            if domain != ROOT && is_wanted(domain) {
+                piece.wanted.try_push(self.names[at])?;
+            }
             piece.domains.try_push(NamedDomain {
                 name: self.names[at],
                 parent: self.name(parent),
@@ -189,6 +223,7 @@ impl Domains {
                 version: self.versions[at],
             })?;
         }
+        piece.wanted.sort_unstable();
         Ok(())
     }
 }
@@ -203,5 +238,28 @@ impl Default for Domains {
             released: Vec::new(),
             known: 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_all_copies_of_a_domain_know_counts() {
+        let copy = |version, parent, outside, cage: &[u64]| NamedDomain::<2> {
+            name: 5,
+            parent,
+            point: [0.5; 2],
+            radius: 1.0,
+            outside,
+            center: 7,
+            cage: cage.to_vec(),
+            version,
+        };
+        let latest = copy(3, 2, 8.0, &[12, 10, 11]);
+        assert_eq!(merged(&[&latest]).unwrap(), latest);
+        let copies = [&latest, &copy(3, 2, 6.0, &[12, 10, 11, 40]), &copy(2, 1, 7.0, &[10, 30])];
+        assert_eq!(merged(&copies).unwrap(), copy(3, 2, 6.0, &[10, 11, 12, 30, 40]));
     }
 }

@@ -31,6 +31,7 @@ mod plain;
 mod seam;
 #[cfg(test)]
 mod tests;
+mod thinning;
 
 pub use bisection::Bisection;
 pub use coarse::{Coarse, Located};

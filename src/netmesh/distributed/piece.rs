@@ -28,6 +28,9 @@ pub struct Piece<const D: usize> {
     pub(super) outer: Vec<[u64; D]>,
     /// Inputs that encroach a domain around their cage, which had to stay as it is.
     pub(super) encroaching: Vec<u64>,
+    /// Domains at which something is left to do, for which all pieces that have simplices at their
+    /// centres and cages are needed. Sorted.
+    pub(super) wanted: Vec<u64>,
     /// Vertices that came nearer to others in this piece, or in one that it was made of, and have
     /// simplices in other pieces, or at interfaces: those may have got bad.
     pub(super) nearer: Vec<u64>,
@@ -171,6 +174,10 @@ impl<const D: usize> Piece<D> {
         selected.outer = self.outer_of(&selected)?;
         selected.encroaching = selected.own_names(&self.encroaching)?;
         selected.nearer = selected.own_names(&self.nearer)?;
+        let wanted = selected.domains.iter().map(|domain| domain.name);
+        let wanted = wanted.filter(|name| self.wanted.binary_search(name).is_ok());
+        selected.wanted = collected(wanted)?;
+        selected.wanted.sort_unstable();
         Ok(selected)
     }
 

@@ -3,10 +3,9 @@
 //! settled. A seam is what the partitions on both sides leave.
 
 use super::bisection::Bisection;
-use super::piece::Piece;
+use super::piece::{NamedDomain, Piece};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, filled, with_capacity};
-use crate::netmesh::distributed::names::NOTHING;
 
 /// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
 /// vertex of it. What is inserted at a seam changes cells a few steps away, and never those at its
@@ -14,19 +13,44 @@ use crate::netmesh::distributed::names::NOTHING;
 pub const RINGS: usize = 3;
 
 impl<const D: usize> Piece<D> {
-    /// Divides the piece in what is settled and the seam that it leaves, if there is one.
+    /// Divides the piece in what is settled and the seam that it leaves, if there is one. `wanted`:
+    /// the [`Self::wanted_names`] of all pieces, rising.
     pub fn divide(
         self,
         rings: usize,
+        wanted: &[u64],
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<(Self, Option<Self>)> {
         let mut is_seam = filled(self.simplex_count(), false)?;
         self.mark_unsettled(&mut is_seam, &mut tick)?;
+        self.mark_touching(wanted, &mut is_seam)?;
+        self.split_around(is_seam, rings, tick)
+    }
+
+    /// What is left of a settled piece, and what others want of it, if that is something.
+    pub fn give(
+        self,
+        rings: usize,
+        wanted: &[u64],
+        tick: impl FnMut() -> Result<()>,
+    ) -> Result<(Self, Option<Self>)> {
+        let mut is_seam = filled(self.simplex_count(), false)?;
+        self.mark_touching(wanted, &mut is_seam)?;
+        self.split_around(is_seam, rings, tick)
+    }
+
+    fn split_around(
+        self,
+        mut is_seam: Vec<bool>,
+        rings: usize,
+        mut tick: impl FnMut() -> Result<()>,
+    ) -> Result<(Self, Option<Self>)> {
         if !is_seam.contains(&true) {
             return Ok((self, None));
         }
         self.widen(&mut is_seam, rings, &mut tick)?;
-        let (settled, seam) = self.split(is_seam, tick)?;
+        let (mut settled, seam) = self.split(is_seam, tick)?;
+        settled.wanted.clear();
         Ok((settled, Some(seam)))
     }
 
@@ -68,8 +92,24 @@ impl<const D: usize> Piece<D> {
         Ok(parts)
     }
 
-    /// The names of vertices where something is left to do, and of the centres and cages of the
-    /// domains there. In rising order.
+    /// The names of the centres and cages of domains at which something is left to do. In rising
+    /// order.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn wanted_names(&self) -> Result<Vec<u64>> {
+        let is_wanted = |domain: &&NamedDomain<D>| self.wanted.binary_search(&domain.name).is_ok();
+        let wanted = self.domains.iter().filter(is_wanted);
+        let mut names = collected(
+            wanted.flat_map(|domain| domain.cage.iter().copied().chain([domain.center])),
+        )?;
+        names.sort_unstable();
+        names.dedup();
+        Ok(names)
+    }
+
+    /// The names of vertices where something is left to do, and [`Self::wanted_names`]. In rising
+    /// order.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -77,11 +117,7 @@ impl<const D: usize> Piece<D> {
         let mut is_unsettled = filled(self.simplex_count(), false)?;
         self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;
         let mut names = self.names_of(&is_unsettled)?;
-        let inner = self.domains.iter().filter(|domain| domain.parent != NOTHING);
-        for domain in inner {
-            names.try_extend(&domain.cage)?;
-            names.try_push(domain.center)?;
-        }
+        names.try_extend(&self.wanted_names()?)?;
         names.sort_unstable();
         names.dedup();
         Ok(names)
@@ -93,10 +129,9 @@ impl<const D: usize> Piece<D> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn names_beside(&self, names: &[u64]) -> Result<Vec<u64>> {
-        match self.touching(names)? {
-            Some(is_touching) => self.names_of(&is_touching),
-            None => Ok(Vec::new()),
-        }
+        let mut is_touching = filled(self.simplex_count(), false)?;
+        self.mark_touching(names, &mut is_touching)?;
+        self.names_of(&is_touching)
     }
 
     /// What is left of the piece, and the simplices that have a vertex of the given names, which
@@ -105,23 +140,21 @@ impl<const D: usize> Piece<D> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn take_out(self, names: &[u64]) -> Result<(Self, Option<Self>)> {
-        let Some(is_out) = self.touching(names)? else { return Ok((self, None)) };
-        let (left, out) = self.split(is_out, || Ok(()))?;
-        Ok((left, Some(out)))
+        self.give(0, names, || Ok(()))
     }
 
-    /// Simplex -> whether it has a vertex of the given names, if any has.
-    fn touching(&self, names: &[u64]) -> Result<Option<Vec<bool>>> {
+    /// Marks the simplices that have a vertex of the given names, which rise.
+    fn mark_touching(&self, names: &[u64], is_marked: &mut [bool]) -> Result<()> {
         let is_named =
             collected(self.corners.iter().map(|corner| names.binary_search(&corner.name).is_ok()))?;
         if !is_named.contains(&true) {
-            return Ok(None);
+            return Ok(());
         }
-        let is_touching = |simplex| {
+        for (simplex, is_marked) in is_marked.iter_mut().enumerate() {
             let mut vertices = self.vertices_of(simplex).iter();
-            vertices.any(|&vertex| is_named.get(vertex as usize) == Some(&true))
-        };
-        Ok(Some(collected((0..self.simplex_count()).map(is_touching))?))
+            *is_marked |= vertices.any(|&vertex| is_named.get(vertex as usize) == Some(&true));
+        }
+        Ok(())
     }
 
     fn names_of(&self, is_in: &[bool]) -> Result<Vec<u64>> {
@@ -143,61 +176,26 @@ impl<const D: usize> Piece<D> {
     pub fn is_settled(&self) -> Result<bool> {
         let mut is_unsettled = filled(self.simplex_count(), false)?;
         self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;
-        Ok(!is_unsettled.contains(&true))
+        Ok(self.wanted.is_empty() && !is_unsettled.contains(&true))
     }
 
-    /// Marks the simplices at outer facets, the unsettled ones, those at inputs that encroach
-    /// domains, and those at the centres and cages of domains that other partitions know of.
+    /// Marks the simplices at outer facets, the unsettled ones, and those at inputs that encroach
+    /// domains.
     fn mark_unsettled(
         &self,
         is_seam: &mut [bool],
         tick: &mut impl FnMut() -> Result<()>,
     ) -> Result<()> {
-        let is_outer = self.mark_outer(is_seam)?;
-        let is_marked = self.mark_centers(&is_outer)?;
-        for (simplex, is_seam) in is_seam.iter_mut().enumerate() {
-            tick()?;
-            let mut vertices = self.vertices_of(simplex).iter();
-            *is_seam |= self.is_unsettled[simplex]
-                || vertices.any(|&vertex| is_marked.get(vertex as usize) == Some(&true));
-        }
-        Ok(())
-    }
-
-    /// Marks the simplices at outer facets. Returns which vertices are at such facets.
-    fn mark_outer(&self, is_seam: &mut [bool]) -> Result<Vec<bool>> {
-        let mut is_outer = filled(self.corners.len(), false)?;
         for (simplex, index) in self.interface_facets() {
-            if self.outer.binary_search(&self.facet(simplex, index)).is_ok() {
-                is_seam[simplex] = true;
-                for (at, &vertex) in self.vertices_of(simplex).iter().enumerate() {
-                    if at != index && vertex != u32::MAX {
-                        is_outer[vertex as usize] = true;
-                    }
-                }
-            }
+            tick()?;
+            is_seam[simplex] |= self.outer.binary_search(&self.facet(simplex, index)).is_ok();
         }
-        Ok(is_outer)
-    }
-
-    /// Which vertices are inputs that encroach domains, or the centre or in the cage of a domain
-    /// that other partitions know of: those that have an outer vertex, and those around them.
-    fn mark_centers(&self, is_outer: &[bool]) -> Result<Vec<bool>> {
-        let mut is_marked = filled(self.corners.len(), false)?;
-        let outer = self.corners.iter().zip(is_outer).filter(|(_, is_outer)| **is_outer);
-        let is_known = self.domains_around(outer.map(|(corner, _)| corner), std::iter::empty())?;
-        let known = self.domains.iter().zip(is_known).filter(|(_, is_known)| *is_known);
-        let known = known.map(|(domain, _)| domain).filter(|domain| domain.parent != NOTHING);
-        let mut wanted =
-            collected(known.flat_map(|domain| domain.cage.iter().copied().chain([domain.center])))?;
-        wanted.try_extend(&self.encroaching)?;
-        wanted.sort_unstable();
-        if !wanted.is_empty() {
-            for (is_marked, corner) in is_marked.iter_mut().zip(&self.corners) {
-                *is_marked = wanted.binary_search(&corner.name).is_ok();
-            }
+        for (is_seam, is_unsettled) in is_seam.iter_mut().zip(&self.is_unsettled) {
+            *is_seam |= is_unsettled;
         }
-        Ok(is_marked)
+        let mut encroaching = collected(self.encroaching.iter().copied())?;
+        encroaching.sort_unstable();
+        self.mark_touching(&encroaching, is_seam)
     }
 
     /// Marks all simplices that are at most `rings` steps from a marked one.

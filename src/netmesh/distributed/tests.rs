@@ -47,24 +47,36 @@ fn run<const D: usize>(
     let sample = sample_of(points);
     let own: Vec<[f64; D]> = sample.iter().map(|&at| points[at]).collect();
     let names: Vec<u64> = sample.iter().map(|&at| at as u64).collect();
-    let mut coarse = Coarse::new(&own, &names, options, None).unwrap();
+    let mut coarse = Coarse::new(&own, &names, own.len() / (8 * count), options, None).unwrap();
     let Located { simplices, at_steiner_points } = coarse.locate(points, None).unwrap();
     let located: Vec<(usize, u32)> =
         simplices.into_iter().enumerate().filter(|&(_, simplex)| simplex != u32::MAX).collect();
-    assert_eq!(located.len() + at_steiner_points.len(), points.len() - sample.len());
+    assert_eq!(located.len() + at_steiner_points.len(), points.len() - coarse.sample);
     let at_steiner_points: Vec<_> =
         at_steiner_points.iter().map(|&(at, vertex)| (vertex, at as u64)).collect();
     coarse.yield_to(&at_steiner_points).unwrap();
     let mut settled = Vec::new();
-    let mut seams = Vec::new();
     let mut number = 0;
-    let mut make = |pieces: Vec<Piece<D>>, settled: &mut Vec<Piece<D>>| {
+    let mut make = |pieces: Vec<Piece<D>>| {
         number += 1;
-        let made = coarse.maker().refine(pieces, number, None).unwrap();
-        let (rest, seam) = made.divide(rings, || Ok(())).unwrap();
-        settled.push(rest);
-        seam
+        coarse.maker().refine(pieces, number, None).unwrap()
     };
+    let leave = |settled: &mut Vec<Piece<D>>, made: Vec<Piece<D>>| {
+        let wanted = made.iter().flat_map(|piece| piece.wanted_names().unwrap());
+        let wanted = Vec::from_iter(std::collections::BTreeSet::from_iter(wanted));
+        let given = std::mem::take(settled)
+            .into_iter()
+            .map(|piece| piece.give(rings, &wanted, || Ok(())).unwrap());
+        let (mut left, mut seams): (Vec<_>, Vec<_>) = given.unzip();
+        for piece in made {
+            let (rest, seam) = piece.divide(rings, &wanted, || Ok(())).unwrap();
+            left.push(rest);
+            seams.push(seam);
+        }
+        *settled = left;
+        seams.into_iter().flatten().collect::<Vec<_>>()
+    };
+    let mut made = Vec::new();
     let partition_of = coarse.partitions(&Bisection::new(own, count, 0).unwrap()).unwrap();
     for partition in 0..count as u32 {
         let (mut piece, ids) = coarse.cut(&partition_of, partition).unwrap();
@@ -76,8 +88,9 @@ fn run<const D: usize>(
             })
             .collect();
         piece.add_inputs(&inputs).unwrap();
-        seams.extend(make(vec![piece], &mut settled));
+        made.push(make(vec![piece]));
     }
+    let mut seams = leave(&mut settled, made);
     let mut seen = Seen::default();
     for phase in 1..=4 {
         let vertices = seams.iter().flat_map(|seam| seam.vertices().map(|(_, point)| point));
@@ -87,10 +100,15 @@ fn run<const D: usize>(
         for (part, seam) in seams.drain(..).flat_map(|seam| seam.cut_apart(&cut).unwrap()) {
             next[part as usize].push(seam);
         }
+        let mut made = Vec::new();
         for pieces in next.into_iter().filter(|pieces| !pieces.is_empty()) {
             seen.seams += 1;
-            seams.extend(make(pieces, &mut settled));
+            made.push(make(pieces));
         }
+        seams = match phase {
+            4 => made,
+            _ => leave(&mut settled, made),
+        };
     }
     settled.extend(seams);
     for piece in &settled {
@@ -145,6 +163,17 @@ fn nested<const D: usize>(count: usize) -> Vec<[f64; D]> {
     (0..count).map(&mut point).collect()
 }
 
+/// `count` clusters of `size` points, each far smaller than its distance to the next.
+fn clusters<const D: usize>(count: usize, size: usize) -> Vec<[f64; D]> {
+    let mut random = Random(6);
+    let centers = scattered::<D>(count, 7);
+    let mut point = |at: usize| {
+        let center = centers[at % count];
+        std::array::from_fn(|axis| center[axis] + 1e-6 * (random.unit() - 0.5))
+    };
+    (0..count * size).map(&mut point).collect()
+}
+
 /// Every axis has `side` values, so that all small simplices are cospherical, and sample and
 /// interfaces go through points on facets.
 fn lattice<const D: usize>(side: usize) -> Vec<[f64; D]> {
@@ -181,6 +210,14 @@ fn nested_clusters() {
     check::<2>("nested, finished", &nested(1000), &well_spaced(), 3);
 }
 
+/// More clusters than partitions: most interfaces go through domains, which no partition owns.
+#[test]
+fn many_clusters() {
+    check::<2>("clusters", &clusters(150, 20), &Options::default(), 4);
+    check::<3>("clusters", &clusters(40, 40), &Options::default(), 3);
+    check::<2>("clusters, finished", &clusters(40, 20), &well_spaced(), 3);
+}
+
 /// Steiner points of the coarse mesh are where inputs are that it does not have.
 #[test]
 fn steiner_points_yield_to_inputs_that_are_not_of_the_sample() {
@@ -192,7 +229,7 @@ fn steiner_points_yield_to_inputs_that_are_not_of_the_sample() {
     let sample = sample_of(&points);
     let own: Vec<[f64; 2]> = sample.iter().map(|&at| points[at]).collect();
     let names: Vec<u64> = sample.iter().map(|&at| at as u64).collect();
-    let coarse = Coarse::new(&own, &names, &Options::default(), None).unwrap();
+    let coarse = Coarse::new(&own, &names, 0, &Options::default(), None).unwrap();
     assert!(!coarse.locate(&points, None).unwrap().at_steiner_points.is_empty());
     for options in [Options::default(), well_spaced()] {
         let (made, _) = run(&points, &options, 3, RINGS);
@@ -221,7 +258,7 @@ fn what_seams_leave_is_done_in_the_end() {
 fn a_piece_is_what_its_bytes_say() {
     let points = scattered::<3>(600, 5);
     let names: Vec<u64> = (0..600).collect();
-    let coarse = Coarse::new(&points, &names, &Options::default(), None).unwrap();
+    let coarse = Coarse::new(&points, &names, 0, &Options::default(), None).unwrap();
     let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
     let (piece, _) = coarse.cut(&partition_of, 1).unwrap();
     let bytes = piece.to_bytes().unwrap();
@@ -241,7 +278,7 @@ fn where_a_point_is_does_not_depend_on_the_others() {
     let sample: Vec<usize> = sample_of(&points);
     let own: Vec<[f64; 2]> = sample.iter().map(|&at| points[at]).collect();
     let names: Vec<u64> = sample.iter().map(|&at| at as u64).collect();
-    let coarse = Coarse::new(&own, &names, &Options::default(), None).unwrap();
+    let coarse = Coarse::new(&own, &names, 0, &Options::default(), None).unwrap();
     let all = coarse.locate(&points, None).unwrap();
     for (at, point) in points.iter().enumerate() {
         let alone = coarse.locate(&[*point], None).unwrap();

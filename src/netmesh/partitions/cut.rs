@@ -89,7 +89,7 @@ impl<const D: usize> State<D> {
         let state = State {
             // A mesh with segments has no partitions.
             segments: Segments::default(),
-            interface: Interface::new(domains.non_owned()?),
+            interface: Interface::new(domains.non_owned()?)?,
             removed: Vec::new(),
             stage: Stage::of_insertion(parameters.loose_bound()),
             template: copied(&self.template)?,

@@ -1,7 +1,8 @@
 //! The interface of a partition: what it must leave as it is. Locked are the simplices at the
-//! interface and those where an insertion would change a domain that the partition does not own. An
-//! operation asks before it begins. The partition defers what is not allowed, and the global mesh
-//! does it later. The global mesh has no interface.
+//! interface. Domains that the partition does not own are neither grown nor released; vertices
+//! beside them may lower their clearance, and narrow the gaps of their cages. An operation asks
+//! before it begins. The partition defers what is not allowed, and the global mesh does it later.
+//! The global mesh has no interface.
 //!
 //! ```text
 //!    partition 1    |    partition 2      Simplices beside the line are locked. Each partition
@@ -11,7 +12,7 @@
 //! ```
 
 use crate::complex::{SimplexId, VertexId};
-use crate::memory::{AllocResult, TryGrow};
+use crate::memory::{AllocResult, TryGrow, filled};
 use crate::netmesh::cages::domains::DomainId;
 
 #[derive(Default)]
@@ -20,6 +21,9 @@ pub(in crate::netmesh) struct Interface {
     pub(super) locked: Vec<bool>,
     /// Domain -> whether another partition owns it. Domains beyond the end are owned.
     non_owned: Vec<bool>,
+    /// Domain -> whether something is left to do there that the partition may not, or whether its
+    /// clearance fell here, though others have simplices at it. Domains beyond the end are not.
+    wanted: Vec<bool>,
     /// Simplex -> whether one of its inputs was deferred. Its other inputs would be deferred too,
     /// usually.
     skipped: Vec<bool>,
@@ -32,8 +36,8 @@ pub(in crate::netmesh) struct Interface {
 }
 
 impl Interface {
-    pub fn new(non_owned: Vec<bool>) -> Self {
-        Self { non_owned, ..Self::default() }
+    pub fn new(non_owned: Vec<bool>) -> AllocResult<Self> {
+        Ok(Self { wanted: filled(non_owned.len(), false)?, non_owned, ..Self::default() })
     }
 
     /// Whether the inputs of `simplex` may be tried.
@@ -69,6 +73,28 @@ impl Interface {
     #[inline]
     pub fn is_locked(&self, simplex: SimplexId) -> bool {
         self.locked.get(simplex.index()).is_some_and(|&is_locked| is_locked)
+    }
+
+    pub fn is_wanted(&self, domain: DomainId) -> bool {
+        self.wanted.get(domain.index()).is_some_and(|&is_wanted| is_wanted)
+    }
+
+    /// Notes that something is left to do at `domain`, in a partition.
+    pub fn want(&mut self, domain: DomainId) -> AllocResult<()> {
+        if self.is_some() {
+            self.wanted.cover(domain.index() + 1, false)?;
+            self.wanted[domain.index()] = true;
+        }
+        Ok(())
+    }
+
+    /// The same if another partition owns `domain`. Whether that is so.
+    pub fn want_non_owned(&mut self, domain: DomainId) -> bool {
+        let is_non_owned = self.is_non_owned(domain);
+        if is_non_owned {
+            self.wanted[domain.index()] = true;
+        }
+        is_non_owned
     }
 
     #[inline]

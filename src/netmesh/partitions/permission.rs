@@ -24,9 +24,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.refine_list.forget(&[], bound)?;
         for simplex in SimplexId::below(bound) {
             self.watch.poll_after(1)?;
-            let is_locked = (0..=D)
-                .any(|index| self.state.delaunay.complex().is_interface(simplex, index))
-                || self.spans_non_owned_domain(simplex);
+            let is_locked =
+                (0..=D).any(|index| self.state.delaunay.complex().is_interface(simplex, index));
             self.state.interface.locked.try_push(is_locked)?;
             if is_locked {
                 self.state.refine_list.limit(simplex);
@@ -68,17 +67,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Whether `simplex` has vertices inside and outside of a non-owned domain. The clearance of
-    /// that domain would change with them.
-    fn spans_non_owned_domain(&mut self, simplex: SimplexId) -> bool {
-        !self.state.delaunay.complex().is_infinite(simplex)
-            && self
-                .spanned_domain(simplex, |mesher, domain, _| {
-                    mesher.state.interface.is_non_owned(domain)
-                })
-                .is_some()
-    }
-
     /// Whether no simplex of `cavity` is locked.
     pub(in crate::netmesh) fn may_replace_cavity(&self, cavity: &Cavity) -> bool {
         !self.state.interface.is_some()
@@ -102,7 +90,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for at in 0..cavity.vertices.ids.len() {
             let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
             while !self.state.hierarchy.contains(domain, x) {
-                if self.state.interface.is_non_owned(domain) {
+                if self.outer_encroaches(domain, x) && self.state.interface.want_non_owned(domain) {
                     return false;
                 }
                 domain = self.state.hierarchy.parent(domain);
@@ -117,6 +105,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
         if !self.state.interface.is_some() {
             return Ok(true);
+        }
+        if site.inner.is_some_and(|inner| self.state.interface.want_non_owned(inner)) {
+            return Ok(false);
         }
         let center = *self.state.delaunay.point(site.center);
         let radius = self.state.parameters.cage_scale * site.radius;
@@ -140,22 +131,34 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 !self.state.interface.is_locked(simplex)
                     && (0..=D).all(|index| {
                         let vertex = self.state.delaunay.complex().vertices(simplex)[index];
-                        vertex.is_valid() && self.is_own_below(site.parent, vertex)
+                        vertex.is_valid()
+                            && self.keeps_off_below(site.parent, vertex, &center, radius)
                     })
             });
         self.scratch.near = near;
         Ok(is_free)
     }
 
-    /// Whether the partition owns all domains from that of `vertex` up to `parent`, or to one as
-    /// large.
-    fn is_own_below(&mut self, parent: DomainId, vertex: VertexId) -> bool {
+    /// Whether vertices near the sphere about `center` encroach no non-owned domain from outside, of
+    /// those from the domain of `vertex` up to `parent`, or to one as large.
+    fn keeps_off_below(
+        &mut self,
+        parent: DomainId,
+        vertex: VertexId,
+        center: &[f64; D],
+        radius: f64,
+    ) -> bool {
+        let margin = MARGIN * self.state.parameters.gamma * radius;
         let mut domain = self.state.hierarchy.domain_of(vertex);
         while domain != ROOT
             && domain != parent
             && self.state.hierarchy.node(domain).radius < self.state.hierarchy.node(parent).radius
         {
-            if self.state.interface.is_non_owned(domain) {
+            let distance = self.state.hierarchy.distance_to_center(domain, center);
+            let near = self.outer_encroachment() * self.state.hierarchy.node(domain).radius;
+            if (distance - radius).abs() <= near + margin
+                && self.state.interface.want_non_owned(domain)
+            {
                 return false;
             }
             domain = self.state.hierarchy.parent(domain);

@@ -1,3 +1,4 @@
+use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
@@ -163,6 +164,23 @@ fn domains_of_several_partitions() {
     let options = Options { epsilon: 0.6, ..Options::default() };
     check::<2>(&halos(3, 2000), &options);
     check::<3>(&halos(2, 2000), &Options::default());
+}
+
+/// Several partitions narrow the gaps of one cage.
+#[test]
+fn a_cage_has_the_vertices_that_partitions_add() {
+    let inputs = inputs(&[nested::<3>(3, 1500), halos(3, 1500)].concat());
+    let parameters = parameters(3, &Options::default(), 1);
+    let mut mesher = Mesher::<3>::new(&inputs, parameters, Watch::new(None)).unwrap();
+    let mut cavity = Cavity::default();
+    mesher.start_netmesh(&mut cavity).unwrap();
+    mesher.insert_coarse_rounds(&mut cavity).unwrap();
+    mesher.insert_in_partitions(&mut cavity).unwrap();
+    let hierarchy = &mesher.state.hierarchy;
+    for vertex in VertexId::below(mesher.state.delaunay.point_count()) {
+        let cage = hierarchy.cage_of(vertex);
+        assert!(!cage.is_valid() || hierarchy.node(cage).cage.contains(&vertex), "{vertex:?}");
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::AllocResult;
 use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::cages::domains::DomainId;
 use crate::numerics::norm;
 
 /// A corner within this times its radius of the cage sphere, or beyond it, belongs to the cage.
@@ -30,7 +30,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         match self.projected_corner(simplex, domain) {
             Some(x) if self.finds_room(simplex, domain, &x, cavity)? => {
-                match self.may_join(domain, &x, cavity) {
+                match self.may_insert(&x, cavity) {
                     true => self.join_at(domain, x, cavity),
                     false => Ok(self.block(simplex)?),
                 }
@@ -97,12 +97,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(start) = self.state.delaunay.locate(near, x) else { return Ok(false) };
         self.state.delaunay.find_cavity(start, x, cavity)?;
         Ok(self.nearest_vertex_distance(x, cavity) >= SPACING * self.sphere_radius(domain))
-    }
-
-    /// Nobody asks for the vertices of the root's cage, which never grows and is never released: a
-    /// partition that has not all of them may add some.
-    fn may_join(&mut self, domain: DomainId, x: &[f64; D], cavity: &Cavity) -> bool {
-        (domain == ROOT || !self.state.interface.is_non_owned(domain)) && self.may_insert(x, cavity)
     }
 
     /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.

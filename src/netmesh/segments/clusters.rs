@@ -175,7 +175,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         });
         let reach = distance(corner, &farthest);
         match self.concentrated_radius(center, reach, gap, ROOM) {
-            Some(radius) => clusters.add(group, CageSite { center, radius, parent: ROOT }),
+            Some(radius) => {
+                clusters.add(group, CageSite { center, radius, parent: ROOT, inner: None })
+            }
             None => Ok(()),
         }
     }

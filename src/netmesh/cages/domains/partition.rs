@@ -1,7 +1,7 @@
 //! The hierarchy of a partition has the domains that the vertices of the partition are in, and
 //! those around them. A partition owns a domain if no other partition has simplices at its centre
-//! or cage. It may change the domains that it owns. Of the others it reads what they were when it
-//! was cut out.
+//! or cage. Only those may it grow or release. Of the others it may lower the clearance and add to
+//! the cage: the order in which partitions do that does not matter.
 
 use super::{DomainId, Hierarchy, Node, Place, ROOT};
 use crate::complex::{PartitionIds, VertexId};
@@ -122,6 +122,9 @@ impl<const D: usize> Hierarchy<D> {
         let vertex = |id: VertexId| if id.is_valid() { vertices[id] } else { id };
         for (at, mut node) in nodes.into_iter().enumerate() {
             if at < old && !domains.is_own[at] {
+                let known = &mut self.nodes[domains.local_to_global[at]];
+                known.outside = known.outside.min(node.outside);
+                node.cage.iter().try_for_each(|&id| known.cage.try_push(vertex(id)))?;
                 continue;
             }
             node.center = vertex(node.center);

@@ -59,7 +59,10 @@ fn run<const D: usize>(
     let mut number = 0;
     let mut make = |pieces: Vec<Piece<D>>| {
         number += 1;
-        coarse.maker().refine(pieces, number, None).unwrap()
+        let known = known_domains(&pieces);
+        let made = coarse.maker().refine(pieces, number, None).unwrap();
+        assert_non_owned_are_left(&known, &made);
+        made
     };
     let leave = |settled: &mut Vec<Piece<D>>, made: Vec<Piece<D>>| {
         let wanted = made.iter().flat_map(|piece| piece.wanted_names().unwrap());
@@ -135,6 +138,32 @@ fn run<const D: usize>(
         settled.push(coarse.maker().refine(taken, number, None).unwrap());
     }
     (coarse.maker().whole(settled).unwrap(), seen)
+}
+
+/// By name, the version, the parent and the clearance of a domain, as pieces know them together.
+type Known = std::collections::BTreeMap<u64, (u64, u64, f64)>;
+
+fn known_domains<const D: usize>(pieces: &[Piece<D>]) -> Known {
+    let mut known = Known::new();
+    for domain in pieces.iter().flat_map(|piece| &piece.domains) {
+        let own = (domain.version, domain.parent, domain.outside);
+        let all = known.entry(domain.name).or_insert(own);
+        *all = (all.0.max(own.0), if own.0 > all.0 { own.1 } else { all.1 }, all.2.min(own.2));
+    }
+    known
+}
+
+/// A domain that a partition does not own has no new version. It stays where it is, and others are
+/// told if its clearance fell.
+fn assert_non_owned_are_left<const D: usize>(known: &Known, made: &Piece<D>) {
+    for domain in &made.domains {
+        let Some(&(version, parent, outside)) = known.get(&domain.name) else { continue };
+        if version == domain.version {
+            let is_released = made.released.iter().any(|&[name, _]| name == parent);
+            assert!(domain.parent == parent || is_released);
+            assert!(domain.outside == outside || made.wanted.contains(&domain.name));
+        }
+    }
 }
 
 fn check<const D: usize>(name: &str, points: &[[f64; D]], options: &Options, count: usize) {

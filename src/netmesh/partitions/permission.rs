@@ -166,3 +166,53 @@ impl<const D: usize> Mesher<'_, '_, D> {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Inputs;
+    use crate::netmesh::Watch;
+    use crate::netmesh::partitions::interface::Interface;
+    use crate::options::Options;
+    use crate::parameters::Parameters;
+
+    /// A cage may be made beside a domain that the partition does not own, but not so near that its
+    /// vertices would encroach that, and not around it.
+    #[test]
+    fn cages_keep_off_domains_that_are_not_owned() {
+        let points: Vec<f64> = (0..50).flat_map(|at| [f64::from(at % 7), f64::from(at)]).collect();
+        let inputs = Inputs::new(2, 50, &points, 0).unwrap();
+        let parameters = Parameters::resolve(2, &Options::default()).unwrap();
+        let mut mesher = Mesher::<2>::new(&inputs, parameters, Watch::new(None)).unwrap();
+        let mut cavity = Cavity::default();
+        mesher.start_netmesh(&mut cavity).unwrap();
+        mesher.insert_rounds(&mut cavity).unwrap();
+        let vertex = VertexId::new(0);
+        let point = *mesher.state.delaunay.point(vertex);
+        let radius = 2f64.powi(-20);
+        let domain = mesher.state.hierarchy.create(vertex, point, radius, ROOT, 0).unwrap();
+        mesher.state.hierarchy.set_domain(vertex, domain);
+        let mut non_owned = vec![false; domain.index() + 1];
+        non_owned[domain.index()] = true;
+        let reach = mesher.outer_encroachment() * radius;
+        let own = radius / 64.0;
+        let at = |distance: f64| [point[0] + distance, point[1]];
+        for (is_non_owned, distance, expected) in [
+            (true, reach + 2.0 * own, true),
+            (true, reach + 0.5 * own, false),
+            (true, 0.5 * reach, false),
+            (false, 0.5 * reach, true),
+        ] {
+            non_owned[domain.index()] = is_non_owned;
+            mesher.state.interface = Interface::new(non_owned.clone()).unwrap();
+            assert_eq!(mesher.keeps_off_below(ROOT, vertex, &at(distance), own), expected);
+            assert_eq!(mesher.state.interface.is_wanted(domain), !expected);
+        }
+        let around = 8.0 * reach;
+        let site = CageSite { center: vertex, radius: around, parent: ROOT, inner: Some(domain) };
+        assert!(mesher.may_make_cage(&site).unwrap());
+        non_owned[domain.index()] = true;
+        mesher.state.interface = Interface::new(non_owned).unwrap();
+        assert!(!mesher.may_make_cage(&site).unwrap() && mesher.state.interface.is_wanted(domain));
+    }
+}

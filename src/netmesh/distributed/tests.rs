@@ -300,6 +300,25 @@ fn a_piece_is_what_its_bytes_say() {
     assert!(Piece::<2>::from_bytes(&bytes).is_err());
 }
 
+/// All simplices at vertices that are wanted go with the seam, or are given.
+#[test]
+fn what_is_wanted_goes_along() {
+    let points = scattered::<3>(600, 5);
+    let names: Vec<u64> = (0..600).collect();
+    let coarse = Coarse::new(&points, &names, 0, &Options::default(), None).unwrap();
+    let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
+    let (piece, _) = coarse.cut(&partition_of, 1).unwrap();
+    let has = |piece: &Piece<3>, name| piece.vertices().any(|(other, _)| other == name);
+    let (left, seam) = piece.clone().divide(0, &[], || Ok(())).unwrap();
+    let seam = seam.unwrap();
+    let (inner, _) = left.vertices().find(|&(name, _)| !has(&seam, name)).unwrap();
+    let (left, seam) = piece.clone().divide(0, &[inner], || Ok(())).unwrap();
+    assert!(!has(&left, inner) && has(&seam.unwrap(), inner));
+    assert!(piece.clone().give(0, &[], || Ok(())).unwrap().1.is_none());
+    let (left, given) = piece.give(0, &[inner], || Ok(())).unwrap();
+    assert!(!has(&left, inner) && has(&given.unwrap(), inner));
+}
+
 /// Points on facets of the coarse mesh are in several simplices.
 #[test]
 fn where_a_point_is_does_not_depend_on_the_others() {

@@ -100,7 +100,7 @@ fn leave<const D: usize>(
     agreed(comm, || {
         let mut seams = Vec::new();
         for piece in std::mem::take(settled) {
-            let (left, given) = piece.give(RINGS, &wanted, || Ok(()))?;
+            let (left, given) = piece.give(RINGS, &wanted)?;
             settled.try_push_one(left)?;
             seams.try_push_all(given)?;
         }
@@ -160,14 +160,13 @@ fn exchange<const D: usize>(
     cut: &Bisection<D>,
     count: usize,
 ) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
-    let mut kept: Vec<(u32, u32, Piece<D>)> = Vec::new();
+    let mut kept: Vec<(u32, Piece<D>)> = Vec::new();
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
         for seam in seams {
-            let from = seam.maker();
             for (partition, piece) in seam.cut_apart(cut)? {
                 own[partition as usize] += piece.simplex_count() as u64;
-                kept.try_push_one((partition, from, piece))?;
+                kept.try_push_one((partition, piece))?;
             }
         }
         bytes_of(&own)
@@ -176,10 +175,10 @@ fn exchange<const D: usize>(
     let (owners, messages) = agreed(comm, || {
         let owners = owners_of(&shares, count)?;
         let mut messages = empty_messages(comm.size())?;
-        for (partition, from, piece) in std::mem::take(&mut kept) {
+        for (partition, piece) in std::mem::take(&mut kept) {
             match owners[partition as usize] as usize {
-                to if to == comm.rank() => kept.try_push_one((partition, from, piece))?,
-                to => append_piece(&mut messages[to], [partition, from], &piece)?,
+                to if to == comm.rank() => kept.try_push_one((partition, piece))?,
+                to => append_piece(&mut messages[to], partition, &piece)?,
             }
         }
         Ok((owners, messages))
@@ -187,13 +186,11 @@ fn exchange<const D: usize>(
     let received = comm.all_to_all(messages)?;
     agreed(comm, || {
         for message in received {
-            read_pieces(&message, |[partition, from], piece| {
-                kept.try_push_one((partition, from, piece))
-            })?;
+            read_pieces(&message, |partition, piece| kept.try_push_one((partition, piece)))?;
         }
-        kept.sort_by_key(|&(partition, from, _)| (partition, from));
+        kept.sort_by_key(|(partition, piece)| (*partition, piece.maker()));
         let mut shared: Vec<Joined<D>> = Vec::new();
-        for (partition, _, piece) in kept {
+        for (partition, piece) in kept {
             match shared.last_mut() {
                 Some((last, pieces)) if *last == partition => pieces.try_push_one(piece)?,
                 _ => shared.try_push_one((partition, vec![piece]))?,
@@ -227,22 +224,22 @@ fn owners_of(shares: &[Vec<u8>], count: usize) -> Result<Vec<u32>> {
 
 fn append_piece<const D: usize>(
     message: &mut Vec<u8>,
-    place: [u32; 2],
+    partition: u32,
     piece: &Piece<D>,
 ) -> Result<()> {
     let bytes = piece.to_bytes()?;
-    append(message, &[place[0].into(), place[1].into(), bytes.len() as u64])?;
+    append(message, &[partition.into(), bytes.len() as u64])?;
     message.try_extend(&bytes)
 }
 
 fn read_pieces<const D: usize>(
     mut message: &[u8],
-    mut take: impl FnMut([u32; 2], Piece<D>) -> Result<()>,
+    mut take: impl FnMut(u32, Piece<D>) -> Result<()>,
 ) -> Result<()> {
-    while let Some((head, rest)) = message.split_at_checked(24) {
+    while let Some((head, rest)) = message.split_at_checked(16) {
         let head: Vec<u64> = collected(words_of(head))?;
-        let (bytes, rest) = rest.split_at((head[2] as usize).min(rest.len()));
-        take([head[0] as u32, head[1] as u32], Piece::from_bytes(bytes)?)?;
+        let (bytes, rest) = rest.split_at((head[1] as usize).min(rest.len()));
+        take(head[0] as u32, Piece::from_bytes(bytes)?)?;
         message = rest;
     }
     Ok(())
@@ -314,13 +311,13 @@ fn take_out<const D: usize>(
 ) -> Result<(Vec<Piece<D>>, Vec<Vec<u8>>)> {
     let mut messages = empty_messages(comm.size())?;
     let mut kept = Vec::new();
-    for (at, piece) in std::mem::take(settled).into_iter().enumerate() {
-        let (left, taken) = piece.take_out(names)?;
+    for piece in std::mem::take(settled) {
+        let (left, taken) = piece.give(0, names)?;
         settled.try_push_one(left)?;
         let Some(taken) = taken else { continue };
         match comm.rank() == rank {
             true => kept.try_push_one(taken)?,
-            false => append_piece(&mut messages[rank], [0, at as u32], &taken)?,
+            false => append_piece(&mut messages[rank], 0, &taken)?,
         }
     }
     Ok((kept, messages))

@@ -234,7 +234,7 @@ static void check_certificate(const nm_mpi_mesh *mesh)
 static void check_vertices(const char *shape, const cloud *points, const nm_options *options, uint64_t vertices)
 {
     int is_late = strcmp(shape, "crowds") == 0 && options->output == NM_OUTPUT_WELL_SPACED;
-    double most = strcmp(shape, "lattice") == 0 ? 1.1 : is_late ? 1.1 : points->count < 10000 ? 1.04 : 1.02;
+    double most = is_late || strcmp(shape, "lattice") == 0 ? 1.1 : points->count < 10000 ? 1.04 : 1.02;
     nm_mesh *mesh = NULL;
     nm_counts counts = NM_COUNTS_INIT;
     CHECK(nm_mesh_create(points->dim, points->count, points->points, 0, &mesh) == NM_OK);

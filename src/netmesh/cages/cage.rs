@@ -98,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Puts the centre, or the outermost domain concentric with it, into the new domain.
     fn adopt_center(&mut self, cage: DomainId, site: CageSite) {
-        match self.state.hierarchy.child_towards(site.parent, site.center) {
+        match site.inner {
             Some(child) => self.state.hierarchy.set_parent(child, cage),
             None => self.state.hierarchy.set_domain(site.center, cage),
         }

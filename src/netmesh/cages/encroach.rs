@@ -85,10 +85,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         None
     }
 
+    /// The distance from the centre of `domain` within which a vertex outside encroaches it.
+    pub(in crate::netmesh) fn outer_reach(&self, domain: DomainId) -> f64 {
+        self.outer_encroachment() * self.state.hierarchy.node(domain).radius
+    }
+
     /// Whether `x`, which is outside of `domain`, encroaches it.
     pub(in crate::netmesh) fn outer_encroaches(&self, domain: DomainId, x: &[f64; D]) -> bool {
-        self.state.hierarchy.distance_to_center(domain, x)
-            < self.outer_encroachment() * self.state.hierarchy.node(domain).radius
+        self.state.hierarchy.distance_to_center(domain, x) < self.outer_reach(domain)
     }
 
     /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are `cavity`,

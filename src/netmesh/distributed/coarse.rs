@@ -161,7 +161,7 @@ impl<const D: usize> Coarse<D> {
 }
 
 /// The mesh of distinct `points`, with the loose bound.
-fn mesh<'a, 'b, const D: usize>(
+pub(super) fn mesh<'a, 'b, const D: usize>(
     points: &[[f64; D]],
     parameters: &Parameters,
     watch: Watch<'a, 'b>,

@@ -27,16 +27,17 @@ impl<const D: usize> Piece<D> {
         self.split_around(is_seam, rings, tick)
     }
 
-    /// What is left of a settled piece, and what others want of it, if that is something.
-    pub fn give(
-        self,
-        rings: usize,
-        wanted: &[u64],
-        tick: impl FnMut() -> Result<()>,
-    ) -> Result<(Self, Option<Self>)> {
+    /// What is left of the piece, and the simplices that have a vertex of the given names, which
+    /// rise, with the rings around them; nothing if there are none.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn give(self, rings: usize, names: &[u64]) -> Result<(Self, Option<Self>)> {
         let mut is_seam = filled(self.simplex_count(), false)?;
-        self.mark_touching(wanted, &mut is_seam)?;
-        self.split_around(is_seam, rings, tick)
+        if !self.mark_touching(names, &mut is_seam)? {
+            return Ok((self, None));
+        }
+        self.split_around(is_seam, rings, || Ok(()))
     }
 
     fn split_around(
@@ -130,31 +131,27 @@ impl<const D: usize> Piece<D> {
     /// `OutOfMemory`.
     pub fn names_beside(&self, names: &[u64]) -> Result<Vec<u64>> {
         let mut is_touching = filled(self.simplex_count(), false)?;
-        self.mark_touching(names, &mut is_touching)?;
-        self.names_of(&is_touching)
+        match self.mark_touching(names, &mut is_touching)? {
+            true => self.names_of(&is_touching),
+            false => Ok(Vec::new()),
+        }
     }
 
-    /// What is left of the piece, and the simplices that have a vertex of the given names, which
-    /// rise; nothing if there are none.
-    ///
-    /// # Errors
-    /// `OutOfMemory`.
-    pub fn take_out(self, names: &[u64]) -> Result<(Self, Option<Self>)> {
-        self.give(0, names, || Ok(()))
-    }
-
-    /// Marks the simplices that have a vertex of the given names, which rise.
-    fn mark_touching(&self, names: &[u64], is_marked: &mut [bool]) -> Result<()> {
+    /// Marks the simplices that have a vertex of the given names, which rise. Whether there are any.
+    fn mark_touching(&self, names: &[u64], is_marked: &mut [bool]) -> Result<bool> {
+        if names.is_empty() {
+            return Ok(false);
+        }
         let is_named =
             collected(self.corners.iter().map(|corner| names.binary_search(&corner.name).is_ok()))?;
         if !is_named.contains(&true) {
-            return Ok(());
+            return Ok(false);
         }
         for (simplex, is_marked) in is_marked.iter_mut().enumerate() {
             let mut vertices = self.vertices_of(simplex).iter();
             *is_marked |= vertices.any(|&vertex| is_named.get(vertex as usize) == Some(&true));
         }
-        Ok(())
+        Ok(true)
     }
 
     fn names_of(&self, is_in: &[bool]) -> Result<Vec<u64>> {
@@ -195,7 +192,8 @@ impl<const D: usize> Piece<D> {
         }
         let mut encroaching = collected(self.encroaching.iter().copied())?;
         encroaching.sort_unstable();
-        self.mark_touching(&encroaching, is_seam)
+        self.mark_touching(&encroaching, is_seam)?;
+        Ok(())
     }
 
     /// Marks all simplices that are at most `rings` steps from a marked one.

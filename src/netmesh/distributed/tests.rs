@@ -67,9 +67,8 @@ fn run<const D: usize>(
     let leave = |settled: &mut Vec<Piece<D>>, made: Vec<Piece<D>>| {
         let wanted = made.iter().flat_map(|piece| piece.wanted_names().unwrap());
         let wanted = Vec::from_iter(std::collections::BTreeSet::from_iter(wanted));
-        let given = std::mem::take(settled)
-            .into_iter()
-            .map(|piece| piece.give(rings, &wanted, || Ok(())).unwrap());
+        let given =
+            std::mem::take(settled).into_iter().map(|piece| piece.give(rings, &wanted).unwrap());
         let (mut left, mut seams): (Vec<_>, Vec<_>) = given.unzip();
         for piece in made {
             let (rest, seam) = piece.divide(rings, &wanted, || Ok(())).unwrap();
@@ -131,7 +130,7 @@ fn run<const D: usize>(
             names = std::collections::BTreeSet::from_iter(all).into_iter().collect();
         }
         let (left, taken): (Vec<_>, Vec<_>) =
-            settled.into_iter().map(|piece| piece.take_out(&names).unwrap()).unzip();
+            settled.into_iter().map(|piece| piece.give(0, &names).unwrap()).unzip();
         settled = left;
         number += 1;
         let taken = taken.into_iter().flatten().collect();
@@ -283,13 +282,18 @@ fn what_seams_leave_is_done_in_the_end() {
     assert_eq!(validate(&inputs, &made, 3).unwrap().level, 3);
 }
 
-#[test]
-fn a_piece_is_what_its_bytes_say() {
+/// One of two partitions of a coarse mesh.
+fn half_of_coarse() -> Piece<3> {
     let points = scattered::<3>(600, 5);
     let names: Vec<u64> = (0..600).collect();
     let coarse = Coarse::new(&points, &names, 0, &Options::default(), None).unwrap();
     let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
-    let (piece, _) = coarse.cut(&partition_of, 1).unwrap();
+    coarse.cut(&partition_of, 1).unwrap().0
+}
+
+#[test]
+fn a_piece_is_what_its_bytes_say() {
+    let piece = half_of_coarse();
     let bytes = piece.to_bytes().unwrap();
     assert_eq!(Piece::from_bytes(&bytes).unwrap(), piece);
     // Whatever is cut off, or too much.
@@ -303,19 +307,15 @@ fn a_piece_is_what_its_bytes_say() {
 /// All simplices at vertices that are wanted go with the seam, or are given.
 #[test]
 fn what_is_wanted_goes_along() {
-    let points = scattered::<3>(600, 5);
-    let names: Vec<u64> = (0..600).collect();
-    let coarse = Coarse::new(&points, &names, 0, &Options::default(), None).unwrap();
-    let partition_of = coarse.partitions(&Bisection::new(points, 2, 0).unwrap()).unwrap();
-    let (piece, _) = coarse.cut(&partition_of, 1).unwrap();
+    let piece = half_of_coarse();
     let has = |piece: &Piece<3>, name| piece.vertices().any(|(other, _)| other == name);
     let (left, seam) = piece.clone().divide(0, &[], || Ok(())).unwrap();
     let seam = seam.unwrap();
     let (inner, _) = left.vertices().find(|&(name, _)| !has(&seam, name)).unwrap();
     let (left, seam) = piece.clone().divide(0, &[inner], || Ok(())).unwrap();
     assert!(!has(&left, inner) && has(&seam.unwrap(), inner));
-    assert!(piece.clone().give(0, &[], || Ok(())).unwrap().1.is_none());
-    let (left, given) = piece.give(0, &[inner], || Ok(())).unwrap();
+    assert!(piece.clone().give(0, &[]).unwrap().1.is_none());
+    let (left, given) = piece.give(0, &[inner]).unwrap();
     assert!(!has(&left, inner) && has(&given.unwrap(), inner));
 }
 

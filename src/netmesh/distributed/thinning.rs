@@ -80,21 +80,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::coarse::mesh;
     use super::*;
-    use crate::delaunay::Cavity;
-    use crate::mesh::Inputs;
     use crate::netmesh::Watch;
     use crate::options::Options;
     use crate::parameters::Parameters;
 
     /// The points that are left of `points`.
     fn left(points: &[[f64; 2]], most: usize) -> Option<Vec<[f64; 2]>> {
-        let inputs = Inputs::new(2, points.len(), points.as_flattened(), 0).unwrap();
         let parameters = Parameters::resolve(2, &Options::default()).unwrap();
-        let mut mesher = Mesher::<2>::new(&inputs, parameters, Watch::new(None)).unwrap();
-        let mut cavity = Cavity::default();
-        mesher.start_netmesh(&mut cavity).unwrap();
-        mesher.insert_rounds(&mut cavity).unwrap();
+        let mut mesher = mesh(points, &parameters, Watch::new(None)).unwrap();
         let left = mesher.thinned(most).unwrap()?;
         Some(left.iter().map(|&vertex| *mesher.state.delaunay.point(vertex)).collect())
     }

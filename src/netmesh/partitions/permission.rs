@@ -7,6 +7,7 @@ use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::Mesher;
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::cages::site::CageSite;
+use std::ops::RangeInclusive;
 
 /// The number of simplices that are examined around a wanted cage. A cage that meets more is left
 /// to the global mesh.
@@ -90,7 +91,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for at in 0..cavity.vertices.ids.len() {
             let mut domain = self.state.hierarchy.domain_of(cavity.vertices.ids[at]);
             while !self.state.hierarchy.contains(domain, x) {
-                if self.outer_encroaches(domain, x) && self.state.interface.want_non_owned(domain) {
+                if self.state.interface.is_non_owned(domain) && self.outer_encroaches(domain, x) {
+                    self.state.interface.want_non_owned(domain);
                     return false;
                 }
                 domain = self.state.hierarchy.parent(domain);
@@ -112,6 +114,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let center = *self.state.delaunay.point(site.center);
         let radius = self.state.parameters.cage_scale * site.radius;
         let margin = MARGIN * self.state.parameters.gamma;
+        let shell = (1.0 - margin) * radius..=(1.0 + margin) * radius;
         let mut on_sphere = center;
         on_sphere[0] += radius;
         let start = self.state.delaunay.complex().incident(site.center);
@@ -122,7 +125,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let is_all = self.state.delaunay.meeting_shell(
             start,
             &center,
-            (1.0 - margin) * radius..=(1.0 + margin) * radius,
+            shell.clone(),
             MOST_ROUND_CAGE,
             &mut near,
         )?;
@@ -132,34 +135,34 @@ impl<const D: usize> Mesher<'_, '_, D> {
                     && (0..=D).all(|index| {
                         let vertex = self.state.delaunay.complex().vertices(simplex)[index];
                         vertex.is_valid()
-                            && self.keeps_off_below(site.parent, vertex, &center, radius)
+                            && self.keeps_off_below(site.parent, vertex, &center, &shell)
                     })
             });
         self.scratch.near = near;
         Ok(is_free)
     }
 
-    /// Whether vertices near the sphere about `center` encroach no non-owned domain from outside, of
-    /// those from the domain of `vertex` up to `parent`, or to one as large.
+    /// Whether vertices in the `shell` about `center`, given by distances, encroach no non-owned
+    /// domain from outside, of those from the domain of `vertex` up to `parent`, or to one as large.
     fn keeps_off_below(
         &mut self,
         parent: DomainId,
         vertex: VertexId,
         center: &[f64; D],
-        radius: f64,
+        shell: &RangeInclusive<f64>,
     ) -> bool {
-        let margin = MARGIN * self.state.parameters.gamma * radius;
         let mut domain = self.state.hierarchy.domain_of(vertex);
         while domain != ROOT
             && domain != parent
             && self.state.hierarchy.node(domain).radius < self.state.hierarchy.node(parent).radius
         {
-            let distance = self.state.hierarchy.distance_to_center(domain, center);
-            let near = self.outer_encroachment() * self.state.hierarchy.node(domain).radius;
-            if (distance - radius).abs() <= near + margin
-                && self.state.interface.want_non_owned(domain)
-            {
-                return false;
+            if self.state.interface.is_non_owned(domain) {
+                let distance = self.state.hierarchy.distance_to_center(domain, center);
+                let reach = self.outer_reach(domain);
+                if *shell.start() <= distance + reach && distance - reach <= *shell.end() {
+                    self.state.interface.want_non_owned(domain);
+                    return false;
+                }
             }
             domain = self.state.hierarchy.parent(domain);
         }
@@ -196,6 +199,8 @@ mod tests {
         non_owned[domain.index()] = true;
         let reach = mesher.outer_encroachment() * radius;
         let own = radius / 64.0;
+        let margin = MARGIN * mesher.state.parameters.gamma;
+        let shell = (1.0 - margin) * own..=(1.0 + margin) * own;
         let at = |distance: f64| [point[0] + distance, point[1]];
         for (is_non_owned, distance, expected) in [
             (true, reach + 2.0 * own, true),
@@ -205,7 +210,7 @@ mod tests {
         ] {
             non_owned[domain.index()] = is_non_owned;
             mesher.state.interface = Interface::new(non_owned.clone()).unwrap();
-            assert_eq!(mesher.keeps_off_below(ROOT, vertex, &at(distance), own), expected);
+            assert_eq!(mesher.keeps_off_below(ROOT, vertex, &at(distance), &shell), expected);
             assert_eq!(mesher.state.interface.is_wanted(domain), !expected);
         }
         let around = 8.0 * reach;

@@ -25,6 +25,14 @@ fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Tria
     mesh::<D>(inputs, None, parameters(D, options, threads), None, None).unwrap()
 }
 
+/// The run until partitions have joined.
+fn insert_in_partitions<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
+    let mut cavity = Cavity::default();
+    mesher.start_netmesh(&mut cavity).unwrap();
+    mesher.insert_coarse_rounds(&mut cavity).unwrap();
+    mesher.insert_in_partitions(&mut cavity).unwrap();
+}
+
 fn assert_same(a: &Triangulation, b: &Triangulation) {
     assert_eq!(a.simplices, b.simplices);
     assert_eq!(a.neighbors, b.neighbors);
@@ -172,10 +180,7 @@ fn a_cage_has_the_vertices_that_partitions_add() {
     let inputs = inputs(&[nested::<3>(3, 1500), halos(3, 1500)].concat());
     let parameters = parameters(3, &Options::default(), 1);
     let mut mesher = Mesher::<3>::new(&inputs, parameters, Watch::new(None)).unwrap();
-    let mut cavity = Cavity::default();
-    mesher.start_netmesh(&mut cavity).unwrap();
-    mesher.insert_coarse_rounds(&mut cavity).unwrap();
-    mesher.insert_in_partitions(&mut cavity).unwrap();
+    insert_in_partitions(&mut mesher);
     let hierarchy = &mesher.state.hierarchy;
     for vertex in VertexId::below(mesher.state.delaunay.point_count()) {
         let cage = hierarchy.cage_of(vertex);
@@ -208,15 +213,13 @@ fn partitions_dissolve_most_cages() {
         Parameters { inputs_per_partition: 5_000, ..Parameters::resolve(2, &options).unwrap() };
     let inputs = inputs(&points);
     let mut mesher = Mesher::<2>::new(&inputs, parameters, Watch::new(None)).unwrap();
-    let mut cavity = Cavity::default();
-    mesher.start_netmesh(&mut cavity).unwrap();
-    mesher.insert_coarse_rounds(&mut cavity).unwrap();
-    mesher.insert_in_partitions(&mut cavity).unwrap();
+    insert_in_partitions(&mut mesher);
     let stats = &mesher.state.stats;
     assert!(stats.cages_created > 200 && stats.cages_grown > 200, "{stats:?}");
     let left = stats.cages_created - stats.cages_released;
     assert!(left < stats.cages_created / 10, "{left} of {}", stats.cages_created);
     let refined = mesher.state.delaunay.point_count();
+    let mut cavity = Cavity::default();
     mesher.insert_rounds(&mut cavity).unwrap();
     mesher.finish_mesh(&mut cavity).unwrap();
     mesher.refine_finally(&mut cavity).unwrap();

@@ -54,7 +54,7 @@
 
 /** The initial value of an nm_mpi_counts: struct_size is set, the rest is zero. */
 #define NM_MPI_COUNTS_INIT                                                                         \
-    { sizeof(nm_mpi_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nm_mpi_counts), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /** The initial value of an nm_mpi_report: struct_size is set, the rest is zero. */
 #define NM_MPI_REPORT_INIT                                                                         \
@@ -164,7 +164,7 @@ enum nm_mpi_violation
      */
     NM_MPI_VIOLATION_IDS = 51,
     /**
-     * Two ranks have different coordinates, kinds or domains of a vertex.
+     * Two ranks have different coordinates, kinds, domains or cages of a vertex.
      */
     NM_MPI_VIOLATION_SHARED_VERTEX = 52,
     /**
@@ -187,6 +187,10 @@ enum nm_mpi_violation
      * The sizes of the whole mesh are not those of all parts.
      */
     NM_MPI_VIOLATION_TOTALS = 57,
+    /**
+     * Two ranks have different centres, radii or parents of a domain.
+     */
+    NM_MPI_VIOLATION_SHARED_DOMAIN = 58,
     /**
      * A simplex is flat or negatively oriented.
      */
@@ -216,17 +220,62 @@ enum nm_mpi_violation
      */
     NM_MPI_VIOLATION_VERTEX_KIND = 203,
     /**
-     * A vertex is labelled with a domain that does not exist.
+     * The domains are not a tree: the root is not the only one without a parent, or a ball is larger
+     * than its parent's.
+     */
+    NM_MPI_VIOLATION_DOMAIN_TREE = 205,
+    /**
+     * A domain's radius is not positive and finite.
+     */
+    NM_MPI_VIOLATION_DOMAIN_BALL = 206,
+    /**
+     * The vertex at a domain's centre is elsewhere, or not labelled as in that domain's subtree.
+     */
+    NM_MPI_VIOLATION_DOMAIN_CENTER = 207,
+    /**
+     * A domain's ball reaches out of its parent's.
+     */
+    NM_MPI_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
+    /**
+     * A vertex is labelled with a domain that does not exist, or that does not contain it.
      */
     NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
     /**
-     * A vertex on the hull is neither of a cage nor an input.
+     * A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+     */
+    NM_MPI_VIOLATION_CAGE_OF = 211,
+    /**
+     * A cage vertex is not near its cage's sphere.
+     */
+    NM_MPI_VIOLATION_CAGE_RADIUS = 212,
+    /**
+     * A cage has too few vertices to enclose its domain's centre.
+     */
+    NM_MPI_VIOLATION_CAGE_INCOMPLETE = 213,
+    /**
+     * A vertex on the hull is not of the root's cage.
      */
     NM_MPI_VIOLATION_HULL_VERTEX = 214,
+    /**
+     * An input inside a domain's ball encroaches its cage (Definition 2).
+     */
+    NM_MPI_VIOLATION_INNER_ENCROACHMENT = 215,
+    /**
+     * A vertex outside a domain's ball encroaches its cage (Definition 2).
+     */
+    NM_MPI_VIOLATION_OUTER_ENCROACHMENT = 216,
+    /**
+     * D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+     */
+    NM_MPI_VIOLATION_DOMAIN_SPAN = 217,
     /**
      * The Voronoi cell of a vertex has a worse aspect than the bound.
      */
     NM_MPI_VIOLATION_VERTEX_ASPECT = 218,
+    /**
+     * The union cell of a cage has a worse aspect than the bound.
+     */
+    NM_MPI_VIOLATION_CAGE_ASPECT = 219,
     /**
      * A simplex has a larger ratio of circumradius to shortest edge than the bound.
      */
@@ -329,7 +378,38 @@ typedef struct nm_mpi_counts {
      * Bytes that this rank has sent to others during the run, without what MPI adds.
      */
     uint64_t bytes_sent;
+    /**
+     * Domains that this rank knows: those that hold a vertex that it knows.
+     */
+    uint64_t local_domains;
 } nm_mpi_counts;
+
+/**
+ * A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in size
+ * for this ABI version).
+ */
+typedef struct nm_mpi_domain {
+    /**
+     * The domain's id, below nm_mpi_counts.domains.
+     */
+    uint64_t id;
+    /**
+     * The id of the enclosing domain; NM_MPI_NONE for the root, which has id 0.
+     */
+    uint64_t parent;
+    /**
+     * The id of the vertex at the ball's centre, which another rank may have.
+     */
+    uint64_t center;
+    /**
+     * Radius, in the unit of the coordinates.
+     */
+    double radius;
+    /**
+     * The coordinates of the centre; in 2D the last is 0.
+     */
+    double position[3];
+} nm_mpi_domain;
 
 /**
  * A facet between a simplex of this rank and one of another; an element of the array that
@@ -502,6 +582,20 @@ nm_status nm_mpi_get_vertex_domains(const struct nm_mpi_mesh *mesh,
                                     uint64_t *needed);
 
 /**
+ * Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain around
+ * them up to the root: local_domains elements, by rising id. The ids are those of
+ * nm_mpi_get_vertex_domains and do not depend on the ranks; all ranks have the same of a domain.
+ *
+ * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+ * (buf not aligned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mpi_get_domains(const struct nm_mpi_mesh *mesh,
+                             struct nm_mpi_domain *buf,
+                             uint64_t capacity,
+                             uint64_t *needed);
+
+/**
  * Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
  * rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex + i.
  *
@@ -584,19 +678,18 @@ nm_status nm_mpi_get_interface(const struct nm_mpi_mesh *mesh,
  * ran; what it found is in report, the same on all ranks.
  *
  * level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name, across
- * ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex;
- * stars, links, Euler characteristic, sizes of the whole); 2 also geometry (orientations, Delaunay on
- * every facet and convexity at every hull ridge, whichever ranks are on the two sides); 3 also the
- * promises (inputs kept bit for bit, duplicates with the first of them, kinds and domains in range, a
- * finished mesh of one domain, the quality bound of the run). A mesh is right if report->level equals
- * level, or equivalently report->violations is 0.
+ * ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex
+ * and of a domain; stars, links, Euler characteristic, sizes of the whole); 2 also geometry
+ * (orientations, Delaunay on every facet and convexity at every hull ridge, whichever ranks are on the
+ * two sides); 3 also the promises (inputs kept bit for bit, duplicates with the first of them, kinds,
+ * the tree of domains, cages complete, where they should be and not encroached, a finished mesh of one
+ * domain, the quality bound of the run). A mesh is right if report->level equals level, or equivalently
+ * report->violations is 0.
  *
- * Not checked, beside what nm_mesh_validate checks: windings round faces of codimension two, and the
- * balls, tree and cages of domains, which ranks do not have. So level 3 says nothing of encroachment
- * and of the union cells of cages. Cells are not bounded at vertices of cages, at inputs with
- * neighbours in several domains, at edges of at most 2^-40 of the largest coordinate there, with the
- * radius-edge ratio where several domains meet, and where epsilon is above 0.8 cage_scale in meshes of
- * several domains.
+ * Not checked, of what nm_mesh_validate checks: windings round faces of codimension two; that balls
+ * beside each other are disjoint, where encroachment is below 2 epsilon (elsewhere it follows); cells
+ * at edges of at most 2^-40 of the largest coordinate there, simplices of several domains, and cells
+ * where epsilon is above 0.8 cage_scale in meshes of several domains.
  *
  * report: of the rank; the caller sets struct_size.
  *

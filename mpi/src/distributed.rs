@@ -31,6 +31,11 @@ pub struct Promise {
     pub criterion: Criterion,
     /// Of the criterion; infinite where nothing is promised.
     pub quality_bound: f64,
+    /// The parameters of cages, as in [`Parameters`].
+    pub epsilon: f64,
+    pub gamma: f64,
+    pub encroachment: f64,
+    pub cage_scale: f64,
     /// Whether cells answer for all of their corners in every domain: its cage surrounds its inputs.
     pub counts_all_corners: bool,
 }
@@ -41,6 +46,10 @@ impl Default for Promise {
             is_finished: false,
             criterion: Criterion::default(),
             quality_bound: f64::INFINITY,
+            epsilon: f64::INFINITY,
+            gamma: f64::INFINITY,
+            encroachment: 0.0,
+            cage_scale: 1.0,
             counts_all_corners: false,
         }
     }
@@ -54,6 +63,10 @@ impl Promise {
             is_finished: parameters.output == Output::WellSpaced,
             criterion: parameters.criterion,
             quality_bound: parameters.quality_bound,
+            epsilon: parameters.epsilon,
+            gamma: parameters.gamma,
+            encroachment: parameters.encroachment,
+            cage_scale: parameters.cage_scale,
             counts_all_corners: parameters.epsilon <= SURROUNDED * parameters.cage_scale,
         }
     }
@@ -75,6 +88,19 @@ pub struct InterfaceFacet {
     pub facet: u32,
     /// Index of the other simplex among the ghosts.
     pub ghost: usize,
+}
+
+/// A ball of the domain hierarchy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain {
+    pub id: u64,
+    /// The id of the enclosing domain, [`NO_ID`] for the root, which has id 0.
+    pub parent: u64,
+    /// The id of the vertex at the centre, which another rank may have.
+    pub center: u64,
+    pub radius: f64,
+    /// The coordinates of the centre, in 2D the last 0.
+    pub position: [f64; 3],
 }
 
 /// A rank's part of a mesh. Vertices and simplices have ids in the whole mesh. That of a vertex that
@@ -101,6 +127,10 @@ pub struct DistributedMesh {
     pub kinds: Vec<u8>,
     /// Ids of the innermost domains, [`NO_ID`] where there is none.
     pub vertex_domains: Vec<u64>,
+    /// Ids of the domains whose cages they are part of, [`NO_ID`] where there is none.
+    pub vertex_cages: Vec<u64>,
+    /// The domains that hold a vertex that this rank knows, by rising id.
+    pub domains: Vec<Domain>,
     /// The id of the first own simplex; the others follow.
     pub first_simplex: u64,
     /// `simplices x (dim + 1)` indices of vertices, positively oriented.

@@ -7,6 +7,9 @@ pub const HULL: u32 = u32::MAX;
 /// Across a facet is another piece, of this rank or of another.
 pub const INTERFACE: u32 = u32::MAX - 1;
 
+/// The vertex is in no cage.
+pub const NO_DOMAIN: u64 = u64::MAX;
+
 /// The names of vertices that are no inputs have this bit.
 pub const ADDED: u64 = 1 << 63;
 
@@ -27,10 +30,12 @@ pub struct Piece {
     pub simplices: Vec<u32>,
     /// `simplices x (dim + 1)` local simplices, the i-th opposite vertex i; [`HULL`] or [`INTERFACE`].
     pub neighbors: Vec<u32>,
-    /// Those that `vertex_domains` names; others may be there too.
+    /// What the piece knows of domains, of which other pieces may know more.
     pub domains: Vec<PieceDomain>,
     /// By local vertex: the name of the innermost domain that holds it.
     pub vertex_domains: Vec<u64>,
+    /// By local vertex: the name of the domain whose cage it is part of, or [`NO_DOMAIN`].
+    pub vertex_cages: Vec<u64>,
 }
 
 /// A domain of the hierarchy; its name is the same in all pieces.
@@ -41,7 +46,11 @@ pub struct PieceDomain {
     /// The name of the enclosing domain, `None` for the root.
     pub parent: Option<u64>,
     pub name: u64,
+    /// Of all that pieces know of a domain, what has the highest version holds.
+    pub version: u64,
     pub radius: f64,
+    /// In 2D the last is 0.
+    pub position: [f64; 3],
 }
 
 impl Piece {

@@ -64,8 +64,9 @@ fn compiles(name: &str, language: &[&str], text: &str) {
 const UNIT: &str = "#include \"netmesh_mpi.h\"
 #include \"netmesh_mpi.h\"
 #define CHECK(name, condition) typedef char name[(condition) ? 1 : -1]
-CHECK(counts, sizeof(nm_mpi_counts) == 144 && offsetof(nm_mpi_counts, inputs) == 16);
+CHECK(counts, sizeof(nm_mpi_counts) == 152 && offsetof(nm_mpi_counts, inputs) == 16);
 CHECK(facet, sizeof(nm_mpi_facet) == 24 && offsetof(nm_mpi_facet, facet) == 16);
+CHECK(domain, sizeof(nm_mpi_domain) == 56 && offsetof(nm_mpi_domain, position) == 32);
 CHECK(report, sizeof(nm_mpi_report) == 208 && offsetof(nm_mpi_report, simplex) == 32);
 CHECK(violation, sizeof(nm_mpi_violation) == 4 && NM_MPI_VIOLATION_MISSING_GHOST == 55);
 CHECK(format, sizeof(nm_mpi_format) == 4 && NM_MPI_FORMAT_NPY == 2);

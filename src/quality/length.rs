@@ -37,7 +37,7 @@ pub(crate) fn exponent_of(value: f64) -> Option<i32> {
 
 /// A length `mantissa * 2^exponent` with the mantissa in \[1, 2); zero and infinity are their own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Length {
+pub struct Length {
     mantissa: f64,
     exponent: i32,
 }
@@ -95,6 +95,16 @@ impl Length {
             return f64::INFINITY;
         }
         scale(self.mantissa / other.mantissa, self.exponent.saturating_sub(other.exponent))
+    }
+
+    /// Two words that [`Self::from_words`] reads, on any machine.
+    pub fn to_words(self) -> [u64; 2] {
+        [self.mantissa.to_bits(), i64::from(self.exponent) as u64]
+    }
+
+    /// The length of such words.
+    pub fn from_words([mantissa, exponent]: [u64; 2]) -> Self {
+        Self { mantissa: f64::from_bits(mantissa), exponent: exponent as i64 as i32 }
     }
 
     /// The nearest double: 0 or infinity where it does not fit. For messages.

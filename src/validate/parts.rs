@@ -1,10 +1,13 @@
 //! What a certificate of a mesh in parts needs, which no process has all of: the signs of this one,
-//! and radii of cells. Like it they share nothing with what builds meshes.
+//! radii of cells, and the tree of domains. Like it they share nothing with what builds meshes.
 
 use super::signs::{Robust, Signs};
 use crate::error::Result;
+use crate::memory::collected;
+use crate::mesh::{Domain, NONE};
 use crate::quality::corner::Corner;
-use crate::quality::length::Length;
+pub use crate::quality::length::Length;
+use crate::quality::tree::DomainTree;
 use std::cmp::Ordering;
 
 /// The exact sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points.
@@ -49,33 +52,80 @@ impl Cell {
     }
 }
 
-/// Enters a simplex into the cells of its `vertices`; answers its circumradius over its shortest edge,
-/// infinite if it is flat.
-///
-/// # Errors
-/// `OutOfMemory`.
-///
-/// # Panics
-/// If a vertex has no cell.
-pub fn enter<const D: usize>(
-    cells: &mut [Cell],
-    vertices: &[u32],
-    points: &[&[f64; D]],
-) -> Result<f64> {
-    let corner = Corner::new(points)?;
-    let radius = corner.as_ref().map_or(Length::INFINITE, |corner| corner.radius);
-    for (i, &v) in vertices.iter().enumerate() {
-        for (j, &w) in vertices.iter().enumerate().skip(i + 1) {
-            let length = Length::between(points[i], points[j]);
-            for vertex in [v, w] {
-                let cell = &mut cells[vertex as usize];
-                cell.nearest = cell.nearest.min(length);
-            }
-        }
-        let cell = &mut cells[v as usize];
-        cell.farthest = cell.farthest.max(radius);
+/// A simplex with its corner, which is its circumcentre.
+pub struct Simplex<'a, const D: usize> {
+    points: &'a [&'a [f64; D]],
+    /// None of a flat simplex.
+    corner: Option<Corner<D>>,
+}
+
+impl<'a, const D: usize> Simplex<'a, D> {
+    /// Of `D + 1` points.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn new(points: &'a [&'a [f64; D]]) -> Result<Self> {
+        Ok(Self { points, corner: Corner::new(points)? })
     }
-    Ok(corner.map_or(f64::INFINITY, |corner| corner.radius.ratio(corner.shortest_edge)))
+
+    /// Circumradius over shortest edge, infinite if the simplex is flat.
+    pub fn radius_edge(&self) -> f64 {
+        let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
+        self.corner.as_ref().map_or(f64::INFINITY, ratio)
+    }
+
+    /// The distance of the corner to a point, infinite if the simplex is flat.
+    pub fn reach(&self, point: &[f64; D]) -> Length {
+        let distance = |corner: &Corner<D>| corner.distance(self.points, point);
+        self.corner.as_ref().map_or(Length::INFINITE, distance)
+    }
+
+    /// Enters the simplex into the cells of its `vertices`.
+    ///
+    /// # Panics
+    /// If a vertex has no cell.
+    pub fn enter(&self, cells: &mut [Cell], vertices: &[u32]) {
+        let radius = self.corner.as_ref().map_or(Length::INFINITE, |corner| corner.radius);
+        for (i, &v) in vertices.iter().enumerate() {
+            for (j, &w) in vertices.iter().enumerate().skip(i + 1) {
+                let length = Length::between(self.points[i], self.points[j]);
+                for vertex in [v, w] {
+                    let cell = &mut cells[vertex as usize];
+                    cell.nearest = cell.nearest.min(length);
+                }
+            }
+            let cell = &mut cells[v as usize];
+            cell.farthest = cell.farthest.max(radius);
+        }
+    }
+}
+
+/// Domains of which each but the first has one before it for parent.
+pub struct Tree(DomainTree);
+
+impl Tree {
+    /// `None` if they are not such; `parents[0]` does not count.
+    ///
+    /// # Errors
+    /// `OutOfMemory`.
+    pub fn new(parents: &[u32]) -> Result<Option<Self>> {
+        let domain = |(at, &parent): (usize, &u32)| {
+            let parent = if at == 0 { NONE } else { parent };
+            Domain { center: NONE, parent, radius: 0.0 }
+        };
+        let domains = collected(parents.iter().enumerate().map(domain))?;
+        Ok(DomainTree::new(&domains)?.map(Self))
+    }
+
+    /// Whether `domain` is `ancestor` or below it.
+    pub fn holds(&self, ancestor: u32, domain: u32) -> bool {
+        self.0.holds(ancestor, domain)
+    }
+
+    /// [`NONE`] for the first.
+    pub fn parent(&self, domain: u32) -> u32 {
+        self.0.parent(domain)
+    }
 }
 
 #[cfg(test)]
@@ -90,8 +140,10 @@ mod tests {
         for simplex in simplices {
             let corners = simplex.map(|v: u32| &points[v as usize]);
             assert_eq!(orientation(&corners).unwrap(), Ordering::Greater);
-            let ratio = enter(&mut cells, &simplex, &corners).unwrap();
-            assert!((ratio - 0.5f64.sqrt()).abs() < 1e-9, "{ratio}");
+            let entered = Simplex::new(&corners).unwrap();
+            entered.enter(&mut cells, &simplex);
+            assert!((entered.radius_edge() - 0.5f64.sqrt()).abs() < 1e-9);
+            assert!((entered.reach(&[0.5, 1.5]).to_f64() - 1.0).abs() < 1e-9);
         }
         let corners = simplices[0].map(|v| &points[v as usize]);
         assert_eq!(in_ball(&corners, &points[3]).unwrap(), Ordering::Equal);
@@ -99,6 +151,29 @@ mod tests {
         for cell in cells {
             assert!((cell.aspect() - 2f64.sqrt()).abs() < 1e-9);
             assert_eq!(cell.nearest(), 1.0);
+        }
+    }
+
+    #[test]
+    fn a_flat_simplex_reaches_beyond_all() {
+        let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
+        let corners = [&points[0], &points[1], &points[2]];
+        let flat = Simplex::new(&corners).unwrap();
+        assert_eq!((flat.radius_edge(), flat.reach(&points[0])), (f64::INFINITY, Length::INFINITE));
+    }
+
+    #[test]
+    fn a_tree_holds_what_is_below() {
+        assert!(Tree::new(&[NONE, 2, 1]).unwrap().is_none());
+        let tree = Tree::new(&[7, 0, 1, 0]).unwrap().unwrap();
+        assert_eq!((tree.parent(0), tree.parent(2)), (NONE, 1));
+        assert!(tree.holds(1, 2) && tree.holds(0, 3) && !tree.holds(3, 2));
+    }
+
+    #[test]
+    fn lengths_come_back_from_words() {
+        for length in [0.0, 1.5, 1e-310, f64::MAX, f64::INFINITY].map(Length::new) {
+            assert_eq!(Length::from_words(length.times(3.0).to_words()), length.times(3.0));
         }
     }
 }

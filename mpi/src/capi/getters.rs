@@ -1,8 +1,8 @@
 //! Counts and arrays of a rank's part. None of them is collective.
 
 use super::run::{handle, nm_mpi_mesh};
-use super::structs::{nm_mpi_counts, nm_mpi_facet};
-use crate::distributed::{DistributedMesh, InterfaceFacet};
+use super::structs::{nm_mpi_counts, nm_mpi_domain, nm_mpi_facet};
+use crate::distributed::{DistributedMesh, Domain, InterfaceFacet};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{OutStruct, barrier, copy_out};
 
@@ -48,6 +48,7 @@ fn count(mesh: &DistributedMesh) -> nm_mpi_counts {
         ghosts: mesh.ghosts.len() as u64,
         interface_facets: mesh.interface.len() as u64,
         bytes_sent: mesh.bytes_sent,
+        local_domains: mesh.domains.len() as u64,
     }
 }
 
@@ -177,6 +178,27 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
     }
 }
 
+/// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain around
+/// them up to the root: local_domains elements, by rising id. The ids are those of
+/// nm_mpi_get_vertex_domains and do not depend on the ranks; all ranks have the same of a domain.
+///
+/// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
+/// (buf not aligned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mpi_get_domains(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut nm_mpi_domain,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    // SAFETY: the caller's buffer rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| {
+            (mesh.domains.len(), Box::new(mesh.domains.iter().map(encode_domain)))
+        })
+    }
+}
+
 /// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
 /// rank has them; all ranks' together are the mesh. The id of the i-th is first_simplex + i.
 ///
@@ -299,6 +321,11 @@ pub unsafe extern "C" fn nm_mpi_get_interface(
             )
         })
     }
+}
+
+fn encode_domain(domain: &Domain) -> nm_mpi_domain {
+    let Domain { id, parent, center, radius, position } = *domain;
+    nm_mpi_domain { id, parent, center, radius, position }
 }
 
 fn encode_facet(mesh: &DistributedMesh, facet: &InterfaceFacet) -> nm_mpi_facet {

@@ -21,12 +21,12 @@ mod export;
 
 pub use export::{nm_mpi_export, nm_mpi_format};
 pub use getters::{
-    nm_mpi_get_counts, nm_mpi_get_ghost_ids, nm_mpi_get_ghost_owners, nm_mpi_get_ghosts,
-    nm_mpi_get_interface, nm_mpi_get_neighbors, nm_mpi_get_points, nm_mpi_get_simplices,
-    nm_mpi_get_vertex_domains, nm_mpi_get_vertex_ids, nm_mpi_get_vertex_kinds,
-    nm_mpi_get_vertex_owners,
+    nm_mpi_get_counts, nm_mpi_get_domains, nm_mpi_get_ghost_ids, nm_mpi_get_ghost_owners,
+    nm_mpi_get_ghosts, nm_mpi_get_interface, nm_mpi_get_neighbors, nm_mpi_get_points,
+    nm_mpi_get_simplices, nm_mpi_get_vertex_domains, nm_mpi_get_vertex_ids,
+    nm_mpi_get_vertex_kinds, nm_mpi_get_vertex_owners,
 };
 pub use run::{netmesh_mpi_run, nm_mpi_last_error, nm_mpi_mesh, nm_mpi_mesh_free};
-pub use structs::{nm_mpi_counts, nm_mpi_facet, nm_mpi_report};
+pub use structs::{nm_mpi_counts, nm_mpi_domain, nm_mpi_facet, nm_mpi_report};
 pub use validate::nm_mpi_validate;
 pub use violations::nm_mpi_violation;

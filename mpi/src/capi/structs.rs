@@ -49,6 +49,8 @@ pub struct nm_mpi_counts {
     pub interface_facets: u64,
     /// Bytes that this rank has sent to others during the run, without what MPI adds.
     pub bytes_sent: u64,
+    /// Domains that this rank knows: those that hold a vertex that it knows.
+    pub local_domains: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -56,7 +58,7 @@ unsafe impl Versioned for nm_mpi_counts {
     const TYPE: &'static str = "nm_mpi_counts";
 }
 
-const _: () = assert!(size_of::<nm_mpi_counts>() == 4 * 4 + 16 * 8);
+const _: () = assert!(size_of::<nm_mpi_counts>() == 4 * 4 + 17 * 8);
 
 /// A facet between a simplex of this rank and one of another; an element of the array that
 /// nm_mpi_get_interface fills (fixed in size for this ABI version).
@@ -75,6 +77,26 @@ pub struct nm_mpi_facet {
 }
 
 const _: () = assert!(size_of::<nm_mpi_facet>() == 24);
+
+/// A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in size
+/// for this ABI version).
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_mpi_domain {
+    /// The domain's id, below nm_mpi_counts.domains.
+    pub id: u64,
+    /// The id of the enclosing domain; NM_MPI_NONE for the root, which has id 0.
+    pub parent: u64,
+    /// The id of the vertex at the ball's centre, which another rank may have.
+    pub center: u64,
+    /// Radius, in the unit of the coordinates.
+    pub radius: f64,
+    /// The coordinates of the centre; in 2D the last is 0.
+    pub position: [f64; 3],
+}
+
+const _: () = assert!(size_of::<nm_mpi_domain>() == 56);
 
 /// What nm_mpi_validate found, the same on all ranks.
 #[allow(non_camel_case_types)]

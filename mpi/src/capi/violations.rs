@@ -42,7 +42,7 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_HULL_RIDGE = 16,
     /// Ids do not rise, or are out of range, or two ranks count them from different numbers.
     NM_MPI_VIOLATION_IDS = 51,
-    /// Two ranks have different coordinates, kinds or domains of a vertex.
+    /// Two ranks have different coordinates, kinds, domains or cages of a vertex.
     NM_MPI_VIOLATION_SHARED_VERTEX = 52,
     /// The owner of a vertex is not the lowest rank that has a simplex with it.
     NM_MPI_VIOLATION_VERTEX_OWNER = 53,
@@ -54,6 +54,8 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_INTERFACE = 56,
     /// The sizes of the whole mesh are not those of all parts.
     NM_MPI_VIOLATION_TOTALS = 57,
+    /// Two ranks have different centres, radii or parents of a domain.
+    NM_MPI_VIOLATION_SHARED_DOMAIN = 58,
     /// A simplex is flat or negatively oriented.
     NM_MPI_VIOLATION_ORIENTATION = 101,
     /// Two neighbours lie on the same side of the facet that they share.
@@ -68,12 +70,35 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_INPUT_BITS = 202,
     /// A vertex's kind contradicts its id: those of inputs are below the number of inputs.
     NM_MPI_VIOLATION_VERTEX_KIND = 203,
-    /// A vertex is labelled with a domain that does not exist.
+    /// The domains are not a tree: the root is not the only one without a parent, or a ball is larger
+    /// than its parent's.
+    NM_MPI_VIOLATION_DOMAIN_TREE = 205,
+    /// A domain's radius is not positive and finite.
+    NM_MPI_VIOLATION_DOMAIN_BALL = 206,
+    /// The vertex at a domain's centre is elsewhere, or not labelled as in that domain's subtree.
+    NM_MPI_VIOLATION_DOMAIN_CENTER = 207,
+    /// A domain's ball reaches out of its parent's.
+    NM_MPI_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
+    /// A vertex is labelled with a domain that does not exist, or that does not contain it.
     NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
-    /// A vertex on the hull is neither of a cage nor an input.
+    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+    NM_MPI_VIOLATION_CAGE_OF = 211,
+    /// A cage vertex is not near its cage's sphere.
+    NM_MPI_VIOLATION_CAGE_RADIUS = 212,
+    /// A cage has too few vertices to enclose its domain's centre.
+    NM_MPI_VIOLATION_CAGE_INCOMPLETE = 213,
+    /// A vertex on the hull is not of the root's cage.
     NM_MPI_VIOLATION_HULL_VERTEX = 214,
+    /// An input inside a domain's ball encroaches its cage (Definition 2).
+    NM_MPI_VIOLATION_INNER_ENCROACHMENT = 215,
+    /// A vertex outside a domain's ball encroaches its cage (Definition 2).
+    NM_MPI_VIOLATION_OUTER_ENCROACHMENT = 216,
+    /// D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+    NM_MPI_VIOLATION_DOMAIN_SPAN = 217,
     /// The Voronoi cell of a vertex has a worse aspect than the bound.
     NM_MPI_VIOLATION_VERTEX_ASPECT = 218,
+    /// The union cell of a cage has a worse aspect than the bound.
+    NM_MPI_VIOLATION_CAGE_ASPECT = 219,
     /// A simplex has a larger ratio of circumradius to shortest edge than the bound.
     NM_MPI_VIOLATION_RADIUS_EDGE = 220,
     /// A finished mesh has other domains than the root.
@@ -104,6 +129,7 @@ impl From<Rule> for nm_mpi_violation {
             Rule::MissingGhost => Self::NM_MPI_VIOLATION_MISSING_GHOST,
             Rule::Interface => Self::NM_MPI_VIOLATION_INTERFACE,
             Rule::Totals => Self::NM_MPI_VIOLATION_TOTALS,
+            Rule::SharedDomain => Self::NM_MPI_VIOLATION_SHARED_DOMAIN,
             Rule::Orientation => Self::NM_MPI_VIOLATION_ORIENTATION,
             Rule::FoldedFacet => Self::NM_MPI_VIOLATION_FOLDED_FACET,
             Rule::Delaunay => Self::NM_MPI_VIOLATION_DELAUNAY,
@@ -111,9 +137,20 @@ impl From<Rule> for nm_mpi_violation {
             Rule::InputVertex => Self::NM_MPI_VIOLATION_INPUT_VERTEX,
             Rule::InputBits => Self::NM_MPI_VIOLATION_INPUT_BITS,
             Rule::VertexKind => Self::NM_MPI_VIOLATION_VERTEX_KIND,
+            Rule::DomainTree => Self::NM_MPI_VIOLATION_DOMAIN_TREE,
+            Rule::DomainBall => Self::NM_MPI_VIOLATION_DOMAIN_BALL,
+            Rule::DomainCenter => Self::NM_MPI_VIOLATION_DOMAIN_CENTER,
+            Rule::DomainOutsideParent => Self::NM_MPI_VIOLATION_DOMAIN_OUTSIDE_PARENT,
             Rule::VertexDomain => Self::NM_MPI_VIOLATION_VERTEX_DOMAIN,
+            Rule::CageOf => Self::NM_MPI_VIOLATION_CAGE_OF,
+            Rule::CageRadius => Self::NM_MPI_VIOLATION_CAGE_RADIUS,
+            Rule::CageIncomplete => Self::NM_MPI_VIOLATION_CAGE_INCOMPLETE,
             Rule::HullVertex => Self::NM_MPI_VIOLATION_HULL_VERTEX,
+            Rule::InnerEncroachment => Self::NM_MPI_VIOLATION_INNER_ENCROACHMENT,
+            Rule::OuterEncroachment => Self::NM_MPI_VIOLATION_OUTER_ENCROACHMENT,
+            Rule::DomainSpan => Self::NM_MPI_VIOLATION_DOMAIN_SPAN,
             Rule::VertexAspect => Self::NM_MPI_VIOLATION_VERTEX_ASPECT,
+            Rule::CageAspect => Self::NM_MPI_VIOLATION_CAGE_ASPECT,
             Rule::RadiusEdge => Self::NM_MPI_VIOLATION_RADIUS_EDGE,
             Rule::NotFinished => Self::NM_MPI_VIOLATION_NOT_FINISHED,
         }

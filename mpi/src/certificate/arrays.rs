@@ -12,6 +12,7 @@ pub fn check(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
     }
     check_coordinates(mesh, findings);
     check_vertex_ids(mesh, findings);
+    check_domain_ids(mesh, findings);
     check_simplex_ids(mesh, findings);
     if check_corners(mesh, findings)? {
         check_neighbors(mesh, findings)?;
@@ -27,6 +28,7 @@ fn check_lengths(mesh: &DistributedMesh, findings: &mut Findings) -> bool {
         ("kinds", mesh.kinds.len(), vertices),
         ("vertex_owners", mesh.vertex_owners.len(), vertices),
         ("vertex_domains", mesh.vertex_domains.len(), vertices),
+        ("vertex_cages", mesh.vertex_cages.len(), vertices),
         ("neighbors", mesh.neighbors.len(), mesh.simplices.len()),
         ("simplices beyond a multiple of dim + 1", mesh.simplices.len() % size, 0),
         ("ghost_simplices", mesh.ghost_simplices.len(), mesh.ghosts.len() * size),
@@ -73,6 +75,24 @@ fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
                 Violation::new(Rule::VertexOwner, mesh.rank, message).vertex(id)
             });
         }
+    }
+}
+
+/// Ids of domains rise, and what is around a domain is there too.
+fn check_domain_ids(mesh: &DistributedMesh, findings: &mut Findings) {
+    let domains = &mesh.domains;
+    let is_known = |id: u64| domains.binary_search_by_key(&id, |domain| domain.id).is_ok();
+    for (at, domain) in domains.iter().enumerate() {
+        let rises = at == 0 || domains[at - 1].id < domain.id;
+        let fits = domain.id < mesh.totals.domains && rises;
+        findings.check(fits && (domain.parent == NO_ID || is_known(domain.parent)), || {
+            let (id, parent) = (domain.id, domain.parent);
+            let message = format!(
+                "domain {id} of {}, in {parent}, does not rise, or what it is in is not there",
+                mesh.totals.domains
+            );
+            Violation::new(Rule::Ids, mesh.rank, message)
+        });
     }
 }
 

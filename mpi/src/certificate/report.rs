@@ -44,7 +44,7 @@ pub enum Rule {
     HullRidge = 16,
     /// Ids do not rise, or are out of range, or two ranks count them from different numbers.
     Ids = 51,
-    /// Two ranks have different coordinates, kinds or domains of a vertex.
+    /// Two ranks have different coordinates, kinds, domains or cages of a vertex.
     SharedVertex = 52,
     /// The owner of a vertex is not the lowest rank that has a simplex with it.
     VertexOwner = 53,
@@ -56,6 +56,8 @@ pub enum Rule {
     Interface = 56,
     /// The sizes of the whole mesh are not those of all parts.
     Totals = 57,
+    /// Two ranks have different centres, radii or parents of a domain.
+    SharedDomain = 58,
 
     /// A simplex is flat or negatively oriented.
     Orientation = 101,
@@ -72,12 +74,35 @@ pub enum Rule {
     InputBits = 202,
     /// A vertex's kind contradicts its id: those of inputs are below the number of inputs.
     VertexKind = 203,
-    /// A vertex is labelled with a domain that does not exist.
+    /// The domains are not a tree: the root is not the only one without a parent, or a ball is larger
+    /// than its parent's.
+    DomainTree = 205,
+    /// A domain's radius is not positive and finite.
+    DomainBall = 206,
+    /// The vertex at a domain's centre is elsewhere, or not labelled as in that domain's subtree.
+    DomainCenter = 207,
+    /// A domain's ball reaches out of its parent's.
+    DomainOutsideParent = 208,
+    /// A vertex is labelled with a domain that does not exist, or that does not contain it.
     VertexDomain = 210,
-    /// A vertex on the hull is neither of a cage nor an input.
+    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+    CageOf = 211,
+    /// A cage vertex is not near its cage's sphere.
+    CageRadius = 212,
+    /// A cage has too few vertices to enclose its domain's centre.
+    CageIncomplete = 213,
+    /// A vertex on the hull is not of the root's cage.
     HullVertex = 214,
+    /// An input inside a domain's ball encroaches its cage (Definition 2).
+    InnerEncroachment = 215,
+    /// A vertex outside a domain's ball encroaches its cage (Definition 2).
+    OuterEncroachment = 216,
+    /// D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+    DomainSpan = 217,
     /// The Voronoi cell of a vertex has a worse aspect than the bound.
     VertexAspect = 218,
+    /// The union cell of a cage has a worse aspect than the bound.
+    CageAspect = 219,
     /// A simplex has a larger ratio of circumradius to shortest edge than the bound.
     RadiusEdge = 220,
     /// A finished mesh has other domains than the root.
@@ -85,7 +110,7 @@ pub enum Rule {
 }
 
 impl Rule {
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 45] = [
         Self::ArrayLength,
         Self::NonFinite,
         Self::VertexOutOfRange,
@@ -107,6 +132,7 @@ impl Rule {
         Self::MissingGhost,
         Self::Interface,
         Self::Totals,
+        Self::SharedDomain,
         Self::Orientation,
         Self::FoldedFacet,
         Self::Delaunay,
@@ -114,9 +140,20 @@ impl Rule {
         Self::InputVertex,
         Self::InputBits,
         Self::VertexKind,
+        Self::DomainTree,
+        Self::DomainBall,
+        Self::DomainCenter,
+        Self::DomainOutsideParent,
         Self::VertexDomain,
+        Self::CageOf,
+        Self::CageRadius,
+        Self::CageIncomplete,
         Self::HullVertex,
+        Self::InnerEncroachment,
+        Self::OuterEncroachment,
+        Self::DomainSpan,
         Self::VertexAspect,
+        Self::CageAspect,
         Self::RadiusEdge,
         Self::NotFinished,
     ];
@@ -261,9 +298,20 @@ mod tests {
             (Rule::InputVertex, ViolationKind::InputVertex),
             (Rule::InputBits, ViolationKind::InputBits),
             (Rule::VertexKind, ViolationKind::VertexKind),
+            (Rule::DomainTree, ViolationKind::DomainTree),
+            (Rule::DomainBall, ViolationKind::DomainBall),
+            (Rule::DomainCenter, ViolationKind::DomainCenter),
+            (Rule::DomainOutsideParent, ViolationKind::DomainOutsideParent),
             (Rule::VertexDomain, ViolationKind::VertexDomain),
+            (Rule::CageOf, ViolationKind::CageOf),
+            (Rule::CageRadius, ViolationKind::CageRadius),
+            (Rule::CageIncomplete, ViolationKind::CageIncomplete),
             (Rule::HullVertex, ViolationKind::HullVertex),
+            (Rule::InnerEncroachment, ViolationKind::InnerEncroachment),
+            (Rule::OuterEncroachment, ViolationKind::OuterEncroachment),
+            (Rule::DomainSpan, ViolationKind::DomainSpan),
             (Rule::VertexAspect, ViolationKind::VertexAspect),
+            (Rule::CageAspect, ViolationKind::CageAspect),
             (Rule::RadiusEdge, ViolationKind::RadiusEdge),
             (Rule::NotFinished, ViolationKind::NotFinished),
         ];

@@ -67,7 +67,8 @@ pub fn check_vertices(
     Ok(())
 }
 
-fn wrong_total(mesh: &DistributedMesh, what: &str, found: u64, needed: u64) -> Violation {
+/// What all ranks have is not what the totals say.
+pub fn wrong_total(mesh: &DistributedMesh, what: &str, found: u64, needed: u64) -> Violation {
     let message = format!("totals say {found} {what}, the ranks have {needed}");
     Violation::new(Rule::Totals, mesh.rank, message)
 }

@@ -11,15 +11,15 @@ use netmesh::Result;
 /// Vertices that this rank keeps, and those of them that are inputs by their ids.
 pub type Kept = [u64; 2];
 
-/// Id, coordinates, kind, domain, owner, own simplices there, and all that the rank knows there.
-type Record = ([u64; 9], usize);
+/// Id, coordinates, kind, domain, cage, owner, own simplices there, and all that the rank knows there.
+type Record = ([u64; 10], usize);
 
 const ID: usize = 0;
 /// Up to here all ranks must say the same.
-const SAME: std::ops::Range<usize> = 1..6;
-const OWNER: usize = 6;
-const OWN: usize = 7;
-const STAR: usize = 8;
+const SAME: std::ops::Range<usize> = 1..7;
+const OWNER: usize = 7;
+const OWN: usize = 8;
+const STAR: usize = 9;
 
 /// Collective: checks that all ranks have the same of each vertex, its owner, and that each rank that has
 /// a simplex there has all of them.
@@ -37,8 +37,8 @@ pub fn check(
     for (at, &id) in mesh.vertex_ids.iter().enumerate() {
         let [x, y, z] = bits(mesh.point(at as u32));
         let (kind, owner) = (mesh.kinds[at].into(), mesh.vertex_owners[at].into());
-        let domain = mesh.vertex_domains[at];
-        let record = [id, x, y, z, kind, domain, owner, own[at], own[at] + star[at]];
+        let (domain, cage) = (mesh.vertex_domains[at], mesh.vertex_cages[at]);
+        let record = [id, x, y, z, kind, domain, cage, owner, own[at], own[at] + star[at]];
         outbox.put_by_names(1, record)?;
     }
     drop((own, star));
@@ -63,11 +63,12 @@ fn check_group(group: &[Record], findings: &mut Findings) {
     let all: u64 = group.iter().map(|record| record.0[OWN]).sum();
     for (record, other) in group {
         findings.check(record[SAME] == first[SAME], || {
-            let at = SAME.start + (0..5).take_while(|at| record[1 + at] == first[1 + at]).count();
+            let at = SAME.start + (0..6).take_while(|at| record[1 + at] == first[1 + at]).count();
             let what = match at {
                 1..=3 => format!("coordinate {}", at - 1),
                 4 => "kind".to_owned(),
-                _ => "domain".to_owned(),
+                5 => "domain".to_owned(),
+                _ => "cage".to_owned(),
             };
             let message = format!("{what} of vertex {id} differs on ranks {rank} and {other}");
             Violation::new(Rule::SharedVertex, *other, message).vertex(id)

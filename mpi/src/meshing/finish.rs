@@ -2,7 +2,7 @@
 
 use crate::comm::{Communicator, agreed};
 use crate::memory::{collected, with_capacity};
-use crate::piece::{HULL, INTERFACE, Piece, PieceDomain};
+use crate::piece::{self, HULL, INTERFACE, Piece, PieceDomain};
 use crate::words::{all_words, bytes_of};
 use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
 use netmesh::{Result, VertexKind};
@@ -42,12 +42,19 @@ fn finished<const D: usize>(piece: PlainPiece, released: &[[u64; 2]]) -> Result<
         }
         name
     };
+    // The cage of a domain that was dissolved is a cage no more.
+    let cage = |&name: &u64| match name {
+        name if name != NO_DOMAIN && taken_by(name) == name => name,
+        _ => piece::NO_DOMAIN,
+    };
+    let cages = collected(piece.cages.iter().map(cage))?;
     let kind = |(&name, &cage): (&u64, &u64)| match () {
         () if name & MADE == 0 => VertexKind::Input,
-        () if cage != NO_DOMAIN && taken_by(cage) == cage => VertexKind::Cage,
+        () if cage != piece::NO_DOMAIN => VertexKind::Cage,
         () => VertexKind::Steiner,
     };
-    let living = piece.domains.iter().filter(|domain| taken_by(domain.name) == domain.name);
+    let domains = piece.domains.iter().zip(piece.centers.chunks_exact(D));
+    let living = domains.filter(|(domain, _)| taken_by(domain.name) == domain.name);
     let neighbors = piece.neighbors.iter().map(|&neighbor| match neighbor {
         distributed::HULL => HULL,
         distributed::INTERFACE => INTERFACE,
@@ -55,14 +62,17 @@ fn finished<const D: usize>(piece: PlainPiece, released: &[[u64; 2]]) -> Result<
     });
     Ok(Piece {
         dim: D,
-        kinds: collected(piece.names.iter().zip(&piece.cages).map(|pair| kind(pair) as u8))?,
+        kinds: collected(piece.names.iter().zip(&cages).map(|pair| kind(pair) as u8))?,
         neighbors: collected(neighbors)?,
-        domains: collected(living.map(|domain| PieceDomain {
+        domains: collected(living.map(|(domain, center)| PieceDomain {
             center: domain.center,
             parent: (domain.parent != NO_DOMAIN).then(|| taken_by(domain.parent)),
             name: domain.name,
+            version: domain.version,
             radius: domain.radius,
+            position: std::array::from_fn(|axis| center.get(axis).copied().unwrap_or(0.0)),
         }))?,
+        vertex_cages: cages,
         vertex_domains: collected(piece.vertex_domains.iter().map(|&name| taken_by(name)))?,
         names: piece.names,
         points: piece.points,

@@ -44,7 +44,8 @@ fn message(mesh: &DistributedMesh, simplices: &[(u32, usize)]) -> Result<Vec<u8>
     for &vertex in &vertices {
         let at = vertex as usize;
         let owner_and_kind = u64::from(mesh.vertex_owners[at]) << 8 | u64::from(mesh.kinds[at]);
-        append(&mut bytes, &[mesh.vertex_ids[at], owner_and_kind, mesh.vertex_domains[at]])?;
+        let (domain, cage) = (mesh.vertex_domains[at], mesh.vertex_cages[at]);
+        append(&mut bytes, &[mesh.vertex_ids[at], owner_and_kind, domain, cage])?;
         mesh.point(vertex).iter().try_for_each(|x| append(&mut bytes, &[x.to_bits()]))?;
     }
     for (_, simplex) in simplices {
@@ -71,6 +72,7 @@ struct Vertex {
     owner: u32,
     kind: u8,
     domain: u64,
+    cage: u64,
     point: [f64; netmesh::mesh::MAX_DIM],
 }
 
@@ -107,6 +109,7 @@ impl Received {
             mesh.vertex_owners.try_push(vertex.owner)?;
             mesh.kinds.try_push(vertex.kind)?;
             mesh.vertex_domains.try_push(vertex.domain)?;
+            mesh.vertex_cages.try_push(vertex.cage)?;
             mesh.points.try_extend(&vertex.point[..mesh.dim])?;
         }
         let index = |id: &u64| match own.binary_search(id) {
@@ -128,7 +131,8 @@ impl Received {
 
 impl Vertex {
     fn read(dim: usize, words: &mut Words<'_>) -> Result<Self> {
-        let (id, owner_and_kind, domain) = (words.next()?, words.next()?, words.next()?);
+        let (id, owner_and_kind) = (words.next()?, words.next()?);
+        let (domain, cage) = (words.next()?, words.next()?);
         let mut point = [0.0; netmesh::mesh::MAX_DIM];
         for x in &mut point[..dim] {
             *x = f64::from_bits(words.next()?);
@@ -138,6 +142,7 @@ impl Vertex {
             owner: (owner_and_kind >> 8) as u32,
             kind: owner_and_kind as u8,
             domain,
+            cage,
             point,
         })
     }

@@ -2,7 +2,7 @@
 
 use super::defect;
 use crate::memory::{TryGrow, filled, with_capacity};
-use crate::piece::{self, Piece};
+use crate::piece::{self, Piece, PieceDomain};
 use netmesh::Result;
 
 /// Across a facet is nothing.
@@ -14,18 +14,21 @@ pub const OPEN: u64 = u64::MAX - 1;
 #[derive(Default)]
 pub struct Merged {
     pub dim: usize,
-    /// Rising, so inputs come first; by vertex, as `points`, `kinds` and `vertex_domains`.
+    /// Rising, so inputs come first; by vertex, as `points` and what follows.
     pub names: Vec<u64>,
     pub points: Vec<f64>,
     pub kinds: Vec<u8>,
     /// Names of domains.
     pub vertex_domains: Vec<u64>,
+    pub vertex_cages: Vec<u64>,
     /// Piece after piece.
     pub simplices: Vec<u32>,
     /// Simplices of this rank, [`HULL`] or [`OPEN`].
     pub neighbors: Vec<u64>,
-    /// The names of the domains, rising.
+    /// The names of all domains that are named, rising.
     pub domains: Vec<u64>,
+    /// What pieces know of them, a domain once or more.
+    pub copies: Vec<PieceDomain>,
 }
 
 impl Merged {
@@ -41,16 +44,35 @@ impl Merged {
             points: filled(names.len() * dim, f64::NAN)?,
             kinds: filled(names.len(), 0)?,
             vertex_domains: filled(names.len(), u64::MAX)?,
+            vertex_cages: filled(names.len(), u64::MAX)?,
             simplices: with_capacity(corners)?,
             neighbors: with_capacity(corners)?,
             domains: Vec::new(),
+            copies: Vec::new(),
             names,
         };
         // Each piece goes as soon as it is taken over.
         pieces.into_iter().try_for_each(|piece| merged.add(&piece))?;
-        merged.domains.sort_unstable();
-        merged.domains.dedup();
+        merged.domains = merged.domain_names()?;
         Ok(merged)
+    }
+
+    /// A label or a parent may be a domain of which the rank knows nothing else.
+    fn domain_names(&self) -> Result<Vec<u64>> {
+        let names = self.vertex_domains.iter().chain(&self.vertex_cages).copied();
+        let copies = self.copies.iter();
+        let of_copies = copies.flat_map(|copy| [Some(copy.name), copy.parent]).flatten();
+        let mut all = Vec::new();
+        let is_new =
+            |name: &u64, all: &Vec<u64>| *name != piece::NO_DOMAIN && all.last() != Some(name);
+        for name in names.chain(of_copies) {
+            if is_new(&name, &all) {
+                all.try_push(name)?;
+            }
+        }
+        all.sort_unstable();
+        all.dedup();
+        Ok(all)
     }
 
     fn add(&mut self, piece: &Piece) -> Result<()> {
@@ -69,6 +91,7 @@ impl Merged {
             point.copy_from_slice(piece.point(local));
             self.kinds[vertex] = piece.kinds[local];
             self.vertex_domains[vertex] = piece.vertex_domains[local];
+            self.vertex_cages[vertex] = piece.vertex_cages[local];
             vertices.push(vertex as u32);
         }
         self.simplices.extend(piece.simplices.iter().map(|&local| vertices[local as usize]));
@@ -77,7 +100,7 @@ impl Merged {
             piece::INTERFACE => OPEN,
             neighbor => first + u64::from(neighbor),
         }));
-        piece.domains.iter().try_for_each(|domain| self.domains.try_push(domain.name))
+        self.copies.try_extend(&piece.domains)
     }
 
     pub fn simplex_count(&self) -> usize {

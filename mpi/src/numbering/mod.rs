@@ -1,10 +1,12 @@
-//! From pieces to a rank's part of the mesh: ids in the whole mesh, what lies across interfaces, ghosts.
+//! From pieces to a rank's part of the mesh: ids in the whole mesh, what lies across interfaces, ghosts,
+//! domains.
 //!
 //! Ranks find each other through a directory: what two ranks have in common goes to a rank that its
 //! names alone choose, which tells both. Only what lies at interfaces between ranks goes there; the
 //! numbers of vertices that are no inputs follow from all their names in order.
 
 mod directory;
+mod domains;
 mod facets;
 mod ghosts;
 mod merged;
@@ -35,10 +37,14 @@ pub fn number(
     let shared = Shared::find(comm, &merged, &open)?;
 
     let added = merged.names.partition_point(|name| name & ADDED == 0);
-    let (added_ids, added_count) = names::number(comm, &merged.names[added..])?;
+    let added_names = domains::with_centers(&merged.names[added..], &merged.copies)?;
+    let (added_ids, added_count) = names::number(comm, &added_names)?;
     let (domain_ids, domain_count) = names::number(comm, &merged.domains)?;
-    let vertex_ids = merged.names[..added].iter().copied();
-    let vertex_ids = collected(vertex_ids.chain(added_ids.iter().map(|id| input_count + id)))?;
+    let vertex_id = |name: u64| match added_names.binary_search(&name) {
+        Ok(index) if name & ADDED != 0 => input_count + added_ids[index],
+        _ => name,
+    };
+    let vertex_ids = collected(merged.names.iter().map(|&name| vertex_id(name)))?;
     let owners = shared.owners(comm.rank() as u32, merged.names.len())?;
     let own = |vertices: std::ops::Range<usize>| {
         owners[vertices].iter().filter(|&&owner| owner == comm.rank() as u32).count() as u64
@@ -52,6 +58,8 @@ pub fn number(
         Ok(index) => domain_ids[index],
         Err(_) => NO_ID,
     };
+    let copies = merged.copies.iter().map(|copy| domains::record(copy, domain_id, vertex_id));
+    let copies = collected(copies)?;
     let mut mesh = DistributedMesh {
         dim,
         rank: comm.rank(),
@@ -71,6 +79,7 @@ pub fn number(
         vertex_ids,
         vertex_owners: owners,
         vertex_domains: collected(merged.vertex_domains.iter().map(|&name| domain_id(name)))?,
+        vertex_cages: collected(merged.vertex_cages.iter().map(|&name| domain_id(name)))?,
         first_simplex,
         neighbors: with_capacity(merged.neighbors.len())?,
         ..DistributedMesh::default()
@@ -83,6 +92,7 @@ pub fn number(
     Merged { points: mesh.points, kinds: mesh.kinds, simplices: mesh.simplices, .. } = merged;
     ghosts::exchange(comm, &mut mesh, &shared)?;
     ghosts::cross(&mut mesh, &crossings)?;
+    domains::exchange(comm, &mut mesh, &copies)?;
     mesh.bytes_sent = comm.bytes_sent();
     Ok(mesh)
 }

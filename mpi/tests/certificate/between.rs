@@ -142,6 +142,7 @@ fn arrays_fit_each_other() {
             part.kinds.push(1);
             part.vertex_owners.push(1);
             part.vertex_domains.push(0);
+            part.vertex_cages.push(NO_ID);
         });
         assert_broken(dim, Rule::Totals, 0, |parts| {
             parts.iter_mut().for_each(|part| part.totals.vertices += 1);

@@ -6,7 +6,7 @@ use netmesh_mpi::certificate::{Report, Rule, validate};
 use netmesh_mpi::comm::{Communicator, threads};
 use netmesh_mpi::distributed::Promise;
 use netmesh_mpi::numbering::number;
-use netmesh_mpi::piece::{ADDED, HULL, INTERFACE, Piece, PieceDomain};
+use netmesh_mpi::piece::{ADDED, HULL, INTERFACE, NO_DOMAIN, Piece, PieceDomain};
 use std::collections::BTreeSet;
 
 /// Pseudorandom numbers in [0, 1).
@@ -106,11 +106,24 @@ pub fn piece(whole: &Triangulation, names: &[u64], patches: &[usize], rank: usiz
                 center: names[domain.center as usize],
                 parent: (domain.parent != NONE).then_some(domain.parent.into()),
                 name,
+                version: 0,
                 radius: domain.radius,
+                position: position(
+                    &whole.points[domain.center as usize * whole.dim..][..whole.dim],
+                ),
             })
             .collect(),
+        vertex_cages: vertices.iter().map(|v| cage(whole.cage_of[pick(v)])).collect(),
         vertex_domains: vertices.iter().map(|v| whole.vertex_domains[pick(v)].into()).collect(),
     }
+}
+
+fn cage(domain: u32) -> u64 {
+    if domain == NONE { NO_DOMAIN } else { domain.into() }
+}
+
+fn position(point: &[f64]) -> [f64; 3] {
+    std::array::from_fn(|axis| point.get(axis).copied().unwrap_or(0.0))
 }
 
 /// All ranks answer the same.
@@ -128,7 +141,18 @@ pub fn assert_broken(
     level: u32,
     damage: impl FnOnce(&mut [DistributedMesh]),
 ) -> Report {
-    let mut parts = parts(dim, &duplicates(dim, 150), 3, &Options::default());
+    let parts = parts(dim, &duplicates(dim, 150), 3, &Options::default());
+    assert_parts_broken(parts, rule, level, damage)
+}
+
+/// The same of these parts of three ranks.
+pub fn assert_parts_broken(
+    mut parts: Vec<DistributedMesh>,
+    rule: Rule,
+    level: u32,
+    damage: impl FnOnce(&mut [DistributedMesh]),
+) -> Report {
+    let dim = parts[0].dim;
     damage(&mut parts);
     let report = certify(&parts, 3);
     let first = report.first.clone().unwrap_or_else(|| panic!("{rule:?} is not found in {dim}D"));

@@ -2,6 +2,7 @@
 
 mod between;
 mod complexes;
+mod domains;
 mod geometry;
 mod made;
 mod promises;

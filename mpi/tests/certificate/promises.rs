@@ -1,7 +1,7 @@
 //! Level 3.
 
-use super::made::{assert_broken, move_vertex, ulp_up};
-use netmesh::Criterion;
+use super::made::{assert_broken, assert_parts_broken, duplicates, move_vertex, parts, ulp_up};
+use netmesh::{Criterion, Options, Output};
 use netmesh_mpi::DistributedMesh;
 use netmesh_mpi::certificate::Rule;
 use netmesh_mpi::distributed::NO_ID;
@@ -32,8 +32,12 @@ fn promises_are_checked() {
             let vertex = part.simplex(simplex)[(slot + 1) % (dim + 1)] as usize;
             let id = part.vertex_ids[vertex];
             set_kind(parts, id, 1);
+            set_cage(parts, id, NO_ID);
         });
-        assert_broken(dim, Rule::VertexAspect, 2, |parts| {
+        // Without cages, whose union cells would be found first.
+        let finished = Options { output: Output::WellSpaced, ..Options::default() };
+        let finished = parts(dim, &duplicates(dim, 150), 3, &finished);
+        assert_parts_broken(finished, Rule::VertexAspect, 2, |parts| {
             parts.iter_mut().for_each(|part| part.promise.quality_bound = 1.1);
         });
         assert_broken(dim, Rule::RadiusEdge, 2, |parts| {
@@ -43,15 +47,20 @@ fn promises_are_checked() {
             }
         });
         assert_broken(dim, Rule::NotFinished, 2, |parts| {
-            for part in parts {
-                part.promise.is_finished = true;
-                part.totals.domains += 1;
-            }
+            parts.iter_mut().for_each(|part| part.promise.is_finished = true);
         });
     }
 }
 
-fn set_kind(parts: &mut [DistributedMesh], id: u64, kind: u8) {
+pub fn set_cage(parts: &mut [DistributedMesh], id: u64, cage: u64) {
+    for part in parts {
+        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
+            part.vertex_cages[at] = cage;
+        }
+    }
+}
+
+pub fn set_kind(parts: &mut [DistributedMesh], id: u64, kind: u8) {
     for part in parts {
         for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
             part.kinds[at] = kind;

@@ -88,6 +88,7 @@ impl Whole {
             points: vertex_ids.iter().flat_map(|v| self.vertices[v].0.clone()).collect(),
             kinds: vertex_ids.iter().map(|v| self.vertices[v].1).collect(),
             vertex_domains: vertex_ids.iter().map(|v| self.vertices[v].2).collect(),
+            vertex_cages: vec![NO_ID; vertex_ids.len()],
             vertex_owners: vertex_ids.iter().map(owner).collect(),
             vertex_ids,
             first_simplex: range.start as u64,

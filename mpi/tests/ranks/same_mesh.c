@@ -1,6 +1,6 @@
 /*
- * The mesh of some points on the ranks of this job: prints its counts and a hash of its simplices by
- * coordinates, which must not depend on the number of ranks, and checks what the ranks have of it against
+ * The mesh of some points on the ranks of this job: prints its counts and hashes of its simplices by
+ * coordinates and of its domains, which must not depend on the number of ranks, and checks what the ranks have of it against
  * each other, by its own means and by the certificate.
  *
  *     same_mesh SHAPE DIM COUNT SHARES hierarchical|finished [FILE]
@@ -8,6 +8,7 @@
 #include "check.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 typedef struct arrays {
     nm_mpi_counts counts;
@@ -21,6 +22,8 @@ typedef struct arrays {
     uint64_t *ghost_ids;
     uint32_t *ghost_owners;
     nm_mpi_facet *facets;
+    uint64_t *labels;
+    nm_mpi_domain *domains;
 } arrays;
 
 #define GET(name, count, array)                                                                    \
@@ -51,6 +54,8 @@ static arrays get_arrays(const nm_mpi_mesh *mesh)
     GET(ghost_ids, a.counts.ghosts, a.ghost_ids);
     GET(ghost_owners, a.counts.ghosts, a.ghost_owners);
     GET(interface, a.counts.interface_facets, a.facets);
+    GET(vertex_domains, a.counts.local_vertices, a.labels);
+    GET(domains, a.counts.local_domains, a.domains);
     return a;
 }
 
@@ -154,8 +159,59 @@ static void check_neighbors(const arrays *a, uint64_t *hull_facets)
     CHECK(at_interface == a->counts.interface_facets);
 }
 
+static double distance(const nm_mpi_domain *domain, const double *point, uint32_t dim)
+{
+    double squares = 0;
+    for (uint32_t k = 0; k < dim; k++)
+        squares += (point[k] - domain->position[k]) * (point[k] - domain->position[k]);
+    return sqrt(squares);
+}
+
+/* The domain with an id, of those that the rank knows. */
+static const nm_mpi_domain *domain_of(const arrays *a, uint64_t id)
+{
+    uint64_t start = 0, end = a->counts.local_domains;
+    while (start < end) {
+        uint64_t middle = start + (end - start) / 2;
+        if (a->domains[middle].id < id)
+            start = middle + 1;
+        else
+            end = middle;
+    }
+    CHECK(start < a->counts.local_domains && a->domains[start].id == id);
+    return &a->domains[start];
+}
+
+/* Each vertex is in its domain, and that in those around it; the sum of hashes over the centres' owners. */
+static uint64_t check_domains(const arrays *a)
+{
+    uint64_t sum = 0;
+    for (uint64_t v = 0; v < a->counts.local_vertices; v++)
+        CHECK(distance(domain_of(a, a->labels[v]), &a->points[v * a->counts.dim], a->counts.dim) <
+              1.000001 * domain_of(a, a->labels[v])->radius);
+    for (uint64_t i = 0; i < a->counts.local_domains; i++) {
+        const nm_mpi_domain *domain = &a->domains[i];
+        uint64_t hash = mix(mix(domain->id, domain->parent), domain->center), bits[4];
+        CHECK((domain->parent == NM_MPI_NONE) == (domain->id == 0) && domain->id < a->counts.domains);
+        if (domain->id != 0) {
+            const nm_mpi_domain *parent = domain_of(a, domain->parent);
+            CHECK(distance(parent, domain->position, a->counts.dim) + domain->radius < 1.000001 * parent->radius);
+        }
+        uint64_t center = search(a->ids, 0, a->counts.own_vertices, domain->center);
+        if (center == a->counts.own_vertices || a->ids[center] != domain->center || a->owners[center] != a->counts.rank)
+            continue;
+        CHECK(distance(domain, &a->points[center * a->counts.dim], a->counts.dim) == 0);
+        memcpy(bits, &domain->radius, 8);
+        memcpy(bits + 1, domain->position, 24);
+        for (int k = 0; k < 4; k++)
+            hash = mix(hash, bits[k]);
+        sum += hash;
+    }
+    return sum;
+}
+
 /* What the ranks together must have. */
-static void check_sums(const arrays *a, const cloud *points, uint64_t sums[5])
+static void check_sums(const arrays *a, const cloud *points, uint64_t sums[6])
 {
     sums[0] = a->counts.local_simplices;
     for (uint64_t v = 0; v < a->counts.local_vertices; v++) {
@@ -172,7 +228,8 @@ static void check_sums(const arrays *a, const cloud *points, uint64_t sums[5])
     /* A ghost is the owner's simplex: checked by its hash below. */
     check_neighbors(a, &sums[3]);
     sums[4] = a->counts.interface_facets;
-    MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    sums[5] = check_domains(a);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
     CHECK(sums[0] == a->counts.simplices && sums[1] == a->counts.vertices && sums[4] % 2 == 0);
     CHECK(a->counts.inputs == points->count && a->counts.local_inputs == points->local);
 }
@@ -257,7 +314,7 @@ int main(int argc, char **argv)
     CHECK(nm_mpi_run(MPI_COMM_WORLD, points.dim, points.local, points.points + points.first * points.dim,
                      &options, &mesh) == NM_OK);
     arrays a = get_arrays(mesh);
-    uint64_t sums[5] = { 0, 0, 0, 0, 0 };
+    uint64_t sums[6] = { 0, 0, 0, 0, 0, 0 };
     check_sums(&a, &points, sums);
     check_ghosts(&a);
     check_certificate(mesh);
@@ -265,8 +322,9 @@ int main(int argc, char **argv)
         check_vertices(argv[1], &points, &options, a.counts.vertices);
     if (a.counts.rank == 0)
         printf("vertices %" PRIu64 " duplicates %" PRIu64 " simplices %" PRIu64 " domains %" PRIu64
-               " hull %" PRIu64 " hash %016" PRIx64 "\n",
-               a.counts.vertices, a.counts.duplicates, a.counts.simplices, a.counts.domains, sums[3], sums[2]);
+               " hull %" PRIu64 " hash %016" PRIx64 " tree %016" PRIx64 "\n",
+               a.counts.vertices, a.counts.duplicates, a.counts.simplices, a.counts.domains, sums[3], sums[2],
+               sums[5]);
     if (argc == 7)
         CHECK(nm_mpi_export(mesh, argv[6], NM_MPI_FORMAT_AUTO) == NM_OK);
     nm_mpi_mesh_free(mesh);

@@ -30,6 +30,8 @@ pub struct PlainPiece {
     /// The simplex beyond the facet opposite each vertex, [`HULL`] or [`INTERFACE`].
     pub neighbors: Vec<u32>,
     pub domains: Vec<PlainDomain>,
+    /// Their centres, D coordinates each.
+    pub centers: Vec<f64>,
     /// Domains that were dissolved, and the domain that took their vertices.
     pub released: Vec<[u64; 2]>,
 }
@@ -76,6 +78,8 @@ impl<const D: usize> Piece<D> {
         let corners = &self.corners;
         let mut points = with_capacity(D * corners.len())?;
         corners.iter().for_each(|corner| points.extend_from_slice(&corner.point));
+        let mut centers = with_capacity(D * self.domains.len())?;
+        self.domains.iter().for_each(|domain| centers.extend_from_slice(&domain.point));
         Ok(PlainPiece {
             names: collected(corners.iter().map(|corner| corner.name))?,
             points,
@@ -93,6 +97,7 @@ impl<const D: usize> Piece<D> {
                 center: domain.center,
                 radius: domain.radius,
             }))?,
+            centers,
             released: self.released,
         })
     }

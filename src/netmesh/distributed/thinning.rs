@@ -81,7 +81,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
 #[cfg(test)]
 mod tests {
     use super::super::coarse::mesh;
-    use super::*;
     use crate::netmesh::Watch;
     use crate::options::Options;
     use crate::parameters::Parameters;

@@ -1,0 +1,37 @@
+//! Where precision may be what limits the quality of cells: the parts do not tell what the run knows of
+//! it.
+
+use super::complex::Complex;
+use crate::memory::filled;
+use netmesh::Result;
+
+/// The builder compares rounded radii; so does the certificate, with other roundings.
+pub const SLACK: f64 = 1e-7;
+
+/// Relative to the largest coordinate, an edge that is not longer may leave no room for a corner.
+const LEAST_EDGE: f64 = 1.0 / (1u64 << 40) as f64;
+
+/// And where ratios drown in the rounding of subnormals.
+const SUBNORMAL: f64 = f64::from_bits(1 << 30);
+
+/// Whether a simplex of these points is limited.
+pub fn simplex<const D: usize>(points: &[&[f64; D]]) -> bool {
+    let magnitude = |point: &[f64; D]| point.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    let largest = points.iter().map(|point| magnitude(point)).fold(0.0, f64::max);
+    let least = (largest * LEAST_EDGE).max(SUBNORMAL);
+    points.iter().enumerate().any(|(at, p)| {
+        let is_near = |q: &&[f64; D]| magnitude(&std::array::from_fn(|k| p[k] - q[k])) <= least;
+        points[at + 1..].iter().any(is_near)
+    })
+}
+
+/// Vertex -> whether a simplex there is limited.
+pub fn vertices<const D: usize>(complex: &Complex<'_>) -> Result<Vec<bool>> {
+    let mut is_limited = filled(complex.mesh.vertex_ids.len(), false)?;
+    for at in 0..complex.count() {
+        if simplex(&complex.points::<D>(at)[..=D]) {
+            complex.simplex(at).iter().for_each(|&vertex| is_limited[vertex as usize] = true);
+        }
+    }
+    Ok(is_limited)
+}

@@ -48,8 +48,8 @@ pub struct Share<const D: usize> {
     pub count: usize,
 }
 
-/// The rank that makes a partition.
-fn owner(partition: usize, count: usize, ranks: usize) -> usize {
+/// The rank that makes a partition of phase 0.
+pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
     partition * ranks / count
 }
 

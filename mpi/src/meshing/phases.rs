@@ -1,7 +1,7 @@
 //! Partitions, and the phases in which their seams are cut anew and joined.
 
 use super::Watch;
-use super::partitions::{SMALL, Share};
+use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
@@ -42,6 +42,7 @@ pub fn make<const D: usize>(
     let alone = (first as u32..).zip(pieces.into_iter().map(|piece| vec![piece]));
     let mut own = agreed(comm, || make_phase(maker, collected(alone)?, 0, 0, watch))?;
     let (mut made, mut phase) = (count as u32, 0);
+    let mut loads = loads_of_all(count, comm.size())?;
     // If there is one partition, the first rank makes it.
     let mut owners = vec![0];
     while count > 1 {
@@ -51,7 +52,7 @@ pub fn make<const D: usize>(
         let cut;
         (cut, count) = cut_of(comm, &seams, phase, most)?;
         let shared;
-        (owners, shared) = exchange(comm, seams, &cut, count)?;
+        (owners, shared) = exchange(comm, seams, &cut, &mut loads, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
         own = agreed(comm, || make_phase(maker, shared, phase, made, watch))?;
         made += count as u32;
@@ -154,10 +155,12 @@ fn cut_of<const D: usize>(
 
 /// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. Those ranks, and
 /// the partitions that this rank makes, with their pieces in the order in which those were made.
+/// `loads`: by rank, how many partitions it has made.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Piece<D>>,
     cut: &Bisection<D>,
+    loads: &mut [u32],
     count: usize,
 ) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
     let mut kept: Vec<(u32, Piece<D>)> = Vec::new();
@@ -173,7 +176,7 @@ fn exchange<const D: usize>(
     })?;
     let shares = comm.all_gather(&own)?;
     let (owners, messages) = agreed(comm, || {
-        let owners = owners_of(&shares, count)?;
+        let owners = owners_of(&shares, loads, count)?;
         let mut messages = empty_messages(comm.size())?;
         for (partition, piece) in std::mem::take(&mut kept) {
             match owners[partition as usize] as usize {
@@ -200,11 +203,11 @@ fn exchange<const D: usize>(
     })
 }
 
-/// The rank that makes each partition: one that has much of it, so that little is sent, and none more
-/// partitions than others. `shares`: by rank, how much of each partition it has. The mesh does not
-/// depend on it.
-fn owners_of(shares: &[Vec<u8>], count: usize) -> Result<Vec<u32>> {
-    let most = count.div_ceil(shares.len());
+/// The rank that makes each partition: one that has much of it, so that little is sent, of those that
+/// have made the fewest until now. `shares`: by rank, how much of each partition it has. The mesh does
+/// not depend on it.
+fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<u32>> {
+    let most = most_load(loads, count);
     let mut wishes = Vec::new();
     for (rank, share) in (0..).zip(shares) {
         for (partition, has) in words_of(share).enumerate() {
@@ -212,7 +215,7 @@ fn owners_of(shares: &[Vec<u8>], count: usize) -> Result<Vec<u32>> {
         }
     }
     wishes.sort_unstable();
-    let (mut owners, mut loads) = (filled(count, u32::MAX)?, filled(shares.len(), 0)?);
+    let mut owners = filled(count, u32::MAX)?;
     for (_, partition, rank) in wishes {
         if owners[partition] == u32::MAX && loads[rank as usize] < most {
             owners[partition] = rank;
@@ -220,6 +223,24 @@ fn owners_of(shares: &[Vec<u8>], count: usize) -> Result<Vec<u32>> {
         }
     }
     Ok(owners)
+}
+
+/// The least load of the rank with most, if `count` more partitions are made.
+fn most_load(loads: &[u32], count: usize) -> u32 {
+    let room =
+        |most: u32| loads.iter().map(|&load| most.saturating_sub(load) as usize).sum::<usize>();
+    let mut most = 0;
+    while room(most) < count {
+        most += 1;
+    }
+    most
+}
+
+/// By rank, how many partitions of phase 0 it makes.
+fn loads_of_all(count: usize, ranks: usize) -> Result<Vec<u32>> {
+    let mut loads = filled(ranks, 0)?;
+    (0..count).for_each(|partition| loads[owner(partition, count, ranks)] += 1);
+    Ok(loads)
 }
 
 fn append_piece<const D: usize>(
@@ -356,14 +377,21 @@ mod tests {
     #[test]
     fn partitions_are_made_where_most_of_them_is_and_by_all_ranks_alike() {
         let owners = |shares: &[&[u64]], count| {
+            let mut loads = vec![1; shares.len()];
             let shares: Vec<Vec<u8>> =
                 shares.iter().map(|share| bytes_of(share).unwrap()).collect();
-            owners_of(&shares, count).unwrap()
+            owners_of(&shares, &mut loads, count).unwrap()
         };
         assert_eq!(owners(&[&[5, 9], &[7, 8]], 2), [1, 0]);
         // The third has nothing of any, and takes what others have no room for.
         assert_eq!(owners(&[&[9, 8, 7], &[3, 2, 6], &[0, 0, 0]], 3), [0, 2, 1]);
         assert_eq!(owners(&[&[1, 2, 3, 4, 5], &[0; 5]], 5), [1, 1, 0, 0, 0]);
         assert_eq!(owners(&[&[4], &[4], &[5]], 1), [2]);
+        // Those that have made fewer before come first, whatever they have.
+        let shares = [[9, 9], [1, 2], [3, 0]].map(|share| bytes_of(&share).unwrap());
+        let mut loads = [2, 1, 1];
+        assert_eq!(owners_of(&shares, &mut loads, 2).unwrap(), [2, 1]);
+        assert_eq!(loads, [2; 3]);
+        assert_eq!(loads_of_all(5, 3).unwrap(), [2, 2, 1]);
     }
 }

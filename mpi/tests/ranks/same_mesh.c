@@ -283,10 +283,10 @@ static void check_certificate(const nm_mpi_mesh *mesh)
 }
 
 /*
- * About as many vertices as nm_run makes of the points of all ranks: within 2 percent from 10,000 points
- * on. In the coarse mesh Steiner points yield to the points of the sample only, which is felt in small
- * meshes; on a lattice, where most Steiner points yield, more than elsewhere. A finished mesh fills the gaps
- * between crowds, and those that wait at interfaces come late.
+ * About as many vertices as nm_run makes of the points of all ranks: within 2 percent for many points, within
+ * 4 for few (docs/scaling.md). In the coarse mesh Steiner points yield to the points of the sample only, which
+ * is felt in small meshes; on a lattice, where most Steiner points yield, more than elsewhere. A finished mesh
+ * fills the gaps between crowds, and those that wait at interfaces come late.
  */
 static void check_vertices(const char *shape, const cloud *points, const nm_options *options, uint64_t vertices)
 {

@@ -220,8 +220,8 @@ enum nm_mpi_violation
      */
     NM_MPI_VIOLATION_VERTEX_KIND = 203,
     /**
-     * The domains are not a tree: the root is not the only one without a parent, or a ball is larger
-     * than its parent's.
+     * The domains are not a tree: the root is not the only one without a parent, or a ball is
+     * larger than its parent's.
      */
     NM_MPI_VIOLATION_DOMAIN_TREE = 205,
     /**
@@ -241,7 +241,8 @@ enum nm_mpi_violation
      */
     NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
     /**
-     * A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+     * A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's
+     * domain.
      */
     NM_MPI_VIOLATION_CAGE_OF = 211,
     /**
@@ -265,7 +266,7 @@ enum nm_mpi_violation
      */
     NM_MPI_VIOLATION_OUTER_ENCROACHMENT = 216,
     /**
-     * D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+     * Simplices span more domains than un-encroached cages allow.
      */
     NM_MPI_VIOLATION_DOMAIN_SPAN = 217,
     /**
@@ -385,8 +386,8 @@ typedef struct nm_mpi_counts {
 } nm_mpi_counts;
 
 /**
- * A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in size
- * for this ABI version).
+ * A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in
+ * size for this ABI version).
  */
 typedef struct nm_mpi_domain {
     /**
@@ -582,8 +583,8 @@ nm_status nm_mpi_get_vertex_domains(const struct nm_mpi_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain around
- * them up to the root: local_domains elements, by rising id. The ids are those of
+ * Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain
+ * around them up to the root: local_domains elements, by rising id. The ids are those of
  * nm_mpi_get_vertex_domains and do not depend on the ranks; all ranks have the same of a domain.
  *
  * Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT
@@ -677,19 +678,19 @@ nm_status nm_mpi_get_interface(const struct nm_mpi_mesh *mesh,
  * independently of the code that made it and with exact signs. Collective. NM_OK means that the check
  * ran; what it found is in report, the same on all ranks.
  *
- * level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name, across
- * ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex
- * and of a domain; stars, links, Euler characteristic, sizes of the whole); 2 also geometry
- * (orientations, Delaunay on every facet and convexity at every hull ridge, whichever ranks are on the
- * two sides); 3 also the promises (inputs kept bit for bit, duplicates with the first of them, kinds,
- * the tree of domains, cages complete, where they should be and not encroached, a finished mesh of one
- * domain, the quality bound of the run). A mesh is right if report->level equals level, or equivalently
- * report->violations is 0.
+ * level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name,
+ * across ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of
+ * a vertex and of a domain; stars, links, Euler characteristic, sizes of the whole); 2 also
+ * geometry (orientations, Delaunay on every facet and convexity at every hull ridge, whichever
+ * ranks are on the two sides); 3 also the promises (inputs kept bit for bit, duplicates with the
+ * first of them, kinds, the tree of domains, cages complete, where they should be and not
+ * encroached, a finished mesh of one domain, the quality bound of the run). A mesh is right if
+ * report->level equals level, or equivalently report->violations is 0.
  *
- * Not checked, of what nm_mesh_validate checks: windings round faces of codimension two; that balls
- * beside each other are disjoint, where encroachment is below 2 epsilon (elsewhere it follows); cells
- * at edges of at most 2^-40 of the largest coordinate there, simplices of several domains, and cells
- * where epsilon is above 0.8 cage_scale in meshes of several domains.
+ * Not checked, of what nm_mesh_validate checks: windings round faces of codimension two; that
+ * balls beside each other are disjoint, where encroachment is below 2 epsilon (elsewhere it
+ * follows); cells at edges of at most 2^-40 of the largest coordinate there, simplices of several
+ * domains, and cells where epsilon is above 0.8 cage_scale in meshes of several domains.
  *
  * report: of the rank; the caller sets struct_size.
  *

@@ -36,8 +36,6 @@ pub struct Promise {
     pub gamma: f64,
     pub encroachment: f64,
     pub cage_scale: f64,
-    /// Whether cells answer for all of their corners in every domain: its cage surrounds its inputs.
-    pub counts_all_corners: bool,
 }
 
 impl Default for Promise {
@@ -50,15 +48,12 @@ impl Default for Promise {
             gamma: f64::INFINITY,
             encroachment: 0.0,
             cage_scale: 1.0,
-            counts_all_corners: false,
         }
     }
 }
 
 impl Promise {
     pub fn of(parameters: &Parameters) -> Self {
-        /// A cage surrounds inputs within this fraction of its sphere's radius.
-        const SURROUNDED: f64 = 0.8;
         Self {
             is_finished: parameters.output == Output::WellSpaced,
             criterion: parameters.criterion,
@@ -67,8 +62,15 @@ impl Promise {
             gamma: parameters.gamma,
             encroachment: parameters.encroachment,
             cage_scale: parameters.cage_scale,
-            counts_all_corners: parameters.epsilon <= SURROUNDED * parameters.cage_scale,
         }
+    }
+
+    /// Whether cells answer for all of their corners in every domain: its cage surrounds its
+    /// inputs.
+    pub fn counts_all_corners(&self) -> bool {
+        /// A cage surrounds inputs within this fraction of its sphere's radius.
+        const SURROUNDED: f64 = 0.8;
+        self.epsilon <= SURROUNDED * self.cage_scale
     }
 }
 

@@ -27,6 +27,20 @@ pub fn all_words(messages: &[Vec<u8>]) -> Result<Vec<u64>> {
     Ok(words)
 }
 
+/// Words in order, each once; [`u64::MAX`] is none.
+pub fn distinct(words: impl IntoIterator<Item = u64>) -> Result<Vec<u64>> {
+    let mut all = Vec::new();
+    for word in words {
+        // Neighbours have the same often.
+        if word != u64::MAX && all.last() != Some(&word) {
+            all.try_push(word)?;
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    Ok(all)
+}
+
 /// A message for each rank, to be filled.
 pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {
     collected((0..ranks).map(|_| Vec::new()))

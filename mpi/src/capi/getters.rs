@@ -178,8 +178,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
     }
 }
 
-/// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain around
-/// them up to the root: local_domains elements, by rising id. The ids are those of
+/// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain
+/// around them up to the root: local_domains elements, by rising id. The ids are those of
 /// nm_mpi_get_vertex_domains and do not depend on the ranks; all ranks have the same of a domain.
 ///
 /// Array getter, not collective. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY, NM_INVALID_ARGUMENT

@@ -78,8 +78,8 @@ pub struct nm_mpi_facet {
 
 const _: () = assert!(size_of::<nm_mpi_facet>() == 24);
 
-/// A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in size
-/// for this ABI version).
+/// A ball of the domain hierarchy; an element of the array that nm_mpi_get_domains fills (fixed in
+/// size for this ABI version).
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -15,19 +15,19 @@ use std::ffi::c_char;
 /// independently of the code that made it and with exact signs. Collective. NM_OK means that the check
 /// ran; what it found is in report, the same on all ranks.
 ///
-/// level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name, across
-/// ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of a vertex
-/// and of a domain; stars, links, Euler characteristic, sizes of the whole); 2 also geometry
-/// (orientations, Delaunay on every facet and convexity at every hull ridge, whichever ranks are on the
-/// two sides); 3 also the promises (inputs kept bit for bit, duplicates with the first of them, kinds,
-/// the tree of domains, cages complete, where they should be and not encroached, a finished mesh of one
-/// domain, the quality bound of the run). A mesh is right if report->level equals level, or equivalently
-/// report->violations is 0.
+/// level, the same on all ranks: 1 topology (ids; neighbours share the facets that they name,
+/// across ranks too; a ghost is what its owner has, and none is missing; all ranks have the same of
+/// a vertex and of a domain; stars, links, Euler characteristic, sizes of the whole); 2 also
+/// geometry (orientations, Delaunay on every facet and convexity at every hull ridge, whichever
+/// ranks are on the two sides); 3 also the promises (inputs kept bit for bit, duplicates with the
+/// first of them, kinds, the tree of domains, cages complete, where they should be and not
+/// encroached, a finished mesh of one domain, the quality bound of the run). A mesh is right if
+/// report->level equals level, or equivalently report->violations is 0.
 ///
-/// Not checked, of what nm_mesh_validate checks: windings round faces of codimension two; that balls
-/// beside each other are disjoint, where encroachment is below 2 epsilon (elsewhere it follows); cells
-/// at edges of at most 2^-40 of the largest coordinate there, simplices of several domains, and cells
-/// where epsilon is above 0.8 cage_scale in meshes of several domains.
+/// Not checked, of what nm_mesh_validate checks: windings round faces of codimension two; that
+/// balls beside each other are disjoint, where encroachment is below 2 epsilon (elsewhere it
+/// follows); cells at edges of at most 2^-40 of the largest coordinate there, simplices of several
+/// domains, and cells where epsilon is above 0.8 cage_scale in meshes of several domains.
 ///
 /// report: of the rank; the caller sets struct_size.
 ///

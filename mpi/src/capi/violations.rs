@@ -70,8 +70,8 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_INPUT_BITS = 202,
     /// A vertex's kind contradicts its id: those of inputs are below the number of inputs.
     NM_MPI_VIOLATION_VERTEX_KIND = 203,
-    /// The domains are not a tree: the root is not the only one without a parent, or a ball is larger
-    /// than its parent's.
+    /// The domains are not a tree: the root is not the only one without a parent, or a ball is
+    /// larger than its parent's.
     NM_MPI_VIOLATION_DOMAIN_TREE = 205,
     /// A domain's radius is not positive and finite.
     NM_MPI_VIOLATION_DOMAIN_BALL = 206,
@@ -81,7 +81,8 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
     /// A vertex is labelled with a domain that does not exist, or that does not contain it.
     NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
-    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's
+    /// domain.
     NM_MPI_VIOLATION_CAGE_OF = 211,
     /// A cage vertex is not near its cage's sphere.
     NM_MPI_VIOLATION_CAGE_RADIUS = 212,
@@ -93,7 +94,7 @@ pub enum nm_mpi_violation {
     NM_MPI_VIOLATION_INNER_ENCROACHMENT = 215,
     /// A vertex outside a domain's ball encroaches its cage (Definition 2).
     NM_MPI_VIOLATION_OUTER_ENCROACHMENT = 216,
-    /// D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+    /// Simplices span more domains than un-encroached cages allow.
     NM_MPI_VIOLATION_DOMAIN_SPAN = 217,
     /// The Voronoi cell of a vertex has a worse aspect than the bound.
     NM_MPI_VIOLATION_VERTEX_ASPECT = 218,

@@ -1,11 +1,11 @@
-//! Level 3: cages stand where they should (§4), nothing encroaches them (Definition 2), and their union
-//! cells are bounded (§5). What several ranks have of a cage meets at a keeper, which the domain's id
-//! chooses.
+//! Level 3: cages stand where they should (§4), nothing encroaches them (Definition 2), and their
+//! union cells are bounded (§5). What several ranks have of a cage meets at a keeper, which the
+//! domain's id chooses.
 
 use super::complex::Complex;
 use super::exchange::Outbox;
 use super::hierarchy::{Hierarchy, ROUNDING};
-use super::limits::{self, SLACK};
+use super::limits::SLACK;
 use super::report::{Findings, Rule, Violation};
 use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
@@ -13,8 +13,8 @@ use crate::memory::filled;
 use netmesh::validate::parts::{Length, Simplex};
 use netmesh::{Criterion, NONE, Result, VertexKind};
 
-/// How many domains the walks up the hierarchy may visit, for each simplex or vertex on average: D-balls
-/// span few domains that are not encroached, and their radii fall fast.
+/// How many domains the walks up the hierarchy may visit, for each simplex on average, and for each
+/// vertex once something is wrong: D-balls span few domains that are not encroached.
 const CLIMBS: usize = 64;
 
 /// What a rank has of a cage.
@@ -37,16 +37,17 @@ impl Default for Part {
     }
 }
 
-/// Collective: checks the cages of a hierarchy that holds.
+/// Collective: checks the cages of a hierarchy that holds. `is_limited`: by vertex, as of
+/// [`super::limits`].
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
+    is_limited: &[bool],
     findings: &mut Findings,
 ) -> Result<()> {
     let mut parts = filled(hierarchy.balls.len(), Part::default())?;
     let hull = complex.hull_facets()?;
-    let is_limited = limits::vertices::<D>(complex)?;
     for vertex in (0..complex.mesh.own_vertices).filter(|&vertex| complex.is_owned(vertex)) {
         check_membership(complex, hierarchy, vertex, hull[vertex] > 0, findings);
         let cage = hierarchy.cages[vertex];
@@ -58,9 +59,8 @@ pub fn check<const D: usize>(
         }
     }
     for (ball, part) in hierarchy.balls.iter().zip(&mut parts) {
-        let center =
-            complex.mesh.vertex_ids[..complex.mesh.own_vertices].binary_search(&ball.vertex);
-        part.is_limited |= center.is_ok_and(|center| is_limited[center]);
+        let center = complex.own_vertex(ball.vertex);
+        part.is_limited |= center.is_some_and(|center| is_limited[center]);
     }
     check_outer(complex, hierarchy, &mut parts, findings)?;
     check_inner(complex, hierarchy, findings)?;
@@ -127,8 +127,9 @@ fn check_nearness<const D: usize>(
     });
 }
 
-/// No vertex in annulus(c, r, outf r / epsilon). The Delaunay graph is connected within every ball, so
-/// the nearest vertex outside has a neighbour inside: own simplices with vertices of both are enough.
+/// No vertex in annulus(c, r, outf r / epsilon). The Delaunay graph is connected within every ball,
+/// so the nearest vertex outside has a neighbour inside: own simplices with vertices of both are
+/// enough.
 fn check_outer<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -143,58 +144,59 @@ fn check_outer<const D: usize>(
             continue;
         }
         let cell = Simplex::new(&points[..=D])?;
+        let is_spanned =
+            |domain: u32| corners.iter().any(|&vertex| !hierarchy.holds(domain, vertex));
         for (at, vertex) in corners.iter().enumerate() {
             let mut domain = label(vertex);
             if corners[..at].iter().any(|other| label(other) == domain) {
                 continue;
             }
-            while corners.iter().any(|&other| !hierarchy.holds(domain, other)) {
-                if climbs == 0 {
-                    findings.check(false, || {
-                        let message = "simplices span more domains than un-encroached cages allow";
-                        Violation::new(Rule::DomainSpan, complex.mesh.rank, message.to_owned())
-                    });
-                    return Ok(());
-                }
+            while is_spanned(domain) && climbs > 0 {
                 climbs -= 1;
-                let outside = corners.iter().filter(|&&other| !hierarchy.holds(domain, other));
                 let part = &mut parts[domain as usize];
                 part.farthest = part.farthest.max(cell.reach(&hierarchy.ball(domain).center));
-                for &vertex in outside {
-                    let distance = check_outside(complex, hierarchy, domain, vertex, findings);
-                    part.nearest = part.nearest.min(distance);
-                }
+                part.nearest =
+                    part.nearest.min(check_outside(complex, hierarchy, domain, corners, findings));
                 domain = hierarchy.tree.parent(domain);
             }
         }
     }
+    findings.check(climbs > 0 || complex.own == 0, || {
+        let message = "simplices span more domains than un-encroached cages allow";
+        Violation::new(Rule::DomainSpan, complex.mesh.rank, message.to_owned())
+    });
     Ok(())
 }
 
-/// The distance of a vertex outside a domain to its centre, which must be large enough.
+/// The distance of the centre of a domain to the nearest of the `corners` that is outside of it:
+/// all must be far enough.
 fn check_outside<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
     domain: u32,
-    vertex: u32,
+    corners: &[u32],
     findings: &mut Findings,
 ) -> Length {
     let (mesh, ball) = (complex.mesh, hierarchy.ball(domain));
     let factor = mesh.promise.encroachment / mesh.promise.epsilon * (1.0 - ROUNDING);
-    let distance = ball.distance(complex.point(vertex));
-    findings.check(distance >= ball.radius.times(factor), || {
-        let (id, domain) = (mesh.vertex_ids[vertex as usize], ball.id);
-        let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
-        let message = format!(
-            "domain {domain} of radius {radius:e} is outer-encroached: vertex {id} is {found:e} from its centre"
-        );
-        Violation::new(Rule::OuterEncroachment, mesh.rank, message).vertex(id)
-    });
-    distance
+    let mut nearest = Length::INFINITE;
+    for &vertex in corners.iter().filter(|&&vertex| !hierarchy.holds(domain, vertex)) {
+        let distance = ball.distance(complex.point(vertex));
+        nearest = nearest.min(distance);
+        findings.check(distance >= ball.radius.times(factor), || {
+            let (id, domain) = (mesh.vertex_ids[vertex as usize], ball.id);
+            let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
+            let message = format!(
+                "domain {domain} of radius {radius:e} is outer-encroached: vertex {id} is {found:e} from its centre"
+            );
+            Violation::new(Rule::OuterEncroachment, mesh.rank, message).vertex(id)
+        });
+    }
+    nearest
 }
 
-/// No input in annulus(c, epsilon r, r), cage vertices apart, for each domain around it but the root,
-/// whose ball is larger.
+/// No input in annulus(c, epsilon r, r), cage vertices apart, for each domain around it but the
+/// root, whose ball is larger.
 fn check_inner<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -207,8 +209,7 @@ fn check_inner<const D: usize>(
         |&vertex: &usize| complex.is_owned(vertex) && mesh.kinds[vertex] == VertexKind::Input as u8;
     for vertex in (0..mesh.own_vertices).filter(is_input) {
         let mut domain = hierarchy.labels[vertex];
-        while domain != 0 && climbs > 0 {
-            climbs -= 1;
+        while domain != 0 {
             let ball = hierarchy.ball(domain);
             let distance = ball.distance(complex.point(vertex as u32));
             let is_far = distance > ball.radius.times(mesh.promise.epsilon * (1.0 + ROUNDING));
@@ -220,21 +221,18 @@ fn check_inner<const D: usize>(
                 );
                 Violation::new(Rule::InnerEncroachment, mesh.rank, message).vertex(id)
             });
-            if is_sheltered[domain as usize] {
+            if is_sheltered[domain as usize] || climbs == 0 && !findings.is_clean() {
                 break;
             }
+            climbs = climbs.saturating_sub(1);
             domain = hierarchy.tree.parent(domain);
         }
     }
-    findings.check(climbs > 0 || mesh.own_vertices == 0, || {
-        let message = "inputs are near the edge of more domains than fit into each other";
-        Violation::new(Rule::DomainSpan, mesh.rank, message.to_owned())
-    });
     Ok(())
 }
 
-/// Domain -> whether its whole ball is within epsilon r of the centre of each domain around it but the
-/// root, so that its vertices encroach none of them.
+/// Domain -> whether its whole ball is within epsilon r of the centre of each domain around it but
+/// the root, so that its vertices encroach none of them.
 fn sheltered<const D: usize>(
     mesh: &DistributedMesh,
     hierarchy: &Hierarchy<D>,
@@ -270,18 +268,17 @@ fn check_whole<const D: usize>(
         outbox.put_by_names(1, record)?;
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
-        let length = |at: usize| {
-            move |(record, _): &([u64; 9], usize)| Length::from_words([record[at], record[at + 1]])
-        };
-        let whole = Part {
-            nearest: group.iter().map(length(1)).fold(Length::INFINITE, Length::min),
-            farthest: group.iter().map(length(3)).fold(Length::ZERO, Length::max),
-            vertices: group.iter().map(|(record, _)| record[5]).sum(),
-            is_limited: group.iter().any(|(record, _)| record[6] != 0),
-        };
+        let length = |record: &[u64; 9], at| Length::from_words([record[at], record[at + 1]]);
+        let mut whole = Part::default();
+        for (record, _) in group {
+            whole.nearest = whole.nearest.min(length(record, 1));
+            whole.farthest = whole.farthest.max(length(record, 3));
+            whole.vertices += record[5];
+            whole.is_limited |= record[6] != 0;
+        }
         let (first, rank) = &group[0];
         if !whole.is_limited {
-            check_cage(mesh, first[0], length(7)(&(*first, *rank)), &whole, *rank, findings);
+            check_cage(mesh, first[0], length(first, 7), &whole, *rank, findings);
         }
     }
     Ok(())
@@ -301,7 +298,8 @@ fn check_cage(
         Violation::new(Rule::CageIncomplete, rank, message)
     });
     let promise = &mesh.promise;
-    if domain == 0 || promise.criterion != Criterion::VoronoiAspect || !promise.counts_all_corners {
+    if domain == 0 || promise.criterion != Criterion::VoronoiAspect || !promise.counts_all_corners()
+    {
         return;
     }
     // The in-radius is (d + r) / 2 (§5, approximation by cages).

@@ -82,6 +82,11 @@ impl<'a> Complex<'a> {
             && self.mesh.vertex_owners[vertex] as usize == self.mesh.rank
     }
 
+    /// The index of a vertex of own simplices, if the rank has it.
+    pub fn own_vertex(&self, id: u64) -> Option<usize> {
+        self.mesh.vertex_ids[..self.mesh.own_vertices].binary_search(&id).ok()
+    }
+
     /// Vertex -> whether it is on the hull; for those of own simplices.
     pub fn hull_facets(&self) -> Result<Vec<u32>> {
         let mut counts = filled(self.mesh.vertex_ids.len(), 0u32)?;

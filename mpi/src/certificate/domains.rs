@@ -1,5 +1,5 @@
-//! Level 1: what ranks have of a domain. All tell it to a keeper, which its id alone chooses, and which
-//! compares.
+//! Level 1: what ranks have of a domain. All tell it to a keeper, which its id alone chooses, and
+//! which compares.
 
 use super::exchange::{Outbox, bits};
 use super::report::{Findings, Rule, Violation};

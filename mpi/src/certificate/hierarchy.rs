@@ -1,6 +1,6 @@
 //! Level 3: the domains that a rank knows are a tree of balls, each in the one around it, and every
-//! vertex is labelled with one that holds it (§4). That it is the innermost one, and that balls beside
-//! each other are disjoint, follows where no cage is encroached ([`super::cages`]).
+//! vertex is labelled with one that holds it (§4). That it is the innermost one, and that balls
+//! beside each other are disjoint, follows where no cage is encroached ([`super::cages`]).
 
 use super::complex::Complex;
 use super::exchange::Outbox;
@@ -50,8 +50,8 @@ impl<const D: usize> Hierarchy<D> {
     }
 }
 
-/// Collective: checks the domains and the labels. Where they hold on all ranks, what is known; nothing
-/// where there are no domains.
+/// Collective: checks the domains and the labels. Where they hold on all ranks, what is known;
+/// nothing where there are no domains.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -157,10 +157,9 @@ fn check_centers<const D: usize>(
     findings: &mut Findings,
 ) -> Result<()> {
     let mesh = complex.mesh;
-    let own = &mesh.vertex_ids[..mesh.own_vertices];
     let mut outbox = Outbox::new(comm.size())?;
     for (ball, at) in hierarchy.balls.iter().zip(0u32..) {
-        let vertex = own.binary_search(&ball.vertex).ok();
+        let vertex = complex.own_vertex(ball.vertex);
         let vertex = vertex.filter(|&vertex| complex.is_owned(vertex));
         outbox.put_by_names(1, [ball.id, vertex.is_some().into()])?;
         let Some(vertex) = vertex.map(|vertex| vertex as u32) else { continue };

@@ -1,5 +1,5 @@
-//! Where precision may be what limits the quality of cells: the parts do not tell what the run knows of
-//! it.
+//! Where precision may be what limits the quality of cells: the parts do not tell what the run
+//! knows of it.
 
 use super::complex::Complex;
 use crate::memory::filled;

@@ -3,28 +3,29 @@
 //! makes meshes or their parts; signs and radii are those of the core's certificate
 //! ([`netmesh::validate::parts`]).
 //!
-//! - Level 1, topology: lengths and ids; each facet of an own simplex is that of the neighbour that it
-//!   names, an own simplex or a ghost; each ghost is what its owner has under its id, and each rank has
-//!   the whole star of each vertex of its own simplices; all ranks have the same coordinates, kind,
-//!   domain, cage and owner of a vertex, and the same of a domain; stars are connected, links are spheres or balls, all is a ball by its
-//!   Euler characteristic; the sizes of the whole are those of the parts.
+//! - Level 1, topology: lengths and ids; each facet of an own simplex is that of the neighbour that
+//!   it names, an own simplex or a ghost; each ghost is what its owner has under its id, and each
+//!   rank has the whole star of each vertex of its own simplices; all ranks have the same
+//!   coordinates, kind, domain, cage and owner of a vertex, and the same of a domain; stars are
+//!   connected, links are spheres or balls, all is a ball by its Euler characteristic; the sizes of
+//!   the whole are those of the parts.
 //! - Level 2, geometry: all orientations are positive, no simplex is folded onto a neighbour, every
 //!   facet is locally Delaunay, by both sides where it is between ranks, and the hull is closed and
 //!   convex at every ridge, whoever has the two facets there. Exact for all finite coordinates.
-//! - Level 3, the paper: inputs are vertices with their bits, duplicates those of the first; kinds; the
-//!   domains are a tree of balls in balls, every vertex is in that of its label; cages are complete and near
-//!   their spheres, no domain is encroached, union cells are bounded, whoever has the parts of a cage; a
-//!   finished mesh has one domain; the bound of the run.
+//! - Level 3, the paper: inputs are vertices with their bits, duplicates those of the first; kinds;
+//!   the domains are a tree of balls in balls, every vertex is in that of its label; cages are
+//!   complete and near their spheres, no domain is encroached, union cells are bounded, whoever has
+//!   the parts of a cage; a finished mesh has one domain; the bound of the run.
 //!
 //! What is between ranks is compared by both, or by a keeper that its ids choose: no rank has the whole,
 //! and no rank's word is taken for another's.
 //!
 //! **Not checked** beside what the core's certificate checks: that simplices go round each face of
 //! codimension two once, that all are connected, and that the hull is a sphere (levels 1 and 2). Of
-//! level 3: that balls beside each other are disjoint, which follows if the centre of neither encroaches
-//! the other, but where `encroachment` is below 2 `epsilon`; where `epsilon` is above 0.8 `cage_scale`
-//! cells of meshes of several domains; and whatever has an edge of at most 2^-40 of its coordinates, where
-//! precision may be what limits a cell.
+//! level 3: that balls beside each other are disjoint, which follows if the centre of neither
+//! encroaches the other, but where `encroachment` is below 2 `epsilon`; where `epsilon` is above
+//! 0.8 `cage_scale` cells of meshes of several domains; and whatever has an edge of at most 2^-40
+//! of its coordinates, where precision may be what limits a cell.
 
 mod arrays;
 mod cages;
@@ -125,10 +126,11 @@ fn check<const D: usize>(
         let mut findings = Findings::default();
         inputs::check(comm, &complex, &mut findings)?;
         paper::check_kinds(&complex, &mut findings);
+        let is_limited = limits::vertices::<D>(&complex)?;
         if let Some(hierarchy) = hierarchy::check::<D>(comm, &complex, &mut findings)? {
-            cages::check(comm, &complex, &hierarchy, &mut findings)?;
+            cages::check(comm, &complex, &hierarchy, &is_limited, &mut findings)?;
         }
-        paper::check_cells::<D>(&complex, &mut findings)?;
+        paper::check_cells::<D>(&complex, &is_limited, &mut findings)?;
         if findings.of_all(comm)?.enter(&mut report) && report.level == 2 {
             report.level = 3;
         }

@@ -27,27 +27,29 @@ pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
     });
 }
 
-/// The cells of vertices that are in no cage, or the simplices within a domain.
-pub fn check_cells<const D: usize>(complex: &Complex<'_>, findings: &mut Findings) -> Result<()> {
+/// The cells of vertices that are in no cage, or the simplices within a domain. `is_limited`: by
+/// vertex, as of [`limits`].
+pub fn check_cells<const D: usize>(
+    complex: &Complex<'_>,
+    is_limited: &[bool],
+    findings: &mut Findings,
+) -> Result<()> {
     let mesh = complex.mesh;
     // Other domains are bounded at corners that their balls choose, which is not looked at.
-    if !mesh.promise.counts_all_corners && mesh.totals.domains > 1 {
+    if !mesh.promise.counts_all_corners() && mesh.totals.domains > 1 {
         return Ok(());
     }
     let bound = mesh.promise.quality_bound;
     let most = bound * (1.0 + SLACK);
     let mut cells = filled(mesh.vertex_ids.len(), Cell::default())?;
-    let mut is_limited = filled(mesh.vertex_ids.len(), false)?;
     for simplex in 0..complex.count() {
         let (corners, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
         let entered = Simplex::new(&points[..=D])?;
         entered.enter(&mut cells, corners);
-        let is_precise = !limits::simplex(&points[..=D]);
-        corners.iter().for_each(|&vertex| is_limited[vertex as usize] |= !is_precise);
         let domain = |vertex: u32| mesh.vertex_domains[vertex as usize];
         let is_bounded = mesh.promise.criterion == Criterion::RadiusEdge
             && simplex < complex.own
-            && is_precise
+            && !limits::simplex(&points[..=D])
             && corners.iter().all(|&vertex| domain(vertex) == domain(corners[0]));
         let ratio = entered.radius_edge();
         findings.check(!is_bounded || ratio <= most, || {

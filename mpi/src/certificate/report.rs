@@ -74,8 +74,8 @@ pub enum Rule {
     InputBits = 202,
     /// A vertex's kind contradicts its id: those of inputs are below the number of inputs.
     VertexKind = 203,
-    /// The domains are not a tree: the root is not the only one without a parent, or a ball is larger
-    /// than its parent's.
+    /// The domains are not a tree: the root is not the only one without a parent, or a ball is
+    /// larger than its parent's.
     DomainTree = 205,
     /// A domain's radius is not positive and finite.
     DomainBall = 206,
@@ -85,7 +85,8 @@ pub enum Rule {
     DomainOutsideParent = 208,
     /// A vertex is labelled with a domain that does not exist, or that does not contain it.
     VertexDomain = 210,
-    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's domain.
+    /// A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's
+    /// domain.
     CageOf = 211,
     /// A cage vertex is not near its cage's sphere.
     CageRadius = 212,
@@ -97,7 +98,7 @@ pub enum Rule {
     InnerEncroachment = 215,
     /// A vertex outside a domain's ball encroaches its cage (Definition 2).
     OuterEncroachment = 216,
-    /// D-balls, or the edges of domains at inputs, span more domains than un-encroached cages allow.
+    /// Simplices span more domains than un-encroached cages allow.
     DomainSpan = 217,
     /// The Voronoi cell of a vertex has a worse aspect than the bound.
     VertexAspect = 218,
@@ -225,6 +226,11 @@ impl Findings {
         holds
     }
 
+    /// Whether everything so far held on this rank.
+    pub fn is_clean(&self) -> bool {
+        self.violations == 0
+    }
+
     /// Collective: whether everything so far held on all ranks.
     pub fn clean_everywhere(&self, comm: &dyn Communicator) -> Result<bool> {
         Ok(comm.exclusive_sum(self.violations)?.1 == 0)
@@ -260,7 +266,7 @@ impl Findings {
 
     /// Adds a level to a report; all levels below it hold.
     pub fn enter(self, report: &mut Report) -> bool {
-        let holds = self.violations == 0;
+        let holds = self.is_clean();
         report.violations += self.violations;
         report.checked += self.checked;
         report.first = report.first.take().or(self.first);

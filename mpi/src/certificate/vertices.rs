@@ -11,7 +11,8 @@ use netmesh::Result;
 /// Vertices that this rank keeps, and those of them that are inputs by their ids.
 pub type Kept = [u64; 2];
 
-/// Id, coordinates, kind, domain, cage, owner, own simplices there, and all that the rank knows there.
+/// Id, coordinates, kind, domain, cage, owner, own simplices there, and all that the rank knows
+/// there.
 type Record = ([u64; 10], usize);
 
 const ID: usize = 0;

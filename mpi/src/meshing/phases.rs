@@ -203,9 +203,9 @@ fn exchange<const D: usize>(
     })
 }
 
-/// The rank that makes each partition: one that has much of it, so that little is sent, of those that
-/// have made the fewest until now. `shares`: by rank, how much of each partition it has. The mesh does
-/// not depend on it.
+/// The rank that makes each partition: one that has much of it, so that little is sent, of those
+/// that have made the fewest until now. `shares`: by rank, how much of each partition it has. The
+/// mesh does not depend on it.
 fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<u32>> {
     let most = most_load(loads, count);
     let mut wishes = Vec::new();

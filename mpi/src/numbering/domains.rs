@@ -1,13 +1,13 @@
-//! The domains of a rank's part. What pieces know of a domain differs by age, and the latest holds: all
-//! tell it to a keeper, which the id chooses. From the keepers a rank gets the domains that hold its
-//! vertices, and those around them.
+//! The domains of a rank's part. What pieces know of a domain differs by age, and the latest holds:
+//! all tell it to a keeper, which the id chooses. From the keepers a rank gets the domains that
+//! hold its vertices, and those around them.
 
 use super::defect;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
 use crate::memory::{TryGrow, collected};
 use crate::piece::{ADDED, PieceDomain};
-use crate::words::{append, empty_messages, words_of};
+use crate::words::{append, distinct, empty_messages, words_of};
 use netmesh::Result;
 
 /// Id, version, parent, centre, radius and the centre's coordinates.
@@ -22,10 +22,7 @@ const CENTER: usize = 3;
 /// another rank may have.
 pub fn with_centers(names: &[u64], copies: &[PieceDomain]) -> Result<Vec<u64>> {
     let centers = copies.iter().map(|copy| copy.center).filter(|name| name & ADDED != 0);
-    let mut all: Vec<u64> = collected(names.iter().copied().chain(centers))?;
-    all.sort_unstable();
-    all.dedup();
-    Ok(all)
+    distinct(names.iter().copied().chain(centers))
 }
 
 /// What a piece knows of a domain. `domain_id`, `vertex_id`: name -> id.
@@ -64,19 +61,6 @@ pub fn exchange(
     }
     mesh.domains = known;
     Ok(())
-}
-
-/// Ids in order, without repetition and those that are none.
-fn distinct(ids: impl Iterator<Item = u64>) -> Result<Vec<u64>> {
-    let mut all = Vec::new();
-    for id in ids {
-        if id != NO_ID && all.last() != Some(&id) {
-            all.try_push(id)?;
-        }
-    }
-    all.sort_unstable();
-    all.dedup();
-    Ok(all)
 }
 
 fn keeper(id: u64, ranks: usize) -> usize {
@@ -139,8 +123,8 @@ mod tests {
     use super::*;
     use crate::comm::threads;
 
-    /// A chain of domains, of which each rank knows some, one in an old state: each gets the latest of
-    /// those that hold its vertices, and no others.
+    /// A chain of domains, of which each rank knows some, one in an old state: each gets the latest
+    /// of those that hold its vertices, and no others.
     #[test]
     fn a_rank_gets_the_latest_of_its_domains_and_of_those_around_them() {
         let record = |id, version, parent, radius: f64| -> Record {

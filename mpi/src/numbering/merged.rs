@@ -3,6 +3,7 @@
 use super::defect;
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::piece::{self, Piece, PieceDomain};
+use crate::words::distinct;
 use netmesh::Result;
 
 /// Across a facet is nothing.
@@ -59,20 +60,9 @@ impl Merged {
 
     /// A label or a parent may be a domain of which the rank knows nothing else.
     fn domain_names(&self) -> Result<Vec<u64>> {
-        let names = self.vertex_domains.iter().chain(&self.vertex_cages).copied();
-        let copies = self.copies.iter();
-        let of_copies = copies.flat_map(|copy| [Some(copy.name), copy.parent]).flatten();
-        let mut all = Vec::new();
-        let is_new =
-            |name: &u64, all: &Vec<u64>| *name != piece::NO_DOMAIN && all.last() != Some(name);
-        for name in names.chain(of_copies) {
-            if is_new(&name, &all) {
-                all.try_push(name)?;
-            }
-        }
-        all.sort_unstable();
-        all.dedup();
-        Ok(all)
+        let of_copies = self.copies.iter().flat_map(|copy| [Some(copy.name), copy.parent]);
+        let of_vertices = self.vertex_domains.iter().chain(&self.vertex_cages).copied();
+        distinct(of_vertices.chain(of_copies.flatten()))
     }
 
     fn add(&mut self, piece: &Piece) -> Result<()> {

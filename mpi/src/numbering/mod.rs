@@ -1,5 +1,5 @@
-//! From pieces to a rank's part of the mesh: ids in the whole mesh, what lies across interfaces, ghosts,
-//! domains.
+//! From pieces to a rank's part of the mesh: ids in the whole mesh, what lies across interfaces,
+//! ghosts, domains.
 //!
 //! Ranks find each other through a directory: what two ranks have in common goes to a rank that its
 //! names alone choose, which tells both. Only what lies at interfaces between ranks goes there; the

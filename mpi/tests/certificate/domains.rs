@@ -1,6 +1,6 @@
 //! The domains of the parts: what ranks have of them (level 1), their balls and cages (level 3).
 
-use super::made::{assert_parts_broken, clusters, parts, ulp_up};
+use super::made::{assert_parts_broken, change_vertex, clusters, parts, ulp_up};
 use super::promises::{set_cage, set_kind};
 use netmesh::Options;
 use netmesh_mpi::DistributedMesh;
@@ -81,11 +81,7 @@ fn on_hull(part: &DistributedMesh) -> u64 {
 
 /// Sets a vertex's domain on all ranks that know it.
 fn label(parts: &mut [DistributedMesh], id: u64, domain: u64) {
-    for part in parts {
-        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
-            part.vertex_domains[at] = domain;
-        }
-    }
+    change_vertex(parts, id, |part, at| part.vertex_domains[at] = domain);
 }
 
 /// Gives a domain to all ranks that know a vertex.

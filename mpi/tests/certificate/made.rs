@@ -161,14 +161,24 @@ pub fn assert_parts_broken(
     report
 }
 
-/// Sets a vertex to other coordinates on all ranks that know it.
-pub fn move_vertex(parts: &mut [DistributedMesh], id: u64, point: &[f64]) {
+/// Changes what all ranks that know a vertex have of it, at its index.
+pub fn change_vertex(
+    parts: &mut [DistributedMesh],
+    id: u64,
+    act: impl Fn(&mut DistributedMesh, usize),
+) {
     for part in parts {
-        let dim = part.dim;
-        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
-            part.points[at * dim..][..dim].copy_from_slice(point);
+        if let Some(at) = part.vertex_ids.iter().position(|known| *known == id) {
+            act(part, at);
         }
     }
+}
+
+/// Sets a vertex to other coordinates on all ranks that know it.
+pub fn move_vertex(parts: &mut [DistributedMesh], id: u64, point: &[f64]) {
+    change_vertex(parts, id, |part, at| {
+        part.points[at * part.dim..][..part.dim].copy_from_slice(point);
+    });
 }
 
 pub fn ulp_up(x: &mut f64) {

@@ -71,3 +71,25 @@ fn lower_levels_check_less() {
         assert!(error.message().starts_with("the mesh is that of rank 0 of 3"), "{error}");
     });
 }
+
+/// Domains in domains, eighty deep.
+#[test]
+fn deep_hierarchies_hold() {
+    for dim in [2, 3] {
+        let mut all = vec![0.0; dim];
+        for scale in (0..80).map(|level| 2f64.powi(-12 * level)) {
+            for axis in 0..dim {
+                let mut point = vec![0.0; dim];
+                point[axis] = scale;
+                point[(axis + 1) % dim] = 0.3 * scale;
+                all.extend(point);
+            }
+        }
+        for ranks in [1, 3] {
+            let parts = parts(dim, &all, ranks, &Options::default());
+            assert!(parts[0].totals.domains >= 80, "{dim}D");
+            let report = certify(&parts, 3);
+            assert_eq!((report.level, report.first), (3, None), "{dim}D on {ranks} ranks");
+        }
+    }
+}

@@ -1,6 +1,8 @@
 //! Level 3.
 
-use super::made::{assert_broken, assert_parts_broken, duplicates, move_vertex, parts, ulp_up};
+use super::made::{
+    assert_broken, assert_parts_broken, change_vertex, duplicates, move_vertex, parts, ulp_up,
+};
 use netmesh::{Criterion, Options, Output};
 use netmesh_mpi::DistributedMesh;
 use netmesh_mpi::certificate::Rule;
@@ -53,17 +55,9 @@ fn promises_are_checked() {
 }
 
 pub fn set_cage(parts: &mut [DistributedMesh], id: u64, cage: u64) {
-    for part in parts {
-        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
-            part.vertex_cages[at] = cage;
-        }
-    }
+    change_vertex(parts, id, |part, at| part.vertex_cages[at] = cage);
 }
 
 pub fn set_kind(parts: &mut [DistributedMesh], id: u64, kind: u8) {
-    for part in parts {
-        for at in (0..part.vertex_ids.len()).filter(|at| part.vertex_ids[*at] == id) {
-            part.kinds[at] = kind;
-        }
-    }
+    change_vertex(parts, id, |part, at| part.kinds[at] = kind);
 }

@@ -1,7 +1,7 @@
 /*
  * The mesh of some points on the ranks of this job: prints its counts and hashes of its simplices by
- * coordinates and of its domains, which must not depend on the number of ranks, and checks what the ranks have of it against
- * each other, by its own means and by the certificate.
+ * coordinates and of its domains, which must not depend on the number of ranks, and checks what the ranks
+ * have of it against each other, by its own means and by the certificate.
  *
  *     same_mesh SHAPE DIM COUNT SHARES hierarchical|finished [FILE]
  */
@@ -24,6 +24,7 @@ typedef struct arrays {
     nm_mpi_facet *facets;
     uint64_t *labels;
     nm_mpi_domain *domains;
+    uint64_t *domain_ids;
 } arrays;
 
 #define GET(name, count, array)                                                                    \
@@ -56,6 +57,10 @@ static arrays get_arrays(const nm_mpi_mesh *mesh)
     GET(interface, a.counts.interface_facets, a.facets);
     GET(vertex_domains, a.counts.local_vertices, a.labels);
     GET(domains, a.counts.local_domains, a.domains);
+    a.domain_ids = malloc((a.counts.local_domains + 1) * sizeof *a.domain_ids);
+    CHECK(a.domain_ids != NULL);
+    for (uint64_t i = 0; i < a.counts.local_domains; i++)
+        a.domain_ids[i] = a.domains[i].id;
     return a;
 }
 
@@ -170,16 +175,9 @@ static double distance(const nm_mpi_domain *domain, const double *point, uint32_
 /* The domain with an id, of those that the rank knows. */
 static const nm_mpi_domain *domain_of(const arrays *a, uint64_t id)
 {
-    uint64_t start = 0, end = a->counts.local_domains;
-    while (start < end) {
-        uint64_t middle = start + (end - start) / 2;
-        if (a->domains[middle].id < id)
-            start = middle + 1;
-        else
-            end = middle;
-    }
-    CHECK(start < a->counts.local_domains && a->domains[start].id == id);
-    return &a->domains[start];
+    uint64_t at = search(a->domain_ids, 0, a->counts.local_domains, id);
+    CHECK(at < a->counts.local_domains && a->domain_ids[at] == id);
+    return &a->domains[at];
 }
 
 /* Each vertex is in its domain, and that in those around it; the sum of hashes over the centres' owners. */

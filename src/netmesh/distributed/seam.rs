@@ -137,7 +137,8 @@ impl<const D: usize> Piece<D> {
         }
     }
 
-    /// Marks the simplices that have a vertex of the given names, which rise. Whether there are any.
+    /// Marks the simplices that have a vertex of the given names, which rise. Whether there are
+    /// any.
     fn mark_touching(&self, names: &[u64], is_marked: &mut [bool]) -> Result<bool> {
         if names.is_empty() {
             return Ok(false);

@@ -143,7 +143,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Whether vertices in the `shell` about `center`, given by distances, encroach no non-owned
-    /// domain from outside, of those from the domain of `vertex` up to `parent`, or to one as large.
+    /// domain from outside, of those from the domain of `vertex` up to `parent`, or to one as
+    /// large.
     fn keeps_off_below(
         &mut self,
         parent: DomainId,

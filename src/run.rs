@@ -1,12 +1,16 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{Poll, arrange, check_closed, with_extent};
+use crate::arrangement::{Poll, Task, arrange, check_closed, with_extent};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, copied, with_capacity};
-use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
+use crate::mesh::{Arrangement, Inputs, Mesh, NONE, Triangulation};
 use crate::netmesh::{self, Watch};
-use crate::options::{Extent, Interior, Options, ProgressFn, SizeFn};
+use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
 use crate::sizes::Field;
+
+/// How often segments are led through further points where doubles have no room beside each other.
+/// From one to the next the distance from where they meet doubles.
+const MOST_TRIES: usize = 64;
 
 impl Mesh {
     /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
@@ -30,37 +34,81 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
-        let mut progress = progress;
-        let mut watch = Watch::new(progress.as_deref_mut());
-        let arrangement = self.arrangement(options, &mut |work| watch.poll_after(work))?;
-        let (inputs, arrangement) = (self.inputs(), arrangement.as_ref());
-        let triangulation = match Field::new(self, size)? {
-            None => netmesh::run(inputs, arrangement, options, progress)?,
+        let mut crowded = Vec::new();
+        let mut least = -1.0;
+        let mut progress = progress.map(|progress| forwards(&mut least, progress));
+        let mut progress = progress.as_mut().map(|progress| progress as &mut ProgressFn<'_>);
+        for tries in 1.. {
+            let mut watch = Watch::new(progress.as_deref_mut());
+            let poll: Poll<'_> = &mut |work| watch.poll_after(work);
+            let mut arrangement = self.arrangement(options, &crowded, poll)?;
+            let arranged = arrangement.as_mut();
+            let made = self.meshed(options, arranged, size, progress.as_deref_mut());
+            let known = crowded.len();
+            if let (Err(_), Some(arrangement)) = (&made, arrangement) {
+                self.note_crowded(&mut crowded, &arrangement)?;
+            }
+            if crowded.len() == known || tries == MOST_TRIES {
+                self.set_triangulation(made?);
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn meshed(
+        &self,
+        options: &Options,
+        arrangement: Option<&mut Arrangement>,
+        size: Option<&SizeFn<'_>>,
+        progress: Option<&mut ProgressFn<'_>>,
+    ) -> Result<Triangulation> {
+        let inputs = self.inputs();
+        match Field::new(self, size)? {
+            None => netmesh::run(inputs, arrangement, options, progress),
             Some(field) => {
                 let size: &SizeFn<'_> = &|x| field.at(x);
                 let made = netmesh::run_sized(inputs, arrangement, options, Some(size), progress);
-                field.outcome(made)?
+                field.outcome(made)
             }
-        };
-        self.set_triangulation(triangulation);
+        }
+    }
+
+    /// Appends the crowded points of a run that are not known as vertices yet.
+    fn note_crowded(&self, crowded: &mut Vec<[f64; 2]>, arrangement: &Arrangement) -> Result<()> {
+        let inputs = (0..self.inputs().distinct()).map(|v| self.inputs().distinct_point(v));
+        let known = || arrangement.crossings.iter().map(|x| &x[..]).chain(inputs.clone());
+        for x in &arrangement.crowded {
+            if !crowded.contains(x) && !known().any(|other| other == x) {
+                crowded.try_push(*x)?;
+            }
+        }
         Ok(())
     }
 
     /// What the mesh must conform to, if there is something.
-    fn arrangement(&self, options: &Options, poll: Poll<'_>) -> Result<Option<Arrangement>> {
+    fn arrangement(
+        &self,
+        options: &Options,
+        crowded: &[[f64; 2]],
+        poll: Poll<'_>,
+    ) -> Result<Option<Arrangement>> {
         let Options { extent, crossings, interior, .. } = *options;
         self.check_extent(extent)?;
         self.check_interior(extent, interior)?;
         let mut arrangement = match extent {
             Extent::All if self.segments().count() == 0 => return Ok(None),
             Extent::All | Extent::Boundary => {
-                arrange(self.inputs(), self.segments(), crossings, poll)?
+                let (inputs, segments) = (self.inputs(), self.segments());
+                let own = segments.count();
+                arrange(&Task { inputs, segments, own, crowded, crossings }, poll)?
             }
             Extent::Hull | Extent::Box => {
                 let own = (self.inputs(), self.segments());
                 let (inputs, segments) = with_extent(own.0, own.1, extent, poll)?;
-                let arrangement = arrange(&inputs, &segments, crossings, poll)?;
-                self.in_own_numbers(arrangement, &inputs)?
+                let own = own.1.count();
+                let task = Task { inputs: &inputs, segments: &segments, own, crowded, crossings };
+                self.in_own_numbers(arrange(&task, poll)?, &inputs)?
             }
         };
         arrangement.regions = copied(self.regions())?;
@@ -113,5 +161,16 @@ impl Mesh {
             }
         }
         Ok(own)
+    }
+}
+
+/// A progress function whose fraction does not fall where a run begins again.
+fn forwards<'a>(
+    least: &'a mut f64,
+    progress: &'a mut ProgressFn<'_>,
+) -> impl FnMut(&Progress) -> bool + 'a {
+    move |now| {
+        *least = least.max(now.fraction);
+        progress(&Progress { fraction: *least, ..now.clone() })
     }
 }

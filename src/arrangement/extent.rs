@@ -1,17 +1,17 @@
 //! The boundary of the convex hull or of the bounding box of the inputs, as segments.
 
 use super::Poll;
-use super::frame::through_near_inputs;
 use super::inner::Inner;
-use super::places::key;
+use super::places::{key, ordered_bits};
+use super::reach::Reach;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{Inputs, Segments};
-use crate::numerics::{Sign, orientation};
+use crate::numerics::{Sign, coordinates, orientation};
 use crate::options::Extent;
 
 /// What a point takes, as polls count it.
-pub(super) const WORK: u32 = 2;
+const WORK: u32 = 2;
 
 /// The inputs and segments of the caller with those of the extent after them: the corners of a box
 /// that are no inputs, and the edges of a box or hull. In 2D. O(n log n); `poll` is as that of
@@ -38,25 +38,33 @@ pub fn with_extent(
         }
         Extent::All | Extent::Boundary => Vec::new(),
     };
-    let has_area = |at: usize| {
-        let point = |at: usize| -> &[f64; 2] {
-            points[2 * curve[at % curve.len()] as usize..][..2].try_into().expect("two coordinates")
-        };
-        orientation(&[point(0), point(at), point(at + 1)]) == Sign::Positive
-    };
-    if !curve.is_empty() && !(1..curve.len()).any(has_area) {
+    let point = |&number: &u32| coordinates::<2>(&points, number as usize);
+    if !curve.is_empty() && !has_area(curve.iter().map(point)) {
         let message = message!(
-            "options.extent is {}, which has no area: all inputs are on a line",
+            "options.extent is {}, which has no area: all inputs are on a line, but for roundings",
             extent.word()
         );
         return Err(Error::new(ErrorKind::DegenerateInput, message));
     }
-    let curve = through_near_inputs(&points, inputs, curve, poll)?;
     for (at, &from) in curve.iter().enumerate() {
         all.inputs.try_push([from, curve[(at + 1) % curve.len()]])?;
         all.markers.try_push(0)?;
     }
     Ok((Inputs::new(2, points.len() / 2, &points, 0)?, all))
+}
+
+/// Returns false if the corners of a convex curve are on a line, but for roundings.
+fn has_area<'a>(corners: impl Iterator<Item = &'a [f64; 2]> + Clone) -> bool {
+    let ends = [0, 1].map(|axis| {
+        let place = |corner: &&[f64; 2]| [corner[axis], corner[1 - axis]].map(ordered_bits);
+        let extremes = [corners.clone().min_by_key(place), corners.clone().max_by_key(place)];
+        extremes.map(|corner| corner.expect("a curve has corners"))
+    });
+    ends.iter().all(|&ends| {
+        let reach = Reach::of(ends);
+        let [a, b] = ends;
+        corners.clone().any(|x| orientation(&[a, b, x]) != Sign::Zero && !reach.is_near(ends, x))
+    })
 }
 
 /// The corners of the bounding box, counterclockwise.
@@ -139,8 +147,8 @@ mod tests {
         let (_, segments) = extended(&triangle, Extent::Hull).unwrap();
         assert_eq!(segments.inputs, [[0, 1], [1, 2], [2, 0]]);
         let (all, segments) = extended(&triangle, Extent::Box).unwrap();
-        // Two of the corners are no inputs, and one input is on a side.
-        assert_eq!((all.count(), all.distinct(), segments.count()), (8, 7, 6));
+        // Two of the corners are no inputs.
+        assert_eq!((all.count(), all.distinct(), segments.count()), (8, 7, 4));
         assert_eq!(all.point(6), [2.0, 3.0]);
     }
 
@@ -158,55 +166,24 @@ mod tests {
     #[test]
     fn work_is_told_and_can_be_ended() {
         let points: Vec<[f64; 2]> =
-            (0..200).map(|i| [f64::from(i * 37 % 200), f64::from(i * 71 % 200)]).collect();
-        for extent in [Extent::Hull, Extent::Box] {
-            let polled = |most: usize| {
-                let mut calls = 0;
-                let mut poll = |_: u32| {
-                    calls += 1;
-                    match calls < most {
-                        true => Ok(()),
-                        false => Err(Error::new(ErrorKind::Cancelled, "enough")),
-                    }
-                };
-                let made = with_extent(&inputs(&points), &Segments::default(), extent, &mut poll);
-                (made.map(drop).map_err(|error| error.kind()), calls)
+            (0..200).map(|i| [f64::from(i).cos(), f64::from(i).sin()]).collect();
+        let polled = |most: usize| {
+            let mut calls = 0;
+            let mut poll = |_: u32| {
+                calls += 1;
+                match calls < most {
+                    true => Ok(()),
+                    false => Err(Error::new(ErrorKind::Cancelled, "enough")),
+                }
             };
-            let (made, all) = polled(usize::MAX);
-            assert!(made.is_ok() && all >= 200, "{extent:?}: {all}");
-            for most in [1, 100, all] {
-                assert_eq!(polled(most), (Err(ErrorKind::Cancelled), most), "{extent:?}");
-            }
+            let (inputs, none) = (inputs(&points), Segments::default());
+            let made = with_extent(&inputs, &none, Extent::Hull, &mut poll);
+            (made.map(drop).map_err(|error| error.kind()), calls)
+        };
+        let (made, all) = polled(usize::MAX);
+        assert!(made.is_ok() && all >= 200, "{all}");
+        for most in [1, 100, all] {
+            assert_eq!(polled(most), (Err(ErrorKind::Cancelled), most));
         }
-    }
-
-    /// An input next to an edge is on the boundary; one farther away is not.
-    #[test]
-    fn inputs_next_to_an_edge_are_on_it() {
-        let down = |x: f64, steps: u32| (0..steps).fold(x, |x, _| x.next_down());
-        // A unit in the last place is two steps below 1.
-        for steps in 0..10 {
-            let points = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0], [1.0, down(1.0, steps)]];
-            let third =
-                [[0.0, 0.0], [1.0, 3.0], [2.0, 2.0], [0.5, 0.0], [1.0 / 3.0, down(1.0, steps)]];
-            for (points, is_inside) in [(points, true), (third, false)] {
-                let (_, segments) = extended(&points, Extent::Hull).unwrap();
-                let is_on = segments.inputs.as_flattened().contains(&4);
-                // Down is out of the second hull.
-                assert_eq!(is_on, steps < 7 || !is_inside, "{steps}");
-            }
-            let (_, segments) = extended(&points, Extent::Box).unwrap();
-            assert_eq!(segments.inputs.as_flattened().contains(&4), steps < 7, "{steps}");
-        }
-    }
-
-    /// What is next to two edges may be beyond either of them.
-    #[test]
-    fn inputs_next_to_a_corner_are_left() {
-        let tiny = 1.0f64.next_down();
-        let (_, segments) =
-            extended(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [tiny; 2]], Extent::Hull)
-                .unwrap();
-        assert_eq!(segments.inputs, [[0, 1], [1, 2], [2, 3], [3, 0]]);
     }
 }

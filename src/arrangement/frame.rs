@@ -1,170 +1,80 @@
-//! Inputs next to the edges of a hull or box. Doubles have no room for edges as short as such an input
-//! is far from the boundary, which a boundary past it would need; so the boundary goes through it.
+//! The boundary of an extent beside the vertices near it. It goes through them as segments do, but at
+//! a corner: a vertex near both edges there would leave the corner outside.
 
-use super::Poll;
-use super::extent::WORK;
-use super::inner::Inner;
-use super::places::{Key, key_along};
-use crate::error::Result;
-use crate::memory::{TryGrow, filled, with_capacity};
-use crate::mesh::Inputs;
-use crate::numerics::crossing;
+use super::reach::Reach;
+use crate::memory::{AllocResult, filled};
+use crate::mesh::{NONE, Subsegment};
+use crate::numerics::orientation;
 
-/// An input is next to an edge if the edge meets the rectangle about it that reaches so many units in
-/// the last place of the edge's larger coordinates.
-const NEXT_TO: f64 = 3.0;
-/// Where that is more than this part of the edge, doubles are too coarse for all of it.
-const COARSE: f64 = 1e-6;
-
-/// Edges of a convex curve that advance most along one axis, and one way: no two of them have the same
-/// place there but their ends.
-struct Side<'a> {
-    axis: usize,
-    /// By their lesser ends on the axis.
-    edges: Vec<Edge<'a>>,
+/// The boundary of an extent, a convex curve whose edges follow each other counterclockwise.
+pub(super) struct Frame<'a> {
+    segments: &'a [Subsegment],
+    reaches: &'a [Reach<2>],
+    /// The number of the caller's segments; the edges follow them.
+    own: u32,
+    /// Vertex -> the edge that begins there, or [`NONE`].
+    starting: Vec<u32>,
 }
 
-struct Edge<'a> {
-    /// In the direction of the curve.
-    ends: [&'a [f64; 2]; 2],
-    /// Its number on the curve.
-    number: u32,
-}
-
-/// An input next to an edge, by its place on the curve.
-type Found = (u32, Key, u32);
-
-/// The convex `curve` through points by their numbers, `points` flat, and through the inputs next to
-/// one of its edges as well. O(n log n).
-///
-/// # Errors
-/// `OutOfMemory`, and those of `poll`.
-pub(super) fn through_near_inputs(
-    points: &[f64],
-    inputs: &Inputs,
-    curve: Vec<u32>,
-    poll: Poll<'_>,
-) -> Result<Vec<u32>> {
-    let point = |number: u32| -> &[f64; 2] {
-        points[2 * number as usize..][..2].try_into().expect("two coordinates")
-    };
-    let mut is_on_curve = filled(points.len() / 2, false)?;
-    curve.iter().for_each(|&number| is_on_curve[number as usize] = true);
-    let ends = |at: usize| [curve[at], curve[(at + 1) % curve.len()]].map(point);
-    let sides = sides(curve.len(), ends)?;
-    let inner = Inner::of(curve.iter().map(|&number| point(number)));
-    let mut found: Vec<Found> = Vec::new();
-    for vertex in 0..inputs.distinct() {
-        poll(WORK)?;
-        let input = inputs.first_input(vertex).expect("a distinct input");
-        let x = point(input);
-        if is_on_curve[input as usize] || inner.holds(x) {
-            continue;
+impl<'a> Frame<'a> {
+    /// Builds the boundary of the segments from number `own` on, between the first of so many
+    /// vertices.
+    pub fn new(
+        segments: &'a [Subsegment],
+        own: usize,
+        reaches: &'a [Reach<2>],
+        vertices: usize,
+    ) -> AllocResult<Self> {
+        let mut starting = filled(if own < segments.len() { vertices } else { 0 }, NONE)?;
+        for edge in &segments[own..] {
+            starting[edge.ends[0] as usize] = edge.segment;
         }
-        let mut next_to = sides.iter().filter_map(|side| side.next_to(x));
-        // Next to a corner it may be beyond an edge that leads through it.
-        if let (Some((edge, place)), None) = (next_to.next(), next_to.next()) {
-            found.try_push((edge, place, input))?;
+        Ok(Self { segments, reaches, own: own as u32, starting })
+    }
+
+    /// Returns true if a piece of the boundary, or one of the caller's between the same ends, leaves a
+    /// vertex near it inside. One that is near the next edge as well, at a corner, is on one of them
+    /// at most: on the piece if it would be outside, or if a segment of the caller's leads to it
+    /// along there.
+    pub fn passes(&self, points: &[[f64; 2]], part: &Subsegment, vertex: u32) -> bool {
+        let Some(edge) = self.edge_of(part) else { return false };
+        let point = |vertex: u32| &points[vertex as usize];
+        let count = self.segments.len() as u32 - self.own;
+        let beside = [count - 1, 1].map(|step| self.own + (edge - self.own + step) % count);
+        let is_near = |&other: &u32| self.reaches[other as usize].holds(point(vertex));
+        let Some(other) = beside.into_iter().find(is_near) else { return false };
+        let reach = &self.reaches[edge as usize];
+        let [mut from, mut to] = part.ends.map(point);
+        if reach.place(from) > reach.place(to) {
+            (from, to) = (to, from);
         }
+        let is_outside = orientation(&[from, to, point(vertex)]).is_negative();
+        let leads = |edge: u32| self.leads_to(points, vertex, edge);
+        !is_outside && !(leads(edge) && (edge < other || !leads(other)))
     }
-    found.sort_unstable();
-    let mut through = with_capacity(curve.len() + found.len())?;
-    let mut found = found.iter().peekable();
-    for (at, &number) in curve.iter().enumerate() {
-        through.push(number);
-        let ([_, end], mut last) = (ends(at), point(number));
-        while let Some(&(_, _, input)) = found.next_if(|found| found.0 == at as u32) {
-            // Chains go back on no axis.
-            let x = point(input);
-            if advances(ends(at), last, x) && advances(ends(at), x, end) {
-                through.push(input);
-                last = x;
-            }
+
+    /// Returns the edge that a piece belongs to, or is the same as.
+    fn edge_of(&self, part: &Subsegment) -> Option<u32> {
+        if part.segment >= self.own {
+            return Some(part.segment);
         }
-    }
-    Ok(through)
-}
-
-fn sides<'a>(count: usize, ends: impl Fn(usize) -> [&'a [f64; 2]; 2]) -> Result<[Side<'a>; 4]> {
-    let mut sides = [0, 0, 1, 1].map(|axis| Side { axis, edges: Vec::new() });
-    for at in 0..count {
-        let ends = ends(at);
-        // Half of it, which does not overflow.
-        let way = |axis: usize| (0.5 * ends[1][axis] - 0.5 * ends[0][axis]).abs();
-        let axis = usize::from(way(1) > way(0));
-        let side = 2 * axis + usize::from(falls(ends)[axis]);
-        sides[side].edges.try_push(Edge { ends, number: at as u32 })?;
-    }
-    for side in &mut sides {
-        let axis = side.axis;
-        side.edges.sort_unstable_by(|a, b| a.low(axis).total_cmp(&b.low(axis)));
-    }
-    Ok(sides)
-}
-
-fn falls([from, to]: [&[f64; 2]; 2]) -> [bool; 2] {
-    [0, 1].map(|axis| to[axis] < from[axis])
-}
-
-/// Whether the way from `a` to `b` goes nowhere against that from end to end.
-fn advances(ends: [&[f64; 2]; 2], a: &[f64; 2], b: &[f64; 2]) -> bool {
-    let agrees = |axis: usize| match ends[0][axis] == ends[1][axis] {
-        true => true,
-        false if falls(ends)[axis] => a[axis] >= b[axis],
-        false => a[axis] <= b[axis],
-    };
-    agrees(0) && agrees(1)
-}
-
-impl Edge<'_> {
-    fn low(&self, axis: usize) -> f64 {
-        self.ends[0][axis].min(self.ends[1][axis]) + 0.0
+        let [a, b] = part.ends;
+        [[a, b], [b, a]].into_iter().find_map(|[from, to]| {
+            let edge = *self.starting.get(from as usize).filter(|&&edge| edge != NONE)?;
+            (self.segments[edge as usize].ends[1] == to).then_some(edge)
+        })
     }
 
-    fn high(&self, axis: usize) -> f64 {
-        self.ends[0][axis].max(self.ends[1][axis])
-    }
-
-    /// Orders points along the edge.
-    fn place(&self, axis: usize, x: &[f64; 2]) -> Key {
-        let key = key_along(x, falls(self.ends));
-        [key[axis], key[1 - axis]]
-    }
-
-    /// Whether `x`, which is between the ends on the axis, is next to the edge.
-    fn is_next_to(&self, axis: usize, x: &[f64; 2]) -> bool {
-        let other = 1 - axis;
-        let [from, to] = self.ends;
-        let unit = |axis: usize| {
-            let largest = from[axis].abs().max(to[axis].abs());
-            largest.next_up() - largest
+    /// Returns true if a segment of the caller's leads to a vertex along an edge.
+    fn leads_to(&self, points: &[[f64; 2]], vertex: u32, edge: u32) -> bool {
+        let ends = self.segments[edge as usize].ends;
+        let is_on = |end: u32| {
+            ends.contains(&end) || self.reaches[edge as usize].holds(&points[end as usize])
         };
-        let length = (to[axis] - from[axis]).abs();
-        let slope = (to[other] - from[other]).abs() / length;
-        let reach = NEXT_TO * (unit(other) + if slope <= 1.0 { slope * unit(axis) } else { 0.0 });
-        if reach > COARSE * length {
-            return false;
-        }
-        // Most are far away, and doubles tell. What overflows does not.
-        let part = (x[axis] - from[axis]) / (to[axis] - from[axis]);
-        let place = from[other] + part * (to[other] - from[other]);
-        if (x[other] - place).abs() > 16.0 * reach && length.is_finite() {
-            return false;
-        }
-        let mut far = *x;
-        far[other] = if x[other] == 0.0 { 1.0 } else { 0.0 };
-        let place = crossing([[from, to], [x, &far]]);
-        place.is_some_and(|place| (x[other] - place[other]).abs() <= reach)
-    }
-}
-
-impl Side<'_> {
-    /// The number of the edge that `x` is next to, and the place there.
-    fn next_to(&self, x: &[f64; 2]) -> Option<(u32, Key)> {
-        let after = self.edges.partition_point(|edge| edge.low(self.axis) <= x[self.axis]);
-        let edge = self.edges.get(after.checked_sub(1)?)?;
-        let is_within = x[self.axis] <= edge.high(self.axis);
-        (is_within && edge.is_next_to(self.axis, x))
-            .then(|| (edge.number, edge.place(self.axis, x)))
+        self.segments[..self.own as usize].iter().any(|own| match own.ends {
+            [end, other] if end == vertex => is_on(other),
+            [other, end] if end == vertex => is_on(other),
+            _ => false,
+        })
     }
 }

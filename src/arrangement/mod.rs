@@ -1,30 +1,33 @@
 //! The caller's segments as pieces that meet only at their ends, exactly.
 //!
 //! - [`closed`] tells whether segments are closed curves.
+//! - [`extent`] has the boundary of a hull or box; [`inner`] tells that most inputs are far from it,
+//!   [`frame`] which vertices near it it leaves inside.
+//! - [`bend`] leads segments through the vertices near them: [`reach`] says which are, [`near`] finds
+//!   them.
 //! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
 //!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
-//! - [`split`] makes vertices of crossings.
-//! - [`extent`] has the boundary of a hull or box, which [`frame`] leads through the inputs next to it;
-//!   [`inner`] tells that most inputs are far from it.
+//! - [`crossings`] says which crossings become vertices, [`split`] makes them.
+//! - [`straighten`] removes those that are no crossings any more.
 //!
 //! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
-//! bends them: the pieces may pass other vertices than before, and cross others. So all is swept
-//! again, until a sweep finds no crossing; it proves by that that there is none. A piece that
-//! crosses another only since it is bent goes through an end of that one if it passes within a
-//! rounding: to make further vertices would make further crossings, of lines that nearly coincide
-//! more each time.
-//!
-//! This ends: a crossing is rounded to a point in the bounding rectangles of both pieces, which can be
-//! an end of one of them only. So a piece is split, and the two parts' rectangles have as many
-//! doubles on their sides together as that of the piece.
+//! bends them: the pieces may pass other vertices than before, and cross others. So all are bent and
+//! swept again, until a sweep finds no crossing; it proves by that that there is none.
 
+mod bend;
 mod closed;
+mod crossings;
 mod extent;
 mod frame;
 mod inner;
+mod near;
+#[cfg(test)]
+mod near_tests;
 mod places;
+mod reach;
 mod split;
 mod status;
+mod straighten;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -33,85 +36,142 @@ pub use closed::check_closed;
 pub use extent::with_extent;
 
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
+use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Segments, Subsegment};
 use crate::numerics::coordinates;
 use crate::options::Crossings;
-use places::{Places, key_along};
+use bend::Bender;
+use crossings::{Straight, accept};
+use frame::Frame;
+use places::Places;
+use reach::{Place, Reach};
 use split::split;
+use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
 
 /// What is told of work, in units of some 100 ns.
 pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 
 /// The most sweeps. All but inputs that are made for it need two or three.
-const MOST_SWEEPS: usize = 200;
+const MOST_SWEEPS: usize = 100;
 
-/// The arrangement of segments between inputs in the plane. Of pieces that overlap there is one,
-/// the first segment's, with the balance of all.
-///
-/// Expected O((n + k) log n) for n inputs and segments and k crossings. `poll` is told of each piece
-/// of work how long it was, and may end all of it.
-///
-/// # Errors
-/// `InvalidArgument` (segments that cross, where `crossings` refuses them), `Limit`, `Capacity`
-/// (more vertices than 32-bit ids), `OutOfMemory`, and those of `poll`.
-pub fn arrange(
-    inputs: &Inputs,
-    segments: &Segments,
-    crossings: Crossings,
-    poll: Poll<'_>,
-) -> Result<Arrangement> {
-    let mut points = collected(
-        (0..inputs.distinct()).map(|vertex| *coordinates::<2>(inputs.distinct_point(vertex), 0)),
-    )?;
-    let ends = |ends: &[u32; 2]| ends.map(|input| inputs.vertices()[input as usize]);
-    let pieces = segments.inputs.iter().zip(0u32..);
-    let pieces =
-        pieces.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment, balance: 1 });
-    let segments = collected(pieces)?;
-    let mut pieces = copied(&segments)?;
-    let mut arrangement = Arrangement::default();
-    let mut handling = match crossings {
-        Crossings::Refuse => Handling::Refuse,
-        Crossings::Split => Handling::Round,
-    };
-    for count in 0..MOST_SWEEPS {
-        let places = Places::new(&points)?;
-        let swept = sweep(&places, &pieces, handling, poll)?;
-        if count == 0 {
-            arrangement.inputs_on_segments = swept.cuts;
-        }
-        if swept.found.is_empty() {
-            arrangement.subsegments = in_order(&places, &segments, &swept)?;
-            arrangement.covered_segments = covered(&segments, &arrangement.subsegments)?;
-            arrangement.crossings = copied(&points[inputs.distinct()..])?;
-            return Ok(arrangement);
-        }
-        let parts = swept.parts.len();
-        pieces = split(&places, swept, &mut points)?;
-        let has_split = pieces.len() > parts;
-        handling = if has_split { Handling::Snap } else { Handling::Round };
-    }
-    let message = message!("segments still cross after {MOST_SWEEPS} roundings of their crossings");
-    Err(Error::new(ErrorKind::Limit, message))
+/// What is arranged.
+#[derive(Clone, Copy)]
+pub struct Task<'a> {
+    pub inputs: &'a Inputs,
+    pub segments: &'a Segments,
+    /// The number of the caller's segments; those that follow are the boundary of an extent,
+    /// counterclockwise.
+    pub own: usize,
+    /// Further vertices, as if segments crossed there; none of them is an input.
+    pub crowded: &'a [[f64; 2]],
+    pub crossings: Crossings,
 }
 
-/// The parts by segments, along each in its direction.
+/// Returns the arrangement of segments between inputs in the plane. Of pieces that overlap there is
+/// one, the first segment's, with the balance of all.
+///
+/// Expected O((n + k) log n) for n inputs and segments and k crossings, where segments do not pass
+/// between many inputs. `poll` is told of each piece of work how long it was, and may end all of it.
+///
+/// # Errors
+/// `InvalidArgument` (the caller's segments cross, where `crossings` refuses that), `Limit`,
+/// `Capacity` (more vertices than 32-bit ids), `OutOfMemory`, and those of `poll`.
+pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
+    let vertices = (0..task.inputs.distinct()).map(|vertex| task.inputs.distinct_point(vertex));
+    let mut points = collected(vertices.map(|point| *coordinates::<2>(point, 0)))?;
+    points.try_extend(task.crowded)?;
+    let ends = |ends: &[u32; 2]| ends.map(|input| task.inputs.vertices()[input as usize]);
+    let segments = task.segments.inputs.iter().zip(0u32..);
+    let segments =
+        segments.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment, balance: 1 });
+    let segments = collected(segments)?;
+    let straight = |segment: &Subsegment| segment.ends.map(|end| &points[end as usize]);
+    let reaches = collected(segments.iter().map(|segment| Reach::of(straight(segment))))?;
+    let bent = arrange_within(task, copied(&points)?, &segments, &reaches, poll)?;
+    if let Some(arrangement) = bent {
+        return Ok(arrangement);
+    }
+    let exact = collected(reaches.into_iter().map(Reach::exact))?;
+    arrange_within(task, points, &segments, &exact, poll)?.ok_or_else(|| {
+        let message =
+            message!("segments still cross after {MOST_SWEEPS} roundings of their crossings");
+        Error::new(ErrorKind::Limit, message)
+    })
+}
+
+/// Returns the arrangement of segments with these reaches, or `None` where they still cross after
+/// [`MOST_SWEEPS`], or would go back.
+fn arrange_within(
+    task: &Task<'_>,
+    mut points: Vec<[f64; 2]>,
+    segments: &[Subsegment],
+    reaches: &[Reach<2>],
+    poll: Poll<'_>,
+) -> Result<Option<Arrangement>> {
+    let inputs = task.inputs.distinct();
+    let refuses = |[first, second]: [u32; 2]| {
+        let is_refused =
+            task.crossings == Crossings::Refuse && (first.max(second) as usize) < task.own;
+        is_refused.then(|| reaches[first as usize].crossing(&reaches[second as usize])).flatten()
+    };
+    let frame = Frame::new(segments, task.own, reaches, points.len())?;
+    let mut pieces = copied(segments)?;
+    let mut arrangement = Arrangement::default();
+    let mut has_split = false;
+    for _ in 0..MOST_SWEEPS {
+        let passes = |part: &Subsegment, vertex: u32| frame.passes(&points, part, vertex);
+        let bent = |vertex: u32, segment: u32| {
+            if (vertex as usize) < inputs {
+                let point = &points[vertex as usize];
+                arrangement.note_offset(reaches[segment as usize].offset_from_segment(point));
+            }
+        };
+        pieces = Bender::new(&points, reaches)?.bend(&pieces, poll, passes, bent)?;
+        let places = Places::new(&points)?;
+        let snaps = |segments: [u32; 2]| {
+            has_split && segments.iter().all(|&segment| !reaches[segment as usize].is_long())
+        };
+        let handling = Handling { refuses: &refuses, snaps: &snaps };
+        let swept = sweep(&places, &pieces, handling, poll)?;
+        if swept.found.is_empty() && swept.snapped.is_empty() {
+            let Some(mut ordered) = in_order(&places, reaches, &swept)? else { return Ok(None) };
+            if straighten(inputs, &mut points, &mut ordered)? {
+                pieces = ordered;
+                continue;
+            }
+            arrangement.covered_segments = covered(segments, &ordered)?;
+            arrangement.subsegments = ordered;
+            arrangement.crossings = copied(&points[inputs..])?;
+            return Ok(Some(arrangement));
+        }
+        let line = |line: u32| {
+            let Subsegment { ends, segment, .. } = pieces[line as usize];
+            let ends = ends.map(|end| &points[end as usize]);
+            Straight { ends, reach: &reaches[segment as usize] }
+        };
+        let is_accepted = accept(&swept.found, pieces.len(), line)?;
+        let parts = swept.parts.len();
+        pieces = split(&places, swept, &is_accepted, &mut points)?;
+        // A vertex that is rounded to an end splits nothing.
+        has_split = pieces.len() > parts;
+    }
+    Ok(None)
+}
+
+/// Returns the parts by segments, along each in its direction; `None` if one goes back.
 fn in_order(
     places: &Places,
-    segments: &[Subsegment],
+    reaches: &[Reach<2>],
     swept: &Swept,
-) -> AllocResult<Vec<Subsegment>> {
-    let point = |vertex: u32| places.point(places.ranks[vertex as usize]);
-    let along = |segment: u32, vertex: u32| {
-        let [from, to] = segments[segment as usize].ends.map(point);
-        key_along(point(vertex), [0, 1].map(|axis| to[axis] < from[axis]))
+) -> AllocResult<Option<Vec<Subsegment>>> {
+    let along = |segment: u32, vertex: u32| -> Place<2> {
+        reaches[segment as usize].place(places.point(places.ranks[vertex as usize]))
     };
     let parts = || swept.parts.iter().zip(0u32..).map(|(part, number)| (part.segment, number));
-    let of_segments = Lists::of_pairs(segments.len(), parts)?;
+    let of_segments = Lists::of_pairs(reaches.len(), parts)?;
     let mut pieces = with_capacity(swept.parts.len())?;
-    for segment in 0..segments.len() as u32 {
+    for segment in 0..reaches.len() as u32 {
         let first = pieces.len();
         pieces.extend(of_segments.of(segment as usize).iter().map(|&number| {
             let part = &swept.parts[number as usize];
@@ -123,10 +183,15 @@ fn in_order(
         }));
         pieces[first..].sort_unstable_by_key(|piece| along(segment, piece.ends[0]));
     }
-    Ok(pieces)
+    let goes_back = |pair: &[Subsegment]| {
+        let [last, next] = pair else { unreachable!("windows of two") };
+        last.segment == next.segment
+            && along(last.segment, last.ends[1]) > along(last.segment, next.ends[0])
+    };
+    Ok((!pieces.windows(2).any(goes_back)).then_some(pieces))
 }
 
-/// The number of segments without a piece.
+/// Returns the number of segments without a piece.
 fn covered(segments: &[Subsegment], pieces: &[Subsegment]) -> AllocResult<u64> {
     let mut has_piece = filled(segments.len(), false)?;
     pieces.iter().for_each(|piece| has_piece[piece.segment as usize] = true);

@@ -6,10 +6,13 @@ use crate::memory::{AllocResult, collected, filled};
 pub(super) type Key = [u64; 2];
 
 pub(super) fn key(point: &[f64; 2]) -> Key {
-    point.map(|x| {
-        let bits = (x + 0.0).to_bits();
-        if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
-    })
+    point.map(ordered_bits)
+}
+
+/// Returns a number that is in the order of finite doubles; both zeros have the same.
+pub(super) fn ordered_bits(x: f64) -> u64 {
+    let bits = (x + 0.0).to_bits();
+    if bits >> 63 == 0 { bits | 1 << 63 } else { !bits }
 }
 
 /// Distinct points by their order; the place of a point in it is its rank.

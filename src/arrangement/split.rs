@@ -1,36 +1,43 @@
 //! Vertices of crossings, and pieces that end there.
 
 use super::places::{Places, key, key_along};
-use super::sweep::{Found, Part, Swept};
+use super::sweep::{Found, OnLine, Part, Swept};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{TryGrow, with_capacity};
+use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{NONE, Subsegment};
 
-/// The parts of a sweep, split where crossings were found; appends new vertices to `points`.
+/// The parts of a sweep, split where crossings were found and accepted; appends new vertices to
+/// `points`.
 pub(super) fn split(
     places: &Places,
     mut swept: Swept,
+    is_accepted: &[bool],
     points: &mut Vec<[f64; 2]>,
 ) -> Result<Vec<Subsegment>> {
     let known = points.len();
-    add_crossings(places, &swept, points)?;
+    let accepted = swept.found.iter().zip(is_accepted).filter(|&(_, &is_accepted)| is_accepted);
+    let on_lines = accepted.flat_map(|(&Found { lines, falls, point }, _)| {
+        [0, 1].map(|slot| OnLine { line: lines[slot], falls: falls[slot], point })
+    });
+    let mut found = collected(on_lines.chain(swept.snapped))?;
+    add_crossings(places, &found, points)?;
     let new = &points[known..];
     let vertex = |point: &[f64; 2]| match places.find(point) {
         Some(rank) => places.vertices[rank as usize],
         None => (known + new.partition_point(|other| key(other) < key(point))) as u32,
     };
     swept.parts.sort_unstable_by_key(|part| (part.line, part.ends[0]));
-    let place = |found: &Found| (found.line, key_along(&found.point, [false, found.falls]));
-    swept.found.sort_unstable_by_key(place);
-    let mut found = swept.found.iter().peekable();
-    let mut pieces = with_capacity(swept.parts.len() + swept.found.len())?;
+    let place = |found: &OnLine| (found.line, key_along(&found.point, [false, found.falls]));
+    found.sort_unstable_by_key(place);
+    let mut pieces = with_capacity(swept.parts.len() + found.len())?;
+    let mut found = found.iter().peekable();
     for &Part { line, ends: [start, end], segment, balance } in &swept.parts {
         let (mut from, mut from_point) = (places.vertices[start as usize], places.point(start));
         let (end, end_point) = (places.vertices[end as usize], places.point(end));
         let is_within =
-            |found: &&Found| place(found) < (line, key_along(end_point, [false, found.falls]));
-        while let Some(Found { line: other, point, .. }) = found.next_if(is_within) {
-            // What is not between is rounded to an end, or snapped to where another part is.
+            |found: &&OnLine| place(found) < (line, key_along(end_point, [false, found.falls]));
+        while let Some(OnLine { line: other, point, .. }) = found.next_if(is_within) {
+            // A crossing that is not between is rounded to an end.
             let is_between = (0..2).all(|k| {
                 let (a, b) = (from_point[k], end_point[k]);
                 a.min(b) <= point[k] && point[k] <= a.max(b)
@@ -47,10 +54,10 @@ pub(super) fn split(
 }
 
 /// Appends the crossings that are no vertices yet, each once.
-fn add_crossings(places: &Places, swept: &Swept, points: &mut Vec<[f64; 2]>) -> Result<()> {
+fn add_crossings(places: &Places, found: &[OnLine], points: &mut Vec<[f64; 2]>) -> Result<()> {
     let known = points.len();
     let mut new = Vec::new();
-    for found in &swept.found {
+    for found in found {
         if places.find(&found.point).is_none() {
             new.try_push(found.point)?;
         }
@@ -80,10 +87,15 @@ mod tests {
             let ends = [2 * line, 2 * line + 1].map(|vertex| places.ranks[vertex as usize]);
             Part { line, ends, segment: line, balance: 1 }
         };
-        let found = found.iter().map(|&(line, point)| Found { line, falls: false, point });
+        // The other line has a number of its own, and no part.
+        let found = found.iter().zip(2..).map(|(&(line, point), other)| Found {
+            lines: [line, other],
+            falls: [false; 2],
+            point,
+        });
         let swept =
-            Swept { parts: vec![part(1), part(0)], found: found.collect(), ..Swept::default() };
-        let pieces = split(&places, swept, &mut points).unwrap();
+            Swept { parts: vec![part(1), part(0)], found: found.collect(), snapped: Vec::new() };
+        let pieces = split(&places, swept, &[true; 9], &mut points).unwrap();
         (pieces.iter().map(|piece| piece.ends).collect(), points.len())
     }
 

@@ -25,13 +25,31 @@ pub(super) struct Part {
     pub balance: i64,
 }
 
-/// A crossing on a line, rounded.
+/// A crossing of two lines, rounded.
 #[derive(Clone, Copy)]
 pub(super) struct Found {
+    pub lines: [u32; 2],
+    /// The right end of a line is lower than its left one.
+    pub falls: [bool; 2],
+    pub point: [f64; 2],
+}
+
+/// A vertex that a line goes through since it is the double nearest to it.
+#[derive(Clone, Copy)]
+pub(super) struct OnLine {
     pub line: u32,
-    /// The line's right end is lower than its left one.
     pub falls: bool,
     pub point: [f64; 2],
+}
+
+/// What is done where lines cross.
+#[derive(Clone, Copy)]
+pub(super) struct Handling<'a> {
+    /// Where two segments cross that may not.
+    pub refuses: &'a dyn Fn([u32; 2]) -> Option<[f64; 2]>,
+    /// Whether a line that passes an end of the other within a rounding goes through that end
+    /// instead of a new vertex, by their segments.
+    pub snaps: &'a dyn Fn([u32; 2]) -> bool,
 }
 
 /// What a sweep makes of pieces: parts with no vertex in their interior, none of them twice, and the
@@ -40,8 +58,7 @@ pub(super) struct Found {
 pub(super) struct Swept {
     pub parts: Vec<Part>,
     pub found: Vec<Found>,
-    /// How often a vertex was in the interior of a line.
-    pub cuts: u64,
+    pub snapped: Vec<OnLine>,
 }
 
 /// Pieces that overlap, as one: from the last vertex on them to the farthest end of them.
@@ -110,7 +127,7 @@ impl Eq for Swap {}
 struct Sweep<'a> {
     places: &'a Places,
     pieces: &'a [Subsegment],
-    handling: Handling,
+    handling: Handling<'a>,
     /// A line has the number of the piece that it began with; ...
     lines: Vec<Line>,
     /// ... and this is the line that has a piece.
@@ -131,28 +148,17 @@ struct Around {
     sides: [u32; 2],
 }
 
-/// What becomes of a crossing.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Handling {
-    Refuse,
-    /// The nearest double becomes a vertex of both lines.
-    Round,
-    /// As `Round`, but a line that passes an end of the other within a rounding goes through that
-    /// end instead.
-    Snap,
-}
-
 /// What a vertex, an end or a crossing takes, as polls count it.
 const WORK: u32 = 8;
 
 /// Pieces between vertices of `places`; expected O((n + k) log n) for k crossings.
 ///
 /// # Errors
-/// `InvalidArgument` (a crossing, where those are refused), `OutOfMemory`, and those of `poll`.
-pub(super) fn sweep(
-    places: &Places,
-    pieces: &[Subsegment],
-    handling: Handling,
+/// `InvalidArgument` (a crossing that `handling` refuses), `OutOfMemory`, and those of `poll`.
+pub(super) fn sweep<'a>(
+    places: &'a Places,
+    pieces: &'a [Subsegment],
+    handling: Handling<'a>,
     poll: Poll<'_>,
 ) -> Result<Swept> {
     let count = pieces.len();
@@ -306,7 +312,6 @@ impl Sweep<'_> {
             let line = self.status.line(node);
             self.lines[line as usize].node = NONE;
             if self.segment(line).is_some() {
-                self.swept.cuts += 1;
                 fan.try_push(line)?;
             }
         }
@@ -420,26 +425,21 @@ impl Sweep<'_> {
                 return Ok(());
             }
         }
-        if self.handling == Handling::Refuse {
-            return Err(self.refusal(lower, upper, point));
-        }
-        let snapped = self.handling == Handling::Snap
+        self.check_crossing(lower, upper)?;
+        let falls = ends.map(|[from, to]| to[1] < from[1]);
+        let segments = [lower, upper].map(|line| self.pieces[line as usize].segment);
+        let is_snapped = (self.handling.snaps)(segments)
             && (self.snap(lower, ends[0], ends[1])? | self.snap(upper, ends[1], ends[0])?);
-        if !snapped {
-            self.add(lower, ends[0], point)?;
-            self.add(upper, ends[1], point)?;
+        if !is_snapped {
+            self.swept.found.try_push(Found { lines: [lower, upper], falls, point })?;
         }
         self.swaps.try_reserve(1).map_err(AllocError::from)?;
         self.swaps.push(Swap { key: key(&point), ..swap });
         Ok(())
     }
 
-    fn add(&mut self, line: u32, [from, to]: [[f64; 2]; 2], point: [f64; 2]) -> AllocResult<()> {
-        self.swept.found.try_push(Found { line, falls: to[1] < from[1], point })
-    }
-
     /// Lets a line go through those ends of another that are the doubles nearest to it at their x or
-    /// at their y; whether there is one.
+    /// at their y. Returns false if there is none.
     fn snap(&mut self, line: u32, ends: [[f64; 2]; 2], others: [[f64; 2]; 2]) -> AllocResult<bool> {
         let mut is_snapped = false;
         for other in others {
@@ -453,14 +453,16 @@ impl Sweep<'_> {
                 ends[0][k].min(ends[1][k]) <= other[k] && other[k] <= ends[0][k].max(ends[1][k])
             });
             if is_near && is_within {
-                self.add(line, ends, other)?;
+                let falls = ends[1][1] < ends[0][1];
+                self.swept.snapped.try_push(OnLine { line, falls, point: other })?;
                 is_snapped = true;
             }
         }
         Ok(is_snapped)
     }
 
-    fn refusal(&self, lower: u32, upper: u32, [x, y]: [f64; 2]) -> Error {
+    /// Refuses the crossing of two lines if the first segments on them may not cross.
+    fn check_crossing(&self, lower: u32, upper: u32) -> Result<()> {
         // The first of those that overlap and reach the other line.
         let reaches = |piece: usize, other: u32, side: Sign| {
             let ends = self.pieces[piece].ends.map(|end| self.places.ranks[end as usize]);
@@ -475,13 +477,14 @@ impl Sweep<'_> {
         let mut segments =
             [first(lower, upper, Sign::Positive), first(upper, lower, Sign::Negative)];
         segments.sort_unstable();
+        let Some([x, y]) = (self.handling.refuses)(segments) else { return Ok(()) };
         let message = message!(
             "segments[{}] and segments[{}] cross near ({x:?}, {y:?}), where no input is; \
              options.crossings refuses that and may split them",
             segments[0],
             segments[1]
         );
-        Error::new(ErrorKind::InvalidArgument, message)
+        Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 
     /// Lets lines change places that cross before a vertex.

@@ -43,7 +43,13 @@ impl Case {
     }
 
     fn run(&self, crossings: Crossings) -> Result<Arrangement> {
-        arrange(&self.inputs, &self.segments, crossings, &mut |_| Ok(()))
+        self.arranged(crossings, &mut |_| Ok(()))
+    }
+
+    fn arranged(&self, crossings: Crossings, poll: Poll<'_>) -> Result<Arrangement> {
+        let (inputs, segments) = (&self.inputs, &self.segments);
+        let own = segments.count();
+        arrange(&Task { inputs, segments, own, crowded: &[], crossings }, poll)
     }
 }
 
@@ -118,12 +124,16 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
             assert!(!do_cross([a, b], [c, d]), "{a:?} {b:?} crosses {c:?} {d:?}");
             assert!([a, b] != [c, d] && [b, a] != [c, d], "{a:?} {b:?} is there twice");
         }
-        let [from, to] = case.ends(piece.segment as usize).map(point);
-        assert!(is_between(a, from, to) && is_between(b, from, to));
-        assert!(is_between(a, from, b) && is_between(b, a, to), "the direction");
+        let ends = case.ends(piece.segment as usize).map(point);
+        let reach = Reach::of(ends);
+        let place = |x: &Point| reach.place(x);
+        assert!(
+            place(ends[0]) <= place(a) && place(a) < place(b) && place(b) <= place(ends[1]),
+            "{piece:?}: {a:?} {b:?}"
+        );
         if at > 0 && pieces[at - 1].segment == piece.segment {
             let last = point(pieces[at - 1].ends[1]);
-            assert!(is_between(last, from, a), "the order");
+            assert!(place(last) <= place(a), "the order");
         }
         assert!(at == 0 || pieces[at - 1].segment <= piece.segment);
     }
@@ -150,18 +160,18 @@ fn check_balances(case: &Case, arrangement: &Arrangement, vertices: usize) {
     assert!(left.iter().all(|&left| left == 0), "{left:?}");
 }
 
-/// From its first end a segment goes on to its second end, by pieces in its direction, through all
-/// the inputs that were on it and the doubles nearest to its crossings.
+/// From its first end a segment goes on to its second end, by pieces in its direction.
 fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segment: usize) {
     let ends = case.ends(segment);
     let [from, to] = ends.map(|v| &vertices[v as usize]);
+    let reach = Reach::of([from, to]);
     let mut reached = BTreeSet::from([ends[0]]);
     loop {
         let before = reached.len();
         for piece in &arrangement.subsegments {
             for [a, b] in [piece.ends, [piece.ends[1], piece.ends[0]]] {
-                let [p, q] = [a, b].map(|v| &vertices[v as usize]);
-                if reached.contains(&a) && is_between(p, from, q) && is_between(q, from, to) {
+                let [p, q] = [a, b].map(|v| reach.place(&vertices[v as usize]));
+                if reached.contains(&a) && p < q && q <= reach.place(to) {
                     reached.insert(b);
                 }
             }
@@ -175,7 +185,7 @@ fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segme
 
 #[test]
 fn segments_without_crossings_are_cut_at_inputs_alone() {
-    let (mut accepted, mut refused) = (0, 0);
+    let (mut accepted, mut refused, mut near) = (0, 0, 0);
     for family in FAMILIES {
         let mut random = Random(family as u64 + 5000);
         for trial in 0..300 {
@@ -196,6 +206,11 @@ fn segments_without_crossings_are_cut_at_inputs_alone() {
                     assert!(crossings.iter().any(names), "{} {crossings:?}", error.message());
                 }
                 Ok(arrangement) => {
+                    check_is_arrangement(&case, &arrangement);
+                    if arrangement.near_inputs > 0 {
+                        near += 1;
+                        continue;
+                    }
                     accepted += 1;
                     assert_eq!(crossings, [], "{family:?}");
                     let mut found = BTreeMap::new();
@@ -208,12 +223,11 @@ fn segments_without_crossings_are_cut_at_inputs_alone() {
                     }
                     assert_eq!(found, pieces_oracle(&case), "{family:?}");
                     assert_eq!(found.len(), arrangement.subsegments.len());
-                    check_is_arrangement(&case, &arrangement);
                 }
             }
         }
     }
-    assert!(accepted > 1000 && refused > 500, "{accepted} {refused}");
+    assert!(accepted > 1000 && refused > 500 && near < 400, "{accepted} {refused} {near}");
 }
 
 #[test]
@@ -231,8 +245,16 @@ fn crossings_become_vertices() {
             let mut vertices = case.vertices();
             vertices.extend(&arrangement.crossings);
             for (a, b, point) in crossings_oracle(&case) {
-                split += 1;
-                assert!(vertices.contains(&point), "{family:?}: {a} and {b} cross at {point:?}");
+                let reaches =
+                    [a, b].map(|s| Reach::of(case.ends(s).map(|v| &vertices[v as usize])));
+                let meet = |v: &Point| {
+                    reaches.iter().all(|reach| reach.ends.contains(v) || reach.holds(v))
+                };
+                split += usize::from(vertices.contains(&point));
+                assert!(
+                    vertices.contains(&point) || vertices.iter().any(meet),
+                    "{family:?}: {a} and {b} cross at {point:?}"
+                );
             }
         }
     }
@@ -278,7 +300,7 @@ fn counts_say_what_was_done() {
     assert_eq!(message, expected);
     let arrangement = case.run(Crossings::Split).unwrap();
     assert_eq!(arrangement.crossings, [[2.0, 2.0]]);
-    assert_eq!((arrangement.covered_segments, arrangement.inputs_on_segments), (2, 2));
+    assert_eq!((arrangement.covered_segments, arrangement.near_inputs), (2, 0));
     let piece = |from, to, segment, balance| Subsegment { ends: [from, to], segment, balance };
     // Segments 2 and 3 run against those that they overlap.
     let first = [piece(0, 5, 0, 1), piece(5, 6, 0, 0), piece(6, 4, 0, 0), piece(4, 2, 0, 1)];
@@ -323,7 +345,7 @@ fn all_work_is_told_and_can_be_ended() {
                 false => Err(Error::new(ErrorKind::Cancelled, "enough")),
             }
         };
-        let result = arrange(&case.inputs, &case.segments, Crossings::Split, &mut poll);
+        let result = case.arranged(Crossings::Split, &mut poll);
         (result, calls, work)
     };
     let (result, all, work) = arrange(usize::MAX);

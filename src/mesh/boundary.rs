@@ -53,8 +53,15 @@ pub struct Arrangement {
     pub regions: Vec<Region>,
     /// Segments without a piece of their own: duplicates, and those that others cover.
     pub covered_segments: u64,
-    /// How often an input is in the interior of a segment, or of several that overlap there.
-    pub inputs_on_segments: u64,
+    /// Points that a run could not make vertices of, since another is there: segments must go through
+    /// it together.
+    pub crowded: Vec<[f64; 2]>,
+    /// How often an input that is not on a straight segment is taken as on it, since it is nearer than
+    /// rounding explains.
+    pub near_inputs: u64,
+    /// How far the farthest of these is from the straight segment, in units in the last place of the
+    /// segment's larger coordinates.
+    pub farthest_near_input: f64,
 }
 
 /// What a triangulation has of segments and regions: nothing without segments.
@@ -75,6 +82,12 @@ pub struct Boundary {
 }
 
 impl Arrangement {
+    /// Counts an input that a segment goes through, by its offset from the straight segment.
+    pub(crate) fn note_offset(&mut self, offset: f64) {
+        self.near_inputs += u64::from(offset > 0.0);
+        self.farthest_near_input = self.farthest_near_input.max(offset);
+    }
+
     /// Whether a region has a largest edge.
     pub(crate) fn has_sizes(&self) -> bool {
         self.regions.iter().any(|region| region.max_edge > 0.0)

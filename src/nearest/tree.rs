@@ -92,6 +92,11 @@ impl Tree {
         self.nodes.get(node).copied()
     }
 
+    /// Returns the number of leaves, a power of two.
+    pub fn leaf_count(&self) -> usize {
+        1 << self.levels
+    }
+
     /// The leaf that stands where a node would: numbers go on after the last node.
     #[inline]
     pub fn leaf_at(&self, node: usize) -> usize {

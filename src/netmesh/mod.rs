@@ -32,6 +32,7 @@ mod watch;
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
+use crate::memory::collected;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
 use crate::parameters::{Parameters, check_region_sizes, check_sized, with_segments};
@@ -46,7 +47,7 @@ pub(crate) use watch::Watch;
 /// `InvalidArgument`, `DegenerateInput`, `Limit`, `Cancelled`, `OutOfMemory`.
 pub fn run(
     inputs: &Inputs,
-    arrangement: Option<&Arrangement>,
+    arrangement: Option<&mut Arrangement>,
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
@@ -59,12 +60,12 @@ pub fn run(
 /// As those of [`run`]; `InvalidArgument` if `size` answers no size.
 pub fn run_sized(
     inputs: &Inputs,
-    arrangement: Option<&Arrangement>,
+    arrangement: Option<&mut Arrangement>,
     options: &Options,
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
-    let parameters = match arrangement {
+    let parameters = match &arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
@@ -75,7 +76,7 @@ pub fn run_sized(
     if size.is_some() {
         check_sized(options, "size", "set, or values for it")?;
     }
-    if arrangement.is_some_and(Arrangement::has_sizes) {
+    if arrangement.as_deref().is_some_and(Arrangement::has_sizes) {
         check_region_sizes(options)?;
     }
     in_dimension!(
@@ -87,7 +88,7 @@ pub fn run_sized(
 
 fn mesh<const D: usize>(
     inputs: &Inputs,
-    arrangement: Option<&Arrangement>,
+    mut arrangement: Option<&mut Arrangement>,
     parameters: Parameters,
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
@@ -96,37 +97,45 @@ fn mesh<const D: usize>(
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
     watch.report()?;
-    let by_region = arrangement.is_some_and(Arrangement::has_sizes);
+    let by_region = arrangement.as_deref().is_some_and(Arrangement::has_sizes);
     let sizes = Sizes::new(inputs, &parameters, size, by_region);
     let mut mesher = Mesher::<D>::new(inputs, parameters, watch)?;
     mesher.sizes = sizes;
-    let mut cavity = Cavity::default();
-    if mesher.state.parameters.algorithm == Algorithm::Delaunay {
-        mesher.start_delaunay()?;
-        mesher.insert_rounds(&mut cavity)?;
-    } else {
-        match arrangement {
-            Some(arrangement) => mesher.conform(arrangement, &mut cavity)?,
-            None => mesher.mesh_points(&mut cavity)?,
-        }
-        mesher.refine_finally(&mut cavity)?;
-        if arrangement.is_some() {
-            mesher.coarsen()?;
-        }
-        mesher.refine_by_distance(&mut cavity)?;
-        // What goes in for the one may break the other, where simplices reach out of the box.
-        while mesher.refine_by_size(&mut cavity)? && mesher.state.parameters.distance_ratio > 0.0 {
-            mesher.refine_by_distance(&mut cavity)?;
-        }
-        if D == 3 && mesher.state.parameters.min_dihedral > 0.0 {
-            mesher.remove_slivers(&mut cavity)?;
-        }
+    let made = mesher.mesh(arrangement.as_deref());
+    if let Some(arrangement) = &mut arrangement {
+        arrangement.crowded = collected(mesher.state.segments.crowded.iter().map(|at| at.x))?;
     }
-    drop(cavity);
+    made?;
     mesher.into_triangulation(begun)
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
+    /// Makes all of the mesh.
+    fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
+        let mut cavity = Cavity::default();
+        if self.state.parameters.algorithm == Algorithm::Delaunay {
+            self.start_delaunay()?;
+            return self.insert_rounds(&mut cavity);
+        }
+        match arrangement {
+            Some(arrangement) => self.conform(arrangement, &mut cavity)?,
+            None => self.mesh_points(&mut cavity)?,
+        }
+        self.refine_finally(&mut cavity)?;
+        if arrangement.is_some() {
+            self.coarsen()?;
+        }
+        self.refine_by_distance(&mut cavity)?;
+        // What goes in for the one may break the other, where simplices reach out of the box.
+        while self.refine_by_size(&mut cavity)? && self.state.parameters.distance_ratio > 0.0 {
+            self.refine_by_distance(&mut cavity)?;
+        }
+        if D == 3 && self.state.parameters.min_dihedral > 0.0 {
+            self.remove_slivers(&mut cavity)?;
+        }
+        Ok(())
+    }
+
     /// The mesh of the inputs, with the loose bound.
     fn mesh_points(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.start_netmesh(cavity)?;

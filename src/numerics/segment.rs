@@ -1,7 +1,8 @@
 //! Segments: the ball that has one for its diameter, and the doubles nearest to points on it.
 
 use super::Sign;
-use super::exact::{crossing, scalar_product_exact};
+use super::exact::{Edges, crossing, scalar_product_exact};
+use super::filters::determinant_filtered;
 use super::power::{biased_exponent, scale_by_power};
 
 /// Terms between these are products of differences that neither overflowed nor lost bits.
@@ -49,6 +50,33 @@ fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
     // Where the line from (a, 0) to (b, 1) is at that height.
     let level = [&[0.0, fraction], &[1.0, fraction]];
     crossing([[&[a, 0.0], &[b, 1.0]], level]).map_or(a, |[x, _]| x)
+}
+
+/// The relative error of a determinant in floating point that [`offset_from_line`] accepts.
+const ACCEPTED: f64 = 1e-13;
+
+/// Returns how far `x` is from the line through `a` and `b`, as the factor by which a rectangle of
+/// half the widths `units` about `x` must grow to meet the line. Relative error at most 1e-12;
+/// infinite beyond `f64::MAX`. The units are positive, `a` and `b` differ.
+pub fn offset_from_line(a: &[f64; 2], b: &[f64; 2], x: &[f64; 2], units: [f64; 2]) -> f64 {
+    let (area, exponent) = determinant_filtered(&[a, b, x], ACCEPTED)
+        .unwrap_or_else(|| Edges::new(a, [b, x].into_iter()).determinant_of_components());
+    let products = [0, 1].map(|axis| {
+        let way = b[axis] - a[axis];
+        let (way, doublings) =
+            if way.is_finite() { (way, 0) } else { (0.5 * b[axis] - 0.5 * a[axis], 1) };
+        let ((way, first), (unit, second)) = (normalized(way), normalized(units[1 - axis]));
+        (way.abs() * unit, first + second + doublings)
+    });
+    let top = products[0].1.max(products[1].1);
+    let reach: f64 = products.iter().map(|&(m, e)| scale_by_power(m, e - top)).sum();
+    scale_by_power(area.abs() / reach, exponent - top)
+}
+
+/// Returns `(m, e)` with `value = m * 2^e`, where |m| is in [1, 2) for a normal number.
+fn normalized(value: f64) -> (f64, i64) {
+    let exponent = i64::from(biased_exponent(value).max(1)) - 1023;
+    (scale_by_power(value, -exponent), exponent)
 }
 
 /// The sum of `a`, and of `fraction` times the two parts of `b - a`, rounded once: all its bits are
@@ -135,6 +163,35 @@ mod tests {
         }
         let right_angle = in_diametral_ball(&[0.0, 0.0], &[3.0, 4.0], &[0.0, 4.0]);
         assert_eq!(right_angle, Sign::Zero);
+    }
+
+    #[test]
+    fn offsets_from_lines_are_those_of_integers() {
+        for family in FAMILIES {
+            let mut random = Random(300 + family as u64);
+            for _ in 0..300 {
+                let p = points::<2>(family, 3, &mut random);
+                if p[0] == p[1] {
+                    continue;
+                }
+                let units = [0, 1].map(|k| {
+                    let largest = p[0][k].abs().max(p[1][k].abs());
+                    largest - largest.next_down().max(0.0) + f64::from_bits(1)
+                });
+                let offset = offset_from_line(&p[0], &p[1], &p[2], units);
+                if offset.is_infinite() {
+                    continue;
+                }
+                let way = |q: usize, k: usize| whole(p[q][k]) - whole(p[0][k]);
+                let size = |x: IBig| if x < IBig::ZERO { -x } else { x };
+                let area = size(way(1, 0) * way(2, 1) - way(1, 1) * way(2, 0));
+                let reach = size(way(1, 0)) * whole(units[1]) + size(way(1, 1)) * whole(units[0]);
+                // In units of 2^-60, which 1e-12 is many of.
+                let exact: IBig = (area << 60) / reach;
+                let found = whole(offset) >> 1140;
+                assert!(size(&found - &exact) <= (exact >> 39) + 1, "{family:?} {p:?} {offset}");
+            }
+        }
     }
 
     /// Compared with neighbouring doubles: the exact point is in units of 2^-2400.

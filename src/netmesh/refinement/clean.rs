@@ -69,6 +69,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         steiner: Option<SteinerPoint<D>>,
         cavity: &mut Cavity,
     ) -> Result<()> {
+        let steiner = steiner.filter(|steiner| !self.is_too_coarse(&steiner.point, steiner.radius));
         let Some(SteinerPoint { point: x, radius, is_corner }) = steiner else {
             self.state.refine_list.limit(simplex);
             return Ok(());

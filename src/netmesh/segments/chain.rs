@@ -311,6 +311,13 @@ impl Chains {
         enqueue(&mut self.waiting, subsegment)
     }
 
+    /// Has a look at `subsegment` in its turn, and lets it be split although doubles are coarse there:
+    /// it is no edge any more.
+    pub fn wait_although_limited(&mut self, subsegment: u32) -> AllocResult<()> {
+        self.subsegments[subsegment as usize].is_limited = false;
+        self.wait(subsegment)
+    }
+
     /// The next subsegment to look at.
     pub fn next(&mut self) -> Option<u32> {
         let next = self.waiting.pop_front()?;

@@ -14,7 +14,18 @@ use crate::numerics::{distance, shortest_distance};
 /// to the larger.
 const SAME_SHELL: f64 = 1e-3;
 
+/// A ball of a smaller radius, in units in the last place of its centre, has no room for a vertex of
+/// its own: roundings take more from the distances of vertices than refinement gives.
+const SMALLEST_BALL: f64 = 32.0;
+
 impl<const D: usize> Mesher<'_, '_, D> {
+    /// Returns true if doubles are too coarse for a Steiner point at `x`, which is as far from
+    /// vertices as `radius`. Beside segments refinement would go on for ever on roundings.
+    pub(in crate::netmesh) fn is_too_coarse(&self, x: &[f64; D], radius: f64) -> bool {
+        let largest = x.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
+        self.state.segments.is_active() && radius < SMALLEST_BALL * (largest.next_up() - largest)
+    }
+
     /// Whether a live simplex is known to need no refinement.
     pub(in crate::netmesh) fn is_exempt(&self, simplex: SimplexId) -> bool {
         let segments = &self.state.segments;

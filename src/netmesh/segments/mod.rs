@@ -57,6 +57,10 @@ pub(in crate::netmesh) struct Segments {
     seeds: Vec<Seed>,
     /// The subsegments that a point would encroach.
     encroached: Vec<u32>,
+    /// Those of them that would be no edges any more, although doubles are too coarse to split them.
+    crossed: Vec<u32>,
+    /// Where segments have no room beside each other.
+    pub crowded: Vec<Crowded>,
     /// Where a search for what is known of a region has been.
     visited: Vec<SimplexId>,
 }
@@ -67,6 +71,13 @@ struct Seed {
     number: u32,
     x: [f64; 2],
     region: u32,
+}
+
+/// A point on a segment where doubles have no room for a vertex of its own.
+#[derive(Clone, Copy)]
+pub(in crate::netmesh) struct Crowded {
+    segment: u32,
+    pub x: [f64; 2],
 }
 
 /// What an error calls a segment.

@@ -1,7 +1,7 @@
 //! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
 
 use super::chain::Subsegment;
-use super::name_of;
+use super::{Crowded, name_of};
 use crate::complex::{SimplexId, VertexId, position};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -11,13 +11,23 @@ use crate::netmesh::segments::Segments;
 use crate::netmesh::{Mesher, State};
 use crate::numerics::in_diametral_ball;
 
+/// A subsegment that is not so many units in the last place long stays whole where it is an edge.
+const SHORTEST: f64 = 64.0;
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits subsegments until all that wait are recovered.
+    ///
+    /// # Errors
+    /// `Limit` where doubles have no room for a chain; [`Segments::crowded`] has the points where
+    /// segments had to go through a common vertex.
     pub(in crate::netmesh) fn recover_segments(&mut self, cavity: &mut Cavity) -> Result<()> {
         while let Some(subsegment) = self.state.segments.chains.next() {
             self.recover(subsegment, cavity)?;
         }
-        Ok(())
+        match self.state.segments.crowded.first() {
+            None => Ok(()),
+            Some(crowded) => Err(self.crowded_error(crowded)),
+        }
     }
 
     /// Splits `subsegment` unless it is recovered.
@@ -31,12 +41,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
             apex.is_valid()
                 && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
         };
+        let is_edge = apexes.is_some();
         if apexes.is_some_and(|apexes| !apexes.iter().any(encroaches))
-            || self.split(subsegment, cavity)?
+            || !(is_edge && self.is_short(subsegment)) && self.split(subsegment, cavity)?
         {
             return Ok(());
         }
-        self.limit_subsegment(subsegment, apexes.is_some())
+        Ok(self.limit_subsegment(subsegment, is_edge)?)
+    }
+
+    /// Returns true if doubles are too coarse for vertices on `subsegment`: their roundings would be
+    /// as large as the distances of segments at the same end.
+    fn is_short(&self, subsegment: u32) -> bool {
+        let [a, b] = self.state.segments.chains.get(subsegment).ends;
+        let [a, b] = [a, b].map(|end| self.state.delaunay.point(end));
+        let largest = a.iter().chain(b).fold(0.0f64, |largest, x| largest.max(x.abs()));
+        let unit = largest - largest.next_down();
+        a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SHORTEST * unit)
     }
 
     /// The vertices opposite the edge between `a` and `b`, if there is one.
@@ -64,21 +85,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Leaves a subsegment as it is for which doubles are too coarse, if it is an edge of the mesh.
-    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> Result<()> {
-        let Subsegment { ends, line, .. } = *self.state.segments.chains.get(subsegment);
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the mesh,
+    /// it must go through a vertex beside it.
+    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
+        let ends = self.state.segments.chains.get(subsegment).ends;
         if !is_edge {
+            let Subsegment { line, .. } = *self.state.segments.chains.get(subsegment);
+            let place = self.splitting_place(self.state.segments.chains.get(subsegment));
+            let x = self.point_at(line, place);
             let segment = self.state.segments.chains.lines[line as usize].segment;
-            let name = name_of(segment);
-            let message = message!(
-                "{name} passes a point or another segment so closely that doubles \
-                 have no room for its subsegments"
-            );
-            return Err(Error::new(ErrorKind::Limit, message));
+            let crowded = Crowded { segment, x: [0, 1].map(|axis| x[axis]) };
+            self.state.segments.crowded.try_push(crowded)?;
         }
         self.state.segments.chains.limit(subsegment);
         ends.into_iter().for_each(|end| self.state.precision_limited[end] = true);
         Ok(())
+    }
+
+    fn crowded_error(&self, &Crowded { segment, x: [x, y] }: &Crowded) -> Error {
+        let name = name_of(segment);
+        let message = message!(
+            "{name} passes a point or another segment so closely near ({x:?}, {y:?}) that doubles have \
+             no room for its subsegments"
+        );
+        Error::new(ErrorKind::Limit, message)
     }
 
     /// Splits `subsegment`; false where doubles have no room for a vertex on it.
@@ -137,8 +167,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Collects the recovered subsegments that a point with `cavity` would encroach.
     pub(super) fn find_encroached(&mut self, x: &[f64; D], cavity: &Cavity) -> AllocResult<bool> {
         let State { delaunay, segments, .. } = &mut self.state;
-        let Segments { chains, encroached, .. } = segments;
+        let Segments { chains, encroached, crossed, .. } = segments;
         encroached.clear();
+        crossed.clear();
         for &simplex in &cavity.simplices {
             let (vertices, neighbors) =
                 (delaunay.complex().vertices(simplex), delaunay.complex().neighbors(simplex));
@@ -147,9 +178,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let [a, b] = chains.get(subsegment).ends;
                 let (a, b) = (delaunay.point(a), delaunay.point(b));
                 // One for which doubles are too coarse may be crossed by points farther away.
-                let is_crossed =
-                    || chains.is_limited(subsegment) && cavity.simplices.contains(beyond);
-                if in_diametral_ball(a, b, x).is_positive() || is_crossed() {
+                if chains.is_limited(subsegment) && cavity.simplices.contains(beyond) {
+                    crossed.try_push(subsegment)?;
+                    encroached.try_push(subsegment)?;
+                } else if in_diametral_ball(a, b, x).is_positive() {
                     encroached.try_push(subsegment)?;
                 }
             }
@@ -175,9 +207,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let x = *self.state.delaunay.point(vertex);
         let is_any = self.find_encroached(&x, cavity)?;
         let is_split = is_any || !self.is_within_regions(vertex, cavity);
-        let Segments { chains, regions, encroached, .. } = &mut self.state.segments;
+        let Segments { chains, regions, encroached, crossed, .. } = &mut self.state.segments;
         for &subsegment in encroached.iter() {
             chains.wait(subsegment)?;
+        }
+        for &subsegment in crossed.iter() {
+            chains.wait_although_limited(subsegment)?;
         }
         regions.note_insertion(cavity, is_split)
     }

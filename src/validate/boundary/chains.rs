@@ -4,17 +4,18 @@
 
 use super::edges::Edges;
 use super::exact::{Point, meets, unit_in_last_place};
-use super::lines::{advances, is_anchor};
+use super::lines::is_anchor;
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
+use std::cmp::Ordering;
 
-/// Where segments cross, a vertex is the double nearest to where the parts cross that earlier
-/// roundings have bent. Each rounding moves it by half a unit in the last place at most; this is
-/// how many units of the segment's larger coordinate all of them may.
-const BENT: f64 = 4.0;
+/// A segment goes through inputs and crossings that are nearer to it than rounding explains, and
+/// through those near it then. None of these is farther from it than so many units in the last
+/// place of the larger coordinates of its ends, along each axis.
+const BENT: f64 = 16.0;
 
 pub(super) struct Chains<'a> {
     view: View<'a, 2>,
@@ -118,9 +119,22 @@ impl<'a> Chains<'a> {
         Ok(if self.cross_gap(way, last, way.ends[1])? { Ok(()) } else { Err(last) })
     }
 
+    /// Returns true if `b` comes after `a` along the segment: on the axis on which its ends are most
+    /// units in the last place apart, or on the other one if they are level there.
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
-        advances(from, to, self.view.point(a), self.view.point(b))
+        let [a, b] = [a, b].map(|vertex| self.view.point(vertex));
+        let steps = |k: usize| {
+            let unit = unit_in_last_place(from[k].abs().max(to[k].abs()));
+            (to[k] - from[k]).abs().min(f64::MAX) / unit
+        };
+        let axis = usize::from(steps(1) > steps(0));
+        let order = |k: usize| match to[k] < from[k] {
+            true => b[k].partial_cmp(&a[k]),
+            false => a[k].partial_cmp(&b[k]),
+        };
+        [axis, 1 - axis].into_iter().find_map(|k| order(k).filter(|order| order.is_ne()))
+            == Some(Ordering::Less)
     }
 
     /// Appends the vertices from `from` to `to`, along subsegments of earlier segments: as near to
@@ -198,14 +212,14 @@ impl<'a> Chains<'a> {
         meets(from, to, p, [width(0), width(1)])
     }
 
-    /// The anchors on the way are near the segment itself, not only near each other's lines.
+    /// Checks that the anchors on the way are near the segment itself, not only near each other's
+    /// lines.
     fn check_anchors(&self, way: Way, findings: &mut Findings) -> AllocResult<()> {
         let between = &self.path[1..self.path.len() - 1];
         let is_anchor =
             |&&vertex: &&u32| is_anchor(self.view.mesh, self.inputs, self.edges, vertex);
-        let is_bent = between.iter().filter(is_anchor).any(|&v| v as usize >= self.inputs);
         for &vertex in between.iter().filter(is_anchor) {
-            let is_near = self.is_near(way, vertex, is_bent)?;
+            let is_near = self.is_near(way, vertex, true)?;
             findings.check(is_near, || {
                 let message = message!("vertex {vertex} is too far from segment {}", way.segment);
                 Violation::new(ViolationKind::SegmentLine, message).vertex(vertex as usize)

@@ -1,0 +1,101 @@
+//! Pieces of segments bent through the vertices near them, until nothing is so near: see
+//! [`super::reach`]. Every piece is bent for itself, since the vertices stay where they are.
+//!
+//! This ends: the vertices of a bent segment follow each other in its order.
+
+use super::Poll;
+use super::near::Near;
+use super::reach::Reach;
+use crate::error::Result;
+use crate::memory::{TryGrow, with_capacity};
+use crate::mesh::Subsegment;
+
+/// The work of a piece, as polls count it.
+const WORK: u32 = 8;
+
+/// Bends pieces through vertices near them.
+pub(super) struct Bender<'a, const D: usize> {
+    vertices: &'a [[f64; D]],
+    reaches: &'a [Reach<D>],
+    near: Near<D>,
+    /// The vertices near the piece at hand.
+    found: Vec<u32>,
+    /// Pieces that may have to be bent again, the next one last.
+    waiting: Vec<[u32; 2]>,
+}
+
+impl<'a, const D: usize> Bender<'a, D> {
+    /// `reaches` are those of the segments. O(n log n) for n vertices.
+    pub fn new(vertices: &'a [[f64; D]], reaches: &'a [Reach<D>]) -> Result<Self> {
+        let near = Near::new(vertices)?;
+        let (found, waiting) = Default::default();
+        Ok(Self { vertices, reaches, near, found, waiting })
+    }
+
+    /// Returns the pieces through the vertices near them, in the direction of each, but for the
+    /// vertices that a piece `passes`. `bent` is told of each vertex that a piece now goes through,
+    /// and of the segment.
+    ///
+    /// # Errors
+    /// `OutOfMemory`, and those of `poll`.
+    pub fn bend(
+        &mut self,
+        pieces: &[Subsegment],
+        poll: Poll<'_>,
+        passes: impl Fn(&Subsegment, u32) -> bool,
+        mut bent: impl FnMut(u32, u32),
+    ) -> Result<Vec<Subsegment>> {
+        let mut all = with_capacity(pieces.len())?;
+        for piece in pieces {
+            self.waiting.clear();
+            self.waiting.try_push(piece.ends)?;
+            while let Some(ends) = self.waiting.pop() {
+                poll(WORK)?;
+                let part = Subsegment { ends, ..*piece };
+                self.find(&part)?;
+                self.found.retain(|&vertex| !passes(&part, vertex));
+                if self.found.is_empty() {
+                    all.try_push(part)?;
+                    continue;
+                }
+                self.found.iter().for_each(|&vertex| bent(vertex, piece.segment));
+                let mut to = ends[1];
+                for &from in self.found.iter().rev() {
+                    self.waiting.try_push([from, to])?;
+                    to = from;
+                }
+                self.waiting.try_push([ends[0], to])?;
+            }
+        }
+        Ok(all)
+    }
+
+    /// Fills `found` with the vertices near a piece, from its first end to its second.
+    fn find(&mut self, part: &Subsegment) -> Result<()> {
+        let Self { vertices, reaches, near, found, .. } = self;
+        let reach = &reaches[part.segment as usize];
+        let point = |vertex: u32| &vertices[vertex as usize];
+        let piece = part.ends.map(point);
+        let places = piece.map(|end| reach.place(end));
+        let (low, high) = (places[0].min(places[1]), places[0].max(places[1]));
+        found.clear();
+        near.collect(reach, piece, found)?;
+        found.retain(|&vertex| {
+            let place = reach.place(point(vertex));
+            low < place && place < high && reach.is_near(piece, point(vertex))
+        });
+        let mut kept = 0;
+        for at in 0..found.len() {
+            if !near.has_beside(point(found[at]), &reach.grain())? {
+                found[kept] = found[at];
+                kept += 1;
+            }
+        }
+        found.truncate(kept);
+        found.sort_unstable_by_key(|&vertex| reach.place(point(vertex)));
+        if places[0] > places[1] {
+            found.reverse();
+        }
+        Ok(())
+    }
+}

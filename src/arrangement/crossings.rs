@@ -1,0 +1,97 @@
+//! Which crossings become vertices. Of lines through nearly one point each pair crosses some roundings
+//! from it, the farther the smaller their angle is. Bent through one vertex they no longer cross.
+
+use super::near::Near;
+use super::places::{key, key_along};
+use super::reach::Reach;
+use super::sweep::Found;
+use crate::memory::{AllocResult, Lists, collected, filled};
+
+/// How many crossings a search for a vertex on a line passes on either side.
+const FARTHEST: usize = 1000;
+
+/// A line between two points, with the reach of its segment.
+pub(super) struct Straight<'a> {
+    pub ends: [&'a [f64; 2]; 2],
+    pub reach: &'a Reach<2>,
+}
+
+/// Returns which crossings become vertices. Those at large angles come first; the others only where
+/// no such vertex is so near that both lines will go through it, nor one on either line that is near
+/// the other.
+///
+/// O(k log k) for k crossings, unless very many are close to each other.
+pub(super) fn accept<'a>(
+    found: &[Found],
+    lines: usize,
+    line: impl Fn(u32) -> Straight<'a>,
+) -> AllocResult<Vec<bool>> {
+    let of_lines =
+        || (0u32..).zip(found).flat_map(|(at, found)| found.lines.map(|line| (line, at)));
+    let mut on_lines = Lists::of_pairs(lines, of_lines)?;
+    // Crossing -> where each of its lines has it.
+    let mut positions = filled(found.len(), [0usize; 2])?;
+    for number in 0..lines {
+        let range = on_lines.starts[number]..on_lines.starts[number + 1];
+        let own = &mut on_lines.ids[range];
+        let slot = |at: u32| usize::from(found[at as usize].lines[1] == number as u32);
+        own.sort_unstable_by_key(|&at| {
+            let Found { point, falls, .. } = &found[at as usize];
+            (key_along(point, [false, falls[slot(at)]]), at)
+        });
+        for (position, &at) in own.iter().enumerate() {
+            positions[at as usize][slot(at)] = position;
+        }
+    }
+    let sine = |found: &Found| {
+        let [first, second] = found.lines.map(&line);
+        -first.reach.sine(first.ends, second.ends)
+    };
+    let order = (0u32..).zip(found).map(|(at, found)| (sine(found), key(&found.point), at));
+    let mut order = collected(order)?;
+    order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    let mut is_accepted = filled(found.len(), false)?;
+    for &(_, _, at) in &order {
+        let Found { lines, .. } = found[at as usize];
+        let will_meet = |slot: usize| {
+            let own = on_lines.of(lines[slot] as usize);
+            let other = line(lines[1 - slot]);
+            let is_near = |&at: &&u32| other.reach.is_near(other.ends, &found[*at as usize].point);
+            let (before, after) = own.split_at(positions[at as usize][slot]);
+            let accepted = |at: &&u32| is_accepted[**at as usize];
+            before.iter().rev().take(FARTHEST).find(accepted).is_some_and(|at| is_near(&at))
+                || after.iter().take(FARTHEST).find(accepted).is_some_and(|at| is_near(&at))
+        };
+        is_accepted[at as usize] = !will_meet(0) && !will_meet(1);
+    }
+    let accepted = order.iter().map(|&(_, _, at)| at).filter(|&at| is_accepted[at as usize]);
+    let accepted = collected(accepted)?;
+    keep_apart(found, &accepted, line, &mut is_accepted)?;
+    Ok(is_accepted)
+}
+
+/// Withdraws those of the `accepted` crossings that an earlier one is so near to that their lines go
+/// through that one.
+fn keep_apart<'a>(
+    found: &[Found],
+    accepted: &[u32],
+    line: impl Fn(u32) -> Straight<'a>,
+    is_accepted: &mut [bool],
+) -> AllocResult<()> {
+    let points = collected(accepted.iter().map(|&at| found[at as usize].point))?;
+    let mut near = Near::new(&points)?;
+    let mut beside = Vec::new();
+    for (rank, &at) in accepted.iter().enumerate() {
+        let Found { lines, point, .. } = &found[at as usize];
+        let reaches = lines.map(|number| line(number).reach);
+        beside.clear();
+        near.collect(reaches[0], [point, point], &mut beside)?;
+        let is_first = |&other: &u32| {
+            (other as usize) < rank
+                && is_accepted[accepted[other as usize] as usize]
+                && reaches.iter().all(|reach| reach.are_close(point, &points[other as usize]))
+        };
+        is_accepted[at as usize] = !beside.iter().any(is_first);
+    }
+    Ok(())
+}

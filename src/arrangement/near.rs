@@ -1,0 +1,150 @@
+//! The vertices near a piece of a segment, by a k-d tree of them with a box for each node. A piece
+//! meets few boxes that hold no vertex near it, unless it passes between many vertices; then the mesh
+//! has as many edges along it.
+
+use super::reach::Reach;
+use crate::memory::{AllocResult, TryGrow, filled};
+use crate::nearest::Tree;
+
+/// The vertices with the least and the largest coordinates of those below each node.
+pub(super) struct Near<const D: usize> {
+    tree: Tree,
+    /// Node -> its box; those of leaves follow those of divisions.
+    boxes: Vec<[[f64; D]; 2]>,
+    /// Nodes that a search has yet to visit.
+    waiting: Vec<usize>,
+}
+
+/// A piece as a filter in doubles sees it.
+struct Beam<const D: usize> {
+    from: [f64; D],
+    /// The way to its other end, relative to its longest component.
+    way: [f64; D],
+    low: [f64; D],
+    high: [f64; D],
+    margin: [f64; D],
+}
+
+impl<const D: usize> Near<D> {
+    /// Builds the tree of all vertices. O(n log n).
+    pub fn new(vertices: &[[f64; D]]) -> AllocResult<Self> {
+        let tree = Tree::of_all::<D>(vertices.as_flattened())?;
+        let leaves = tree.leaf_count();
+        let mut boxes = filled(2 * leaves, [[f64::INFINITY; D], [f64::NEG_INFINITY; D]])?;
+        for node in (1..2 * leaves).rev() {
+            boxes[node] = match node >= leaves {
+                true => box_of(tree.members::<D>(node - leaves).map(|(_, x)| [x, x])),
+                false => box_of([2 * node, 2 * node + 1].map(|half| boxes[half].each_ref())),
+            };
+        }
+        Ok(Self { tree, boxes, waiting: Vec::new() })
+    }
+
+    /// Returns true if another vertex than `x` itself is in a box about it of half these widths.
+    /// O(log n) expected.
+    pub fn has_beside(&mut self, x: &[f64; D], widths: &[f64; D]) -> AllocResult<bool> {
+        let is_apart = |[low, high]: [&[f64; D]; 2]| {
+            (0..D).any(|k| low[k] - x[k] > widths[k] || x[k] - high[k] > widths[k])
+        };
+        let leaves = self.tree.leaf_count();
+        self.waiting.clear();
+        self.waiting.try_push(1)?;
+        while let Some(node) = self.waiting.pop() {
+            if is_apart(self.boxes[node].each_ref()) {
+                continue;
+            }
+            if node < leaves {
+                self.waiting.try_extend(&[2 * node + 1, 2 * node])?;
+            } else if self
+                .tree
+                .members::<D>(node - leaves)
+                .any(|(_, y)| y != x && !is_apart([y, y]))
+            {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Appends to `found` the vertices that may be near the piece between two points, among them all
+    /// that are.
+    pub fn collect(
+        &mut self,
+        reach: &Reach<D>,
+        piece: [&[f64; D]; 2],
+        found: &mut Vec<u32>,
+    ) -> AllocResult<()> {
+        let beam = Beam::new(reach, piece);
+        let leaves = self.tree.leaf_count();
+        self.waiting.clear();
+        self.waiting.try_push(1)?;
+        while let Some(node) = self.waiting.pop() {
+            if !beam.meets(self.boxes[node].each_ref()) {
+                continue;
+            }
+            if node < leaves {
+                self.waiting.try_extend(&[2 * node + 1, 2 * node])?;
+                continue;
+            }
+            for (vertex, x) in self.tree.members::<D>(node - leaves) {
+                if beam.meets([x, x]) {
+                    found.try_push(vertex)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the least box that holds others.
+fn box_of<'a, const D: usize>(boxes: impl IntoIterator<Item = [&'a [f64; D]; 2]>) -> [[f64; D]; 2] {
+    let mut all = [[f64::INFINITY; D], [f64::NEG_INFINITY; D]];
+    for [low, high] in boxes {
+        for k in 0..D {
+            all[0][k] = all[0][k].min(low[k]);
+            all[1][k] = all[1][k].max(high[k]);
+        }
+    }
+    all
+}
+
+impl<const D: usize> Beam<D> {
+    fn new(reach: &Reach<D>, [from, to]: [&[f64; D]; 2]) -> Self {
+        let margin = reach.margin();
+        let way: [f64; D] = std::array::from_fn(|k| to[k] - from[k]);
+        let longest = way.iter().fold(0.0f64, |longest, step| longest.max(step.abs()));
+        Self {
+            from: *from,
+            way: way.map(|step| step / longest),
+            low: std::array::from_fn(|k| from[k].min(to[k]) - margin[k]),
+            high: std::array::from_fn(|k| from[k].max(to[k]) + margin[k]),
+            margin,
+        }
+    }
+
+    /// Returns false only if no point of a box is near the piece. Comparisons with NaN, where ways
+    /// overflow, leave it true.
+    #[inline]
+    fn meets(&self, [low, high]: [&[f64; D]; 2]) -> bool {
+        for k in 0..D {
+            if low[k] > self.high[k] || high[k] < self.low[k] {
+                return false;
+            }
+        }
+        let half: [f64; D] = std::array::from_fn(|k| 0.5 * high[k] - 0.5 * low[k]);
+        let middle: [f64; D] =
+            std::array::from_fn(|k| (0.5 * high[k] + 0.5 * low[k]) - self.from[k]);
+        for second in 1..D {
+            for first in 0..second {
+                let (u, v) = (self.way[first], self.way[second]);
+                let area = (u * middle[second] - v * middle[first]).abs();
+                let reach = u.abs() * (half[second] + self.margin[second])
+                    + v.abs() * (half[first] + self.margin[first]);
+                if area > reach {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+}

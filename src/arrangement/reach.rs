@@ -1,0 +1,158 @@
+//! Near incidence: which vertices count as on a segment, and their order along it.
+//!
+//! Points that programs compute on a slanted segment are some units in the last place off it. A mesh
+//! of the gap would need edges as short as that, for which doubles have no room. So a vertex that is
+//! nearer to a segment than rounding explains is on it, and the segment bends through it. That is
+//! the idea of iterated snap rounding (D. Halperin and E. Packer, "Iterated snap rounding", 2002),
+//! with rectangles about vertices whose size is in units of the segment's own coordinates.
+
+use super::places::ordered_bits;
+use crate::numerics::{crossing, offset_from_line, orientation};
+
+/// A vertex is on a segment if a rectangle about it, that reaches so many units in the last place of
+/// the segment's larger coordinates along each axis, meets the segment.
+pub(super) const NEAR: f64 = 3.0;
+
+/// A bent segment goes through no vertex that is farther from the straight one, in the same units.
+const FARTHEST: f64 = 12.0;
+
+/// A segment shorter than so many units is meant as it is: rounding explains no gap beside it.
+const SHORTEST: f64 = 4096.0;
+
+/// How far rounding reaches from a segment, and the order of points along it.
+#[derive(Clone, Copy)]
+pub(super) struct Reach<const D: usize> {
+    /// The straight segment.
+    pub ends: [[f64; D]; 2],
+    /// Units in the last place of the larger coordinates of its ends.
+    units: [f64; D],
+    /// The axis on which its ends are most units apart.
+    axis: usize,
+    falls: [bool; D],
+    is_long: bool,
+}
+
+/// A place along a segment: larger for points nearer to its second end.
+pub(super) type Place<const D: usize> = [u64; D];
+
+impl<const D: usize> Reach<D> {
+    pub fn of([from, to]: [&[f64; D]; 2]) -> Self {
+        let units = std::array::from_fn(|k| unit_in_last_place(from[k].abs().max(to[k].abs())));
+        // Of infinite ways, which doubles do not have, all are as long.
+        let steps = |k: usize| (to[k] - from[k]).abs().min(f64::MAX) / units[k];
+        let axis = (1..D).fold(0, |axis, k| if steps(k) > steps(axis) { k } else { axis });
+        Self {
+            ends: [*from, *to],
+            units,
+            axis,
+            falls: std::array::from_fn(|k| to[k] < from[k]),
+            is_long: steps(axis) >= SHORTEST,
+        }
+    }
+
+    /// Returns the order of a point along the segment: by the axis on which it is longest, where that
+    /// is equal by the others.
+    pub fn place(&self, x: &[f64; D]) -> Place<D> {
+        let bits = |k: usize| match self.falls[k] {
+            true => !ordered_bits(x[k]),
+            false => ordered_bits(x[k]),
+        };
+        std::array::from_fn(|at| match at {
+            0 => bits(self.axis),
+            _ if at <= self.axis => bits(at - 1),
+            _ => bits(at),
+        })
+    }
+
+    /// Returns the reach of a segment that only vertices on it bend.
+    pub fn exact(self) -> Self {
+        Self { is_long: false, ..self }
+    }
+
+    /// Returns true if rounding may explain a gap beside the segment.
+    pub fn is_long(&self) -> bool {
+        self.is_long
+    }
+
+    /// Returns true if a vertex is on the piece between two points of the bent segment, but for its
+    /// order along the segment.
+    pub fn is_near(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
+        self.is_long && self.offset(piece, x) <= NEAR && self.offset_from_segment(x) <= FARTHEST
+    }
+
+    /// Returns true if the segment, which goes through one of two points, goes through the other too.
+    pub fn are_close(&self, x: &[f64; D], y: &[f64; D]) -> bool {
+        self.is_long && (0..D).all(|k| (x[k] - y[k]).abs() <= NEAR * self.units[k])
+    }
+
+    /// Returns true if a point is on the straight segment.
+    pub fn holds(&self, x: &[f64; D]) -> bool {
+        let [from, place, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.place(x));
+        from < place && place < to && self.is_near(self.ends.each_ref(), x)
+    }
+
+    /// Returns how far a point is from the straight segment, in units in the last place.
+    pub fn offset_from_segment(&self, x: &[f64; D]) -> f64 {
+        self.offset(self.ends.each_ref(), x)
+    }
+
+    /// Returns the largest offset from a line in any projection along the other axes.
+    fn offset(&self, [a, b]: [&[f64; D]; 2], x: &[f64; D]) -> f64 {
+        let mut offset = 0.0f64;
+        for second in 1..D {
+            for first in 0..second {
+                let flat = |x: &[f64; D]| [x[first], x[second]];
+                let (a, b, x) = (flat(a), flat(b), flat(x));
+                if a != b {
+                    let units = [self.units[first], self.units[second]];
+                    offset = offset.max(offset_from_line(&a, &b, &x, units));
+                }
+            }
+        }
+        offset
+    }
+
+    /// Returns half the widths of a rectangle about a vertex: where another vertex is in it, doubles
+    /// are finer there than the segment's roundings, which explain nothing then.
+    pub fn grain(&self) -> [f64; D] {
+        self.units.map(|unit| unit * f64::from_bits((1023 - 20) << 52))
+    }
+
+    /// Returns half the widths of a rectangle that holds all points near to a point of the segment,
+    /// with room for the roundings of a filter.
+    pub fn margin(&self) -> [f64; D] {
+        self.units.map(|unit| 32.0 * unit)
+    }
+}
+
+impl Reach<2> {
+    /// Returns the sine of the angle between two lines, with lengths in this segment's units.
+    pub fn sine(&self, first: [&[f64; 2]; 2], second: [&[f64; 2]; 2]) -> f64 {
+        let [u, v] = [first, second].map(|[a, b]| {
+            let way = [0, 1].map(|k| (0.5 * b[k] - 0.5 * a[k]) / self.units[k]);
+            let length = way[0].hypot(way[1]);
+            way.map(|step| step / length)
+        });
+        (u[0] * v[1] - u[1] * v[0]).abs()
+    }
+
+    /// Returns where two straight segments cross, each coordinate the nearest double; `None` where they
+    /// do not in the interior of both.
+    pub fn crossing(&self, other: &Self) -> Option<[f64; 2]> {
+        let parts = |one: &Self, other: &Self| {
+            let [a, b] = &one.ends;
+            let sides = other.ends.each_ref().map(|end| orientation(&[a, b, end]));
+            (sides[0] * sides[1]).is_negative()
+        };
+        let cross = parts(self, other) && parts(other, self);
+        cross.then(|| crossing([self.ends.each_ref(), other.ends.each_ref()])).flatten()
+    }
+}
+
+/// Returns the gap between doubles of the size of `x`, which is not negative.
+fn unit_in_last_place(x: f64) -> f64 {
+    match x.next_up() {
+        above if above.is_finite() => above - x,
+        _ => x - x.next_down(),
+    }
+}

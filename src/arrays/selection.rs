@@ -4,7 +4,7 @@ use super::domains::{domain_of, is_within};
 use super::{Part, Placement};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
-use crate::mesh::{Attribute, Inputs, Mesh, NONE, Triangulation};
+use crate::mesh::{Attribute, Boundary, Inputs, Mesh, NONE, Triangulation};
 use crate::options::Criterion;
 use crate::query::check_arrays;
 
@@ -121,7 +121,7 @@ impl<'a> Part<'a> {
             cage_of: collected(kept.iter().map(|&v| mesh.cage_of[v as usize]))?,
             domains: copied(&mesh.domains)?,
             precision_limited: collected(kept.iter().map(|&v| mesh.precision_limited[v as usize]))?,
-            boundary: mesh.boundary.part(&new_vertex, &ids)?,
+            boundary: Boundary::of_part(mesh, &new_vertex, &ids)?,
             sizes: collected(kept.iter().filter_map(|&v| mesh.sizes.get(v as usize)).copied())?,
             below_min_dihedral: renumbered(&mesh.below_min_dihedral, &new_simplex)?,
             beyond_bound: match mesh.parameters.criterion {

@@ -1,9 +1,9 @@
 //! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
 //! crossings.
 
-use super::{Boxed, Inputs, NONE, Triangulation};
+use super::{Boxed, Inputs, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::{AllocResult, collected, copied, with_capacity};
+use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 
 /// The most segments: one less than what ids of 32 bits can tell apart.
 const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
@@ -35,7 +35,7 @@ pub struct Region {
 pub struct Subsegment {
     /// Distinct inputs, or [`Inputs::distinct`] and the index of a crossing.
     pub ends: [u32; 2],
-    /// The segment that it is a piece of: the first, where several overlap; [`NONE`] for an edge of
+    /// The segment that it is a piece of: the first, where several overlap; [`NONE`](super::NONE) for an edge of
     /// a hull or box.
     pub segment: u32,
     /// How many segments run along it, less those that run against it.
@@ -70,7 +70,7 @@ pub struct Boundary {
     /// The edges that segments have become, each in the direction of its segment; by segments, and
     /// along each.
     pub subsegments: Vec<[u32; 2]>,
-    /// Subsegment -> the segment that it is a part of; [`NONE`] for the boundary of a hull or box.
+    /// Subsegment -> the segment that it is a part of; [`NONE`](super::NONE) for the boundary of a hull or box.
     pub parents: Vec<u32>,
     /// Simplex -> the label of its region, 0 where no seed gave one.
     pub simplex_regions: Vec<i32>,
@@ -110,18 +110,53 @@ impl Boundary {
         self.subsegments.iter().copied().zip(self.parents.iter().map(marker))
     }
 
-    /// That of a part with these simplices, of a mesh whose vertices get new numbers there, or
-    /// [`NONE`].
-    pub(crate) fn part(&self, new_vertex: &[u32], simplices: &[u32]) -> AllocResult<Self> {
-        let new = |&ends: &[u32; 2]| ends.map(|vertex| new_vertex[vertex as usize]);
-        let pairs = || self.subsegments.iter().map(new).zip(&self.parents);
-        let kept = || pairs().filter(|(ends, _)| !ends.contains(&NONE));
-        let regions = |&simplex: &u32| self.simplex_regions.get(simplex as usize).copied();
-        let is_forced = |simplex: &u32| self.forced.binary_search(simplex).is_ok();
+    /// Returns for each subsegment true if it is an edge of one of the given simplices, whose
+    /// vertices are below `vertices`. O(simplices + subsegments), but for vertices with many.
+    pub(crate) fn edges_of<'a>(
+        &self,
+        vertices: usize,
+        simplices: impl Iterator<Item = &'a [u32]>,
+    ) -> AllocResult<Vec<bool>> {
+        let mut is_edge = filled(self.subsegments.len(), false)?;
+        if self.subsegments.is_empty() {
+            return Ok(is_edge);
+        }
+        let at = Lists::of_pairs(vertices, || {
+            let ends = self.subsegments.as_flattened().iter().enumerate();
+            ends.map(|(slot, &vertex)| (vertex, (slot / 2) as u32))
+        })?;
+        for simplex in simplices {
+            for (slot, &from) in simplex.iter().enumerate() {
+                let to = simplex[(slot + 1) % simplex.len()];
+                let [shorter, longer] = [from, to].map(|vertex| at.of(vertex as usize));
+                let own = if shorter.len() < longer.len() { shorter } else { longer };
+                for &subsegment in own {
+                    let ends = self.subsegments[subsegment as usize];
+                    is_edge[subsegment as usize] |= ends == [from, to] || ends == [to, from];
+                }
+            }
+        }
+        Ok(is_edge)
+    }
+
+    /// Returns the boundary of a part of `mesh`: that of some simplices, whose vertices get new
+    /// numbers.
+    pub(crate) fn of_part(
+        mesh: &Triangulation,
+        new_vertex: &[u32],
+        simplices: &[u32],
+    ) -> AllocResult<Self> {
+        let all = &mesh.boundary;
+        let own = simplices.iter().map(|&simplex| mesh.simplex(simplex as usize));
+        let is_edge = all.edges_of(mesh.vertex_count(), own)?;
+        let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
+        let new_ends = |at: usize| all.subsegments[at].map(|vertex| new_vertex[vertex as usize]);
+        let regions = |&simplex: &u32| all.simplex_regions.get(simplex as usize).copied();
+        let is_forced = |simplex: &u32| all.forced.binary_search(simplex).is_ok();
         let numbered = simplices.iter().zip(0u32..).filter(|&(simplex, _)| is_forced(simplex));
         Ok(Self {
-            subsegments: collected(kept().map(|(ends, _)| ends))?,
-            parents: collected(kept().map(|(_, parent)| *parent))?,
+            subsegments: collected(kept().map(new_ends))?,
+            parents: collected(kept().map(|at| all.parents[at]))?,
             simplex_regions: collected(simplices.iter().filter_map(regions))?,
             forced: collected(numbered.map(|(_, new)| new))?,
             whole: None,

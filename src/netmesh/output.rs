@@ -10,7 +10,7 @@ use crate::mesh::{Domain, MAX_DIM, NONE, Triangulation, VertexKind};
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::partitions::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::refinement::refine_list::RefineList;
-use crate::options::{Algorithm, Extent, Phase};
+use crate::options::{Algorithm, Phase};
 use std::time::Instant;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -65,10 +65,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             parameters: self.state.parameters,
             stats: self.state.stats,
         };
-        match whole.parameters.extent {
-            Extent::All => Ok(whole),
-            _ => Ok(cut(whole, &numbering)?),
-        }
+        Ok(cut(whole, &numbering)?)
     }
 
     /// Frees what the result is not made from, a piece at a time: giving memory back to the system

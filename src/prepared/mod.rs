@@ -14,7 +14,7 @@ use crate::error::{ErrorKind, Result};
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
-use crate::options::{Algorithm, Options};
+use crate::options::{self, Algorithm, Options};
 use crate::query::{self, Index, Values};
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
@@ -88,23 +88,31 @@ impl Prepared {
     /// `State` before a run, `OutOfMemory`.
     pub fn placements(&self, mesh: &Mesh, extent: Extent) -> Result<&[Placement]> {
         let (result, inputs) = (mesh.result()?, mesh.inputs());
+        let points = || &result.points[..inputs.distinct() * inputs.dim()];
+        // Places are found by walks through all of a hull, whose first simplices the result has.
+        let all = result.boundary.whole.as_deref().unwrap_or(result);
+        let first = |mut placements: Vec<Placement>| {
+            placements.truncate(result.simplex_count());
+            placements
+        };
+        let is_within = match result.parameters.extent {
+            options::Extent::Hull | options::Extent::Boundary => true,
+            options::Extent::Box => extent == Extent::Box,
+            _ => false,
+        };
+        let all_inside = || Ok(filled(result.simplex_count(), Placement::Inside)?);
         match extent {
             Extent::All => Ok(&[]),
-            // The domain lies within the hull of the inputs.
-            _ if result.boundary.whole.is_some() => Ok(self
-                .in_hull
-                .get_or_make(|| Ok(filled(result.simplex_count(), Placement::Inside)?))?),
-            Extent::Box => Ok(self.in_box.get_or_make(|| {
-                let points = &result.points[..inputs.distinct() * inputs.dim()];
-                placements_in_box(result, points)
-            })?),
+            _ if is_within => Ok(self.in_hull.get_or_make(all_inside)?),
+            Extent::Box => {
+                Ok(self.in_box.get_or_make(|| placements_in_box(all, points()).map(first))?)
+            }
             Extent::Hull => Ok(self.in_hull.get_or_make(|| {
-                if result.vertex_count() == inputs.distinct() {
-                    return Ok(filled(result.simplex_count(), Placement::Inside)?);
+                if all.vertex_count() == inputs.distinct() {
+                    return all_inside();
                 }
-                let points = &result.points[..inputs.distinct() * inputs.dim()];
-                let hull: ConvexHull = hull::of_points(inputs.dim(), points)?;
-                hull.placements(result, result.parameters.threads)
+                let hull: ConvexHull = hull::of_points(inputs.dim(), points())?;
+                hull.placements(all, result.parameters.threads).map(first)
             })?),
         }
     }

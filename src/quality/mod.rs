@@ -14,8 +14,9 @@ pub(crate) mod tree;
 pub(crate) mod view;
 
 use crate::error::Result;
-use crate::memory::{AllocResult, collected, filled};
+use crate::memory::{AllocResult, collected, copied, filled};
 use crate::mesh::{NONE, Triangulation, in_dimension};
+use crate::options::Extent;
 use cells::{Cells, SimplexCell};
 use tree::DomainTree;
 use view::View;
@@ -90,10 +91,11 @@ pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
 fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     let view = View::<D> { mesh };
     let on_hull = view.hull_vertices()?;
+    let at_cage = vertices_at_cage::<D>(mesh, &on_hull)?;
     let tree = DomainTree::new(&mesh.domains)?;
     let mut simplices = SimplexMeasures::default();
     let cells =
-        Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &on_hull))?;
+        Cells::survey(view, tree.as_ref(), 1.0, |cell| simplices.add(view, cell, &at_cage))?;
     let limited = mesh.precision_limited.iter().filter(|&&limited| limited).count();
     let mut quality = Quality {
         max_degree: max_degree(view)?,
@@ -155,21 +157,35 @@ impl SimplexMeasures {
         &mut self,
         view: View<'_, D>,
         cell: &SimplexCell,
-        on_hull: &[bool],
+        at_cage: &[bool],
     ) -> AllocResult<()> {
         let vertices = view.simplex(cell.simplex);
         let boundary = &view.mesh.boundary;
         let is_forced = boundary.forced.binary_search(&(cell.simplex as u32)).is_ok();
-        let at_cage = boundary.whole.is_none() && vertices.iter().any(|&v| on_hull[v as usize]);
         if is_forced {
             self.forced += 1;
             return self.forced_angle.add(view, vertices);
         }
-        if at_cage {
+        if vertices.iter().any(|&v| at_cage.get(v as usize).is_some_and(|&at_cage| at_cage)) {
             return Ok(());
         }
         self.radius_edge = self.radius_edge.max(cell.radius_edge);
         self.angle.add(view, vertices)
+    }
+}
+
+/// Returns which vertices are on the outer cage, whose simplices are not measured: those on the hull
+/// of a mesh that reaches to the cage, be it without holes. None if the mesh is cut to a domain.
+fn vertices_at_cage<const D: usize>(
+    mesh: &Triangulation,
+    on_hull: &[bool],
+) -> AllocResult<Vec<bool>> {
+    match &mesh.boundary.whole {
+        None => copied(on_hull),
+        Some(whole) if mesh.parameters.extent == Extent::All => {
+            View::<D> { mesh: whole }.hull_vertices()
+        }
+        Some(_) => Ok(Vec::new()),
     }
 }
 

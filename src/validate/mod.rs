@@ -131,7 +131,7 @@ fn check<const D: usize>(
     let Case { inputs, outline, result } = case;
     let mut topology = Findings::default();
     check_topology(inputs, view, &mut topology)?;
-    boundary::check_arrays(outline, result, view.mesh, &mut topology);
+    boundary::check_arrays(outline, result, view, &mut topology)?;
     let holds = topology.clean();
     let mut levels = collected([topology])?;
     if holds && level >= 2 {

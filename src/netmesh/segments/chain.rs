@@ -71,6 +71,18 @@ pub(in crate::netmesh) struct AtEnd {
     is_split: bool,
 }
 
+impl Line {
+    /// Returns the end that this line has in common with another one, and the other ends of both.
+    pub fn corner_with(&self, other: &Self) -> Option<(VertexId, [VertexId; 2])> {
+        let [a, b] = self.ends;
+        [(a, b), (b, a)].into_iter().find_map(|(center, own)| match other.ends {
+            [from, to] if from == center && to != own => Some((center, [own, to])),
+            [to, from] if from == center && to != own => Some((center, [own, to])),
+            _ => None,
+        })
+    }
+}
+
 impl Fraction {
     pub const ENDS: [Self; 2] = [Self { end: 0, of_line: 0.0 }, Self { end: 1, of_line: 0.0 }];
 

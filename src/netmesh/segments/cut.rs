@@ -28,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             is_outside.push(match complex.is_live(simplex) && !complex.is_infinite(simplex) {
                 true => {
                     let region = regions.resolve(simplex, complex, chains, visited)?;
-                    !regions.is_refined[region as usize]
+                    !regions.is_inside[region as usize]
                 }
                 false => false,
             });
@@ -72,7 +72,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             // Where doubles are too coarse, lengths are not known well enough to tell.
             let mut vertices = self.state.delaunay.complex().vertices(simplex).iter();
             let is_limited = vertices.any(|vertex| limited[vertex.index()]);
-            if regions.is_refined[region] && !is_limited && self.is_bad_but_forced(simplex) {
+            if regions.is_inside[region] && !is_limited && self.is_bad_but_forced(simplex) {
                 boundary.forced.try_push(number)?;
             }
         }
@@ -131,13 +131,14 @@ fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult
     let corners = whole.dim + 1;
     let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
     let neighbors = whole.neighbors[..simplices * corners].iter();
-    // A subsegment of which neither side is inside is no edge of the domain.
-    let kept = |&[a, b]: &[u32; 2]| (a.max(b) as usize) < vertices;
     let all = &whole.boundary;
-    let pairs = || all.subsegments.iter().zip(&all.parents).filter(|(ends, _)| kept(ends));
+    // A subsegment of which neither side is inside is no edge of the domain.
+    let inside = whole.simplices[..simplices * corners].chunks_exact(corners);
+    let is_edge = all.edges_of(vertices, inside)?;
+    let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
     let boundary = Boundary {
-        subsegments: collected(pairs().map(|(ends, _)| *ends))?,
-        parents: collected(pairs().map(|(_, parent)| *parent))?,
+        subsegments: collected(kept().map(|at| all.subsegments[at]))?,
+        parents: collected(kept().map(|at| all.parents[at]))?,
         simplex_regions: copied(&all.simplex_regions[..simplices])?,
         forced: copied(&all.forced)?,
         whole: None,

@@ -33,7 +33,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return false;
         }
         let is_outside = match segments.regions.of(simplex) {
-            Some(region) => !segments.regions.is_refined[region as usize],
+            Some(region) => !segments.regions.is_inside[region as usize],
             None => false,
         };
         is_outside || self.is_forced(simplex)
@@ -53,7 +53,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let Segments { regions, chains, visited, .. } = segments;
         let region = regions.resolve(simplex, delaunay.complex(), chains, visited)?;
-        Ok(!regions.is_refined[region as usize])
+        Ok(!regions.is_inside[region as usize])
     }
 
     /// The longest edge that the region of a live simplex may have, infinite for any.
@@ -88,19 +88,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.is_forced(simplex) && self.short_edge(simplex, radius).is_some()
     }
 
+    /// Returns true if two vertices are on different lines that meet at a sharp angle, equally far
+    /// from where they meet. A line may be sharp there with a third one only: what is between these
+    /// two can be refined then.
     fn is_on_shell(&self, a: VertexId, b: VertexId) -> bool {
         let chains = &self.state.segments.chains;
         let (Some(first), Some(second)) = (chains.line_through(a), chains.line_through(b)) else {
             return false;
         };
         let [first, second] = [first, second].map(|line| chains.lines[line as usize]);
-        let is_common =
-            |&end: &usize| first.is_sharp[end] && second.ends.contains(&first.ends[end]);
-        let Some(end) = (0..2).find(is_common).filter(|_| first.ends != second.ends) else {
-            return false;
-        };
-        let center = self.state.delaunay.point(first.ends[end]);
-        let [near, far] = [a, b].map(|vertex| distance(center, self.state.delaunay.point(vertex)));
-        (near - far).abs() <= SAME_SHELL * near.max(far)
+        let Some((center, others)) = first.corner_with(&second) else { return false };
+        let middle = self.state.delaunay.point(center);
+        let [near, far] = [a, b].map(|vertex| distance(middle, self.state.delaunay.point(vertex)));
+        (near - far).abs() <= SAME_SHELL * near.max(far) && self.meet_sharply(center, others)
     }
 }

@@ -1,4 +1,5 @@
-//! Which regions are inside. Without a rule for closed curves these are all but region 0. With one
+//! Which regions are inside. With the extent all these are all, and without a rule for closed curves
+//! all but region 0. With one
 //! a region has a winding number, which differs from that of the region on the other side of a line
 //! by the balance of the line (for parity by whether that is odd), and is 0 outside of all.
 
@@ -6,12 +7,15 @@ use super::chain::Line;
 use super::regions::{OUTSIDE, Regions};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
 use crate::netmesh::State;
-use crate::options::Interior;
+use crate::options::{Extent, Interior};
 
 impl<const D: usize> State<D> {
     /// Region -> whether it is inside, before seeds make holes. All regions are found.
     pub(super) fn enclosed_regions(&self) -> AllocResult<Vec<bool>> {
         let (regions, lines) = (&self.segments.regions, &self.segments.chains.lines);
+        if self.parameters.extent == Extent::All {
+            return filled(regions.len(), true);
+        }
         match self.parameters.interior {
             Interior::Seeds => collected((0..regions.len()).map(|region| region as u32 != OUTSIDE)),
             Interior::Parity => are_not_zero(&winding_numbers(regions, lines, |x| x & 1)?),

@@ -20,6 +20,7 @@
 //! - `recover`: what is done until all subsegments are recovered.
 //! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
 //! - `interior`: which of them are inside.
+//! - `seeds`: what the caller's seeds say of them.
 //! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
 //! - `coarsen`: away with vertices that the bound does not need.
 //! - `ring`: the neighbours of a vertex, and whether they need it.
@@ -36,6 +37,7 @@ mod points;
 mod recover;
 mod regions;
 mod ring;
+mod seeds;
 mod split;
 #[cfg(test)]
 mod tests;
@@ -65,7 +67,7 @@ pub(in crate::netmesh) struct Segments {
     visited: Vec<SimplexId>,
 }
 
-/// A seed by its number, and the region that it is in.
+/// A seed of the caller's, by its number, and the region that it is in.
 #[derive(Clone, Copy)]
 struct Seed {
     number: u32,

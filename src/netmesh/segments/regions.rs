@@ -20,10 +20,9 @@ pub(in crate::netmesh) struct Regions {
     of: Array<u32>,
     /// Line -> the regions on its left and on its right.
     pub sides: Vec<[u32; 2]>,
-    /// Region -> whether refinement is wanted there.
-    pub is_refined: Vec<bool>,
-    /// Region -> whether it belongs to the domain, and the caller's number for its simplices.
+    /// Region -> whether it belongs to the domain, and so is refined.
     pub is_inside: Vec<bool>,
+    /// Region -> the caller's number for its simplices.
     pub labels: Vec<i32>,
     /// Region -> the longest edge that it may have.
     pub max_edges: Vec<f64>,
@@ -39,7 +38,7 @@ impl Regions {
 
     /// The number of regions.
     pub fn len(&self) -> usize {
-        self.is_refined.len()
+        self.is_inside.len()
     }
 
     /// The region of a live simplex, if it is known.
@@ -59,7 +58,7 @@ impl Regions {
         let complex = delaunay.complex();
         self.of.clear();
         self.of.cover(complex.simplex_bound(), UNKNOWN)?;
-        self.is_refined.clear();
+        self.is_inside.clear();
         self.sides.clear();
         self.sides.cover(chains.lines.len(), [UNKNOWN; 2])?;
         // A simplex at infinity comes first: no segment is on the hull, which is that of a cage.
@@ -68,8 +67,8 @@ impl Regions {
         let at_infinity = complex.simplices().filter(is_infinite).take(1);
         for first in at_infinity.chain(complex.simplices()) {
             if complex.is_live(first) && self.of[first] == UNKNOWN {
-                let region = self.is_refined.len() as u32;
-                self.is_refined.try_push(true)?;
+                let region = self.is_inside.len() as u32;
+                self.is_inside.try_push(true)?;
                 self.spread(first, region, complex, chains, found)?;
             }
         }

@@ -98,6 +98,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .then_some(dot > 0.0 && dot * dot > cosine * cosine * (squares[0] * squares[1]))
     }
 
+    /// Returns true if the ways from `center` to two others make a sharp angle.
+    pub(super) fn meet_sharply(&self, center: VertexId, others: [VertexId; 2]) -> bool {
+        self.is_sharp_between(center, others).unwrap_or_else(|| {
+            let [first, second] = others.map(|other| self.direction(center, other));
+            let turn = (second - first).rem_euclid(360.0);
+            turn.min(360.0 - turn) < SHARP
+        })
+    }
+
     /// Adds to `sharp` the lines of a fan that make sharp angles with the next ones.
     fn find_sharp_in_fan(
         &self,
@@ -122,8 +131,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The direction of the way between two vertices, in degrees.
     fn direction(&self, from: VertexId, to: VertexId) -> f64 {
         let [from, to] = [from, to].map(|vertex| self.state.delaunay.point(vertex));
-        let way = |axis: usize| 0.5 * to[axis] - 0.5 * from[axis];
-        way(1).atan2(way(0)).to_degrees()
+        let way = [0, 1].map(|axis| to[axis] - from[axis]);
+        // Differences of subnormal numbers are exact, their halves are not.
+        let [x, y] = match way.iter().all(|part| part.is_finite()) {
+            true => way,
+            false => [0, 1].map(|axis| 0.5 * to[axis] - 0.5 * from[axis]),
+        };
+        y.atan2(x).to_degrees()
     }
 }
 

@@ -65,15 +65,17 @@ pub(super) fn is_anchor(mesh: &Triangulation, inputs: usize, edges: &Edges, vert
     }
 }
 
-/// Whether two subsegments of the boundary of an extent are sides of a box that meet in a corner.
-/// Those of a hull meet there at inputs only.
+/// Returns true if two subsegments of the boundary of an extent may be of two sides of a box, which
+/// meet in a corner. A side may pass through inputs next to it, so that pieces of it are not quite
+/// along an axis; but they are flatter than a diagonal, or steeper. Sides of a hull meet at inputs
+/// only.
 fn is_corner(mesh: &Triangulation, subsegments: [u32; 2]) -> bool {
-    let along = |axis: usize, subsegment: u32| {
+    let [first, second] = subsegments.map(|subsegment| {
         let [a, b] = mesh.boundary.subsegments[subsegment as usize].map(|end| mesh.point(end));
-        a[axis] == b[axis]
-    };
-    let is_side = |axis: usize| subsegments.iter().all(|&subsegment| along(axis, subsegment));
-    mesh.parameters.extent == Extent::Box && !is_side(0) && !is_side(1)
+        let [x, y] = [0, 1].map(|axis| (0.5 * b[axis] - 0.5 * a[axis]).abs());
+        x.total_cmp(&y)
+    });
+    mesh.parameters.extent == Extent::Box && (first.is_eq() || first != second)
 }
 
 /// Whether the way from `a` to `b` goes nowhere against that from `from` to `to`, on either axis.

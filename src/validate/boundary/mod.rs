@@ -66,13 +66,18 @@ impl<'a> Promised<'a> {
 }
 
 /// Level 1, of `result`, which is cut from `whole` or the same.
-pub(super) fn check_arrays(
+pub(super) fn check_arrays<const D: usize>(
     outline: Option<Outline<'_>>,
     result: &Triangulation,
-    whole: &Triangulation,
+    whole: View<'_, D>,
     findings: &mut Findings,
-) {
-    arrays::check(outline, result, whole, findings);
+) -> AllocResult<()> {
+    arrays::check(outline, result, whole.mesh, findings);
+    // Ids are in range only if nothing is wrong.
+    if D == 2 && result.boundary.whole.is_some() && findings.clean() {
+        arrays::check_kept(result, View { mesh: whole.mesh }, findings)?;
+    }
+    Ok(())
 }
 
 /// Level 2, of a mesh for which level 1 holds.

@@ -6,6 +6,7 @@ use super::{Outline, Promised, interior};
 use crate::error::message;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
 use crate::mesh::{Inputs, NONE, Region};
+use crate::options::Extent;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use crate::validate::signs::{Robust, Signs};
@@ -23,11 +24,14 @@ pub(super) struct Part {
     first: usize,
     /// It reaches to the hull.
     pub is_outside: bool,
+    /// The extent reaches to the hull, too.
+    is_of_all: bool,
     /// Where closed curves tell what is inside: its winding number, or whether that is odd.
     pub winding: Option<i64>,
-    /// The last seed that says so.
-    hole: Option<usize>,
-    label: Option<i32>,
+    /// The seed in it.
+    seed: Option<usize>,
+    is_hole: bool,
+    label: i32,
     max_edge: f64,
 }
 
@@ -42,11 +46,11 @@ pub(super) fn check(
     check_neighbors(view, edges, promised.count, findings);
     let mut parts = Parts::find(view, edges)?;
     if let Some(outline) = outline {
-        parts.add_seeds(view, outline.regions)?;
         interior::judge(inputs, outline.segments, view, edges, &mut parts, findings)?;
+        parts.add_seeds(view, outline.regions, findings)?;
     }
     for part in &parts.parts {
-        if promised.is_cut {
+        if promised.is_cut || part.is_of_all {
             check_place(part, part.first < promised.count, outline.is_some(), findings);
         }
         if outline.is_some() {
@@ -63,7 +67,7 @@ pub(super) fn largest_edges(
     regions: &[Region],
 ) -> AllocResult<Vec<f64>> {
     let mut parts = Parts::find(view, edges)?;
-    parts.add_seeds(view, regions)?;
+    parts.add_seeds(view, regions, &mut Findings::default())?;
     collected(parts.of.iter().map(|&part| parts.parts[part as usize].max_edge))
 }
 
@@ -106,12 +110,12 @@ fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut F
         };
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
-    findings.check(!is_inside || part.hole.is_none(), || {
-        let seed = part.hole.unwrap_or(0);
+    findings.check(!is_inside || !part.is_hole, || {
+        let seed = part.seed.unwrap_or(0);
         let message = message!("simplex {first} of the domain is in the hole of regions[{seed}]");
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
-    let belongs = knows_holes && part.is_enclosed() && part.hole.is_none();
+    let belongs = knows_holes && part.is_enclosed() && !part.is_hole;
     findings.check(is_inside || !belongs, || {
         let message =
             message!("simplex {first} is neither outside nor in a hole, and not in the domain");
@@ -120,7 +124,7 @@ fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut F
 }
 
 fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
-    let (first, expected) = (part.first, part.label.unwrap_or(0));
+    let (first, expected) = (part.first, part.label);
     let label = view.mesh.boundary.simplex_regions[first];
     findings.check(label == expected, || {
         let message =
@@ -130,14 +134,22 @@ fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
 }
 
 impl Part {
-    fn new(first: usize) -> Self {
-        let max_edge = f64::INFINITY;
-        Self { first, is_outside: false, winding: None, hole: None, label: None, max_edge }
+    fn new(first: usize, extent: Extent) -> Self {
+        Self {
+            first,
+            is_outside: false,
+            is_of_all: extent == Extent::All,
+            winding: None,
+            seed: None,
+            is_hole: false,
+            label: 0,
+            max_edge: f64::INFINITY,
+        }
     }
 
-    /// It is inside if no seed says that it is a hole.
+    /// Returns true if the part is inside unless its seed says that it is a hole.
     fn is_enclosed(&self) -> bool {
-        self.winding.map_or(!self.is_outside, |winding| winding != 0)
+        self.winding.map_or(!self.is_outside || self.is_of_all, |winding| winding != 0)
     }
 }
 
@@ -150,7 +162,7 @@ impl Parts {
                 continue;
             }
             let number = found.parts.len() as u32;
-            let mut part = Part::new(first);
+            let mut part = Part::new(first, view.mesh.parameters.extent);
             found.of[first] = number;
             waiting.try_push(first)?;
             while let Some(simplex) = waiting.pop() {
@@ -171,19 +183,39 @@ impl Parts {
         Ok(found)
     }
 
-    /// Of several seeds in a part the last one's label counts, the last largest edge, and any hole.
-    fn add_seeds(&mut self, view: View<'_, 2>, regions: &[Region]) -> AllocResult<()> {
+    /// Notes what seeds say of their parts. Each seed is in a part of the domain, or makes a hole
+    /// where the rule for closed curves has one, and no part has two.
+    fn add_seeds(
+        &mut self,
+        view: View<'_, 2>,
+        regions: &[Region],
+        findings: &mut Findings,
+    ) -> AllocResult<()> {
         let (mut signs, mut near) = (Signs::<Robust>::default(), 0);
+        // With the extent all, what is beyond the hull is of the part that reaches to it.
+        let is_at_hull = |part: &Part| part.is_outside;
+        let beyond = self.parts.iter().position(is_at_hull).unwrap_or(0);
         for (number, region) in regions.iter().enumerate() {
-            let Some(simplex) = locate(view, near, &region.seed, &mut signs)? else { continue };
-            near = simplex;
-            let part = &mut self.parts[self.of[simplex] as usize];
-            if region.is_hole {
-                part.hole = Some(number);
-                continue;
+            let simplex = locate(view, near, &region.seed, &mut signs)?;
+            near = simplex.unwrap_or(near);
+            let own = simplex.map_or(beyond, |simplex| self.of[simplex] as usize);
+            let part = &mut self.parts[own];
+            let has_place = part.is_enclosed() || region.is_hole && !part.is_outside;
+            findings.check(has_place, || {
+                let message = message!("regions[{number}].seed is in no region of the domain");
+                Violation::new(ViolationKind::RegionLabel, message).simplex(part.first)
+            });
+            findings.check(part.seed.is_none(), || {
+                let other = part.seed.unwrap_or(0);
+                let message = message!("regions[{other}] and regions[{number}] are one region");
+                Violation::new(ViolationKind::RegionLabel, message).simplex(part.first)
+            });
+            part.seed = Some(number);
+            part.is_hole |= region.is_hole;
+            if !region.is_hole {
+                part.label = region.label;
             }
-            part.label = Some(region.label);
-            if region.max_edge > 0.0 {
+            if region.max_edge > 0.0 && !region.is_hole {
                 part.max_edge = region.max_edge;
             }
         }

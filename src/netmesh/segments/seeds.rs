@@ -1,0 +1,169 @@
+//! Seeds: points of the caller's that say of the regions around them what they are. Each must be in
+//! a region that it can say something of, and no region has two: otherwise a misplaced seed would
+//! leave the mesh as if it had not been given.
+
+use super::regions::OUTSIDE;
+use super::{Seed, name_of};
+use crate::complex::{SimplexId, VertexId};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{TryGrow, filled};
+use crate::mesh::{NONE, Region};
+use crate::netmesh::{Mesher, State};
+use crate::numerics::{Sign, orientation};
+use crate::options::Extent;
+use crate::parameters::Parameters;
+use std::borrow::Cow;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Finds which regions belong to the domain, and what their seeds say of them. All regions are
+    /// known.
+    pub(super) fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
+        let count = self.state.segments.regions.len();
+        let mut is_inside = self.state.enclosed_regions()?;
+        self.refuse_nothing(&is_inside, "segments enclose nothing")?;
+        self.find_seeds(seeds, &is_inside)?;
+        let mut labels = filled(count, 0)?;
+        let mut max_edges = filled(count, f64::INFINITY)?;
+        for (&Seed { region, .. }, given) in self.state.segments.seeds.iter().zip(seeds) {
+            let region = region as usize;
+            if given.is_hole {
+                is_inside[region] = false;
+                continue;
+            }
+            labels[region] = given.label;
+            if given.max_edge > 0.0 {
+                max_edges[region] = given.max_edge;
+            }
+        }
+        self.refuse_nothing(&is_inside, "all that is inside is a hole")?;
+        let regions = &mut self.state.segments.regions;
+        (regions.is_inside, regions.labels) = (is_inside, labels);
+        regions.max_edges = max_edges;
+        Ok(())
+    }
+
+    /// Finds the region of each seed. Refuses one that is in no region, and two in the same.
+    fn find_seeds(&mut self, seeds: &[Region], is_enclosed: &[bool]) -> Result<()> {
+        // Region -> the seed that is in it.
+        let mut seed_of = filled(is_enclosed.len(), NONE)?;
+        let mut near = self.state.delaunay.complex().incident(VertexId::new(0));
+        for (number, seed) in (0..).zip(seeds) {
+            self.watch.poll_after(1)?;
+            let x = std::array::from_fn(|axis| seed.seed[axis]);
+            let mut region = OUTSIDE;
+            // Beyond the outer cage is more of what surrounds all segments.
+            if let Some(simplex) = self.state.delaunay.simplex_at(near, &x) {
+                near = simplex;
+                self.refuse_on_segment(number, &x, simplex)?;
+                let known = self.state.segments.regions.of(simplex);
+                region = known.expect("all regions are known");
+            }
+            self.refuse_outside(number, seed, region, is_enclosed[region as usize])?;
+            let earlier = std::mem::replace(&mut seed_of[region as usize], number);
+            if earlier != NONE {
+                return refuse(message!(
+                    "regions[{number}].seed is in the same region as regions[{earlier}].seed; no \
+                     segment is between them, and a region must have one seed at most"
+                ));
+            }
+            let found = Seed { number, x: seed.seed, region };
+            self.state.segments.seeds.try_push(found)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses a seed in a region that is no part of the domain. A hole there is what the rule of
+    /// `options.interior` has made already, unless it is outside of all segments.
+    fn refuse_outside(
+        &self,
+        number: u32,
+        seed: &Region,
+        region: u32,
+        is_enclosed: bool,
+    ) -> Result<()> {
+        let Parameters { extent, interior, .. } = self.state.parameters;
+        let [x, y] = seed.seed;
+        if is_enclosed || seed.is_hole && region != OUTSIDE {
+            return Ok(());
+        }
+        let place = match (extent, region) {
+            (Extent::Boundary, OUTSIDE) => "outside of all that segments enclose".into(),
+            (Extent::Boundary, _) => message!(
+                "where options.interior {} leaves the domain out, so that only a hole may be there",
+                interior.word()
+            )
+            .into(),
+            _ => message!("outside of the {} of the inputs", extent.word()).into(),
+        };
+        let place: Cow<'static, str> = place;
+        refuse(message!(
+            "regions[{number}].seed is ({x:?}, {y:?}), {place}; it must be in a region of the domain"
+        ))
+    }
+
+    /// Refuses a domain that has no region, for which `why` is the reason.
+    fn refuse_nothing(&self, is_inside: &[bool], why: &str) -> Result<()> {
+        let Parameters { extent, interior, .. } = self.state.parameters;
+        if is_inside.contains(&true) {
+            return Ok(());
+        }
+        refuse(message!(
+            "{why}, and options.extent is {} (options.interior is {}); the domain must not be empty",
+            extent.word(),
+            interior.word()
+        ))
+    }
+
+    /// Refuses a seed that is so near to a segment that it is in another region since the segment's
+    /// vertices came, each of them rounded. All regions are known.
+    pub(super) fn check_seeds(&self) -> Result<()> {
+        let State { delaunay, segments, .. } = &self.state;
+        let mut near = delaunay.complex().incident(VertexId::new(0));
+        for seed in &segments.seeds {
+            let x = std::array::from_fn(|axis| seed.x[axis]);
+            let Some(simplex) = delaunay.simplex_at(near, &x) else { continue };
+            near = simplex;
+            self.refuse_on_segment(seed.number, &x, simplex)?;
+            if segments.regions.of(simplex) != Some(seed.region) {
+                return refuse(message!(
+                    "regions[{}].seed is within a rounding of a segment; it must be in the interior \
+                     of a region",
+                    seed.number
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
+    fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
+        let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
+        let name = name_of(self.state.segments.chains.lines[line as usize].segment);
+        refuse(message!(
+            "regions[{number}].seed is on {name}; it must be in the interior of a region"
+        ))
+    }
+
+    /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it may
+    /// be that no side of the simplex is of that line.
+    fn line_under(&self, x: &[f64; D], simplex: SimplexId) -> Option<u32> {
+        let State { delaunay, segments, .. } = &self.state;
+        let (vertices, chains) = (delaunay.complex().vertices(simplex), &segments.chains);
+        let at_vertex = vertices.iter().find(|&&vertex| delaunay.point(vertex) == x);
+        if let Some(&vertex) = at_vertex {
+            return chains.line_at(vertex);
+        }
+        let is_on = |index: usize| {
+            let mut points: [&[f64; D]; 3] = std::array::from_fn(|at| delaunay.point(vertices[at]));
+            points[index] = x;
+            orientation(&points) == Sign::Zero
+        };
+        let sides = chains.sides_of(vertices).into_iter().enumerate();
+        let side = sides.filter(|&(index, _)| is_on(index)).find_map(|(_, side)| side)?;
+        Some(chains.get(side).line)
+    }
+}
+
+fn refuse(message: impl Into<Cow<'static, str>>) -> Result<()> {
+    Err(Error::new(ErrorKind::InvalidArgument, message))
+}

@@ -17,7 +17,7 @@ impl Mesh {
     ///
     /// # Errors
     /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close;
-    /// a domain without a region), `DegenerateInput` (plain Delaunay of inputs of lower affine rank,
+    /// a domain without a region; a seed on a segment, in no region or in that of another), `DegenerateInput` (plain Delaunay of inputs of lower affine rank,
     /// a hull or box without area), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
@@ -97,7 +97,10 @@ impl Mesh {
         self.check_extent(extent)?;
         self.check_interior(extent, interior)?;
         let mut arrangement = match extent {
-            Extent::All if self.segments().count() == 0 => return Ok(None),
+            Extent::All if self.segments().count() == 0 => {
+                self.refuse_seeds()?;
+                return Ok(None);
+            }
             Extent::All | Extent::Boundary => {
                 let (inputs, segments) = (self.inputs(), self.segments());
                 let own = segments.count();
@@ -129,6 +132,16 @@ impl Mesh {
             )),
             _ => Ok(()),
         }
+    }
+
+    /// Refuses seeds of regions, where nothing makes regions.
+    fn refuse_seeds(&self) -> Result<()> {
+        if self.regions().is_empty() {
+            return Ok(());
+        }
+        let message = "regions[0].seed is in no region: the mesh has no segments, and options.extent is \
+                       all; set segments first, or another extent";
+        Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {

@@ -18,6 +18,7 @@ mod output;
 mod progress;
 mod record;
 mod same_file;
+mod seeds;
 mod session;
 mod sizes;
 mod standard;

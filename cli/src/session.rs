@@ -12,6 +12,7 @@ use crate::output;
 use crate::progress::Display;
 use crate::record;
 use crate::same_file;
+use crate::seeds;
 use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
@@ -144,7 +145,7 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
-    Ok(outcome?)
+    Ok(outcome.map_err(|error| seeds::named(&error, mesh.regions()))?)
 }
 
 /// Writes what was asked for.

@@ -74,7 +74,8 @@ def mesh(
         Points of regions that segments bound, a label for the triangles of each, and the longest
         edge there.
     holes : array_like of float, shape (holes, 2), optional
-        Points of regions that are no part of the domain.
+        Points of regions that are no part of the result, whatever `extent`. Each of `regions` and
+        `holes` must be in a region of its own.
     output : {'hierarchical', 'well_spaced'}
         Stop at linear size, or refine across the scales too.
     algorithm : {'netmesh', 'delaunay', 'svr'}

@@ -1,7 +1,7 @@
 //! A mesh with its arrays.
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
-use crate::boundary::{Boundary, set_boundary};
+use crate::boundary::{Boundary, named, set_boundary};
 use crate::errors::{detached, exception, invalid, raised};
 use crate::options::options;
 use crate::progress::Reporter;
@@ -88,7 +88,8 @@ impl Core {
         let mut reporter = Reporter::new(progress);
         let done = detached(py, || {
             let report = &mut |progress: &_| reporter.report(progress);
-            sizes.with(|size| mesh.run_sized(&options, size, Some(report)))
+            let ran = sizes.with(|size| mesh.run_sized(&options, size, Some(report)));
+            ran.map_err(|error| named(&error, mesh.regions()))
         });
         match reporter.exception.or(sizes.exception()) {
             Some(exception) => Err(exception),

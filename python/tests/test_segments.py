@@ -37,6 +37,7 @@ def test_without_segments_there_is_nothing():
 
 def test_a_copy_by_pickle_has_the_segments():
     mesh = netmesh.mesh(SQUARE, SIDES, holes=[[9, 9]])
+    assert area(mesh) == pytest.approx(1)
     again = pickle.loads(pickle.dumps(mesh))
     assert (again.segments == mesh.segments).all() and (again.points == mesh.points).all()
 
@@ -108,3 +109,22 @@ def test_what_cannot_be_is_refused(given, message):
     with pytest.raises(netmesh.InvalidArgumentError) as error:
         netmesh.mesh(SQUARE, **given)
     assert str(error.value).startswith(message)
+
+
+def test_seeds_that_name_no_region_are_refused_by_their_names():
+    points = SQUARE + [[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]]
+    segments = SIDES + [[4, 5], [5, 6], [6, 7], [7, 4]]
+
+    def refusal(**given):
+        with pytest.raises(netmesh.InvalidArgumentError) as error:
+            netmesh.mesh(points, segments, extent="boundary", **given)
+        return str(error.value)
+
+    label = (0.1, 0.5, 3)
+    outside = "(2.0, 0.5), outside of all that segments enclose;"
+    assert refusal(holes=[[0.5, 0.5], [2, 0.5]]).startswith(f"holes[1] is {outside}")
+    assert refusal(regions=[label, (2, 0.5, 1)]).startswith(f"regions[1] is {outside}")
+    assert refusal(regions=[label], holes=[[2, 0.5]]).startswith(f"holes[0] is {outside}")
+    same = refusal(regions=[label], holes=[[0.5, 0.5], [0.1, 0.6]])
+    assert same.startswith("holes[1] is in the same region as regions[0];")
+    assert refusal(regions=[label], holes=[[0.5, 0.25]]).startswith("holes[0] is on segments[4];")

@@ -49,7 +49,8 @@ pub enum nm_violation {
     NM_VIOLATION_HULL_LINK = 18,
     /// The arrays of segments and regions do not fit each other or the mesh.
     NM_VIOLATION_BOUNDARY_ARRAYS = 19,
-    /// The arrays of a domain that is cut out are not the first parts of those of the whole.
+    /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
+    /// subsegments are not those that are edges of its simplices.
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
     /// A simplex is flat or negatively oriented.
     NM_VIOLATION_ORIENTATION = 101,
@@ -119,8 +120,8 @@ pub enum nm_violation {
     /// A simplex that meets the box of the inputs is larger than nm_options.max_edge or
     /// nm_options.size asked for.
     NM_VIOLATION_SIMPLEX_SIZE = 223,
-    /// Neighbours without a subsegment between them have different labels, or the label of a region
-    /// is not that of its seed.
+    /// Neighbours without a subsegment between them have different labels, the label of a region is
+    /// not that of its seed, or a seed has no region of its own.
     NM_VIOLATION_REGION_LABEL = 224,
     /// The domain ends between two neighbours where no subsegment is.
     NM_VIOLATION_DOMAIN_END = 225,

@@ -17,13 +17,13 @@ pub struct Segments {
     pub markers: Vec<i32>,
 }
 
-/// What a point of the plane says of the region around it.
+/// What a point of the plane says of the region around it, which has no other one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Region {
     pub seed: [f64; 2],
     /// A number of the caller's for the simplices of the region.
     pub label: i32,
-    /// The region is no part of the domain.
+    /// The region is no part of the result, whatever its extent.
     pub is_hole: bool,
     /// The longest edge that the region may have; 0: any.
     pub max_edge: f64,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::arrays::tests::{delaunay, each_mesh, meshed};
-use crate::mesh::NONE;
+use crate::mesh::{NONE, Region};
 use crate::numerics::testing::{Family, Random, points};
 use crate::numerics::{Sign, orientation_exact};
 use crate::query::{Interpolation, Method, Outside};
@@ -145,6 +145,58 @@ fn what_is_inside_fills_the_hull() {
     assert!(volume(Extent::All, false) > volume(Extent::Box, true));
     let all = Prepared::default().placements(&plain, Extent::Hull).unwrap().to_vec();
     assert!(all.iter().all(|&placement| placement == Placement::Inside));
+}
+
+/// What is cut away counts for walks only. A box reaches beyond the hull.
+#[test]
+fn placements_in_what_is_cut_out_are_those_of_brute_force() {
+    let inputs: [[f64; 2]; 7] =
+        [[0.0, 0.0], [4.0, 0.5], [4.5, 4.0], [0.5, 3.5], [1.0, 1.0], [3.0, 1.0], [2.0, 3.0]];
+    for extent in [options::Extent::All, options::Extent::Box] {
+        for is_hole in [false, true] {
+            let mut mesh = Mesh::new(2, 7, inputs.as_flattened(), 0).unwrap();
+            mesh.set_segments(&[4, 5, 5, 6, 6, 4], None).unwrap();
+            mesh.set_regions(&[Region { seed: [2.0, 1.5], is_hole, ..Region::default() }]).unwrap();
+            mesh.run(&Options { extent, ..Options::default() }, None).unwrap();
+            let result = mesh.triangulation().unwrap();
+            let is_cut = is_hole || extent == options::Extent::Box;
+            assert_eq!(result.boundary.whole.is_some(), is_cut);
+            let prepared = Prepared::default();
+            let corners = [[0.0, 0.0], [4.5, 0.0], [4.5, 4.0], [0.0, 4.0]];
+            let hull = prepared.placements(&mesh, Extent::Hull).unwrap();
+            let within = prepared.placements(&mesh, Extent::Box).unwrap();
+            for simplex in 0..result.simplex_count() {
+                let vertices: Vec<[f64; 2]> = result
+                    .simplex(simplex)
+                    .iter()
+                    .map(|&v| result.point(v).try_into().unwrap())
+                    .collect();
+                assert_eq!(hull[simplex], brute_placement(&vertices, &inputs));
+                assert_eq!(within[simplex], brute_placement(&vertices, &corners));
+            }
+            assert!(hull.len() == result.simplex_count() && hull.contains(&Placement::Across));
+        }
+    }
+}
+
+/// A segment between two vertices of a part is there only if the part has it as an edge.
+#[test]
+fn parts_have_the_segments_that_are_their_edges() {
+    let inputs = [[0.0, 0.0], [4.0, 0.5], [4.5, 4.0], [0.5, 3.5]];
+    let mut mesh = Mesh::new(2, 4, inputs.as_flattened(), 0).unwrap();
+    mesh.set_segments(&[0, 1, 1, 2, 2, 3, 3, 0], None).unwrap();
+    mesh.run(&Options::default(), None).unwrap();
+    let result = mesh.triangulation().unwrap();
+    let [a, b] = result.boundary.subsegments[0];
+    let has_edge = |simplex: usize| [a, b].iter().all(|end| result.simplex(simplex).contains(end));
+    for is_kept in [false, true] {
+        let chosen = (0..result.simplex_count()).map(|simplex| is_kept || !has_edge(simplex));
+        let part = Part::of_chosen(result, chosen.collect()).unwrap();
+        let (part, _) = part.to_mesh(mesh.inputs(), &[]).unwrap();
+        let (part, all) = (&part.triangulation().unwrap().boundary, &result.boundary);
+        assert_eq!(part.subsegments.len() + usize::from(!is_kept), all.subsegments.len());
+        assert_eq!(part.parents, all.parents[usize::from(!is_kept)..]);
+    }
 }
 
 /// Points of a plane in space, and of a line.

@@ -60,7 +60,7 @@ pub(super) fn refuse_cut(mesh: &Triangulation) -> Result<()> {
         None => Ok(()),
         Some(_) => {
             let rule = "a filtration needs all of the Delaunay triangulation, and the mesh is cut to \
-                        its domain; run it with extent all";
+                        its domain; run it with extent all, without holes";
             Err(Error::new(ErrorKind::InvalidArgument, rule))
         }
     }

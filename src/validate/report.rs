@@ -51,7 +51,8 @@ pub enum ViolationKind {
     HullLink = 18,
     /// The arrays of segments and regions do not fit each other or the mesh.
     BoundaryArrays = 19,
-    /// The arrays of a domain that is cut out are not the first parts of those of the whole.
+    /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
+    /// subsegments are not those that are edges of its simplices.
     DomainArrays = 20,
 
     /// A simplex is flat or negatively oriented.
@@ -121,8 +122,8 @@ pub enum ViolationKind {
     DihedralAngle = 222,
     /// A simplex that meets the box of the inputs is larger than was asked for.
     SimplexSize = 223,
-    /// Neighbours without a subsegment between them have different labels, or the label of a region
-    /// is not that of its seed.
+    /// Neighbours without a subsegment between them have different labels, the label of a region is
+    /// not that of its seed, or a seed has no region of its own.
     RegionLabel = 224,
     /// The domain ends between two neighbours where no subsegment is.
     DomainEnd = 225,

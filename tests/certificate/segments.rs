@@ -68,7 +68,9 @@ impl Domain {
         let last = whole.simplices[..3 * count].iter().max().unwrap();
         let vertices = (*last as usize + 1).max(self.case.inputs.distinct());
         let all = &whole.boundary;
-        let kept = |ends: &[u32; 2]| ends.iter().all(|&end| (end as usize) < vertices);
+        let kept = |ends: &[u32; 2]| {
+            whole.simplices[..3 * count].chunks(3).any(|s| ends.iter().all(|end| s.contains(end)))
+        };
         let of_kept = all.subsegments.iter().zip(&all.parents).filter(|(ends, _)| kept(ends));
         let mut cut = whole.clone();
         cut.points.truncate(2 * vertices);
@@ -269,6 +271,40 @@ fn domains_that_are_no_part_of_the_whole() {
         let report = domain.report(3);
         assert_eq!(report.first.unwrap().kind, Kind::DomainArrays, "{number}");
         assert_eq!(report.level, 0);
+    }
+}
+
+/// A segment outside, between inputs, which the result has.
+#[test]
+fn a_subsegment_that_the_domain_does_not_have() {
+    let mut points = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    points.extend([[6.0, 0.0], [6.0, 4.0]]);
+    let segments = [&closed(0, 4)[..], &[[4, 5]]].concat();
+    let domain = Domain::of(&points, &segments, &[]).1;
+    domain.assert_sound();
+    let (own, all) = (&domain.case.mesh.boundary, &domain.whole().boundary);
+    assert!(all.parents.contains(&4) && !own.parents.contains(&4));
+    let mut more = domain.clone();
+    more.case.mesh.boundary.subsegments.push([4, 5]);
+    more.case.mesh.boundary.parents.push(4);
+    more.assert_violates(Kind::DomainArrays);
+    let mut fewer = domain.clone();
+    fewer.case.mesh.boundary.subsegments.pop();
+    fewer.case.mesh.boundary.parents.pop();
+    fewer.assert_violates(Kind::DomainArrays);
+}
+
+/// No run makes a mesh with such seeds.
+#[test]
+fn seeds_without_a_region_of_their_own() {
+    let outside = Region { seed: [5.0, 5.0], is_hole: true, ..Region::default() };
+    let beyond = Region { seed: [1e9, 5.0], ..Region::default() };
+    let second = Region { seed: [-0.3, 0.45], label: 7, ..Region::default() };
+    let again = Region { seed: [0.1, -0.75], is_hole: true, ..Region::default() };
+    for seed in [outside, beyond, second, again] {
+        let mut domain = lake();
+        domain.regions.push(seed);
+        domain.assert_violates(Kind::RegionLabel);
     }
 }
 

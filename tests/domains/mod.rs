@@ -2,8 +2,10 @@
 //! What holds of the mesh is checked with integers of the tests' own, beside the certificate.
 
 mod check;
+mod corners;
 mod exact;
 mod interior;
+mod seeds;
 mod shapes;
 
 use crate::random::Random;

@@ -1,7 +1,7 @@
 //! From the points to a mesh that conforms to segments.
 
-use super::chain::{Chains, Line};
 use super::Segments;
+use super::chain::{Chains, Line};
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;

@@ -17,8 +17,9 @@ impl Mesh {
     ///
     /// # Errors
     /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close;
-    /// a domain without a region; a seed on a segment, in no region or in that of another), `DegenerateInput` (plain Delaunay of inputs of lower affine rank,
-    /// a hull or box without area), `Limit`, `Cancelled`, `OutOfMemory`.
+    /// a domain without a region; a seed on a segment, in no region or in that of another),
+    /// `DegenerateInput` (plain Delaunay of inputs of lower affine rank, a hull or box without
+    /// area), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
     }
@@ -139,8 +140,8 @@ impl Mesh {
         if self.regions().is_empty() {
             return Ok(());
         }
-        let message = "regions[0].seed is in no region: the mesh has no segments, and options.extent is \
-                       all; set segments first, or another extent";
+        let message = "regions[0].seed is in no region: the mesh has no segments, and \
+                       options.extent is all; set segments first, or another extent";
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 

@@ -84,9 +84,9 @@ pub unsafe extern "C" fn nm_mesh_set_segments(
 /// them. The result of a run stays as it is until the next.
 ///
 /// regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
-/// numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a seed
-/// must be in the hull, in the box, or in what segments enclose. Where a rule of nm_options.interior
-/// leaves a region out, it may have the seed of a hole.
+/// numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a
+/// seed must be in the hull, in the box, or in what segments enclose. Where a rule of
+/// nm_options.interior leaves a region out, it may have the seed of a hole.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
 /// message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
@@ -160,8 +160,8 @@ fn decode(name: RegionName, region: &nm_region) -> Result<Region> {
 }
 
 /// Writes the edges that segments have become: two vertex ids an edge, in the direction of the
-/// segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none of
-/// what is outside of the domain. None without segments.
+/// segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none
+/// of what is outside of the domain. None without segments.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
 /// NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).

@@ -35,8 +35,8 @@ pub struct Region {
 pub struct Subsegment {
     /// Distinct inputs, or [`Inputs::distinct`] and the index of a crossing.
     pub ends: [u32; 2],
-    /// The segment that it is a piece of: the first, where several overlap; [`NONE`](super::NONE) for an edge of
-    /// a hull or box.
+    /// The segment that it is a piece of: the first, where several overlap;
+    /// [`NONE`](super::NONE) for an edge of a hull or box.
     pub segment: u32,
     /// How many segments run along it, less those that run against it.
     pub balance: i64,
@@ -70,7 +70,8 @@ pub struct Boundary {
     /// The edges that segments have become, each in the direction of its segment; by segments, and
     /// along each.
     pub subsegments: Vec<[u32; 2]>,
-    /// Subsegment -> the segment that it is a part of; [`NONE`](super::NONE) for the boundary of a hull or box.
+    /// Subsegment -> the segment that it is a part of; [`NONE`](super::NONE) for the boundary of a
+    /// hull or box.
     pub parents: Vec<u32>,
     /// Simplex -> the label of its region, 0 where no seed gave one.
     pub simplex_regions: Vec<i32>,

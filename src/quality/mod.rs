@@ -174,8 +174,8 @@ impl SimplexMeasures {
     }
 }
 
-/// Returns which vertices are on the outer cage, whose simplices are not measured: those on the hull
-/// of a mesh that reaches to the cage, be it without holes. None if the mesh is cut to a domain.
+/// Returns which vertices are on the outer cage, whose simplices are not measured: those on the
+/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cut to a domain.
 fn vertices_at_cage<const D: usize>(
     mesh: &Triangulation,
     on_hull: &[bool],

@@ -1,5 +1,5 @@
-//! Segments that meet at small angles, beside others at one end. The angle that is asked for is there
-//! in all triangles but those that a small angle forces.
+//! Segments that meet at small angles, beside others at one end. The angle that is asked for is
+//! there in all triangles but those that a small angle forces.
 
 use super::check::check;
 use super::run;
@@ -29,7 +29,7 @@ fn has_sound_mesh(domain: &Domain, options: &Options) -> bool {
         Err(error) => {
             let kinds = [ErrorKind::InvalidArgument, ErrorKind::DegenerateInput];
             let is_empty = kinds.contains(&error.kind()) && options.extent != Extent::All;
-            assert!(is_empty, "{error}: {options:?} of {:?}", domain.points);
+            assert!(is_empty, "{error}: {options:?} of {:?}, {:?}", domain.points, domain.segments);
             false
         }
     }

@@ -1,5 +1,5 @@
-//! Seeds: each names a region of its own, or is refused by name; and what of segments is left when a
-//! domain is cut out.
+//! Seeds: each names a region of its own, or is refused by name; and what of segments is left when
+//! a domain is cut out.
 
 use super::shapes::{Domain, circle, square};
 use super::{inside, refusal, run};
@@ -209,7 +209,7 @@ fn holes_leave_the_measures_of_a_mesh_to_its_cage() {
     assert!(cut < all && angle > 25.0 - 1e-6);
 }
 
-/// The segment is outside of the domain, whether its ends are joined without an input between or not.
+/// The segment is outside of the domain. Its ends are neighbours, or an input is between them.
 #[test]
 fn segments_outside_have_no_edges() {
     for between in [&[][..], &[[5.0, 2.0]]] {

@@ -97,7 +97,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         };
         let place: Cow<'static, str> = place;
         refuse(message!(
-            "regions[{number}].seed is ({x:?}, {y:?}), {place}; it must be in a region of the domain"
+            "regions[{number}].seed is ({x:?}, {y:?}), {place}; it must be in a region of the \
+             domain"
         ))
     }
 
@@ -108,7 +109,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         refuse(message!(
-            "{why}, and options.extent is {} (options.interior is {}); the domain must not be empty",
+            "{why}, and options.extent is {} (options.interior is {}); the domain must not be \
+             empty",
             extent.word(),
             interior.word()
         ))
@@ -126,8 +128,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refuse_on_segment(seed.number, &x, simplex)?;
             if segments.regions.of(simplex) != Some(seed.region) {
                 return refuse(message!(
-                    "regions[{}].seed is within a rounding of a segment; it must be in the interior \
-                     of a region",
+                    "regions[{}].seed is within a rounding of a segment; it must be in the \
+                     interior of a region",
                     seed.number
                 ));
             }
@@ -144,8 +146,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         ))
     }
 
-    /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it may
-    /// be that no side of the simplex is of that line.
+    /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it
+    /// may be that no side of the simplex is of that line.
     fn line_under(&self, x: &[f64; D], simplex: SimplexId) -> Option<u32> {
         let State { delaunay, segments, .. } = &self.state;
         let (vertices, chains) = (delaunay.complex().vertices(simplex), &segments.chains);

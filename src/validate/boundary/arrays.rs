@@ -27,8 +27,8 @@ pub(super) fn check(
     }
 }
 
-/// Checks that the subsegments of the domain are those of the whole that are edges of its simplices,
-/// in the same order. Level 1 holds otherwise.
+/// Checks that the subsegments of the domain are those of the whole that are edges of its
+/// simplices, in the same order. Level 1 holds otherwise.
 pub(super) fn check_kept(
     result: &Triangulation,
     whole: View<'_, 2>,
@@ -36,9 +36,13 @@ pub(super) fn check_kept(
 ) -> AllocResult<()> {
     let edges = Edges::new(whole)?;
     let (own, all) = (&result.boundary, &whole.mesh.boundary);
-    let is_kept = |sides: &[u32; 2]| sides.iter().any(|&s| (s as usize) < result.simplex_count());
-    let pairs = all.subsegments.iter().zip(&all.parents).zip(&edges.sides);
-    let kept = pairs.filter(|(_, sides)| is_kept(sides)).map(|(pair, _)| pair);
+    let is_inside = |&side: &u32| (side as usize) < result.simplex_count();
+    // Of subsegments between the same vertices the first has the sides of all.
+    let is_kept = |ends: &[u32; 2]| {
+        let first = edges.between(whole, *ends);
+        first.is_some_and(|(first, _)| edges.sides[first as usize].iter().any(is_inside))
+    };
+    let kept = all.subsegments.iter().zip(&all.parents).filter(|(ends, _)| is_kept(ends));
     let holds = kept.eq(own.subsegments.iter().zip(&own.parents));
     findings.check(holds && own.parents.len() == own.subsegments.len(), || {
         let message =

@@ -103,12 +103,12 @@ impl Prepared {
         let all_inside = || Ok(filled(result.simplex_count(), Placement::Inside)?);
         match extent {
             Extent::All => Ok(&[]),
-            _ if is_within => Ok(self.in_hull.get_or_make(all_inside)?),
-            Extent::Box => {
-                Ok(self.in_box.get_or_make(|| placements_in_box(all, points()).map(first))?)
-            }
+            Extent::Box => Ok(self.in_box.get_or_make(|| match is_within {
+                true => all_inside(),
+                false => placements_in_box(all, points()).map(first),
+            })?),
             Extent::Hull => Ok(self.in_hull.get_or_make(|| {
-                if all.vertex_count() == inputs.distinct() {
+                if is_within || all.vertex_count() == inputs.distinct() {
                     return all_inside();
                 }
                 let hull: ConvexHull = hull::of_points(inputs.dim(), points())?;

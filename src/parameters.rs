@@ -7,6 +7,10 @@ use crate::options::{
 };
 use std::fmt::Display;
 
+mod auto;
+
+pub(crate) use auto::output_for;
+
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
 
@@ -20,6 +24,7 @@ const MAX_DIHEDRAL: f64 = 22.0;
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
+    /// Never [`Output::Auto`].
     pub output: Output,
     pub algorithm: Algorithm,
     pub ordering: NetOrdering,
@@ -44,7 +49,7 @@ pub struct Parameters {
     pub min_angle: f64,
     /// In degrees; 0 = none.
     pub min_dihedral: f64,
-    /// How far the result reaches.
+    /// How far the result reaches; never [`Extent::Auto`].
     pub extent: Extent,
     /// What becomes of segments that cross.
     pub crossings: Crossings,
@@ -61,7 +66,39 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Fills the defaults for `dim` into `options`.
+    /// Returns options that say the same in full. Where `min_angle` is not 0, it says the same as
+    /// `criterion` and `quality_bound`, which are set, too.
+    pub fn options(&self) -> Options {
+        Options {
+            output: self.output,
+            algorithm: self.algorithm,
+            ordering: self.ordering,
+            criterion: self.criterion,
+            threads: self.threads,
+            quality_bound: self.quality_bound,
+            epsilon: self.epsilon,
+            delta: self.delta,
+            gamma: self.gamma,
+            yield_radius: self.yield_radius,
+            encroachment: self.encroachment,
+            cage_scale: self.cage_scale,
+            root_scale: self.root_scale,
+            seed: self.seed,
+            max_vertices: self.max_vertices,
+            instruments: self.instruments,
+            distance_ratio: self.distance_ratio,
+            min_angle: self.min_angle,
+            min_dihedral: self.min_dihedral,
+            extent: self.extent,
+            crossings: self.crossings,
+            max_edge: self.max_edge,
+            gives_way: self.gives_way,
+            interior: self.interior,
+        }
+    }
+
+    /// Fills the defaults for `dim` into `options`, for a run without sizes but `max_edge`;
+    /// [`Extent::Auto`] is that of a mesh without segments.
     ///
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
@@ -82,7 +119,7 @@ impl Parameters {
         let least_root_scale = if distance_ratio > 0.0 { 12.0 } else { 0.0 };
         let root_scale = pick(dim, [2.5, 2.5, 3.0, 4.0]).max(least_root_scale);
         Ok(Self {
-            output: options.output,
+            output: output_for(options, false),
             algorithm: options.algorithm,
             ordering: options.ordering,
             criterion,
@@ -104,7 +141,10 @@ impl Parameters {
                 _ => 0.0,
             },
             min_dihedral: angle(dim, options)?,
-            extent: options.extent,
+            extent: match options.extent {
+                Extent::Auto => Extent::All,
+                named => named,
+            },
             crossings: options.crossings,
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
@@ -210,7 +250,8 @@ fn pick(dim: usize, defaults: [f64; 4]) -> f64 {
 fn distance_ratio(options: &Options) -> Result<f64> {
     let ratio = number("distance_ratio", options.distance_ratio, 0.0, 0.05, 1.0)?;
     if ratio > 0.0
-        && (options.output, options.algorithm) != (Output::WellSpaced, Algorithm::Netmesh)
+        && (output_for(options, false), options.algorithm)
+            != (Output::WellSpaced, Algorithm::Netmesh)
     {
         let message = message!(
             "options.distance_ratio is {ratio}; it is for well-spaced output (options.output) of \
@@ -236,7 +277,7 @@ fn max_edge(options: &Options) -> Result<f64> {
 
 /// Fails unless meshes by these `options` may have sizes. `option` asks for some.
 pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) -> Result<()> {
-    if (options.output, options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
+    if (output_for(options, true), options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
         return Ok(());
     }
     let message = message!(
@@ -248,9 +289,9 @@ pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) 
 
 /// The same for sizes of regions; with segments the algorithm is netmesh.
 pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
-    match options.output {
+    match output_for(options, true) {
         Output::WellSpaced => Ok(()),
-        Output::Hierarchical => {
+        _ => {
             let rule = "regions have a max_edge, and options.output is hierarchical; sizes are for \
                         well-spaced output";
             Err(Error::new(ErrorKind::InvalidArgument, rule))

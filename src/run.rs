@@ -1,6 +1,6 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{Poll, arrange, check_closed, with_extent};
+use crate::arrangement::{Poll, arrange, check_closed, encloses, with_extent};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
@@ -32,8 +32,9 @@ impl Mesh {
     ) -> Result<()> {
         let mut progress = progress;
         let mut watch = Watch::new(progress.as_deref_mut());
-        let arrangement = self.arrangement(options, &mut |work| watch.poll_after(work))?;
-        let (inputs, arrangement) = (self.inputs(), arrangement.as_ref());
+        let (options, arrangement) =
+            self.arrangement(options, &mut |work| watch.poll_after(work))?;
+        let (inputs, options, arrangement) = (self.inputs(), &options, arrangement.as_ref());
         let triangulation = match Field::new(self, size)? {
             None => netmesh::run(inputs, arrangement, options, progress)?,
             Some(field) => {
@@ -46,13 +47,29 @@ impl Mesh {
         Ok(())
     }
 
-    /// What the mesh must conform to, if there is something.
-    fn arrangement(&self, options: &Options, poll: Poll<'_>) -> Result<Option<Arrangement>> {
+    /// Returns the options with the extent that [`Extent::Auto`] stands for, and what the mesh must
+    /// conform to, if there is something.
+    fn arrangement(
+        &self,
+        options: &Options,
+        poll: Poll<'_>,
+    ) -> Result<(Options, Option<Arrangement>)> {
         let Options { extent, crossings, interior, .. } = *options;
         self.check_extent(extent)?;
         self.check_interior(extent, interior)?;
+        let mut options = options.clone();
         let mut arrangement = match extent {
-            Extent::All if self.segments().count() == 0 => return Ok(None),
+            Extent::Auto | Extent::All if self.segments().count() == 0 => {
+                return Ok((without_interior(options), None));
+            }
+            Extent::Auto => {
+                let arrangement = arrange(self.inputs(), self.segments(), crossings, poll)?;
+                options = match encloses(self.inputs(), self.segments(), &arrangement, interior)? {
+                    true => Options { extent: Extent::Boundary, ..options },
+                    false => without_interior(options),
+                };
+                arrangement
+            }
             Extent::All | Extent::Boundary => {
                 arrange(self.inputs(), self.segments(), crossings, poll)?
             }
@@ -64,14 +81,14 @@ impl Mesh {
             }
         };
         arrangement.regions = copied(self.regions())?;
-        Ok(Some(arrangement))
+        Ok((options, Some(arrangement)))
     }
 
     fn check_extent(&self, extent: Extent) -> Result<()> {
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
         let dim = self.inputs().dim();
         match extent {
-            Extent::All => Ok(()),
+            Extent::Auto | Extent::All => Ok(()),
             _ if dim != 2 => refuse(message!(
                 "options.extent is {} and the mesh has dimension {dim}; above 2D it must be all",
                 extent.word()
@@ -84,14 +101,23 @@ impl Mesh {
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
+        let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+        if interior != Interior::Seeds && extent == Extent::Auto {
+            return match self.segments().count() {
+                0 => refuse(message!(
+                    "options.interior is {} and the mesh has no segments; set them first",
+                    interior.word()
+                )),
+                _ => Ok(()),
+            };
+        }
         if interior != Interior::Seeds && extent != Extent::Boundary {
-            let message = message!(
+            return refuse(message!(
                 "options.interior is {} and options.extent is {}; what curves enclose is for the \
                  extent boundary",
                 interior.word(),
                 extent.word()
-            );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            ));
         }
         check_closed(self.inputs(), self.segments(), interior)
     }
@@ -114,4 +140,9 @@ impl Mesh {
         }
         Ok(own)
     }
+}
+
+/// Returns the options of a run that nothing is cut out of, where no rule says what is inside.
+fn without_interior(options: Options) -> Options {
+    Options { extent: Extent::All, interior: Interior::Seeds, ..options }
 }

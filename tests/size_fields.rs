@@ -239,7 +239,7 @@ fn answers_that_are_no_sizes_end_the_run() {
 #[test]
 fn options_that_sizes_do_not_go_with_are_refused() {
     let sized = |options: Options| Options { max_edge: 0.1, ..options };
-    let hierarchical = Options::default();
+    let hierarchical = Options { output: Output::Hierarchical, ..Options::default() };
     for (options, words) in [
         (sized(hierarchical.clone()), "options.max_edge is 0.1; sizes are for well-spaced output"),
         (Options { max_edge: -1.0, ..well_spaced() }, "options.max_edge is -1; it must be 0"),

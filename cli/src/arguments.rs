@@ -76,9 +76,15 @@ pub struct Arguments {
     #[arg(long)]
     pub force: bool,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle,
+    /// a size, --distance-ratio and an extent other than all do; otherwise the mesh is hierarchical
     #[arg(long)]
     pub finish: bool,
+
+    /// Make a hierarchical mesh, also where an angle or an extent asks for a well-spaced one; some
+    /// triangles beside cages then miss the angle
+    #[arg(long, conflicts_with = "finish")]
+    pub hierarchical: bool,
 
     /// Check the mesh with the independent certificate checker
     #[arg(long)]
@@ -163,7 +169,7 @@ pub struct Meshing {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub root_scale: Option<f64>,
 
-    /// With --finish: how far a cell may reach, relative to its vertex's distance from the input,
+    /// How far a cell may reach, relative to its vertex's distance from the input,
     /// unless it has one nearest point of the input everywhere; for --filtration mesh
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub distance_ratio: Option<f64>,
@@ -172,16 +178,16 @@ pub struct Meshing {
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     pub min_dihedral: Option<f64>,
 
-    /// With --finish: the length that no edge exceeds in the box of the input
+    /// The length that no edge exceeds in the box of the input
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub max_edge: Option<f64>,
 
-    /// With --finish: a file with the length that edges shall have at each point of the input, as
+    /// A file with the length that edges shall have at each point of the input, as
     /// TetGen's .mtr: the number of points, then one number a line
     #[arg(long, value_name = "FILE")]
     pub sizes: Option<PathBuf>,
 
-    /// With --finish: a file with points of a background, such as TetGen's .b.node, and the length that
+    /// A file with points of a background, such as TetGen's .b.node, and the length that
     /// edges shall have there: in a .mtr file of the same name beside it, or else as the attribute
     /// "size" (the first attribute of a .node file). Between the points lengths are linear
     #[arg(long, value_name = "FILE")]
@@ -193,15 +199,14 @@ pub struct Meshing {
 
     /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or to
     /// the boundary that segments are
-    #[arg(long, value_enum, default_value_t = ExtentName::All)]
+    #[arg(long, value_enum, default_value_t = ExtentName::Auto)]
     pub extent: ExtentName,
 
     /// What becomes of segments that cross: they are refused, or split where they do
     #[arg(long, value_enum, default_value_t = CrossingsName::Refuse)]
     pub crossings: CrossingsName,
 
-    /// With --extent boundary: which regions between segments are inside; seeds may make holes of
-    /// them
+    /// Which regions between segments are inside; seeds may make holes of them
     #[arg(long, value_enum, default_value_t = InteriorName::Seeds)]
     pub interior: InteriorName,
 
@@ -276,6 +281,8 @@ pub enum CriterionName {
 /// How far the mesh reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ExtentName {
+    /// Boundary where segments enclose something, otherwise all
+    Auto,
     All,
     Hull,
     Box,
@@ -367,7 +374,11 @@ impl Arguments {
     pub fn options(&self) -> Options {
         let meshing = &self.meshing;
         Options {
-            output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
+            output: match (self.finish, self.hierarchical) {
+                (true, _) => Output::WellSpaced,
+                (_, true) => Output::Hierarchical,
+                _ => Output::Auto,
+            },
             algorithm: match self.product() {
                 Product::Filtration(FiltrationName::Alpha) | Product::AlphaShape(_) => {
                     Algorithm::Delaunay
@@ -477,6 +488,7 @@ impl OrderingName {
 impl ExtentName {
     fn extent(self) -> Extent {
         match self {
+            Self::Auto => Extent::Auto,
             Self::All => Extent::All,
             Self::Hull => Extent::Hull,
             Self::Box => Extent::Box,
@@ -588,5 +600,9 @@ mod tests {
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();
         assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
+        let named = ["netmesh", "points.xyz", "--hierarchical", "--extent", "all"];
+        let (output, extent) = (Output::Hierarchical, Extent::All);
+        let expected = Options { output, extent, ..Options::default() };
+        assert_eq!(Arguments::parse_from(named).options(), expected);
     }
 }

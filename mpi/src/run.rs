@@ -66,7 +66,9 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
 fn check_options(options: &Options) -> Result<()> {
     let refused = match () {
         () if options.algorithm != Algorithm::Netmesh => "algorithm: only NM_ALGORITHM_NETMESH",
-        () if options.extent != Extent::All => "extent: only NM_EXTENT_ALL",
+        () if !matches!(options.extent, Extent::Auto | Extent::All) => {
+            "extent: only NM_EXTENT_ALL, which NM_EXTENT_AUTO is"
+        }
         () if options.instruments => "instruments: only 0",
         () if options.max_edge != 0.0 => "max_edge: only 0",
         () if options.distance_ratio != 0.0 => "distance_ratio: only 0",

@@ -3,7 +3,7 @@
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
 use crate::boundary::{Boundary, set_boundary};
 use crate::errors::{detached, exception, invalid, raised};
-use crate::options::options;
+use crate::options::{by_keyword, options};
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
 use crate::sizes::Sizes;
@@ -180,6 +180,12 @@ impl Core {
         let sizes = &*this.get().triangulation().sizes;
         // SAFETY: as above.
         unsafe { shared(this.as_any(), &ArrayView::from(sizes)) }
+    }
+
+    /// The options of the run, with every default filled in.
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        by_keyword(py, &self.triangulation().parameters.options())
     }
 
     /// Centres, parents (-1 for none) and radii.

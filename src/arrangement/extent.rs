@@ -36,7 +36,7 @@ pub fn with_extent(
             points.try_extend(box_of(inputs).as_flattened())?;
             collected(first..first + 4)?
         }
-        Extent::All | Extent::Boundary => Vec::new(),
+        Extent::Auto | Extent::All | Extent::Boundary => Vec::new(),
     };
     let has_area = |at: usize| {
         let point = |at: usize| -> &[f64; 2] {

@@ -12,7 +12,7 @@ use crate::mesh::NONE;
 use std::mem::MaybeUninit;
 
 /// Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
-/// NM_EXTENT_ALL: all are inside.
+/// NM_EXTENT_ALL and NM_EXTENT_AUTO: all are inside.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
 /// (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at

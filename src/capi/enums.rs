@@ -80,12 +80,17 @@ impl From<ErrorKind> for nm_status {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_output {
+    /// NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
+    /// min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the max_edge
+    /// of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
+    /// NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
+    NM_OUTPUT_AUTO = 0,
     /// A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
     /// a tree of balls (domains), each surrounded by a cage, with quality inside each.
-    NM_OUTPUT_HIERARCHICAL = 0,
+    NM_OUTPUT_HIERARCHICAL = 1,
     /// A well-spaced mesh of a single domain of optimal size O(m) (the paper's FINISHMESH). m is at
     /// most n times the logarithm of the spread.
-    NM_OUTPUT_WELL_SPACED = 1,
+    NM_OUTPUT_WELL_SPACED = 2,
 }
 
 /// nm_options.algorithm: how nm_run works.
@@ -223,15 +228,19 @@ pub enum nm_interpolation {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_extent {
+    /// In nm_options NM_EXTENT_BOUNDARY where segments enclose something by nm_options.interior,
+    /// otherwise NM_EXTENT_ALL; curves that are not closed, where that rule asks for closed ones,
+    /// enclose nothing. Elsewhere NM_EXTENT_ALL.
+    NM_EXTENT_AUTO = 0,
     /// Everywhere.
-    NM_EXTENT_ALL = 0,
+    NM_EXTENT_ALL = 1,
     /// The convex hull of the inputs.
-    NM_EXTENT_HULL = 1,
+    NM_EXTENT_HULL = 2,
     /// The least box that holds the inputs, its sides along the axes.
-    NM_EXTENT_BOX = 2,
+    NM_EXTENT_BOX = 3,
     /// What segments enclose, without holes: all that cannot be reached from the hull without
     /// crossing one. For nm_options alone; nm_mesh_set_segments comes first.
-    NM_EXTENT_BOUNDARY = 3,
+    NM_EXTENT_BOUNDARY = 4,
 }
 
 /// nm_options.crossings: what becomes of segments that cross where no input is.
@@ -246,7 +255,7 @@ pub enum nm_crossings {
 }
 
 /// nm_options.interior: which of the regions that segments separate are inside, with
-/// NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+/// NM_EXTENT_AUTO and NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -395,7 +404,7 @@ pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
 }
 
 pub(super) fn decode_output(raw: MaybeUninit<nm_output>) -> Result<Output> {
-    decode("options.output", raw, [Output::Hierarchical, Output::WellSpaced])
+    decode("options.output", raw, [Output::Auto, Output::Hierarchical, Output::WellSpaced])
 }
 
 pub(super) fn decode_algorithm(raw: MaybeUninit<nm_algorithm>) -> Result<Algorithm> {
@@ -423,13 +432,14 @@ pub(super) fn decode_measure(raw: MaybeUninit<nm_measure>) -> Result<Measure> {
 }
 
 pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Result<Extent> {
-    decode(argument, raw, [Extent::All, Extent::Hull, Extent::Box])
+    // NM_EXTENT_AUTO is NM_EXTENT_ALL here.
+    decode(argument, raw, [Extent::All, Extent::All, Extent::Hull, Extent::Box])
 }
 
 /// That of a run.
 pub(super) fn decode_run_extent(raw: MaybeUninit<nm_extent>) -> Result<options::Extent> {
-    use options::Extent::{All, Boundary, Box, Hull};
-    decode("options.extent", raw, [All, Hull, Box, Boundary])
+    use options::Extent::{All, Auto, Boundary, Box, Hull};
+    decode("options.extent", raw, [Auto, All, Hull, Box, Boundary])
 }
 
 pub(super) fn decode_crossings(raw: MaybeUninit<nm_crossings>) -> Result<Crossings> {
@@ -520,7 +530,6 @@ mod tests {
             assert_eq!(decode_format(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=1 {
-            assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_ordering(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_criterion(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_gives_way(from_c(value)).unwrap() as i32, value);
@@ -528,12 +537,18 @@ mod tests {
         }
         for value in 0..=2 {
             assert_eq!(decode_interior(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=3 {
             assert_eq!(decode_measure(from_c(value)).unwrap() as i32, value);
+        }
+        for value in 0..=4 {
             assert_eq!(decode_run_extent(from_c(value)).unwrap() as i32, value);
         }
+        assert!(decode_extent("extent", from_c(4)).is_err());
+        let extents = [0, 1, 2, 3].map(|value| decode_extent("extent", from_c(value)).unwrap());
+        assert_eq!(extents, [Extent::All, Extent::All, Extent::Hull, Extent::Box]);
         for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
             assert_eq!(vertex_kind_byte(kind), kind as u8);
         }

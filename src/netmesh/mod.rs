@@ -34,7 +34,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, check_sized, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, check_sized, output_for, with_segments};
 use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
@@ -64,6 +64,9 @@ pub fn run_sized(
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
+    let by_region = arrangement.is_some_and(Arrangement::has_sizes);
+    let output = output_for(options, size.is_some() || by_region);
+    let options = &Options { output, ..options.clone() };
     let parameters = match arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
@@ -75,7 +78,7 @@ pub fn run_sized(
     if size.is_some() {
         check_sized(options, "size", "set, or values for it")?;
     }
-    if arrangement.is_some_and(Arrangement::has_sizes) {
+    if by_region {
         check_region_sizes(options)?;
     }
     in_dimension!(
@@ -140,7 +143,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         match self.state.parameters.output {
             Output::WellSpaced => self.finish_mesh(cavity),
-            Output::Hierarchical => Ok(()),
+            Output::Auto | Output::Hierarchical => Ok(()),
         }
     }
 }

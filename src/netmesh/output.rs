@@ -66,7 +66,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             stats: self.state.stats,
         };
         match whole.parameters.extent {
-            Extent::All => Ok(whole),
+            Extent::Auto | Extent::All => Ok(whole),
             _ => Ok(cut(whole, &numbering)?),
         }
     }

@@ -298,7 +298,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     fn shares(&self) -> [f64; 2] {
         match (self.state.parameters.algorithm, self.state.parameters.output) {
             (Algorithm::Delaunay, _) => [1.0, 0.0],
-            (_, Output::Hierarchical) => [0.6, 0.0],
+            (_, Output::Auto | Output::Hierarchical) => [0.6, 0.0],
             (_, Output::WellSpaced) => [0.3, 0.4],
         }
     }

@@ -34,9 +34,15 @@ pub struct Arguments {
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub output_format: Option<OutputFormat>,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle
+    /// does; otherwise the mesh is hierarchical
     #[arg(long)]
     pub finish: bool,
+
+    /// Make a hierarchical mesh, also where an angle asks for a well-spaced one; some triangles beside
+    /// cages then miss the angle
+    #[arg(long, conflicts_with = "finish")]
+    pub hierarchical: bool,
 
     /// Check the mesh with the certificate checker, which has nothing from what made it
     #[arg(long)]
@@ -194,7 +200,11 @@ impl Arguments {
         let meshing = &self.meshing;
         let number = |given: Option<f64>| given.unwrap_or(0.0);
         Options {
-            output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
+            output: match (self.finish, self.hierarchical) {
+                (true, _) => Output::WellSpaced,
+                (_, true) => Output::Hierarchical,
+                _ => Output::Auto,
+            },
             ordering: match meshing.ordering {
                 OrderingName::Sampled => NetOrdering::SampledNet,
                 OrderingName::Deterministic => NetOrdering::DeterministicNet,
@@ -261,5 +271,7 @@ mod tests {
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh-mpi", "in.npy", "--min-angle", "25"]).options();
         assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
+        let named = Arguments::parse_from(["netmesh-mpi", "in.npy", "--hierarchical"]).options();
+        assert_eq!(named, Options { output: Output::Hierarchical, ..Options::default() });
     }
 }

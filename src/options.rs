@@ -69,30 +69,6 @@ pub enum Criterion {
     RadiusEdge = 1,
 }
 
-impl Interior {
-    /// What messages call it.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Seeds => "seeds",
-            Self::Parity => "parity",
-            Self::Winding => "winding",
-        }
-    }
-}
-
-impl Extent {
-    /// What messages call it.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::All => "all",
-            Self::Hull => "hull",
-            Self::Box => "box",
-            Self::Boundary => "boundary",
-        }
-    }
-}
-
 /// What becomes of segments that cross where no input is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]

@@ -1,11 +1,12 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
 use crate::arrangement::{Poll, arrange, check_closed, encloses, with_extent};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Name, Result, say};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
 use crate::netmesh::{self, Watch};
 use crate::options::{Extent, Interior, Options, ProgressFn, SizeFn};
+use crate::parameters::check_sized;
 use crate::sizes::Field;
 
 impl Mesh {
@@ -30,6 +31,7 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
+        self.check_sizes(options, size.is_some())?;
         let mut progress = progress;
         let mut watch = Watch::new(progress.as_deref_mut());
         let (options, arrangement) =
@@ -84,42 +86,52 @@ impl Mesh {
         Ok((options, Some(arrangement)))
     }
 
+    /// Fails where the options do not go with the sizes that the mesh was given, and with a function
+    /// if there is one.
+    fn check_sizes(&self, options: &Options, has_function: bool) -> Result<()> {
+        let given = self.given_sizes();
+        let sources = [
+            (has_function, Name::Size),
+            (!given.at_inputs.is_empty(), Name::Sizes),
+            (given.background.is_some(), Name::Background),
+        ];
+        let mut sources = sources.into_iter().filter(|&(is_given, _)| is_given);
+        sources.try_for_each(|(_, name)| check_sized(options, name))
+    }
+
     fn check_extent(&self, extent: Extent) -> Result<()> {
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
         let dim = self.inputs().dim();
         match extent {
             Extent::Auto | Extent::All => Ok(()),
-            _ if dim != 2 => refuse(message!(
-                "options.extent is {} and the mesh has dimension {dim}; above 2D it must be all",
-                extent.word()
-            )),
-            Extent::Boundary if self.segments().count() == 0 => refuse(message!(
-                "options.extent is boundary and the mesh has no segments; set them first"
-            )),
+            _ if dim != 2 => {
+                refuse(say!(Choice::Extent(extent), " is for 2D; the mesh has dimension {dim}"))
+            }
+            Extent::Boundary if self.segments().count() == 0 => {
+                refuse(say!(Choice::Extent(extent), " needs segments; the mesh has none"))
+            }
             _ => Ok(()),
         }
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
-        if interior != Interior::Seeds && extent == Extent::Auto {
-            return match self.segments().count() {
-                0 => refuse(message!(
-                    "options.interior is {} and the mesh has no segments; set them first",
-                    interior.word()
-                )),
-                _ => Ok(()),
-            };
+        let rule = Choice::Interior(interior);
+        match extent {
+            _ if interior == Interior::Seeds => Ok(()),
+            Extent::Auto if self.segments().count() == 0 => {
+                refuse(say!(rule, " needs segments; the mesh has none"))
+            }
+            Extent::Auto => Ok(()),
+            Extent::Boundary => check_closed(self.inputs(), self.segments(), interior),
+            _ => refuse(say!(
+                rule,
+                " does not go with ",
+                Choice::Extent(extent),
+                ", but with ",
+                Choice::Extent(Extent::Boundary)
+            )),
         }
-        if interior != Interior::Seeds && extent != Extent::Boundary {
-            return refuse(message!(
-                "options.interior is {} and options.extent is {}; what curves enclose is for the \
-                 extent boundary",
-                interior.word(),
-                extent.word()
-            ));
-        }
-        check_closed(self.inputs(), self.segments(), interior)
     }
 
     /// The arrangement of `extended` inputs and segments: corners of the extent that are no inputs

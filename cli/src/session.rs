@@ -15,6 +15,7 @@ use crate::same_file;
 use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
+use crate::words::CommandLine;
 use netmesh::prepared::Prepared;
 use netmesh::{Mesh, Triangulation, quality};
 use std::io::Write;
@@ -144,7 +145,8 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
-    Ok(outcome?)
+    let words = CommandLine { regions: mesh.regions(), delaunay: arguments.delaunay_option() };
+    outcome.map_err(|error| Failure::of_run(&error, words))
 }
 
 /// Writes what was asked for.

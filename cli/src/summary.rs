@@ -82,9 +82,18 @@ impl Summary<'_> {
     }
 
     fn add_task(&self, lines: &mut Lines) {
+        lines.add("task", self.task());
+        let useless = self.arguments.without_effect();
+        if !useless.is_empty() {
+            let verb = if useless.len() == 1 { "has" } else { "have" };
+            lines.add("", format!("{} {verb} no effect on that", useless.join(", ")));
+        }
+    }
+
+    fn task(&self) -> String {
         let parameters = &self.triangulation.parameters;
         if parameters.algorithm == Algorithm::Delaunay {
-            return lines.add("task", "plain Delaunay triangulation of the input".to_owned());
+            return "plain Delaunay triangulation of the input".to_owned();
         }
         let output = match parameters.output {
             _ if parameters.algorithm == Algorithm::Svr => "sparse Voronoi refinement",
@@ -111,10 +120,7 @@ impl Summary<'_> {
             0.0 => String::new(),
             degrees => format!(" (angles at least {} degrees)", measure(degrees)),
         };
-        lines.add(
-            "task",
-            format!("{output}{extent}, {criterion} at most {bound}{angle}, {ordering}"),
-        );
+        format!("{output}{extent}, {criterion} at most {bound}{angle}, {ordering}")
     }
 
     fn add_mesh(&self, lines: &mut Lines) {

@@ -112,8 +112,8 @@ def mesh(
     max_edge : float
         The length that no edge exceeds in the box of the points; 0 for none.
     size : float, array_like of float with shape (n,), or callable
-        The length that edges shall have in the box of the points, everywhere, at each point and linear between them, or as a function of a point tells: it is
-        called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
+        The length that edges shall have in the box of the points, everywhere, at each point and linear
+        between them, or as a function of a point tells: it is called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
         those of regular simplices with such edges, and most edges have between 0.6 times that
         length and that length. ``inf`` for no bound. An exception of the function is raised here.
     background : (Mesh, array_like of float with shape (vertices,)), optional
@@ -131,8 +131,8 @@ def mesh(
     crossings : {'refuse', 'split'}
         What becomes of segments that cross where no point is.
     interior : {'seeds', 'parity', 'winding'}
-        Which regions between segments are inside, with the extents 'boundary' and 'auto': all that cannot be
-        reached from outside; those into which a path from outside crosses an odd number of segments;
+        Which regions between segments are inside, with the extents 'boundary' and 'auto': all that
+        cannot be reached from outside; those into which a path from outside crosses an odd number of segments;
         or those that curves wind round, by the directions of the segments. `holes` are taken away.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.

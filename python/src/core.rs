@@ -2,7 +2,7 @@
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
 use crate::boundary::{Boundary, set_boundary};
-use crate::errors::{detached, exception, invalid, raised};
+use crate::errors::{detached, exception, exception_with, invalid, raised, unlocked};
 use crate::options::{by_keyword, options};
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
@@ -86,17 +86,18 @@ impl Core {
             set_boundary(py, &mut mesh, &boundary)?;
         }
         let mut reporter = Reporter::new(progress);
-        let done = detached(py, || {
+        let done = unlocked(py, || {
             let report = &mut |progress: &_| reporter.report(progress);
             sizes.with(|size| mesh.run_sized(&options, size, Some(report)))
         });
         match reporter.exception.or(sizes.exception()) {
             Some(exception) => Err(exception),
-            None => done.map(|()| {
+            None => {
+                done.map_err(|error| exception_with(py, &error, mesh.regions()))?;
                 let has_index = AtomicBool::new(false);
                 let made = Made { mesh, prepared: Prepared::default(), has_index };
-                Self { made: Arc::new(made), delaunay: Mutex::default() }
-            }),
+                Ok(Self { made: Arc::new(made), delaunay: Mutex::default() })
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Options by keyword.
 
 use crate::errors::invalid;
+use netmesh::error::Choice;
 use netmesh::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
 };
@@ -9,13 +10,30 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 // The words for values of options.
-const OUTPUTS: [(&str, Output); 3] = [("auto", Output::Auto), ("hierarchical", Output::Hierarchical), ("well_spaced", Output::WellSpaced)];
-const ALGORITHMS: [(&str, Algorithm); 3] = [("netmesh", Algorithm::Netmesh), ("svr", Algorithm::Svr), ("delaunay", Algorithm::Delaunay)];
-const ORDERINGS: [(&str, NetOrdering); 2] = [("sampled_net", NetOrdering::SampledNet), ("deterministic_net", NetOrdering::DeterministicNet)];
-const CRITERIA: [(&str, Criterion); 2] = [("voronoi_aspect", Criterion::VoronoiAspect), ("radius_edge", Criterion::RadiusEdge)];
-const EXTENTS: [(&str, Extent); 5] = [("auto", Extent::Auto), ("all", Extent::All), ("hull", Extent::Hull), ("box", Extent::Box), ("boundary", Extent::Boundary)];
-const CROSSINGS: [(&str, Crossings); 2] = [("refuse", Crossings::Refuse), ("split", Crossings::Split)];
-const INTERIORS: [(&str, Interior); 3] = [("seeds", Interior::Seeds), ("parity", Interior::Parity), ("winding", Interior::Winding)];
+const OUTPUTS: [(&str, Output); 3] = [
+    ("auto", Output::Auto),
+    ("hierarchical", Output::Hierarchical),
+    ("well_spaced", Output::WellSpaced),
+];
+const ALGORITHMS: [(&str, Algorithm); 3] =
+    [("netmesh", Algorithm::Netmesh), ("svr", Algorithm::Svr), ("delaunay", Algorithm::Delaunay)];
+const ORDERINGS: [(&str, NetOrdering); 2] = [
+    ("sampled_net", NetOrdering::SampledNet),
+    ("deterministic_net", NetOrdering::DeterministicNet),
+];
+const CRITERIA: [(&str, Criterion); 2] =
+    [("voronoi_aspect", Criterion::VoronoiAspect), ("radius_edge", Criterion::RadiusEdge)];
+const EXTENTS: [(&str, Extent); 5] = [
+    ("auto", Extent::Auto),
+    ("all", Extent::All),
+    ("hull", Extent::Hull),
+    ("box", Extent::Box),
+    ("boundary", Extent::Boundary),
+];
+const CROSSINGS: [(&str, Crossings); 2] =
+    [("refuse", Crossings::Refuse), ("split", Crossings::Split)];
+const INTERIORS: [(&str, Interior); 3] =
+    [("seeds", Interior::Seeds), ("parity", Interior::Parity), ("winding", Interior::Winding)];
 const GIVE_WAYS: [(&str, GivesWay); 2] = [("angle", GivesWay::Angle), ("bound", GivesWay::Bound)];
 
 /// The defaults, but for the options that are given.
@@ -89,6 +107,19 @@ pub fn by_keyword<'py>(py: Python<'py>, options: &Options) -> PyResult<Bound<'py
     by_name.set_item("crossings", word(&CROSSINGS, options.crossings))?;
     by_name.set_item("interior", word(&INTERIORS, options.interior))?;
     Ok(by_name)
+}
+
+/// Returns an option with its value, as a caller writes it.
+pub fn keyword_argument(choice: Choice) -> String {
+    let (name, word) = match choice {
+        Choice::Output(value) => ("output", word(&OUTPUTS, value)),
+        Choice::Algorithm(value) => ("algorithm", word(&ALGORITHMS, value)),
+        Choice::Criterion(value) => ("criterion", word(&CRITERIA, value)),
+        Choice::Extent(value) => ("extent", word(&EXTENTS, value)),
+        Choice::Crossings(value) => ("crossings", word(&CROSSINGS, value)),
+        Choice::Interior(value) => ("interior", word(&INTERIORS, value)),
+    };
+    format!("{name}='{word}'")
 }
 
 /// Returns the word for a value.

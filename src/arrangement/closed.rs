@@ -1,7 +1,7 @@
 //! Tells whether segments are closed curves, so that what they enclose is told by them alone, and
 //! whether they enclose something.
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{collected, filled};
 use crate::mesh::{Arrangement, Inputs, Segments};
 use crate::options::Interior;
@@ -96,16 +96,17 @@ fn first_open(
 fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: Interior) -> Error {
     let input = inputs.first_input(vertex).unwrap_or(0);
     let all = u64::from(starts) + u64::from(ends);
+    let rule = Choice::Interior(interior);
     let message = match interior {
-        Interior::Parity => message!(
-            "input {input} is an end of {all} segments; with options.interior parity that number \
-             must be even at every input, so that all curves are closed"
+        Interior::Parity => say!(
+            "input {input} is an end of {all} segments; with ",
+            rule,
+            " that number must be even at every input, so that all curves are closed"
         ),
-        _ => message!(
-            "input {input} is the first end of {starts} segments and the second end of {ends}; with \
-             options.interior {} these must be equally many at every input, so that all curves are \
-             closed",
-            interior.word()
+        _ => say!(
+            "input {input} is the first end of {starts} segments and the second end of {ends}; with ",
+            rule,
+            " these must be equally many at every input, so that all curves are closed"
         ),
     };
     Error::new(ErrorKind::InvalidArgument, message)
@@ -184,11 +185,11 @@ mod tests {
 
     #[test]
     fn the_input_where_a_curve_is_open_is_named() {
-        let parity = "input 0 is an end of 1 segments; with options.interior parity that number must \
-                      be even at every input, so that all curves are closed";
+        let parity = "input 0 is an end of 1 segments; with options.interior = \
+                      Interior::Parity that number must be even at every input, so that all curves are closed";
         assert_eq!(refusal(&[[0, 1], [1, 2], [2, 3]], Interior::Parity), parity);
         let winding = "input 1 is the first end of 0 segments and the second end of 2; with \
-                       options.interior winding these must be equally many at every input, so that \
+                       options.interior = Interior::Winding these must be equally many at every input, so that \
                        all curves are closed";
         let turned = [[0, 1], [2, 1], [2, 3], [3, 4]];
         assert_eq!(refusal(&turned, Interior::Winding), winding);

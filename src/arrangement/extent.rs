@@ -4,7 +4,7 @@ use super::Poll;
 use super::frame::through_near_inputs;
 use super::inner::Inner;
 use super::places::key;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{Inputs, Segments};
 use crate::numerics::{Sign, orientation};
@@ -45,10 +45,7 @@ pub fn with_extent(
         orientation(&[point(0), point(at), point(at + 1)]) == Sign::Positive
     };
     if !curve.is_empty() && !(1..curve.len()).any(has_area) {
-        let message = message!(
-            "options.extent is {}, which has no area: all inputs are on a line",
-            extent.word()
-        );
+        let message = say!(Choice::Extent(extent), " has no area: all inputs are on a line");
         return Err(Error::new(ErrorKind::DegenerateInput, message));
     }
     let curve = through_near_inputs(&points, inputs, curve, poll)?;
@@ -152,7 +149,7 @@ mod tests {
         assert!(extended(&diagonal, Extent::Box).is_ok());
         let level = [[0.0, 1.0], [2.0, 1.0], [1.0, 1.0]];
         let error = extended(&level, Extent::Box).unwrap_err();
-        assert!(error.message().starts_with("options.extent is box, which has no area"));
+        assert!(error.message().starts_with("options.extent = Extent::Box has no area"));
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Arrays ready to use, of a selection. `Prepared` keeps those that were made together from call to
 //! call; `copy_out` keeps the getters' rules.
 
-use super::enums::{decode_extent, nm_extent, nm_status, placement_byte};
+use super::decode::decode_extent;
+use super::enums::{nm_extent, nm_status, placement_byte};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, read_struct};

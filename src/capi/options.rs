@@ -1,19 +1,17 @@
 //! Options, from C and to C.
 
-use super::enums::{
+use super::decode::{
     decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_interior,
-    decode_ordering, decode_output, decode_run_extent, nm_algorithm, nm_criterion, nm_crossings,
-    nm_extent, nm_gives_way, nm_interior, nm_ordering, nm_output, nm_status,
+    decode_ordering, decode_output, decode_run_extent,
 };
+use super::enums::nm_status;
 use super::getters::result;
 use super::handle::{barrier, nm_mesh, with_mesh};
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::mesh::Mesh;
-use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
-};
+use crate::options::Options;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
@@ -63,24 +61,10 @@ pub unsafe extern "C" fn nm_mesh_options(
 pub(super) fn encode(options: &Options) -> nm_options {
     nm_options {
         struct_size: size_of::<nm_options>() as u32,
-        output: MaybeUninit::new(match options.output {
-            Output::Auto => nm_output::NM_OUTPUT_AUTO,
-            Output::Hierarchical => nm_output::NM_OUTPUT_HIERARCHICAL,
-            Output::WellSpaced => nm_output::NM_OUTPUT_WELL_SPACED,
-        }),
-        algorithm: MaybeUninit::new(match options.algorithm {
-            Algorithm::Netmesh => nm_algorithm::NM_ALGORITHM_NETMESH,
-            Algorithm::Svr => nm_algorithm::NM_ALGORITHM_SVR,
-            Algorithm::Delaunay => nm_algorithm::NM_ALGORITHM_DELAUNAY,
-        }),
-        ordering: MaybeUninit::new(match options.ordering {
-            NetOrdering::SampledNet => nm_ordering::NM_ORDERING_SAMPLED_NET,
-            NetOrdering::DeterministicNet => nm_ordering::NM_ORDERING_DETERMINISTIC_NET,
-        }),
-        criterion: MaybeUninit::new(match options.criterion {
-            Criterion::VoronoiAspect => nm_criterion::NM_CRITERION_VORONOI_ASPECT,
-            Criterion::RadiusEdge => nm_criterion::NM_CRITERION_RADIUS_EDGE,
-        }),
+        output: MaybeUninit::new(options.output.into()),
+        algorithm: MaybeUninit::new(options.algorithm.into()),
+        ordering: MaybeUninit::new(options.ordering.into()),
+        criterion: MaybeUninit::new(options.criterion.into()),
         threads: options.threads,
         quality_bound: options.quality_bound,
         epsilon: options.epsilon,
@@ -102,27 +86,11 @@ pub(super) fn encode(options: &Options) -> nm_options {
         max_edge: options.max_edge,
         size: None,
         size_user_data: null_mut(),
-        gives_way: MaybeUninit::new(match options.gives_way {
-            GivesWay::Angle => nm_gives_way::NM_GIVES_WAY_ANGLE,
-            GivesWay::Bound => nm_gives_way::NM_GIVES_WAY_BOUND,
-        }),
+        gives_way: MaybeUninit::new(options.gives_way.into()),
         reserved_after_gives_way: 0,
-        extent: MaybeUninit::new(match options.extent {
-            Extent::Auto => nm_extent::NM_EXTENT_AUTO,
-            Extent::All => nm_extent::NM_EXTENT_ALL,
-            Extent::Hull => nm_extent::NM_EXTENT_HULL,
-            Extent::Box => nm_extent::NM_EXTENT_BOX,
-            Extent::Boundary => nm_extent::NM_EXTENT_BOUNDARY,
-        }),
-        crossings: MaybeUninit::new(match options.crossings {
-            Crossings::Refuse => nm_crossings::NM_CROSSINGS_REFUSE,
-            Crossings::Split => nm_crossings::NM_CROSSINGS_SPLIT,
-        }),
-        interior: MaybeUninit::new(match options.interior {
-            Interior::Seeds => nm_interior::NM_INTERIOR_SEEDS,
-            Interior::Parity => nm_interior::NM_INTERIOR_PARITY,
-            Interior::Winding => nm_interior::NM_INTERIOR_WINDING,
-        }),
+        extent: MaybeUninit::new(options.extent.into()),
+        crossings: MaybeUninit::new(options.crossings.into()),
+        interior: MaybeUninit::new(options.interior.into()),
         reserved_after_interior: 0,
     }
 }
@@ -182,6 +150,9 @@ mod tests {
     use crate::capi::memory::read_struct;
     use crate::capi::run::nm_run;
     use crate::capi::test_support::{from_c, last_message, square};
+    use crate::options::{
+        Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
+    };
     use std::mem::offset_of;
 
     const SIZE: usize = size_of::<nm_options>();

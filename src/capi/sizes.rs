@@ -221,7 +221,11 @@ mod tests {
             assert_eq!(nm_mesh_set_sizes(mesh, 5, good.as_ptr()), nm_status::NM_OK);
             let hierarchical = Options { output: Output::Hierarchical, ..Options::default() };
             let run = nm_run(mesh, &encode(&hierarchical));
-            refuse(run, invalid, "options.size is set, or values for it;");
+            refuse(
+                run,
+                invalid,
+                "nm_mesh_set_sizes is given; it does not go with options.output = NM_OUTPUT_HIER",
+            );
         }
     }
 

@@ -34,7 +34,7 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, check_sized, output_for, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, output_for, with_segments};
 use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
@@ -75,9 +75,6 @@ pub fn run_sized(
             ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
         },
     };
-    if size.is_some() {
-        check_sized(options, "size", "set, or values for it")?;
-    }
     if by_region {
         check_region_sizes(options)?;
     }

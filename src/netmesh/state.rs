@@ -13,7 +13,7 @@ use super::segments::Segments;
 use super::watch::Watch;
 use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::delaunay::Delaunay;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, say};
 use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, Stats};
 use crate::options::{Algorithm, Output, Phase};
@@ -131,8 +131,7 @@ pub(super) struct Scratch {
 }
 
 pub(super) fn limit(max_vertices: u64, needed: usize) -> Error {
-    let message =
-        message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    let message = say!(Name::MaxVertices, " is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
 }
 

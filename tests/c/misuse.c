@@ -243,13 +243,16 @@ static void test_options(void)
     REFUSED(gives_way, 2, "options.gives_way is 2");
     REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
     REFUSED(interior, 3, "options.interior is 3");
-    REFUSED(interior, NM_INTERIOR_WINDING, "options.interior is winding and the mesh has no segments");
+    REFUSED(interior, NM_INTERIOR_WINDING, 
+            "options.interior = NM_INTERIOR_WINDING needs segments; the mesh has none");
     options.output = NM_OUTPUT_HIERARCHICAL;
-    REFUSED(distance_ratio, 0.5, "well-spaced output");
-    REFUSED(size, answer_nothing, "options.size is set");
+    REFUSED(distance_ratio, 0.5, "it does not go with options.output = NM_OUTPUT_HIERARCHICAL");
+    REFUSED(size, answer_nothing,
+            "options.size is given; it does not go with options.output = NM_OUTPUT_HIERARCHICAL");
     options.output = NM_OUTPUT_AUTO;
     options.extent = NM_EXTENT_ALL;
-    REFUSED(interior, NM_INTERIOR_WINDING, "options.interior is winding and options.extent is all");
+    REFUSED(interior, NM_INTERIOR_WINDING, 
+            "options.interior = NM_INTERIOR_WINDING does not go with options.extent = NM_EXTENT_ALL");
     options.extent = NM_EXTENT_AUTO;
     REFUSED(reserved_after_interior, 1, "options.reserved_after_interior is 1");
 #undef REFUSED

@@ -1,6 +1,7 @@
 //! The command line: the words of `netmesh`, as far as they are for several ranks.
 
 use crate::exit_code;
+use crate::whole::whole;
 use clap::{Parser, ValueEnum};
 use netmesh::{Criterion, GivesWay, NetOrdering, Options, Output};
 use std::path::PathBuf;
@@ -129,15 +130,17 @@ pub struct Meshing {
     pub gives_way: GivesWayName,
 
     /// Seed of every random choice; the same seed makes the same mesh
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(value_parser = whole::<u64>)]
     pub seed: u64,
 
     /// Stop with exit code 5 rather than make more vertices than this
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u64>)]
     pub max_vertices: Option<u64>,
 
     /// Threads of each rank, 0 = all cores; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true)]
+    #[arg(value_parser = whole::<u32>)]
     pub threads: u32,
 }
 

@@ -4,7 +4,7 @@ use super::chain::{Chains, Line};
 use super::{Seed, Segments, name_of};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Name, Result, say};
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Region, Subsegment};
 use crate::netmesh::{Mesher, State};
@@ -118,10 +118,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if extent == Extent::All || is_inside.contains(&true) {
             return Ok(());
         }
-        let message = message!(
-            "{why}, and options.extent is {} (options.interior is {}); the domain must not be empty",
-            extent.word(),
-            interior.word()
+        let message = say!(
+            "{why}, with ",
+            Choice::Extent(extent),
+            " and ",
+            Choice::Interior(interior),
+            "; the domain must not be empty"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }
@@ -137,10 +139,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             near = simplex;
             self.refuse_on_segment(seed.number as usize, &x, simplex)?;
             if segments.regions.of(simplex) != Some(seed.region) {
-                let message = message!(
-                    "regions[{}].seed is within a rounding of a segment; it must be in the interior \
-                     of a region",
-                    seed.number
+                let message = say!(
+                    Name::Seed(seed.number),
+                    " is within a rounding of a segment; it must be in the interior of a region"
                 );
                 return Err(Error::new(ErrorKind::InvalidArgument, message));
             }
@@ -152,9 +153,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refuse_on_segment(&self, number: usize, x: &[f64; D], simplex: SimplexId) -> Result<()> {
         let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
         let name = name_of(self.state.segments.chains.lines[line as usize].segment);
-        let message = message!(
-            "regions[{number}].seed is on {name}; it must be in the interior \
-             of a region"
+        let message = say!(
+            Name::Seed(number as u32),
+            " is on {name}; it must be in the interior of a region"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }

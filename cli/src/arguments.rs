@@ -280,19 +280,19 @@ impl Arguments {
     pub fn without_effect(&self) -> Vec<&'static str> {
         let Meshing { bound, min_angle, min_dihedral, epsilon, delta, gamma, .. } = self.meshing;
         let Meshing { yield_radius, encroachment, cage_scale, root_scale, .. } = self.meshing;
-        let has_bound = |number: Option<f64>| number.is_some_and(|number| number != 0.0);
+        let is_set = |number: Option<f64>| number.is_some_and(|number| number != 0.0);
         let outputs = [(self.finish, "--finish"), (self.hierarchical, "--hierarchical")];
         let numbers = [
-            (has_bound(bound), "--bound"),
-            (has_bound(min_angle), "--min-angle"),
-            (has_bound(min_dihedral), "--min-dihedral"),
-            (has_bound(epsilon), "--epsilon"),
-            (has_bound(delta), "--delta"),
-            (has_bound(gamma), "--gamma"),
-            (has_bound(yield_radius), "--yield-radius"),
-            (has_bound(encroachment), "--encroachment"),
-            (has_bound(cage_scale), "--cage-scale"),
-            (has_bound(root_scale), "--root-scale"),
+            (is_set(bound), "--bound"),
+            (is_set(min_angle), "--min-angle"),
+            (is_set(min_dihedral), "--min-dihedral"),
+            (is_set(epsilon), "--epsilon"),
+            (is_set(delta), "--delta"),
+            (is_set(gamma), "--gamma"),
+            (is_set(yield_radius), "--yield-radius"),
+            (is_set(encroachment), "--encroachment"),
+            (is_set(cage_scale), "--cage-scale"),
+            (is_set(root_scale), "--root-scale"),
         ];
         let is_given = |&(is_given, name): &(bool, &'static str)| is_given.then_some(name);
         match self.options().algorithm {

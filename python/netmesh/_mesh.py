@@ -132,8 +132,9 @@ def mesh(
         What becomes of segments that cross where no point is.
     interior : {'seeds', 'parity', 'winding'}
         Which regions between segments are inside, with the extents 'boundary' and 'auto': all that
-        cannot be reached from outside; those into which a path from outside crosses an odd number of segments;
-        or those that curves wind round, by the directions of the segments. `holes` are taken away.
+        cannot be reached from outside; those into which a path from outside crosses an odd number of
+        segments; or those that curves wind round, by the directions of the segments. `holes` are
+        taken away.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

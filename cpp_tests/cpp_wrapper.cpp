@@ -209,8 +209,12 @@ void every_option_arrives() {
     options limited;
     limited.max_vertices = 201;
     expect_error(__LINE__, NM_LIMIT, "max_vertices", [&] { mesh.run(limited); });
+    expect_error(__LINE__, NM_STATE, "no result", [&] { mesh.options_of_run(); });
     mesh.run();
     const auto usual = mesh.points();
+    const options resolved = mesh.options_of_run();
+    CHECK(resolved.output == NM_OUTPUT_HIERARCHICAL && resolved.extent == NM_EXTENT_ALL);
+    CHECK(resolved.quality_bound == 4 && !resolved.instruments && !resolved.progress);
     CHECK_EQUAL(mesh.stats().max_ply, 0u);
     options seeded;
     seeded.seed = 99;
@@ -219,6 +223,11 @@ void every_option_arrives() {
     mesh.run(seeded);
     CHECK(mesh.points() != usual);
     CHECK(mesh.stats().max_ply > 0);
+    CHECK(mesh.options_of_run().seed == 99 && mesh.options_of_run().instruments);
+    options angled;
+    angled.min_dihedral = 5;
+    mesh.run(angled);
+    CHECK_EQUAL(mesh.options_of_run().output, NM_OUTPUT_WELL_SPACED);
 }
 
 void progress_and_moves() {

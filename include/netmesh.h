@@ -132,7 +132,7 @@
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
-#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NM_QUALITY_INIT { sizeof(nm_quality), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
@@ -228,22 +228,28 @@ enum nm_extent
 #endif // __cplusplus
  {
     /**
+     * In nm_options NM_EXTENT_BOUNDARY where segments enclose something by nm_options.interior,
+     * otherwise NM_EXTENT_ALL; curves that are not closed, where that rule asks for closed ones,
+     * enclose nothing. Elsewhere NM_EXTENT_ALL.
+     */
+    NM_EXTENT_AUTO = 0,
+    /**
      * Everywhere.
      */
-    NM_EXTENT_ALL = 0,
+    NM_EXTENT_ALL = 1,
     /**
      * The convex hull of the inputs.
      */
-    NM_EXTENT_HULL = 1,
+    NM_EXTENT_HULL = 2,
     /**
      * The least box that holds the inputs, its sides along the axes.
      */
-    NM_EXTENT_BOX = 2,
+    NM_EXTENT_BOX = 3,
     /**
      * What segments enclose, without holes: all that cannot be reached from the hull without
      * crossing one. For nm_options alone; nm_mesh_set_segments comes first.
      */
-    NM_EXTENT_BOUNDARY = 3,
+    NM_EXTENT_BOUNDARY = 4,
 };
 #ifndef __cplusplus
 typedef int32_t nm_extent;
@@ -410,7 +416,7 @@ typedef int32_t nm_gives_way;
 
 /**
  * nm_options.interior: which of the regions that segments separate are inside, with
- * NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+ * NM_EXTENT_AUTO and NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
  */
 enum nm_interior
 #ifdef __cplusplus
@@ -545,15 +551,22 @@ enum nm_output
 #endif // __cplusplus
  {
     /**
+     * NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
+     * min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the max_edge
+     * of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
+     * NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
+     */
+    NM_OUTPUT_AUTO = 0,
+    /**
      * A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
      * a tree of balls (domains), each surrounded by a cage, with quality inside each.
      */
-    NM_OUTPUT_HIERARCHICAL = 0,
+    NM_OUTPUT_HIERARCHICAL = 1,
     /**
      * A well-spaced mesh of a single domain of optimal size O(m) (the paper's FINISHMESH). m is at
      * most n times the logarithm of the spread.
      */
-    NM_OUTPUT_WELL_SPACED = 1,
+    NM_OUTPUT_WELL_SPACED = 2,
 };
 #ifndef __cplusplus
 typedef int32_t nm_output;
@@ -1042,7 +1055,7 @@ typedef struct nm_options {
      */
     uint32_t struct_size;
     /**
-     * What the run leaves behind. Default NM_OUTPUT_HIERARCHICAL.
+     * What the run leaves behind. Default NM_OUTPUT_AUTO.
      */
     nm_output output;
     /**
@@ -1137,9 +1150,9 @@ typedef struct nm_options {
      * How far the cell of a vertex may reach, relative to the distance from the vertex to the
      * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
      * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
-     * (1 + distance_ratio) / (1 - distance_ratio). For NM_OUTPUT_WELL_SPACED of
-     * NM_ALGORITHM_NETMESH; root_scale then has the default 12. In
-     * [0.05, 1], default 0: no matter how far.
+     * (1 + distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+     * NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no matter
+     * how far.
      */
     double distance_ratio;
     /**
@@ -1147,7 +1160,9 @@ typedef struct nm_options {
      * criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
      * With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
      * (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
-     * too; a few cells at the root's cage may then be given up (precision-limited).
+     * too; a few cells at the root's cage may then be given up (precision-limited). With
+     * NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
+     * nm_quality.below_min_angle counts the others.
      */
     double min_angle;
     /**
@@ -1162,7 +1177,7 @@ typedef struct nm_options {
      * The length that no edge exceeds of simplices that meet the box of the inputs (the least and
      * largest of their coordinates on each axis); their circumradius is at most that of the regular
      * simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-     * NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH. Above 0, default 0: none.
+     * NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
      */
     double max_edge;
     /**
@@ -1190,7 +1205,7 @@ typedef struct nm_options {
     uint32_t reserved_after_gives_way;
     /**
      * How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
-     * of edges. Above 2D NM_EXTENT_ALL. Default NM_EXTENT_ALL.
+     * of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
      */
     nm_extent extent;
     /**
@@ -1198,8 +1213,9 @@ typedef struct nm_options {
      */
     nm_crossings crossings;
     /**
-     * Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY; with another
-     * extent it must be the default. Default NM_INTERIOR_SEEDS.
+     * Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
+     * there are segments, NM_EXTENT_AUTO; otherwise it must be the default. Default
+     * NM_INTERIOR_SEEDS.
      */
     nm_interior interior;
     /**
@@ -1272,7 +1288,7 @@ typedef struct nm_selection {
      */
     uint32_t struct_size;
     /**
-     * The simplices inside this region (nm_placement).
+     * The simplices inside this region (nm_placement); NM_EXTENT_AUTO is NM_EXTENT_ALL.
      */
     nm_extent extent;
     /**
@@ -1440,6 +1456,12 @@ typedef struct nm_quality {
      * Smallest angle of these, in degrees; 0 if there are none.
      */
     double least_forced_angle_degrees;
+    /**
+     * Triangles with an angle below nm_options.min_angle, or below what NM_CRITERION_RADIUS_EDGE
+     * promises in 2D, which nothing forces: beside cages in hierarchical meshes, which break the
+     * angle, and at precision-limited vertices. 0 where no angle was promised, and above 2D.
+     */
+    uint64_t below_min_angle;
 } nm_quality;
 
 /**
@@ -1764,6 +1786,22 @@ NM_API void nm_mesh_free(struct nm_mesh *mesh);
 NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32_t struct_size);
 
 /**
+ * Writes the options that the last run had, with every default filled in: output and extent are
+ * what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and interior is
+ * NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with NM_CRITERION_RADIUS_EDGE
+ * min_angle and quality_bound are both set, as one says what the other does; segments make that the
+ * criterion. progress, size and what is handed to them are NULL. O(1).
+ *
+ * options: the caller sets struct_size.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE (no
+ * result yet, nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_options(const struct nm_mesh *mesh,
+                          struct nm_options *options);
+
+/**
  * Meshes the inputs. A second run replaces the first one's result. All or nothing: after any other
  * status than NM_OK and NM_PANIC the mesh is as it was before the call.
  *
@@ -2073,7 +2111,7 @@ nm_status nm_mesh_extend_values(const struct nm_mesh *mesh,
 
 /**
  * Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
- * NM_EXTENT_ALL: all are inside.
+ * NM_EXTENT_ALL and NM_EXTENT_AUTO: all are inside.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
  * (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at

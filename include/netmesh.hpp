@@ -68,7 +68,7 @@ using write_function = std::function<bool(const char *data, std::size_t size)>;
 
 // What a run shall do. The fields are those of nm_options, 0 the default for the dimension.
 struct options {
-    nm_output output = NM_OUTPUT_HIERARCHICAL;
+    nm_output output = NM_OUTPUT_AUTO;
     nm_algorithm algorithm = NM_ALGORITHM_NETMESH;
     nm_ordering ordering = NM_ORDERING_SAMPLED_NET;
     nm_criterion criterion = NM_CRITERION_VORONOI_ASPECT;
@@ -91,9 +91,9 @@ struct options {
     double max_edge = 0;
     size_function size = {};  // empty: none
     nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
-    nm_extent extent = NM_EXTENT_ALL;
+    nm_extent extent = NM_EXTENT_AUTO;
     nm_crossings crossings = NM_CROSSINGS_REFUSE;
-    nm_interior interior = NM_INTERIOR_SEEDS;  // with NM_EXTENT_BOUNDARY
+    nm_interior interior = NM_INTERIOR_SEEDS;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -204,6 +204,18 @@ public:
         values.size_user_data = &asked;
         nm_status status = nm_run(handle_, &values);
         return finished(status, call.thrown ? call.thrown : asked.thrown);
+    }
+
+    // The options that the last run had, with every default filled in: what NM_OUTPUT_AUTO and
+    // NM_EXTENT_AUTO have become. Functions are empty.
+    result<options> try_options_of_run() const {
+        result<nm_options> found = filled<nm_options>(nm_mesh_options);
+        if (!found) {
+            return failure{found.status(), found.message()};
+        }
+        options values;
+        copy(*found, values);
+        return values;
     }
 
     result<nm_counts> try_counts() const { return filled<nm_counts>(nm_mesh_counts); }
@@ -622,6 +634,7 @@ public:
         return try_from_columns(path_utf8, columns, attributes, format).value();
     }
     void run(const options &wanted = {}) { try_run(wanted).value(); }
+    options options_of_run() const { return try_options_of_run().value(); }
     nm_counts counts() const { return try_counts().value(); }
     std::uint32_t dim() const { return counts().dim; }
     table<double> points() const { return try_points().value(); }
@@ -802,7 +815,9 @@ private:
         return detail::outcome(status);
     }
 
-    static void copy(const options &from, nm_options &to) noexcept {
+    // Between options and nm_options, in either direction; all but the functions.
+    template <typename From, typename To>
+    static void copy(const From &from, To &to) noexcept {
         to.output = from.output;
         to.algorithm = from.algorithm;
         to.ordering = from.ordering;
@@ -818,7 +833,7 @@ private:
         to.root_scale = from.root_scale;
         to.seed = from.seed;
         to.max_vertices = from.max_vertices;
-        to.instruments = from.instruments ? 1 : 0;
+        to.instruments = static_cast<decltype(to.instruments)>(from.instruments ? 1 : 0);
         to.distance_ratio = from.distance_ratio;
         to.min_angle = from.min_angle;
         to.min_dihedral = from.min_dihedral;

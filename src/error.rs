@@ -1,8 +1,18 @@
 //! What a fallible call answers: a kind that maps one to one to `nm_status`, and a message that
-//! names the argument, the index and the rule.
+//! names the argument, the index and the rule. A message that names an option knows which, so that
+//! C, the command line and Python say it in their callers' words.
 
-use std::borrow::Cow;
-use std::fmt::{self, Write};
+mod message;
+mod name;
+mod text;
+
+pub(crate) use message::say;
+pub use message::{Message, Words};
+pub use name::{Choice, Name};
+pub(crate) use text::{message, written};
+
+use message::InWords;
+use std::fmt::{self, Display};
 
 /// The kinds of failure. The C ABI's `nm_status` carries the same values (append only).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,11 +37,11 @@ pub enum ErrorKind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,
-    message: Cow<'static, str>,
+    message: Message,
 }
 
 impl Error {
-    pub fn new(kind: ErrorKind, message: impl Into<Cow<'static, str>>) -> Self {
+    pub fn new(kind: ErrorKind, message: impl Into<Message>) -> Self {
         Self { kind, message: message.into() }
     }
 
@@ -39,45 +49,29 @@ impl Error {
         self.kind
     }
 
+    /// Returns the message in the words of Rust.
     pub fn message(&self) -> &str {
-        &self.message
+        self.message.text()
+    }
+
+    /// Returns the message as others say it.
+    pub fn in_words(&self, words: impl Words) -> impl Display {
+        InWords { message: &self.message, words }
+    }
+
+    /// Returns the error with `place` and a colon before its message.
+    pub(crate) fn within(self, place: &dyn Display) -> Self {
+        Self { kind: self.kind, message: self.message.within(place) }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
+        f.write_str(self.message())
     }
 }
 
 impl std::error::Error for Error {}
-
-/// `format!` for messages: where memory runs out the message ends, not the process.
-macro_rules! message {
-    ($($argument:tt)*) => {
-        $crate::error::written(format_args!($($argument)*))
-    };
-}
-pub(crate) use message;
-
-/// What [`message!`] stands for.
-pub(crate) fn written(arguments: fmt::Arguments<'_>) -> String {
-    let mut text = Text(String::new());
-    // Cut off where memory ran out; the error's kind says the rest.
-    let _ = text.write_fmt(arguments);
-    text.0
-}
-
-/// A string that refuses to grow where `String` ends the process.
-struct Text(String);
-
-impl Write for Text {
-    fn write_str(&mut self, piece: &str) -> fmt::Result {
-        self.0.try_reserve(piece.len()).map_err(|_| fmt::Error)?;
-        self.0.push_str(piece);
-        Ok(())
-    }
-}
 
 /// Shorthand for results of this crate.
 pub type Result<T> = std::result::Result<T, Error>;

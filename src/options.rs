@@ -5,11 +5,15 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Output {
-    /// The paper's NETMESH: a hierarchical mesh of O(n) vertices, whatever the spread.
+    /// [`Output::WellSpaced`] where something is asked for that a cage would break: an angle, a
+    /// dihedral angle, a size, a distance ratio, or another extent than all. Otherwise
+    /// [`Output::Hierarchical`].
     #[default]
-    Hierarchical = 0,
+    Auto = 0,
+    /// The paper's NETMESH: a hierarchical mesh of O(n) vertices, whatever the spread.
+    Hierarchical = 1,
     /// Then FINISHMESH (§6.6): a well-spaced mesh of one domain, of optimal size O(m).
-    WellSpaced = 1,
+    WellSpaced = 2,
 }
 
 /// Which algorithm runs.
@@ -28,15 +32,18 @@ pub enum Algorithm {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Extent {
-    /// All of the mesh, to the cage round all inputs.
+    /// [`Extent::Boundary`] where segments enclose something by [`Options::interior`], otherwise
+    /// [`Extent::All`]. Curves that are not closed, where the rule asks for that, enclose nothing.
     #[default]
-    All = 0,
+    Auto = 0,
+    /// All of the mesh, to the cage round all inputs.
+    All = 1,
     /// The convex hull of the inputs, in 2D.
-    Hull = 1,
+    Hull = 2,
     /// The bounding box of the inputs, in 2D.
-    Box = 2,
+    Box = 3,
     /// What segments enclose, in 2D.
-    Boundary = 3,
+    Boundary = 4,
 }
 
 /// How a round of inputs is selected (§6.5).
@@ -60,29 +67,6 @@ pub enum Criterion {
     VoronoiAspect = 0,
     /// Circumradius over shortest edge of a simplex, TetGen's and Triangle's measure.
     RadiusEdge = 1,
-}
-
-impl Interior {
-    /// What messages call it.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Seeds => "seeds",
-            Self::Parity => "parity",
-            Self::Winding => "winding",
-        }
-    }
-}
-
-impl Extent {
-    /// What messages call it.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::All => "all",
-            Self::Hull => "hull",
-            Self::Box => "box",
-            Self::Boundary => "boundary",
-        }
-    }
 }
 
 /// What becomes of segments that cross where no input is.
@@ -162,12 +146,13 @@ pub struct Options {
     pub extent: Extent,
     /// What becomes of segments that cross.
     pub crossings: Crossings,
-    /// The length that no edge exceeds of simplices that meet the box of the inputs; 0: none.
-    /// For [`Output::WellSpaced`].
+    /// The length that no edge exceeds of simplices that meet the box of the inputs; 0: none. Not
+    /// with [`Output::Hierarchical`].
     pub max_edge: f64,
     /// Of `min_dihedral` and the bound; without effect where no angle is asked for.
     pub gives_way: GivesWay,
-    /// Which regions are inside; seeds may make holes of them. With [`Extent::Boundary`] only.
+    /// Which regions are inside; seeds may make holes of them. With [`Extent::Auto`] and
+    /// [`Extent::Boundary`] only.
     pub interior: Interior,
 }
 

@@ -1,11 +1,14 @@
 //! The meshing parameters (§4, end): defaults per dimension, and the ranges that are accepted.
 //! Plain data that a result keeps; what the algorithm derives from them is its own affair.
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
 use crate::options::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
 };
-use std::fmt::Display;
+
+mod auto;
+
+pub(crate) use auto::output_for;
 
 /// The more, the less is deferred at interfaces; the fewer, the more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
@@ -20,6 +23,7 @@ const MAX_DIHEDRAL: f64 = 22.0;
 /// Options with every default filled in and every range checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
+    /// Never [`Output::Auto`].
     pub output: Output,
     pub algorithm: Algorithm,
     pub ordering: NetOrdering,
@@ -44,7 +48,7 @@ pub struct Parameters {
     pub min_angle: f64,
     /// In degrees; 0 = none.
     pub min_dihedral: f64,
-    /// How far the result reaches.
+    /// How far the result reaches; never [`Extent::Auto`].
     pub extent: Extent,
     /// What becomes of segments that cross.
     pub crossings: Crossings,
@@ -61,7 +65,39 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// Fills the defaults for `dim` into `options`.
+    /// Returns options that say the same in full. Where `min_angle` is not 0, it says the same as
+    /// `criterion` and `quality_bound`, which are set, too.
+    pub fn options(&self) -> Options {
+        Options {
+            output: self.output,
+            algorithm: self.algorithm,
+            ordering: self.ordering,
+            criterion: self.criterion,
+            threads: self.threads,
+            quality_bound: self.quality_bound,
+            epsilon: self.epsilon,
+            delta: self.delta,
+            gamma: self.gamma,
+            yield_radius: self.yield_radius,
+            encroachment: self.encroachment,
+            cage_scale: self.cage_scale,
+            root_scale: self.root_scale,
+            seed: self.seed,
+            max_vertices: self.max_vertices,
+            instruments: self.instruments,
+            distance_ratio: self.distance_ratio,
+            min_angle: self.min_angle,
+            min_dihedral: self.min_dihedral,
+            extent: self.extent,
+            crossings: self.crossings,
+            max_edge: self.max_edge,
+            gives_way: self.gives_way,
+            interior: self.interior,
+        }
+    }
+
+    /// Fills the defaults for `dim` into `options`, for a run without sizes but `max_edge`;
+    /// [`Extent::Auto`] is that of a mesh without segments.
     ///
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
@@ -82,19 +118,19 @@ impl Parameters {
         let least_root_scale = if distance_ratio > 0.0 { 12.0 } else { 0.0 };
         let root_scale = pick(dim, [2.5, 2.5, 3.0, 4.0]).max(least_root_scale);
         Ok(Self {
-            output: options.output,
+            output: output_for(options, false),
             algorithm: options.algorithm,
             ordering: options.ordering,
             criterion,
             threads: options.threads,
             quality_bound,
-            epsilon: number("epsilon", options.epsilon, 0.5, 0.05, 0.6)?,
-            delta: number("delta", options.delta, pick(dim, [0.8, 1.0, 1.0, 1.0]), 0.1, 1.0)?,
-            gamma: number("gamma", options.gamma, 0.1, 0.01, 0.25)?,
-            yield_radius: number("yield_radius", options.yield_radius, yield_radius, 0.05, 1.0)?,
-            encroachment: number("encroachment", options.encroachment, 1.0, 1.0, 4.0)?,
-            cage_scale: number("cage_scale", options.cage_scale, 0.8, 0.3, 0.9)?,
-            root_scale: number("root_scale", options.root_scale, root_scale, 2.0, 16.0)?,
+            epsilon: number(Name::Epsilon, options.epsilon, 0.5, 0.05, 0.6)?,
+            delta: number(Name::Delta, options.delta, pick(dim, [0.8, 1.0, 1.0, 1.0]), 0.1, 1.0)?,
+            gamma: number(Name::Gamma, options.gamma, 0.1, 0.01, 0.25)?,
+            yield_radius: number(Name::YieldRadius, options.yield_radius, yield_radius, 0.05, 1.0)?,
+            encroachment: number(Name::Encroachment, options.encroachment, 1.0, 1.0, 4.0)?,
+            cage_scale: number(Name::CageScale, options.cage_scale, 0.8, 0.3, 0.9)?,
+            root_scale: number(Name::RootScale, options.root_scale, root_scale, 2.0, 16.0)?,
             seed: options.seed,
             max_vertices,
             instruments: options.instruments,
@@ -104,7 +140,10 @@ impl Parameters {
                 _ => 0.0,
             },
             min_dihedral: angle(dim, options)?,
-            extent: options.extent,
+            extent: match options.extent {
+                Extent::Auto => Extent::All,
+                named => named,
+            },
             crossings: options.crossings,
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
@@ -121,27 +160,32 @@ impl Parameters {
 /// # Errors
 /// `InvalidArgument`, naming the option, its value and the rule.
 pub fn with_segments(options: &Options) -> Result<Options> {
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
-    if options.algorithm != Algorithm::Netmesh {
-        return refuse(message!(
-            "options.algorithm is {}; with segments it must be netmesh",
-            if options.algorithm == Algorithm::Svr { "svr" } else { "delaunay" }
+    let Options { algorithm, criterion, quality_bound, distance_ratio, .. } = *options;
+    if algorithm != Algorithm::Netmesh {
+        return refuse(say!(
+            Choice::Algorithm(algorithm),
+            " goes neither with segments nor with a hull or box; these take ",
+            Choice::Algorithm(Algorithm::Netmesh)
         ));
     }
-    if options.criterion == Criterion::VoronoiAspect && options.quality_bound != 0.0 {
-        return refuse(message!(
-            "options.quality_bound is {} and options.criterion is that of Voronoi cells; with \
-             segments the criterion must be the radius-edge ratio",
-            options.quality_bound
+    if criterion == Criterion::VoronoiAspect && quality_bound != 0.0 {
+        return refuse(say!(
+            Name::QualityBound,
+            " is {quality_bound}; with segments it must be 0, or go with ",
+            Choice::Criterion(Criterion::RadiusEdge)
         ));
     }
-    if options.distance_ratio != 0.0 {
-        return refuse(message!(
-            "options.distance_ratio is {}; it must be 0 with segments",
-            options.distance_ratio
+    if distance_ratio != 0.0 {
+        return refuse(say!(
+            Name::DistanceRatio,
+            " is {distance_ratio}; it must be 0 with segments"
         ));
     }
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
+}
+
+fn refuse<T>(message: Message) -> Result<T> {
+    Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 
 /// The criterion and its bound: as they are given, or those of `min_angle`.
@@ -155,7 +199,7 @@ fn bound(dim: usize, options: &Options) -> Result<(Criterion, f64)> {
             (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [0.9, 1.1, 1.75, 2.25]), 50.0)
         }
     };
-    let given = number("quality_bound", options.quality_bound, default, lowest, highest)?;
+    let given = number(Name::QualityBound, options.quality_bound, default, lowest, highest)?;
     Ok((options.criterion, given))
 }
 
@@ -168,38 +212,43 @@ pub(crate) fn least_aspect(dim: usize) -> f64 {
 /// for.
 fn radius_edge_of(dim: usize, options: &Options) -> Result<f64> {
     let Options { min_angle, quality_bound, .. } = *options;
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
     if dim != 2 {
-        return refuse(message!(
-            "options.min_angle is {min_angle}; it must be 0 in {dim}D, since only in 2D does a \
-             radius-edge ratio bound the angles"
+        return refuse(say!(
+            Name::MinAngle,
+            " is {min_angle}; it must be 0 in {dim}D, since only in 2D does a radius-edge ratio \
+             bound the angles"
         ));
     }
     if quality_bound != 0.0 {
-        return refuse(message!(
-            "options.min_angle is {min_angle} and options.quality_bound is {quality_bound}; one of \
-             them must be 0, since each is a bound on the angles"
+        return refuse(say!(
+            Name::MinAngle,
+            " is {min_angle} and ",
+            Name::QualityBound,
+            " is {quality_bound}; one of them must be 0, since each is a bound on the angles"
         ));
     }
-    let angle = number("min_angle", min_angle, 0.0, SMALLEST_ANGLE, LARGEST_ANGLE)?;
+    let angle = number(Name::MinAngle, min_angle, 0.0, SMALLEST_ANGLE, LARGEST_ANGLE)?;
     Ok(0.5 / angle.to_radians().sin())
 }
 
 /// A least dihedral angle, which only tetrahedra can be given.
 fn angle(dim: usize, options: &Options) -> Result<f64> {
     let given = options.min_dihedral;
-    let refuse = |why| {
-        let message = message!("options.min_dihedral is {given}; it must be 0 {why}");
-        Err(Error::new(ErrorKind::InvalidArgument, message))
-    };
     if dim != 3 && given != 0.0 {
-        return refuse(message!("in {dim}D: only tetrahedra are mended"));
+        return refuse(say!(
+            Name::MinDihedral,
+            " is {given}; it must be 0 in {dim}D: only tetrahedra are mended"
+        ));
     }
     // Cells that are refined by distance would reach farther when vertices move.
     if options.distance_ratio > 0.0 && given != 0.0 {
-        return refuse("with options.distance_ratio".into());
+        return refuse(say!(
+            Name::MinDihedral,
+            " is {given}; it must be 0 with ",
+            Name::DistanceRatio
+        ));
     }
-    number("min_dihedral", given, 0.0, 0.0, MAX_DIHEDRAL)
+    number(Name::MinDihedral, given, 0.0, 0.0, MAX_DIHEDRAL)
 }
 
 /// The default for 2D, 3D, 4D and everything above.
@@ -208,65 +257,64 @@ fn pick(dim: usize, defaults: [f64; 4]) -> f64 {
 }
 
 fn distance_ratio(options: &Options) -> Result<f64> {
-    let ratio = number("distance_ratio", options.distance_ratio, 0.0, 0.05, 1.0)?;
-    if ratio > 0.0
-        && (options.output, options.algorithm) != (Output::WellSpaced, Algorithm::Netmesh)
-    {
-        let message = message!(
-            "options.distance_ratio is {ratio}; it is for well-spaced output (options.output) of \
-             the algorithm netmesh"
-        );
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+    let ratio = number(Name::DistanceRatio, options.distance_ratio, 0.0, 0.05, 1.0)?;
+    match cages_or_other(options) {
+        Some(other) if ratio > 0.0 => {
+            refuse(say!(Name::DistanceRatio, " is {ratio}; it does not go with ", other))
+        }
+        _ => Ok(ratio),
     }
-    Ok(ratio)
 }
 
 /// A largest edge, if there is one.
 fn max_edge(options: &Options) -> Result<f64> {
     let given = options.max_edge;
     if given.is_nan() || given < 0.0 {
-        let message = message!("options.max_edge is {given}; it must be 0 (none) or above");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return refuse(say!(Name::MaxEdge, " is {given}; it must be 0 (none) or above"));
     }
-    if given > 0.0 {
-        check_sized(options, "max_edge", given)?;
-    }
-    Ok(given)
-}
-
-/// Fails unless meshes by these `options` may have sizes. `option` asks for some.
-pub(crate) fn check_sized(options: &Options, option: &str, given: impl Display) -> Result<()> {
-    if (options.output, options.algorithm) == (Output::WellSpaced, Algorithm::Netmesh) {
-        return Ok(());
-    }
-    let message = message!(
-        "options.{option} is {given}; sizes are for well-spaced output (options.output) of the \
-         algorithm netmesh"
-    );
-    Err(Error::new(ErrorKind::InvalidArgument, message))
-}
-
-/// The same for sizes of regions; with segments the algorithm is netmesh.
-pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
-    match options.output {
-        Output::WellSpaced => Ok(()),
-        Output::Hierarchical => {
-            let rule = "regions have a max_edge, and options.output is hierarchical; sizes are for \
-                        well-spaced output";
-            Err(Error::new(ErrorKind::InvalidArgument, rule))
+    match cages_or_other(options) {
+        Some(other) if given > 0.0 => {
+            refuse(say!(Name::MaxEdge, " is {given}; it does not go with ", other))
         }
+        _ => Ok(given),
     }
 }
 
-fn number(name: &str, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {
+/// Fails if meshes by these `options` may have no sizes. `given` tells them.
+pub(crate) fn check_sized(options: &Options, given: Name) -> Result<()> {
+    match cages_or_other(options) {
+        Some(other) => refuse(say!(given, " is given; it does not go with ", other)),
+        None => Ok(()),
+    }
+}
+
+/// The same for sizes of regions.
+pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
+    match cages_or_other(options) {
+        Some(other) => refuse(say!("regions have largest edges, which do not go with ", other)),
+        None => Ok(()),
+    }
+}
+
+/// Returns what sizes and distance ratios do not go with, if the caller has chosen it: cages, which
+/// break them, or an algorithm that keeps none.
+fn cages_or_other(options: &Options) -> Option<Choice> {
+    match (options.algorithm, options.output) {
+        (Algorithm::Netmesh, Output::Hierarchical) => Some(Choice::Output(Output::Hierarchical)),
+        (Algorithm::Netmesh, _) => None,
+        (other, _) => Some(Choice::Algorithm(other)),
+    }
+}
+
+fn number(name: Name, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {
     if given == 0.0 {
         return Ok(default);
     }
     if !(lowest..=highest).contains(&given) {
-        let message = message!(
-            "options.{name} is {given}; it must be 0 (default {default}) or in [{lowest}, {highest}]"
-        );
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return refuse(say!(
+            name,
+            " is {given}; it must be 0 (default {default}) or in [{lowest}, {highest}]"
+        ));
     }
     Ok(given)
 }

@@ -1,11 +1,12 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{Poll, Task, arrange, check_closed, with_extent};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::arrangement::{Poll, Task, arrange, check_closed, encloses, with_extent};
+use crate::error::{Choice, Error, ErrorKind, Name, Result, say};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE, Triangulation};
 use crate::netmesh::{self, Watch};
 use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
+use crate::parameters::check_sized;
 use crate::sizes::Field;
 
 /// How often segments are led through further points where doubles have no room beside each other.
@@ -35,6 +36,7 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
+        self.check_sizes(options, size.is_some())?;
         let mut crowded = Vec::new();
         let mut least = -1.0;
         let mut progress = progress.map(|progress| forwards(&mut least, progress));
@@ -42,9 +44,9 @@ impl Mesh {
         for tries in 1.. {
             let mut watch = Watch::new(progress.as_deref_mut());
             let poll: Poll<'_> = &mut |work| watch.poll_after(work);
-            let mut arrangement = self.arrangement(options, &crowded, poll)?;
+            let (options, mut arrangement) = self.arrangement(options, &crowded, poll)?;
             let arranged = arrangement.as_mut();
-            let made = self.meshed(options, arranged, size, progress.as_deref_mut());
+            let made = self.meshed(&options, arranged, size, progress.as_deref_mut());
             let known = crowded.len();
             if let (Err(_), Some(arrangement)) = (&made, arrangement) {
                 self.note_crowded(&mut crowded, &arrangement)?;
@@ -57,6 +59,7 @@ impl Mesh {
         Ok(())
     }
 
+    /// Makes the mesh that an arrangement is of.
     fn meshed(
         &self,
         options: &Options,
@@ -87,20 +90,33 @@ impl Mesh {
         Ok(())
     }
 
-    /// What the mesh must conform to, if there is something.
+    /// Returns the options with the extent that [`Extent::Auto`] stands for, and what the mesh must
+    /// conform to, if there is something.
     fn arrangement(
         &self,
         options: &Options,
         crowded: &[[f64; 2]],
         poll: Poll<'_>,
-    ) -> Result<Option<Arrangement>> {
+    ) -> Result<(Options, Option<Arrangement>)> {
         let Options { extent, crossings, interior, .. } = *options;
         self.check_extent(extent)?;
         self.check_interior(extent, interior)?;
+        let mut options = options.clone();
         let mut arrangement = match extent {
-            Extent::All if self.segments().count() == 0 => {
+            Extent::Auto | Extent::All if self.segments().count() == 0 => {
                 self.refuse_seeds()?;
-                return Ok(None);
+                return Ok((without_interior(options), None));
+            }
+            Extent::Auto => {
+                let (inputs, segments) = (self.inputs(), self.segments());
+                let own = segments.count();
+                let task = Task { inputs, segments, own, crowded, crossings };
+                let arrangement = arrange(&task, poll)?;
+                options = match encloses(inputs, segments, &arrangement, interior)? {
+                    true => Options { extent: Extent::Boundary, ..options },
+                    false => without_interior(options),
+                };
+                arrangement
             }
             Extent::All | Extent::Boundary => {
                 let (inputs, segments) = (self.inputs(), self.segments());
@@ -116,21 +132,33 @@ impl Mesh {
             }
         };
         arrangement.regions = copied(self.regions())?;
-        Ok(Some(arrangement))
+        Ok((options, Some(arrangement)))
+    }
+
+    /// Fails where the options do not go with the sizes that the mesh was given, and with a function
+    /// if there is one.
+    fn check_sizes(&self, options: &Options, has_function: bool) -> Result<()> {
+        let given = self.given_sizes();
+        let sources = [
+            (has_function, Name::Size),
+            (!given.at_inputs.is_empty(), Name::Sizes),
+            (given.background.is_some(), Name::Background),
+        ];
+        let mut sources = sources.into_iter().filter(|&(is_given, _)| is_given);
+        sources.try_for_each(|(_, name)| check_sized(options, name))
     }
 
     fn check_extent(&self, extent: Extent) -> Result<()> {
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
         let dim = self.inputs().dim();
         match extent {
-            Extent::All => Ok(()),
-            _ if dim != 2 => refuse(message!(
-                "options.extent is {} and the mesh has dimension {dim}; above 2D it must be all",
-                extent.word()
-            )),
-            Extent::Boundary if self.segments().count() == 0 => refuse(message!(
-                "options.extent is boundary and the mesh has no segments; set them first"
-            )),
+            Extent::Auto | Extent::All => Ok(()),
+            _ if dim != 2 => {
+                refuse(say!(Choice::Extent(extent), " is for 2D; the mesh has dimension {dim}"))
+            }
+            Extent::Boundary if self.segments().count() == 0 => {
+                refuse(say!(Choice::Extent(extent), " needs segments; the mesh has none"))
+            }
             _ => Ok(()),
         }
     }
@@ -140,22 +168,31 @@ impl Mesh {
         if self.regions().is_empty() {
             return Ok(());
         }
-        let message = "regions[0].seed is in no region: the mesh has no segments, and \
-                       options.extent is all; set segments first, or another extent";
+        let message = say!(
+            Name::Seed(0),
+            " is in no region: the mesh has no segments; set them first, or another extent"
+        );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
-        if interior != Interior::Seeds && extent != Extent::Boundary {
-            let message = message!(
-                "options.interior is {} and options.extent is {}; what curves enclose is for the \
-                 extent boundary",
-                interior.word(),
-                extent.word()
-            );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+        let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+        let rule = Choice::Interior(interior);
+        match extent {
+            _ if interior == Interior::Seeds => Ok(()),
+            Extent::Auto if self.segments().count() == 0 => {
+                refuse(say!(rule, " needs segments; the mesh has none"))
+            }
+            Extent::Auto => Ok(()),
+            Extent::Boundary => check_closed(self.inputs(), self.segments(), interior),
+            _ => refuse(say!(
+                rule,
+                " does not go with ",
+                Choice::Extent(extent),
+                ", but with ",
+                Choice::Extent(Extent::Boundary)
+            )),
         }
-        check_closed(self.inputs(), self.segments(), interior)
     }
 
     /// The arrangement of `extended` inputs and segments: corners of the extent that are no inputs
@@ -187,4 +224,9 @@ fn forwards<'a>(
         *least = least.max(now.fraction);
         progress(&Progress { fraction: *least, ..now.clone() })
     }
+}
+
+/// Returns the options of a run that nothing is cut out of, where no rule says what is inside.
+fn without_interior(options: Options) -> Options {
+    Options { extent: Extent::All, interior: Interior::Seeds, ..options }
 }

@@ -270,7 +270,7 @@ fn the_layouts_are_fixed() {
         "CHECK(interior, offsetof(nm_options, interior) == 160 + 4 * sizeof(void *));",
         "CHECK(counts, sizeof(nm_counts) == 48 && offsetof(nm_counts, domains) == 40);",
         "CHECK(domain, sizeof(nm_domain) == 16 && offsetof(nm_domain, radius) == 8);",
-        "CHECK(quality, sizeof(nm_quality) == 104 && offsetof(nm_quality, precision_limited) == 56);",
+        "CHECK(quality, sizeof(nm_quality) == 112 && offsetof(nm_quality, precision_limited) == 56);",
         "CHECK(stats, sizeof(nm_stats) == 232 && offsetof(nm_stats, seconds) == 96);",
         "CHECK(measured, offsetof(nm_stats, ply_probes) == 160);",
         "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 224);",

@@ -3,6 +3,7 @@
 //! allocator is asked for.
 
 mod architecture;
+mod automatic;
 mod c_api;
 mod certificate;
 mod damaged_features;

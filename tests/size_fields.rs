@@ -229,7 +229,7 @@ fn answers_that_are_no_sizes_end_the_run() {
             };
             let error = mesh.run_sized(&well_spaced(), Some(&size), None).unwrap_err();
             assert_eq!((error.kind(), count.get()), (ErrorKind::InvalidArgument, first + 1));
-            let words = format!("options.size answers {answer} at {:?};", last.borrow());
+            let words = format!("size answers {answer} at {:?};", last.borrow());
             assert!(error.message().starts_with(&words), "{error}");
             assert_eq!(mesh.triangulation().unwrap().points, before);
         }
@@ -239,9 +239,12 @@ fn answers_that_are_no_sizes_end_the_run() {
 #[test]
 fn options_that_sizes_do_not_go_with_are_refused() {
     let sized = |options: Options| Options { max_edge: 0.1, ..options };
-    let hierarchical = Options::default();
+    let hierarchical = Options { output: Output::Hierarchical, ..Options::default() };
     for (options, words) in [
-        (sized(hierarchical.clone()), "options.max_edge is 0.1; sizes are for well-spaced output"),
+        (
+            sized(hierarchical.clone()),
+            "options.max_edge is 0.1; it does not go with options.output = Output::Hierarchical",
+        ),
         (Options { max_edge: -1.0, ..well_spaced() }, "options.max_edge is -1; it must be 0"),
         (Options { max_edge: f64::NAN, ..well_spaced() }, "options.max_edge is NaN; it must be 0"),
     ] {
@@ -251,7 +254,8 @@ fn options_that_sizes_do_not_go_with_are_refused() {
     }
     let error = refusal(3, &hierarchical, Some(&|_| panic!("nobody asks")));
     assert!(
-        error.message().starts_with("options.size is set, or values for it; sizes are for"),
+        error.message()
+            == "size is given; it does not go with options.output = Output::Hierarchical",
         "{error}"
     );
     let infinite = Options { max_edge: f64::INFINITY, ..well_spaced() };
@@ -407,7 +411,7 @@ fn answers_at_places_for_vertices_are_checked() {
         if count.get() == before + 50 { f64::NAN } else { 0.15 }
     };
     let error = refused_by(&points, &options, &fails);
-    assert!(error.message().starts_with("options.size answers NaN at ["), "{error}");
+    assert!(error.message().starts_with("size answers NaN at ["), "{error}");
 }
 
 fn refused_by(points: &[f64], options: &Options, size: &SizeFn<'_>) -> Error {

@@ -1,6 +1,7 @@
 //! The boundary of an alpha shape in place of the mesh.
 
-use crate::arguments::{AlgorithmName, AlphaChoice, Arguments};
+use crate::arguments::{AlphaChoice, Arguments};
+use crate::choices::AlgorithmName;
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::Mesh;

@@ -1,12 +1,14 @@
 //! The command line: what a user may type, and how it maps to the library's options.
 
-use crate::exit_code;
-use clap::builder::PossibleValue;
-use clap::{Parser, ValueEnum};
-use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
+use crate::choices::{
+    AddedValues, AlgorithmName, CriterionName, CrossingsName, ExtentName, FiltrationName,
+    FormatName, GivesWayName, InteriorName, OrderingName, ReadableFormat,
 };
+use crate::exit_code;
+use crate::whole::whole;
+use clap::Parser;
+use netmesh::io::{AttributeColumns, Choice, Columns, Format};
+use netmesh::{Algorithm, GivesWay, Options, Output};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -65,7 +67,7 @@ pub struct Arguments {
     /// is; or "optimal", the least for which its simplices reach all points and are one piece. The
     /// output is its boundary, a file that ends with .ply or .off; the summary has its topology
     #[arg(long, value_name = "ALPHA", value_parser = parse_alpha, allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["output_format", "attributes", "filtration", "finish"])]
+    #[arg(conflicts_with_all = ["output_format", "attributes", "filtration", "finish", "hierarchical"])]
     pub alpha_shape: Option<AlphaChoice>,
 
     /// Format of the output, where the extension does not tell
@@ -76,9 +78,15 @@ pub struct Arguments {
     #[arg(long)]
     pub force: bool,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle,
+    /// a size, --distance-ratio and an extent other than all do; otherwise the mesh is hierarchical
     #[arg(long)]
     pub finish: bool,
+
+    /// Make a hierarchical mesh, also where an angle or an extent asks for a well-spaced one; some
+    /// triangles beside cages then miss the angle
+    #[arg(long, conflicts_with = "finish")]
+    pub hierarchical: bool,
 
     /// Check the mesh with the independent certificate checker
     #[arg(long)]
@@ -163,7 +171,7 @@ pub struct Meshing {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub root_scale: Option<f64>,
 
-    /// With --finish: how far a cell may reach, relative to its vertex's distance from the input,
+    /// How far a cell may reach, relative to its vertex's distance from the input,
     /// unless it has one nearest point of the input everywhere; for --filtration mesh
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub distance_ratio: Option<f64>,
@@ -172,16 +180,16 @@ pub struct Meshing {
     #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     pub min_dihedral: Option<f64>,
 
-    /// With --finish: the length that no edge exceeds in the box of the input
+    /// The length that no edge exceeds in the box of the input
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     pub max_edge: Option<f64>,
 
-    /// With --finish: a file with the length that edges shall have at each point of the input, as
+    /// A file with the length that edges shall have at each point of the input, as
     /// TetGen's .mtr: the number of points, then one number a line
     #[arg(long, value_name = "FILE")]
     pub sizes: Option<PathBuf>,
 
-    /// With --finish: a file with points of a background, such as TetGen's .b.node, and the length that
+    /// A file with points of a background, such as TetGen's .b.node, and the length that
     /// edges shall have there: in a .mtr file of the same name beside it, or else as the attribute
     /// "size" (the first attribute of a .node file). Between the points lengths are linear
     #[arg(long, value_name = "FILE")]
@@ -193,47 +201,31 @@ pub struct Meshing {
 
     /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or to
     /// the boundary that segments are
-    #[arg(long, value_enum, default_value_t = ExtentName::All)]
+    #[arg(long, value_enum, default_value_t = ExtentName::Auto)]
     pub extent: ExtentName,
 
     /// What becomes of segments that cross: they are refused, or split where they do
     #[arg(long, value_enum, default_value_t = CrossingsName::Refuse)]
     pub crossings: CrossingsName,
 
-    /// With --extent boundary: which regions between segments are inside; seeds may make holes of
-    /// them
+    /// Which regions between segments are inside; seeds may make holes of them
     #[arg(long, value_enum, default_value_t = InteriorName::Seeds)]
     pub interior: InteriorName,
 
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
     /// --ordering deterministic
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<u64>)]
+    #[arg(allow_negative_numbers = true)]
     pub seed: u64,
 
     /// Stop with exit code 5 rather than make more vertices than this
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>, allow_negative_numbers = true)]
     pub max_vertices: Option<u64>,
 
     /// Threads, 0 = all cores; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>)]
+    #[arg(allow_negative_numbers = true)]
     pub threads: u32,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AddedValues {
-    /// Linear in the Delaunay triangulation of the inputs, those of the nearest input beyond its
-    /// hull
-    Linear,
-    /// Not a number
-    Nan,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FiltrationName {
-    /// Alpha values, of the Delaunay triangulation of the input, which is made instead of a mesh
-    Alpha,
-    /// The distance to the input, followed by the cells of the mesh; best with --finish
-    Mesh,
 }
 
 /// Which alpha shape.
@@ -250,95 +242,6 @@ pub enum Product {
     Mesh,
     Filtration(FiltrationName),
     AlphaShape(AlphaChoice),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AlgorithmName {
-    Netmesh,
-    Svr,
-    Delaunay,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum OrderingName {
-    Sampled,
-    Deterministic,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CriterionName {
-    /// Voronoi aspect ratio: farthest corner over half the distance to the nearest neighbour
-    Aspect,
-    /// Circumradius over shortest edge of a simplex
-    RadiusEdge,
-}
-
-/// How far the mesh reaches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ExtentName {
-    All,
-    Hull,
-    Box,
-    Boundary,
-}
-
-/// What becomes of segments that cross.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CrossingsName {
-    Refuse,
-    Split,
-}
-
-/// Which regions between segments are inside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum InteriorName {
-    /// All that cannot be reached from outside without crossing a segment
-    Seeds,
-    /// Where a path from outside crosses an odd number of segments
-    Parity,
-    /// Where the winding number of the segments is not 0
-    Winding,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum GivesWayName {
-    /// The angle: some tetrahedra stay below it
-    Angle,
-    /// The bound: some cells, or tetrahedra, go beyond it
-    Bound,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum FormatName {
-    /// VTK XML unstructured grid, write only (.vtu)
-    Vtu,
-    /// TetGen .node and .ele
-    Tetgen,
-    /// Gmsh, as text (.msh)
-    Gmsh,
-    /// Medit, as text (.mesh)
-    Medit,
-    /// OFF, nOFF from three dimensions on (.off)
-    Off,
-    /// Polygons: of a planar mesh all triangles, in 3D the boundary (.ply)
-    Ply,
-    /// Points, separated by spaces (.xyz)
-    Xyz,
-    /// Points, separated by commas (.csv)
-    Csv,
-    /// Points as a NumPy array (.npy)
-    Npy,
-    /// The Voronoi diagram of the vertices, write only (.voronoi.json)
-    VoronoiJson,
-    /// The domains and their cages, write only (.domains.json)
-    DomainsJson,
-    /// Triangle's points, segments and regions, read only (.poly)
-    Poly,
-    /// Points, lines and polygons of GeoJSON, read only (.geojson)
-    #[value(name = "geojson")]
-    GeoJson,
-    /// Points, lines and polygons of well-known text, read only (.wkt)
-    Wkt,
 }
 
 impl Arguments {
@@ -364,10 +267,49 @@ impl Arguments {
         filtration.or(alpha_shape).unwrap_or(Product::Mesh)
     }
 
+    /// Returns the option that asks for the plain Delaunay triangulation, if one does.
+    pub fn delaunay_option(&self) -> &'static str {
+        match self.product() {
+            Product::Filtration(FiltrationName::Alpha) => "--filtration alpha",
+            Product::AlphaShape(_) => "--alpha-shape",
+            Product::Filtration(FiltrationName::Mesh) | Product::Mesh => "--algorithm delaunay",
+        }
+    }
+
+    /// Returns the options that were given and have no effect on the algorithm.
+    pub fn without_effect(&self) -> Vec<&'static str> {
+        let Meshing { bound, min_angle, min_dihedral, epsilon, delta, gamma, .. } = self.meshing;
+        let Meshing { yield_radius, encroachment, cage_scale, root_scale, .. } = self.meshing;
+        let is_set = |number: Option<f64>| number.is_some_and(|number| number != 0.0);
+        let outputs = [(self.finish, "--finish"), (self.hierarchical, "--hierarchical")];
+        let numbers = [
+            (is_set(bound), "--bound"),
+            (is_set(min_angle), "--min-angle"),
+            (is_set(min_dihedral), "--min-dihedral"),
+            (is_set(epsilon), "--epsilon"),
+            (is_set(delta), "--delta"),
+            (is_set(gamma), "--gamma"),
+            (is_set(yield_radius), "--yield-radius"),
+            (is_set(encroachment), "--encroachment"),
+            (is_set(cage_scale), "--cage-scale"),
+            (is_set(root_scale), "--root-scale"),
+        ];
+        let is_given = |&(is_given, name): &(bool, &'static str)| is_given.then_some(name);
+        match self.options().algorithm {
+            Algorithm::Netmesh => Vec::new(),
+            Algorithm::Svr => outputs.iter().filter_map(is_given).collect(),
+            Algorithm::Delaunay => outputs.iter().chain(&numbers).filter_map(is_given).collect(),
+        }
+    }
+
     pub fn options(&self) -> Options {
         let meshing = &self.meshing;
         Options {
-            output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
+            output: match (self.finish, self.hierarchical) {
+                (true, _) => Output::WellSpaced,
+                (_, true) => Output::Hierarchical,
+                _ => Output::Auto,
+            },
             algorithm: match self.product() {
                 Product::Filtration(FiltrationName::Alpha) | Product::AlphaShape(_) => {
                     Algorithm::Delaunay
@@ -403,33 +345,6 @@ impl Arguments {
     }
 }
 
-/// A format that points can be read from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ReadableFormat(FormatName);
-
-impl ValueEnum for ReadableFormat {
-    fn value_variants<'a>() -> &'a [Self] {
-        const READABLE: [ReadableFormat; 11] = [
-            ReadableFormat(FormatName::Tetgen),
-            ReadableFormat(FormatName::Gmsh),
-            ReadableFormat(FormatName::Medit),
-            ReadableFormat(FormatName::Off),
-            ReadableFormat(FormatName::Ply),
-            ReadableFormat(FormatName::Xyz),
-            ReadableFormat(FormatName::Csv),
-            ReadableFormat(FormatName::Npy),
-            ReadableFormat(FormatName::Poly),
-            ReadableFormat(FormatName::GeoJson),
-            ReadableFormat(FormatName::Wkt),
-        ];
-        &READABLE
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        self.0.to_possible_value()
-    }
-}
-
 fn parse_alpha(text: &str) -> Result<AlphaChoice, String> {
     match text {
         "connected" => Ok(AlphaChoice::Connected),
@@ -455,89 +370,11 @@ fn without_name(error: netmesh::Error) -> String {
     message.split_once(": ").map_or(message, |(_, rest)| rest).to_owned()
 }
 
-impl AlgorithmName {
-    fn algorithm(self) -> Algorithm {
-        match self {
-            Self::Netmesh => Algorithm::Netmesh,
-            Self::Svr => Algorithm::Svr,
-            Self::Delaunay => Algorithm::Delaunay,
-        }
-    }
-}
-
-impl OrderingName {
-    fn ordering(self) -> NetOrdering {
-        match self {
-            Self::Sampled => NetOrdering::SampledNet,
-            Self::Deterministic => NetOrdering::DeterministicNet,
-        }
-    }
-}
-
-impl ExtentName {
-    fn extent(self) -> Extent {
-        match self {
-            Self::All => Extent::All,
-            Self::Hull => Extent::Hull,
-            Self::Box => Extent::Box,
-            Self::Boundary => Extent::Boundary,
-        }
-    }
-}
-
-impl CrossingsName {
-    fn crossings(self) -> Crossings {
-        match self {
-            Self::Refuse => Crossings::Refuse,
-            Self::Split => Crossings::Split,
-        }
-    }
-}
-
-impl InteriorName {
-    fn interior(self) -> Interior {
-        match self {
-            Self::Seeds => Interior::Seeds,
-            Self::Parity => Interior::Parity,
-            Self::Winding => Interior::Winding,
-        }
-    }
-}
-
-impl CriterionName {
-    fn criterion(self) -> Criterion {
-        match self {
-            Self::Aspect => Criterion::VoronoiAspect,
-            Self::RadiusEdge => Criterion::RadiusEdge,
-        }
-    }
-}
-
-impl FormatName {
-    fn format(self) -> Format {
-        match self {
-            Self::Vtu => Format::Vtu,
-            Self::Tetgen => Format::TetgenNode,
-            Self::Gmsh => Format::Gmsh,
-            Self::Medit => Format::Medit,
-            Self::Off => Format::Off,
-            Self::Ply => Format::Ply,
-            Self::Xyz => Format::Xyz,
-            Self::Csv => Format::Csv,
-            Self::Npy => Format::Npy,
-            Self::VoronoiJson => Format::VoronoiJson,
-            Self::DomainsJson => Format::DomainsJson,
-            Self::Poly => Format::Poly,
-            Self::GeoJson => Format::GeoJson,
-            Self::Wkt => Format::Wkt,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use clap::CommandFactory;
+    use netmesh::{Criterion, Crossings, Extent, Interior, NetOrdering};
 
     #[test]
     fn the_command_is_well_formed() {
@@ -588,5 +425,9 @@ mod tests {
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();
         assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
+        let named = ["netmesh", "points.xyz", "--hierarchical", "--extent", "all"];
+        let (output, extent) = (Output::Hierarchical, Extent::All);
+        let expected = Options { output, extent, ..Options::default() };
+        assert_eq!(Arguments::parse_from(named).options(), expected);
     }
 }

@@ -1,6 +1,7 @@
 //! Exit codes: a script learns from the number alone whose turn it is, the caller's, the data's or
 //! the machine's. `docs/command_line.md` and `--help` say the same; values are append only.
 
+use crate::words::{CommandLine, in_options};
 use netmesh::{Error, ErrorKind};
 
 /// Why the program ended.
@@ -54,13 +55,18 @@ impl Failure {
         Self { code, message: message.into() }
     }
 
+    /// A failure of a run, in the words of what was given.
+    pub fn of_run(error: &Error, words: CommandLine<'_>) -> Self {
+        Self::new(code_of(error.kind()), error.in_words(words).to_string())
+    }
+
     /// A failure to read `path`.
     pub fn reading(path: &str, error: &Error) -> Self {
         let code = match error.kind() {
             ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
             _ => code_of(error.kind()),
         };
-        Self::new(code, in_options(&at_path(path, error)))
+        Self::new(code, at_path(path, error))
     }
 
     /// A failure to write `path`.
@@ -75,35 +81,17 @@ impl Failure {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::new(code_of(error.kind()), in_options(error.message()))
+        Self::new(code_of(error.kind()), in_options(&error))
     }
 }
 
 /// Names the file, unless the message does so already.
 fn at_path(path: &str, error: &Error) -> String {
-    match error.message().contains(path) {
-        true => error.message().to_owned(),
-        false => format!("{path}: {error}"),
+    let message = in_options(error);
+    match message.contains(path) {
+        true => message,
+        false => format!("{path}: {message}"),
     }
-}
-
-/// The library's names of arguments as the options of the command line.
-fn in_options(message: &str) -> String {
-    let mut parts = message.split("options.");
-    let mut text = parts.next().unwrap_or_default().to_owned();
-    for name in ["columns: ", "attributes: "] {
-        text = text.replace(name, &format!("--{name}"));
-    }
-    for part in parts {
-        let is_name = |c: char| c.is_ascii_lowercase() || c == '_';
-        let (name, rest) = part.split_at(part.find(|c| !is_name(c)).unwrap_or(part.len()));
-        match name {
-            "quality_bound" => text += "--bound",
-            _ => text += &format!("--{}", name.replace('_', "-")),
-        }
-        text += rest;
-    }
-    text
 }
 
 fn code_of(kind: ErrorKind) -> ExitCode {
@@ -119,24 +107,5 @@ fn code_of(kind: ErrorKind) -> ExitCode {
         | ErrorKind::Format
         | ErrorKind::State
         | ErrorKind::Panic => ExitCode::Other,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn arguments_of_the_library_become_options() {
-        for (message, expected) in [
-            ("options.quality_bound is 1; it must be more", "--bound is 1; it must be more"),
-            ("options.max_vertices is 6", "--max-vertices is 6"),
-            ("a.csv: columns: there is none", "a.csv: --columns: there is none"),
-            ("a.csv: attributes: there is none", "a.csv: --attributes: there is none"),
-            ("a and options.gamma, options.delta.", "a and --gamma, --delta."),
-            ("nothing of that", "nothing of that"),
-        ] {
-            assert_eq!(in_options(message), expected);
-        }
     }
 }

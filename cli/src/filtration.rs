@@ -1,6 +1,7 @@
 //! A filtration in place of the mesh.
 
-use crate::arguments::{AlgorithmName, Arguments, FiltrationName};
+use crate::arguments::Arguments;
+use crate::choices::{AlgorithmName, FiltrationName};
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::Mesh;

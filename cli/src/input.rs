@@ -1,6 +1,7 @@
 //! Where the points come from.
 
-use crate::arguments::{AddedValues, Arguments};
+use crate::arguments::Arguments;
+use crate::choices::AddedValues;
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::io::{self, Format, Table};

@@ -5,6 +5,7 @@
 mod alpha_shape;
 mod arguments;
 mod certificate;
+mod choices;
 mod exit_code;
 mod filtration;
 mod histograms;
@@ -18,11 +19,12 @@ mod output;
 mod progress;
 mod record;
 mod same_file;
-mod seeds;
 mod session;
 mod sizes;
 mod standard;
 mod summary;
+mod whole;
+mod words;
 
 use arguments::Arguments;
 use clap::Parser;

@@ -70,6 +70,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.text(
         "output",
         match parameters.output {
+            Output::Auto => "auto",
             Output::Hierarchical => "hierarchical",
             Output::WellSpaced => "well-spaced",
         },
@@ -122,6 +123,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.text(
         "extent",
         match parameters.extent {
+            Extent::Auto => "auto",
             Extent::All => "all",
             Extent::Hull => "hull",
             Extent::Box => "box",
@@ -160,6 +162,7 @@ fn add_quality(object: &mut Object, summary: &Summary<'_>) {
     object.count("beyond_bound", quality.beyond_bound);
     object.count("forced", quality.forced);
     object.number("least_forced_angle_degrees", quality.least_forced_angle_degrees);
+    object.count("below_min_angle", quality.below_min_angle);
 }
 
 /// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.

@@ -12,10 +12,10 @@ use crate::output;
 use crate::progress::Display;
 use crate::record;
 use crate::same_file;
-use crate::seeds;
 use crate::sizes;
 use crate::standard;
 use crate::summary::{Summary, Times};
+use crate::words::CommandLine;
 use netmesh::prepared::Prepared;
 use netmesh::{Mesh, Triangulation, quality};
 use std::io::Write;
@@ -145,7 +145,8 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
-    Ok(outcome.map_err(|error| seeds::named(&error, mesh.regions()))?)
+    let words = CommandLine { regions: mesh.regions(), delaunay: arguments.delaunay_option() };
+    outcome.map_err(|error| Failure::of_run(&error, words))
 }
 
 /// Writes what was asked for.

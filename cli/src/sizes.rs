@@ -3,6 +3,7 @@
 //! comment.
 
 use crate::exit_code::{ExitCode, Failure};
+use crate::words::in_options;
 use netmesh::io::{Choice, Format, PointCloud, read_points, read_table_file};
 use netmesh::{Algorithm, Attribute, Mesh, Options};
 use std::path::Path;
@@ -10,13 +11,13 @@ use std::path::Path;
 /// Gives `mesh` the sizes in a file.
 pub fn set(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let sizes = read(path, mesh.inputs().count())?;
-    mesh.set_sizes(&sizes).map_err(|error| refusal(path, error.message()))
+    mesh.set_sizes(&sizes).map_err(|error| refusal(path, &in_options(&error)))
 }
 
 /// Gives `mesh` sizes on the Delaunay triangulation of the points in a file.
 pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let (points, sizes) = read_background(path)?;
-    let refuse = |error: netmesh::Error| refusal(path, error.message());
+    let refuse = |error: netmesh::Error| refusal(path, &in_options(&error));
     let PointCloud { dim, coordinates } = &points;
     let mut background = Mesh::new(*dim, sizes.len(), coordinates, 0).map_err(refuse)?;
     let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
@@ -30,7 +31,7 @@ pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
 
 /// Points, and a size for each.
 fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
-    let refuse = |error: netmesh::Error| refusal(path, error.message());
+    let refuse = |error: netmesh::Error| refusal(path, &in_options(&error));
     let beside = path.with_extension("mtr");
     if beside.exists() {
         let points = read_points(path, Format::Auto).map_err(refuse)?;

@@ -9,7 +9,7 @@ use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, GivesWay, Inputs, NetOrdering, Output, Triangulation,
+    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, NetOrdering, Output, Triangulation,
     VertexKind,
 };
 use std::fmt::Write;
@@ -82,14 +82,29 @@ impl Summary<'_> {
     }
 
     fn add_task(&self, lines: &mut Lines) {
+        lines.add("task", self.task());
+        let useless = self.arguments.without_effect();
+        if !useless.is_empty() {
+            let verb = if useless.len() == 1 { "has" } else { "have" };
+            lines.add("", format!("{} {verb} no effect on that", useless.join(", ")));
+        }
+    }
+
+    fn task(&self) -> String {
         let parameters = &self.triangulation.parameters;
         if parameters.algorithm == Algorithm::Delaunay {
-            return lines.add("task", "plain Delaunay triangulation of the input".to_owned());
+            return "plain Delaunay triangulation of the input".to_owned();
         }
         let output = match parameters.output {
             _ if parameters.algorithm == Algorithm::Svr => "sparse Voronoi refinement",
-            Output::Hierarchical => "hierarchical mesh",
+            Output::Auto | Output::Hierarchical => "hierarchical mesh",
             Output::WellSpaced => "well-spaced mesh",
+        };
+        let extent = match parameters.extent {
+            Extent::Auto | Extent::All => "",
+            Extent::Hull => " of the hull",
+            Extent::Box => " of the box",
+            Extent::Boundary => " of what segments enclose",
         };
         let criterion = match parameters.criterion {
             Criterion::VoronoiAspect => "Voronoi aspect",
@@ -105,7 +120,7 @@ impl Summary<'_> {
             0.0 => String::new(),
             degrees => format!(" (angles at least {} degrees)", measure(degrees)),
         };
-        lines.add("task", format!("{output}, {criterion} at most {bound}{angle}, {ordering}"));
+        format!("{output}{extent}, {criterion} at most {bound}{angle}, {ordering}")
     }
 
     fn add_mesh(&self, lines: &mut Lines) {
@@ -173,6 +188,11 @@ impl Summary<'_> {
                 line += &format!("; {} beyond the bound", counted(quality.beyond_bound, one, many));
             }
             lines.add("", line);
+        }
+        if quality.below_min_angle > 0 {
+            let below = counted(quality.below_min_angle, "triangle", "triangles");
+            let degrees = measure(self.triangulation.parameters.min_angle);
+            lines.add("", format!("{below} below {degrees} degrees that nothing forces"));
         }
         if quality.forced > 0 {
             let forced = counted(quality.forced, "triangle", "triangles");

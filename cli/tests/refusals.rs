@@ -170,3 +170,47 @@ fn points_whose_cage_leaves_the_doubles_are_a_limit() {
     let near = bench_with("less_far_apart", "0 0\n3.5e307 0\n-3.5e307 0\n0 3.5e307\n");
     near.run("points.xyz --validate -q").assert_success();
 }
+
+#[test]
+fn numbers_that_cannot_be_get_their_range() {
+    let bench = bench_with("whole_numbers", SQUARE);
+    let largest = "it must be a whole number from 0 to 18446744073709551615";
+    bench.run("points.xyz --seed -5").assert_failure(2, &["'-5' for '--seed <N>'", largest]);
+    bench.run("points.xyz --max-vertices -1").assert_failure(2, &["--max-vertices", largest]);
+    bench.run("points.xyz --threads 1.5").assert_failure(2, &["--threads", "0 to 4294967295"]);
+}
+
+#[test]
+fn what_has_no_effect_is_told() {
+    let bench = bench_with("without_effect", SQUARE);
+    let told = |options: &str| {
+        let outcome = bench.run(&format!("points.xyz {options}"));
+        outcome.assert_success();
+        outcome.stdout
+    };
+    let plain = told("--algorithm delaunay --finish --min-angle 20");
+    assert!(plain.contains("--finish, --min-angle have no effect on that"), "{plain}");
+    assert!(told("--algorithm svr --finish").contains("--finish has no effect on that"));
+    assert!(!told("--algorithm delaunay").contains("no effect"));
+    assert!(!told("--finish --min-angle 20").contains("no effect"));
+}
+
+#[test]
+fn messages_name_what_the_command_line_has() {
+    let bench = bench_with("words", SQUARE);
+    let domain = "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n\
+                  2\n0 0.2 0.2\n1 0.5 0\n1\n0 0.7 0.7 5\n";
+    bench.write("holes.poly", domain);
+    bench.write("cross.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n2 0\n0 0 2\n1 1 3\n0\n");
+    bench.run("holes.poly").assert_failure(2, &["holes[1] is on segments[0];"]);
+    bench.run("cross.poly").assert_failure(2, &["with --crossings split they are split there"]);
+    for (options, words) in [
+        ("--extent boundary", "--extent boundary needs segments"),
+        ("--interior parity", "--interior parity needs segments"),
+        ("--interior parity --extent hull", "--interior parity does not go with --extent hull"),
+        ("--algorithm delaunay --extent box", "--algorithm delaunay goes neither with segments"),
+        ("--alpha-shape 1 --extent box", "--alpha-shape goes neither with segments"),
+    ] {
+        bench.run(&format!("points.xyz {options}")).assert_failure(2, &[words]);
+    }
+}

@@ -73,7 +73,7 @@ fn a_background_without_sizes_is_refused() {
         ("plain.csv", "size"),
         ("flat.csv", "rank"),
         ("space.csv", "dimensions"),
-        ("zero.csv", "values[1] is 0"),
+        ("zero.csv", "sizes[1] is 0"),
         ("few.xyz", "2 sizes for 3 points"),
         ("none.csv", "none.csv"),
     ] {
@@ -89,9 +89,26 @@ fn what_is_no_size_is_refused() {
     bench.write("four.mtr", "4 1\n1\n1\n1\n1\n");
     bench.write("zero.mtr", "5 1\n1\n0\n1\n1\n1\n");
     bench.run("points.xyz --finish --max-edge -1").assert_failure(2, &["-1", "must be 0 (none)"]);
-    bench.run("points.xyz --max-edge 1").assert_failure(2, &["well-spaced output"]);
+    bench.run("points.xyz --max-edge 1").assert_success();
+    bench.write("good.mtr", "5 1\n1\n1\n1\n1\n1\n");
+    bench.write("few.csv", "x,y,size\n0,0,1\n1,0,1\n0,1,1\n");
+    for (option, words) in [
+        ("--hierarchical --max-edge 1", "--max-edge is 1; it does not go with --hierarchical"),
+        ("--algorithm svr --max-edge 1", "--max-edge is 1; it does not go with --algorithm svr"),
+        ("--hierarchical --sizes good.mtr", "--sizes is given; it does not go with --hierarchical"),
+        (
+            "--hierarchical --background few.csv",
+            "--background is given; it does not go with --hierarchical",
+        ),
+        (
+            "--hierarchical --distance-ratio 0.5",
+            "--distance-ratio is 0.5; it does not go with --hierarchical",
+        ),
+    ] {
+        bench.run(&format!("points.xyz {option}")).assert_failure(2, &[words]);
+    }
     let sized = |file: &str| bench.run(&format!("points.xyz --finish --sizes {file}"));
     sized("four.mtr").assert_failure(3, &["four.mtr", "4 sizes for 5 points"]);
-    sized("zero.mtr").assert_failure(3, &["zero.mtr", "values[1] is 0"]);
+    sized("zero.mtr").assert_failure(3, &["zero.mtr", "sizes[1] is 0"]);
     sized("none.mtr").assert_failure(3, &["none.mtr"]);
 }

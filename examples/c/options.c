@@ -60,7 +60,6 @@ static void mesh_by_size(nm_mesh *mesh)
     must(nm_options_init(&options, sizeof options));
     /* [sized] */
     double factor = 0.5;
-    options.output = NM_OUTPUT_WELL_SPACED;
     options.max_edge = 0.1; /* no edge is longer in the box of the points */
     options.size = finer_on_the_left;
     options.size_user_data = &factor;

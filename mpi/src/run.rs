@@ -5,6 +5,7 @@ use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
 use crate::work::{Notes, Step};
 use crate::{meshing, numbering};
+use netmesh::error::{Choice, Message, Name};
 use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
 use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Parameters, Result};
@@ -37,7 +38,7 @@ pub fn run(
     // A partition knows its own vertices only.
     if options.max_vertices != 0 && mesh.totals.vertices > options.max_vertices {
         let (most, made) = (options.max_vertices, mesh.totals.vertices);
-        let message = format!("options.max_vertices is {most}; the mesh has {made}");
+        let message = Message::about(Name::MaxVertices, format!(" is {most}; the mesh has {made}"));
         return Err(Error::new(ErrorKind::Limit, message));
     }
     // The options held for the run.
@@ -62,18 +63,32 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
     Err(Error::new(ErrorKind::NonFinite, message))
 }
 
-/// What only one process can do.
+/// Refuses what only one process can do.
 fn check_options(options: &Options) -> Result<()> {
-    let refused = match () {
-        () if options.algorithm != Algorithm::Netmesh => "algorithm: only NM_ALGORITHM_NETMESH",
-        () if options.extent != Extent::All => "extent: only NM_EXTENT_ALL",
-        () if options.instruments => "instruments: only 0",
-        () if options.max_edge != 0.0 => "max_edge: only 0",
-        () if options.distance_ratio != 0.0 => "distance_ratio: only 0",
-        () if options.min_dihedral != 0.0 => "min_dihedral: only 0",
-        () => return Ok(()),
+    let numbers = [
+        (Name::MaxEdge, options.max_edge),
+        (Name::DistanceRatio, options.distance_ratio),
+        (Name::MinDihedral, options.min_dihedral),
+    ];
+    let number = numbers.into_iter().find(|&(_, value)| value != 0.0);
+    let rule = "meshes of several ranks";
+    let message = match (options.algorithm, options.extent) {
+        (Algorithm::Netmesh, Extent::Auto | Extent::All) => match number {
+            Some((name, value)) => {
+                Message::about(name, format!(" is {value}; it must be 0 for {rule}"))
+            }
+            None if options.instruments => {
+                Message::about(Name::Instruments, format!(" is not for {rule}"))
+            }
+            None => return Ok(()),
+        },
+        (Algorithm::Netmesh, extent) => {
+            Message::about(Choice::Extent(extent), format!(" is not for {rule}"))
+        }
+        (algorithm, _) => {
+            Message::about(Choice::Algorithm(algorithm), format!(" is not for {rule}"))
+        }
     };
-    let message = format!("options.{refused} is for meshes of several ranks");
     Err(Error::new(ErrorKind::InvalidArgument, message))
 }
 

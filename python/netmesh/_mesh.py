@@ -28,7 +28,7 @@ def mesh(
     markers: Any = None,
     regions: Any = None,
     holes: Any = None,
-    output: str = "hierarchical",
+    output: str = "auto",
     algorithm: str = "netmesh",
     ordering: str = "sampled_net",
     criterion: str = "voronoi_aspect",
@@ -51,7 +51,7 @@ def mesh(
     size: Any = None,
     background: Any = None,
     gives_way: str = "angle",
-    extent: str = "all",
+    extent: str = "auto",
     crossings: str = "refuse",
     interior: str = "seeds",
     progress: Any = None,
@@ -76,8 +76,10 @@ def mesh(
     holes : array_like of float, shape (holes, 2), optional
         Points of regions that are no part of the result, whatever `extent`. Each of `regions` and
         `holes` must be in a region of its own.
-    output : {'hierarchical', 'well_spaced'}
-        Stop at linear size, or refine across the scales too.
+    output : {'auto', 'hierarchical', 'well_spaced'}
+        Stop at linear size, or refine across the scales too. 'auto': 'well_spaced' where an angle, a
+        dihedral angle, a size, a `distance_ratio` or an extent other than 'all' is asked for, which
+        cages would break; otherwise 'hierarchical'. `Mesh.parameters` tells which it was.
     algorithm : {'netmesh', 'delaunay', 'svr'}
         'delaunay': the points alone, without Steiner points. 'svr': Sparse Voronoi Refinement, the
         baseline for comparisons.
@@ -98,41 +100,42 @@ def mesh(
     instruments : bool
         Measure the second part of `Stats` too, which takes about as long again.
     distance_ratio : float
-        With ``output='well_spaced'``: how far a cell may reach, relative to the distance from its
+        How far a cell may reach, relative to the distance from its
         vertex to the nearest input, unless that input is the nearest one everywhere in the cell;
         0.05 to 1, 0 for no matter how far. `Filtration.factor` of kind 'mesh' becomes at most the
         root of ``(1 + distance_ratio) / (1 - distance_ratio)``.
     min_angle : float
         In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of `criterion`
-        and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too.
+        and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too. With
+        ``output='hierarchical'`` triangles beside cages miss it: `Quality.below_min_angle`.
     min_dihedral : float
         The least dihedral angle in degrees, at most 22, in 3D; 0 for none.
     max_edge : float
-        With ``output='well_spaced'``: the length that no edge exceeds in the box of the points; 0
-        for none.
+        The length that no edge exceeds in the box of the points; 0 for none.
     size : float, array_like of float with shape (n,), or callable
-        With ``output='well_spaced'``: the length that edges shall have in the box of the points,
-        everywhere, at each point and linear between them, or as a function of a point tells: it is
-        called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
+        The length that edges shall have in the box of the points, everywhere, at each point and linear
+        between them, or as a function of a point tells: it is called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
         those of regular simplices with such edges, and most edges have between 0.6 times that
         length and that length. ``inf`` for no bound. An exception of the function is raised here.
     background : (Mesh, array_like of float with shape (vertices,)), optional
-        With ``output='well_spaced'``: a mesh and sizes at its vertices, linear in its simplices, and
+        A mesh and sizes at its vertices, linear in its simplices, and
         beyond it those of its nearest vertex. With `size` the least counts. To adapt a mesh, mesh
         the points again with the first mesh as background.
     gives_way : {'angle', 'bound'}
         What gives way where `min_dihedral` and `quality_bound` cannot both be had:
         `Quality.below_min_dihedral` counts simplices that stay below the angle,
         `Quality.beyond_bound` what goes beyond the bound.
-    extent : {'all', 'hull', 'box', 'boundary'}
+    extent : {'auto', 'all', 'hull', 'box', 'boundary'}
         How far the mesh reaches, in 2D: to its outer cage, to the convex hull or the bounding box of
-        the points, or to the boundary that segments are. What lies beyond is cut away.
+        the points, or to the boundary that segments are. What lies beyond is cut away. 'auto':
+        'boundary' where segments enclose something, otherwise 'all'.
     crossings : {'refuse', 'split'}
         What becomes of segments that cross where no point is.
     interior : {'seeds', 'parity', 'winding'}
-        Which regions between segments are inside, with ``extent='boundary'``: all that cannot be
-        reached from outside; those into which a path from outside crosses an odd number of segments;
-        or those that curves wind round, by the directions of the segments. `holes` are taken away.
+        Which regions between segments are inside, with the extents 'boundary' and 'auto': all that
+        cannot be reached from outside; those into which a path from outside crosses an odd number of
+        segments; or those that curves wind round, by the directions of the segments. `holes` are
+        taken away.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.
@@ -214,6 +217,22 @@ class Mesh(Arrays):
     def options(self) -> dict:
         """The options by name, as they were given."""
         return dict(self._options)
+
+    @property
+    def parameters(self) -> dict:
+        """The options by name, as the run had them: every default filled in, and no 'auto'.
+
+        In 2D with the criterion 'radius_edge', which segments take, `min_angle` and `quality_bound` say
+        the same. `size` and `background` are not among them.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], [[0, 1], [1, 2], [2, 0]], min_angle=30)
+        >>> m.parameters["output"], m.parameters["extent"]
+        ('well_spaced', 'boundary')
+        """
+        return self._core.parameters
 
     @property
     def dim(self) -> int:

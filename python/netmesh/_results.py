@@ -120,6 +120,8 @@ class Quality(NamedTuple):
     forced: int
     #: Smallest angle of these, in degrees.
     least_forced_angle_degrees: float
+    #: Triangles that miss the angle and that nothing forces: beside cages, in hierarchical meshes.
+    below_min_angle: int
 
 
 class Stats(NamedTuple):

@@ -1,7 +1,7 @@
 //! Segments and regions from Python.
 
-use crate::errors::{exception, invalid};
-use netmesh::{Error, Mesh, Region};
+use crate::errors::{exception_with, invalid};
+use netmesh::{Mesh, Region};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -37,22 +37,5 @@ pub fn set_boundary(py: Python<'_>, mesh: &mut Mesh, boundary: &Boundary<'_>) ->
     let set = mesh.set_segments(&ends, markers.is_some().then_some(&*own_markers));
     let set =
         set.and_then(|()| if regions.is_empty() { Ok(()) } else { mesh.set_regions(&regions) });
-    set.map_err(|error| exception(py, &named(&error, &regions)))
-}
-
-/// Returns the error with seeds named as Python's callers gave them: holes stand after the regions
-/// in what the library gets, and have a list of their own here.
-pub fn named(error: &Error, regions: &[Region]) -> Error {
-    let first_hole = regions.iter().filter(|region| !region.is_hole).count();
-    let mut parts = error.message().split("regions[");
-    let mut message = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let seed = part.split_once("].seed").and_then(|(at, rest)| Some((at.parse().ok()?, rest)));
-        message += &match seed {
-            Some((at, rest)) if at < first_hole => format!("regions[{at}]{rest}"),
-            Some((at, rest)) => format!("holes[{}]{rest}", at - first_hole),
-            None => format!("regions[{part}"),
-        };
-    }
-    Error::new(error.kind(), message)
+    set.map_err(|error| exception_with(py, &error, &regions))
 }

@@ -1,9 +1,9 @@
 //! A mesh with its arrays.
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
-use crate::boundary::{Boundary, named, set_boundary};
-use crate::errors::{detached, exception, invalid, raised};
-use crate::options::options;
+use crate::boundary::{Boundary, set_boundary};
+use crate::errors::{detached, exception, exception_with, invalid, raised, unlocked};
+use crate::options::{by_keyword, options};
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
 use crate::sizes::Sizes;
@@ -86,18 +86,18 @@ impl Core {
             set_boundary(py, &mut mesh, &boundary)?;
         }
         let mut reporter = Reporter::new(progress);
-        let done = detached(py, || {
+        let done = unlocked(py, || {
             let report = &mut |progress: &_| reporter.report(progress);
-            let ran = sizes.with(|size| mesh.run_sized(&options, size, Some(report)));
-            ran.map_err(|error| named(&error, mesh.regions()))
+            sizes.with(|size| mesh.run_sized(&options, size, Some(report)))
         });
         match reporter.exception.or(sizes.exception()) {
             Some(exception) => Err(exception),
-            None => done.map(|()| {
+            None => {
+                done.map_err(|error| exception_with(py, &error, mesh.regions()))?;
                 let has_index = AtomicBool::new(false);
                 let made = Made { mesh, prepared: Prepared::default(), has_index };
-                Self { made: Arc::new(made), delaunay: Mutex::default() }
-            }),
+                Ok(Self { made: Arc::new(made), delaunay: Mutex::default() })
+            }
         }
     }
 
@@ -181,6 +181,12 @@ impl Core {
         let sizes = &*this.get().triangulation().sizes;
         // SAFETY: as above.
         unsafe { shared(this.as_any(), &ArrayView::from(sizes)) }
+    }
+
+    /// The options of the run, with every default filled in.
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        by_keyword(py, &self.triangulation().parameters.options())
     }
 
     /// Centres, parents (-1 for none) and radii.

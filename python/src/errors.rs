@@ -1,8 +1,11 @@
 //! The library's errors as Python's exceptions, and Python's locks let go while the library works.
 
-use netmesh::{Error, ErrorKind, Result};
+use crate::options::keyword_argument;
+use netmesh::error::{Name, Words};
+use netmesh::{Error, ErrorKind, Region, Result};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
@@ -26,12 +29,41 @@ fn class(kind: ErrorKind) -> &'static str {
     }
 }
 
-/// The exception for an error. Its message names options and what selects as Python's callers do.
+/// The words of Python for what the library's messages name.
+struct InPython<'a> {
+    regions: &'a [Region],
+}
+
+impl Words for InPython<'_> {
+    fn write(&self, name: Name, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match name {
+            Name::Chosen(choice) => f.write_str(&keyword_argument(choice)),
+            Name::Size | Name::Sizes => f.write_str("size"),
+            Name::Background => f.write_str("background"),
+            Name::SizeAt(at) => write!(f, "size[{at}]"),
+            Name::BackgroundSizeAt(at) => write!(f, "background[1][{at}]"),
+            Name::Interpolation => f.write_str("interpolation"),
+            Name::Seed(number) => {
+                let (is_hole, at) = Region::number_among_its_kind(self.regions, number as usize);
+                write!(f, "{}[{at}]", if is_hole { "holes" } else { "regions" })
+            }
+            Name::SelectedDomain => f.write_str("domain"),
+            other => match other.option() {
+                Some(option) => f.write_str(option),
+                None => write!(f, "{other}"),
+            },
+        }
+    }
+}
+
+/// The exception for an error.
 pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
-    let structs = ["options.", "selection."];
-    let name = structs.iter().find_map(|name| error.message().strip_prefix(name));
-    let message = name.unwrap_or(error.message());
-    raised(py, error.kind(), message.to_owned())
+    exception_with(py, error, &[])
+}
+
+/// The exception for an error of a mesh with `regions`.
+pub fn exception_with(py: Python<'_>, error: &Error, regions: &[Region]) -> PyErr {
+    raised(py, error.kind(), error.in_words(InPython { regions }).to_string())
 }
 
 pub fn invalid(py: Python<'_>, message: String) -> PyErr {
@@ -49,7 +81,12 @@ pub fn raised(py: Python<'_>, kind: ErrorKind, message: String) -> PyErr {
 /// Does work of the library that other threads of Python need not wait for. A panic, which is a
 /// defect of the library, becomes an exception too.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> PyResult<T> {
-    py.detach(|| caught(work)).map_err(|error| exception(py, &error))
+    unlocked(py, work).map_err(|error| exception(py, &error))
+}
+
+/// As [`detached`], with the error of the library.
+pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> Result<T> {
+    py.detach(|| caught(work))
 }
 
 /// How long a signal may wait.

@@ -187,6 +187,7 @@ impl Core {
             beyond_bound,
             forced,
             least_forced_angle_degrees,
+            below_min_angle,
         } = abandonable(py, move || quality::measure(made.triangulation()))?;
         let figures = PyDict::new(py);
         figures.set_item("max_degree", max_degree)?;
@@ -203,6 +204,7 @@ impl Core {
         figures.set_item("beyond_bound", beyond_bound)?;
         figures.set_item("forced", forced)?;
         figures.set_item("least_forced_angle_degrees", least_forced_angle_degrees)?;
+        figures.set_item("below_min_angle", below_min_angle)?;
         Ok(figures)
     }
 

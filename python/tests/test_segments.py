@@ -64,16 +64,16 @@ def test_curves_tell_what_is_inside():
     again = pickle.loads(pickle.dumps(parity))
     assert (again.simplices == parity.simplices).all()
     messages = {
-        "parity": "^input 0 is an end of 1 segments; with options.interior parity",
+        "parity": "^input 0 is an end of 1 segments; with interior='parity' that number",
         "winding": "^input 0 is the first end of 1 segments and the second end of 0; with",
-        "seeds": "^segments enclose nothing",
+        "seeds": "^segments enclose nothing, with extent='boundary' and interior='seeds';",
         "odd": "^interior is 'odd'; it must be 'seeds' or 'parity' or 'winding'",
     }
     for interior, message in messages.items():
         with pytest.raises(netmesh.InvalidArgumentError, match=message):
             netmesh.mesh(SQUARE, SIDES[:3], interior=interior, **inside)
-    with pytest.raises(netmesh.InvalidArgumentError, match="^interior is parity and options.extent is all"):
-        netmesh.mesh(SQUARE, SIDES, interior="parity")
+    with pytest.raises(netmesh.InvalidArgumentError, match="^interior='parity' does not go with extent='all'"):
+        netmesh.mesh(SQUARE, SIDES, interior="parity", extent="all")
 
 
 def test_forced_triangles_are_counted_apart():
@@ -98,7 +98,17 @@ def test_forced_triangles_are_counted_apart():
         ({"segments": [[1, 1]]}, "segments[0] has input 1 as both ends;"),
         ({"segments": SIDES, "markers": [1]}, "markers has shape (1,); it must be"),
         ({"segments": [[0, 1]], "markers": [2**40]}, "markers[0] is 1099511627776;"),
-        ({"segments": [[0, 2], [1, 3]]}, "segments[0] and segments[1] cross near (0.5, 0.5),"),
+        (
+            {"segments": [[0, 2], [1, 3]]},
+            "segments[0] and segments[1] cross near (0.5, 0.5), where no input is; with "
+            "crossings='split' they are split there",
+        ),
+        (
+            {"segments": SIDES, "regions": [(0.5, 0.5, 1)], "holes": [(0.2, 0.2), (0.5, 0)]},
+            "holes[1] is on segments[0]; it must be in the interior of a region",
+        ),
+        ({"segments": SIDES, "algorithm": "svr"}, "algorithm='svr' goes neither with segments"),
+        ({"extent": "boundary"}, "extent='boundary' needs segments; the mesh has none"),
         ({"regions": [(1, 2)]}, "regions[0] has 2 values;"),
         ({"regions": [(0, 0, 1.5)]}, "regions[0] has the label 1.5;"),
         ({"regions": [(0.5, 0.5, 1, -3)]}, "regions[0].max_edge is -3;"),

@@ -115,8 +115,8 @@ def test_a_distance_ratio_makes_the_factor_smaller(random):
         for found, expected in zip(diagrams(near), diagrams(alpha_of(points))):
             found, expected = (np.log(np.where(d == 0, 1e-9, d)) for d in (found, expected))
             assert gudhi.bottleneck_distance(found, expected, 0) <= math.log(near.factor)
-    with pytest.raises(netmesh.InvalidArgumentError, match="well-spaced output"):
-        netmesh.mesh(points, distance_ratio=0.5)
+    with pytest.raises(netmesh.InvalidArgumentError, match="^distance_ratio is 0.5; it does not go with output='hierarchical'$"):
+        netmesh.mesh(points, distance_ratio=0.5, output="hierarchical")
 
 
 def test_a_filtration_has_boundary_and_coboundary(random):

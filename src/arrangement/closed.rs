@@ -1,8 +1,9 @@
-//! Whether segments are closed curves, so that what they enclose is told by them alone.
+//! Tells whether segments are closed curves, so that what they enclose is told by them alone, and
+//! whether they enclose something.
 
-use crate::error::{Error, ErrorKind, Result, message};
-use crate::memory::filled;
-use crate::mesh::{Inputs, Segments};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
+use crate::memory::{collected, filled};
+use crate::mesh::{Arrangement, Inputs, Segments};
 use crate::options::Interior;
 
 /// Fails unless every input is an end of an even number of segments (parity), or the first end of
@@ -11,8 +12,72 @@ use crate::options::Interior;
 /// # Errors
 /// `InvalidArgument` (an input where curves do not close), `OutOfMemory`.
 pub fn check_closed(inputs: &Inputs, segments: &Segments, interior: Interior) -> Result<()> {
+    match first_open(inputs, segments, interior)? {
+        Some((vertex, counts)) => Err(open_at(inputs, vertex, counts, interior)),
+        None => Ok(()),
+    }
+}
+
+/// Returns true if a region that the segments bound is inside by the rule `interior`. `arrangement`
+/// is that of the segments. Curves that are not closed enclose nothing where the rule asks for
+/// closed ones. O((inputs + segments) log inputs).
+///
+/// # Errors
+/// `OutOfMemory`.
+pub fn encloses(
+    inputs: &Inputs,
+    segments: &Segments,
+    arrangement: &Arrangement,
+    interior: Interior,
+) -> Result<bool> {
+    if first_open(inputs, segments, interior)?.is_some() {
+        return Ok(false);
+    }
+    // The regions on the two sides of a piece differ by its balance, so that one of them is inside
+    // where the balance counts.
+    let mut balances = arrangement.subsegments.iter().map(|piece| piece.balance);
+    match interior {
+        Interior::Seeds => has_cycle(inputs.distinct(), arrangement),
+        Interior::Parity => Ok(balances.any(|balance| balance % 2 != 0)),
+        Interior::Winding => Ok(balances.any(|balance| balance != 0)),
+    }
+}
+
+/// Returns true if the pieces of the arrangement have a cycle: they meet only at their ends, so that
+/// the plane falls apart by one cycle of them, and by nothing else.
+fn has_cycle(distinct_inputs: usize, arrangement: &Arrangement) -> Result<bool> {
+    let vertices = distinct_inputs + arrangement.crossings.len();
+    // A forest with a tree for each connected part: vertex -> a vertex nearer to the root.
+    let mut parents = collected(0..vertices as u32)?;
+    for piece in &arrangement.subsegments {
+        let [first, second] = piece.ends.map(|end| root_of(&mut parents, end));
+        if first == second {
+            return Ok(true);
+        }
+        parents[first as usize] = second;
+    }
+    Ok(false)
+}
+
+/// Returns the root of the vertex's tree, and halves the path to it.
+fn root_of(parents: &mut [u32], vertex: u32) -> u32 {
+    let mut vertex = vertex as usize;
+    while parents[vertex] as usize != vertex {
+        parents[vertex] = parents[parents[vertex] as usize];
+        vertex = parents[vertex] as usize;
+    }
+    vertex as u32
+}
+
+/// Returns the first vertex at which a curve is open, with the number of segments that begin and
+/// that end there. With [`Interior::Seeds`] curves need not be closed.
+fn first_open(
+    inputs: &Inputs,
+    segments: &Segments,
+    interior: Interior,
+) -> Result<Option<(usize, [u32; 2])>> {
     if interior == Interior::Seeds {
-        return Ok(());
+        return Ok(None);
     }
     // Vertex -> of how many segments it is the first end, and of how many the second.
     let mut counts = filled(inputs.distinct(), [0u32; 2])?;
@@ -25,25 +90,23 @@ pub fn check_closed(inputs: &Inputs, segments: &Segments, interior: Interior) ->
         Interior::Parity => starts % 2 != ends % 2,
         _ => starts != ends,
     };
-    match counts.iter().position(is_open) {
-        Some(vertex) => Err(open_at(inputs, vertex, counts[vertex], interior)),
-        None => Ok(()),
-    }
+    Ok(counts.iter().position(is_open).map(|vertex| (vertex, counts[vertex])))
 }
 
 fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: Interior) -> Error {
     let input = inputs.first_input(vertex).unwrap_or(0);
     let all = u64::from(starts) + u64::from(ends);
+    let rule = Choice::Interior(interior);
     let message = match interior {
-        Interior::Parity => message!(
-            "input {input} is an end of {all} segments; with options.interior parity that number \
-             must be even at every input, so that all curves are closed"
+        Interior::Parity => say!(
+            "input {input} is an end of {all} segments; with ",
+            rule,
+            " that number must be even at every input, so that all curves are closed"
         ),
-        _ => message!(
-            "input {input} is the first end of {starts} segments and the second end of {ends}; with \
-             options.interior {} these must be equally many at every input, so that all curves are \
-             closed",
-            interior.word()
+        _ => say!(
+            "input {input} is the first end of {starts} segments and the second end of {ends}; with ",
+            rule,
+            " these must be equally many at every input, so that all curves are closed"
         ),
     };
     Error::new(ErrorKind::InvalidArgument, message)
@@ -81,13 +144,52 @@ mod tests {
         }
     }
 
+    /// As many points again, farther to the right.
+    fn is_enclosing(segments: &[[u32; 2]], interior: Interior) -> bool {
+        let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0], [3.0, 0.0]];
+        let inputs = Inputs::new(2, 6, points.as_flattened(), 0).unwrap();
+        let segments = Segments { inputs: segments.to_vec(), markers: vec![0; segments.len()] };
+        let poll: crate::arrangement::Poll<'_> = &mut |_| Ok(());
+        let arrangement =
+            crate::arrangement::arrange(&inputs, &segments, crate::options::Crossings::Split, poll);
+        encloses(&inputs, &segments, &arrangement.unwrap(), interior).unwrap()
+    }
+
+    #[test]
+    fn what_encloses_something_depends_on_the_rule() {
+        let ring = [[0, 1], [1, 2], [2, 3], [3, 4]];
+        let turned = ring.map(|[from, to]| [to, from]);
+        let cases: [(&str, Vec<[u32; 2]>, [bool; 3]); 8] = [
+            ("a ring", ring.to_vec(), [true; 3]),
+            (
+                "a ring of no one direction",
+                vec![[1, 0], [1, 2], [3, 2], [3, 4]],
+                [true, true, false],
+            ),
+            ("three sides", ring[..3].to_vec(), [false; 3]),
+            ("a ring with a tail", [&ring[..], &[[1, 5]]].concat(), [true, false, false]),
+            ("a ring twice", [ring, ring].concat(), [true, false, true]),
+            ("a ring and back", [ring, turned].concat(), [true, false, false]),
+            ("there and back", vec![[0, 1], [1, 4]], [false; 3]),
+            (
+                "curves that cross and close there",
+                vec![[0, 2], [1, 3], [0, 1]],
+                [true, false, false],
+            ),
+        ];
+        for (name, segments, expected) in cases {
+            let rules = [Interior::Seeds, Interior::Parity, Interior::Winding];
+            assert_eq!(rules.map(|rule| is_enclosing(&segments, rule)), expected, "{name}");
+        }
+    }
+
     #[test]
     fn the_input_where_a_curve_is_open_is_named() {
-        let parity = "input 0 is an end of 1 segments; with options.interior parity that number must \
-                      be even at every input, so that all curves are closed";
+        let parity = "input 0 is an end of 1 segments; with options.interior = \
+                      Interior::Parity that number must be even at every input, so that all curves are closed";
         assert_eq!(refusal(&[[0, 1], [1, 2], [2, 3]], Interior::Parity), parity);
         let winding = "input 1 is the first end of 0 segments and the second end of 2; with \
-                       options.interior winding these must be equally many at every input, so that \
+                       options.interior = Interior::Winding these must be equally many at every input, so that \
                        all curves are closed";
         let turned = [[0, 1], [2, 1], [2, 3], [3, 4]];
         assert_eq!(refusal(&turned, Interior::Winding), winding);

@@ -4,7 +4,7 @@ use super::Poll;
 use super::inner::Inner;
 use super::places::{key, ordered_bits};
 use super::reach::Reach;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{Inputs, Segments};
 use crate::numerics::{Sign, coordinates, orientation};
@@ -36,13 +36,13 @@ pub fn with_extent(
             points.try_extend(box_of(inputs).as_flattened())?;
             collected(first..first + 4)?
         }
-        Extent::All | Extent::Boundary => Vec::new(),
+        Extent::Auto | Extent::All | Extent::Boundary => Vec::new(),
     };
     let point = |&number: &u32| coordinates::<2>(&points, number as usize);
     if !curve.is_empty() && !has_area(curve.iter().map(point)) {
-        let message = message!(
-            "options.extent is {}, which has no area: all inputs are on a line, but for roundings",
-            extent.word()
+        let message = say!(
+            Choice::Extent(extent),
+            " has no area: all inputs are on a line, but for roundings"
         );
         return Err(Error::new(ErrorKind::DegenerateInput, message));
     }
@@ -160,7 +160,7 @@ mod tests {
         assert!(extended(&diagonal, Extent::Box).is_ok());
         let level = [[0.0, 1.0], [2.0, 1.0], [1.0, 1.0]];
         let error = extended(&level, Extent::Box).unwrap_err();
-        assert!(error.message().starts_with("options.extent is box, which has no area"));
+        assert!(error.message().starts_with("options.extent = Extent::Box has no area"));
     }
 
     #[test]

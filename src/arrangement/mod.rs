@@ -32,7 +32,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-pub use closed::check_closed;
+pub use closed::{check_closed, encloses};
 pub use extent::with_extent;
 
 use crate::error::{Error, ErrorKind, Result, message};

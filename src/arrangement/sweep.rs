@@ -8,10 +8,11 @@
 use super::Poll;
 use super::places::{Key, Places, key};
 use super::status::{ABOVE, BELOW, Status};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{AllocError, AllocResult, Lists, TryGrow, collected, filled};
 use crate::mesh::{NONE, Subsegment};
 use crate::numerics::{Lines, Sign, compare_crossings, compare_to_crossing, crossing, orientation};
+use crate::options::Crossings;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
@@ -478,11 +479,12 @@ impl Sweep<'_> {
             [first(lower, upper, Sign::Positive), first(upper, lower, Sign::Negative)];
         segments.sort_unstable();
         let Some([x, y]) = (self.handling.refuses)(segments) else { return Ok(()) };
-        let message = message!(
-            "segments[{}] and segments[{}] cross near ({x:?}, {y:?}), where no input is; \
-             options.crossings refuses that and may split them",
-            segments[0],
-            segments[1]
+        let [first, second] = segments;
+        let message = say!(
+            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input is; \
+             with ",
+            Choice::Crossings(Crossings::Split),
+            " they are split there"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }

@@ -296,7 +296,7 @@ fn counts_say_what_was_done() {
     let case = Case::new(&points, &ends).unwrap();
     let message = case.run(Crossings::Refuse).unwrap_err().message().to_owned();
     let expected = "segments[0] and segments[1] cross near (2.0, 2.0), where no input is; \
-                    options.crossings refuses that and may split them";
+                    with options.crossings = Crossings::Split they are split there";
     assert_eq!(message, expected);
     let arrangement = case.run(Crossings::Split).unwrap();
     assert_eq!(arrangement.crossings, [[2.0, 2.0]]);

@@ -2,7 +2,7 @@
 
 use super::domains::{domain_of, is_within};
 use super::{Part, Placement};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::{Attribute, Boundary, Inputs, Mesh, NONE, Triangulation};
 use crate::options::Criterion;
@@ -51,23 +51,23 @@ impl<'a> Part<'a> {
         placements: &[Placement],
     ) -> Result<Self> {
         check_arrays(mesh)?;
-        let refuse = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
         let (domain, domains) = (selection.domain, mesh.domains.len());
         if domain != NONE && domain as usize >= domains {
-            return refuse(message!(
-                "selection.domain is {domain}; the mesh has {domains} domains"
-            ));
+            let message =
+                say!(Name::SelectedDomain, " is {domain}; the mesh has {domains} domains");
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         let is_everywhere = selection.extent == Extent::All;
         if is_everywhere && domain == NONE {
             return Self::whole(mesh);
         }
         if !is_everywhere && placements.len() != mesh.simplex_count() {
-            return refuse(message!(
+            let message = message!(
                 "placements has length {}; it must be that of the simplices, {}",
                 placements.len(),
                 mesh.simplex_count()
-            ));
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         let is_there = |simplex: usize| match placements.get(simplex) {
             _ if is_everywhere => true,

@@ -1,7 +1,8 @@
 //! Arrays ready to use, of a selection. `Prepared` keeps those that were made together from call to
 //! call; `copy_out` keeps the getters' rules.
 
-use super::enums::{decode_extent, nm_extent, nm_status, placement_byte};
+use super::decode::decode_extent;
+use super::enums::{nm_extent, nm_status, placement_byte};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, read_struct};
@@ -12,7 +13,7 @@ use crate::mesh::NONE;
 use std::mem::MaybeUninit;
 
 /// Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
-/// NM_EXTENT_ALL: all are inside.
+/// NM_EXTENT_ALL and NM_EXTENT_AUTO: all are inside.
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT
 /// (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at

@@ -1,6 +1,7 @@
 //! Making and freeing handles.
 
-use super::enums::{decode_format, nm_format, nm_status};
+use super::decode::decode_format;
+use super::enums::{nm_format, nm_status};
 use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8, utf8_path};

@@ -1,17 +1,11 @@
 //! The enums of the boundary. C passes any 32 bits: a parameter or field that C fills is a
-//! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`decode`].
+//! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`super::decode`].
 
-use crate::arrays::{Extent, Placement};
-use crate::error::{Error, ErrorKind, Result, message};
-use crate::io::Format;
+use crate::arrays::Placement;
+use crate::error::ErrorKind;
 use crate::mesh::VertexKind;
-use crate::options::{
-    self, Algorithm, Criterion, Crossings, GivesWay, Interior, NetOrdering, Output, Phase,
-};
-use crate::quality::Measure;
-use crate::query::{Interpolation, Method, Outside};
+use crate::options::Phase;
 use crate::topology::FaceClass;
-use std::mem::MaybeUninit;
 
 /// What every fallible function answers. Values are fixed; later versions only append. Whatever is
 /// not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
@@ -80,12 +74,17 @@ impl From<ErrorKind> for nm_status {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_output {
+    /// NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
+    /// min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the max_edge
+    /// of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
+    /// NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
+    NM_OUTPUT_AUTO = 0,
     /// A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
     /// a tree of balls (domains), each surrounded by a cage, with quality inside each.
-    NM_OUTPUT_HIERARCHICAL = 0,
+    NM_OUTPUT_HIERARCHICAL = 1,
     /// A well-spaced mesh of a single domain of optimal size O(m) (the paper's FINISHMESH). m is at
     /// most n times the logarithm of the spread.
-    NM_OUTPUT_WELL_SPACED = 1,
+    NM_OUTPUT_WELL_SPACED = 2,
 }
 
 /// nm_options.algorithm: how nm_run works.
@@ -223,15 +222,19 @@ pub enum nm_interpolation {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_extent {
+    /// In nm_options NM_EXTENT_BOUNDARY where segments enclose something by nm_options.interior,
+    /// otherwise NM_EXTENT_ALL; curves that are not closed, where that rule asks for closed ones,
+    /// enclose nothing. Elsewhere NM_EXTENT_ALL.
+    NM_EXTENT_AUTO = 0,
     /// Everywhere.
-    NM_EXTENT_ALL = 0,
+    NM_EXTENT_ALL = 1,
     /// The convex hull of the inputs.
-    NM_EXTENT_HULL = 1,
+    NM_EXTENT_HULL = 2,
     /// The least box that holds the inputs, its sides along the axes.
-    NM_EXTENT_BOX = 2,
+    NM_EXTENT_BOX = 3,
     /// What segments enclose, without holes: all that cannot be reached from the hull without
     /// crossing one. For nm_options alone; nm_mesh_set_segments comes first.
-    NM_EXTENT_BOUNDARY = 3,
+    NM_EXTENT_BOUNDARY = 4,
 }
 
 /// nm_options.crossings: what becomes of segments that cross where no input is.
@@ -246,7 +249,7 @@ pub enum nm_crossings {
 }
 
 /// nm_options.interior: which of the regions that segments separate are inside, with
-/// NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+/// NM_EXTENT_AUTO and NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -372,101 +375,6 @@ pub enum nm_measure {
     NM_MEASURE_SMALLEST_ANGLE = 3,
 }
 
-/// The format that C asks for in argument `format`.
-pub(super) fn decode_format(raw: MaybeUninit<nm_format>) -> Result<Format> {
-    let formats = [
-        Format::Auto,
-        Format::Vtu,
-        Format::TetgenNode,
-        Format::Gmsh,
-        Format::Medit,
-        Format::Off,
-        Format::Ply,
-        Format::Xyz,
-        Format::Csv,
-        Format::Npy,
-        Format::VoronoiJson,
-        Format::DomainsJson,
-        Format::Poly,
-        Format::GeoJson,
-        Format::Wkt,
-    ];
-    decode("format", raw, formats)
-}
-
-pub(super) fn decode_output(raw: MaybeUninit<nm_output>) -> Result<Output> {
-    decode("options.output", raw, [Output::Hierarchical, Output::WellSpaced])
-}
-
-pub(super) fn decode_algorithm(raw: MaybeUninit<nm_algorithm>) -> Result<Algorithm> {
-    let algorithms = [Algorithm::Netmesh, Algorithm::Svr, Algorithm::Delaunay];
-    decode("options.algorithm", raw, algorithms)
-}
-
-pub(super) fn decode_ordering(raw: MaybeUninit<nm_ordering>) -> Result<NetOrdering> {
-    let orderings = [NetOrdering::SampledNet, NetOrdering::DeterministicNet];
-    decode("options.ordering", raw, orderings)
-}
-
-pub(super) fn decode_criterion(raw: MaybeUninit<nm_criterion>) -> Result<Criterion> {
-    decode("options.criterion", raw, [Criterion::VoronoiAspect, Criterion::RadiusEdge])
-}
-
-pub(super) fn decode_gives_way(raw: MaybeUninit<nm_gives_way>) -> Result<GivesWay> {
-    decode("options.gives_way", raw, [GivesWay::Angle, GivesWay::Bound])
-}
-
-pub(super) fn decode_measure(raw: MaybeUninit<nm_measure>) -> Result<Measure> {
-    let measures =
-        [Measure::DihedralAngle, Measure::RadiusEdge, Measure::Aspect, Measure::SmallestAngle];
-    decode("measure", raw, measures)
-}
-
-pub(super) fn decode_extent(argument: &str, raw: MaybeUninit<nm_extent>) -> Result<Extent> {
-    decode(argument, raw, [Extent::All, Extent::Hull, Extent::Box])
-}
-
-/// That of a run.
-pub(super) fn decode_run_extent(raw: MaybeUninit<nm_extent>) -> Result<options::Extent> {
-    use options::Extent::{All, Boundary, Box, Hull};
-    decode("options.extent", raw, [All, Hull, Box, Boundary])
-}
-
-pub(super) fn decode_crossings(raw: MaybeUninit<nm_crossings>) -> Result<Crossings> {
-    decode("options.crossings", raw, [Crossings::Refuse, Crossings::Split])
-}
-
-pub(super) fn decode_interior(raw: MaybeUninit<nm_interior>) -> Result<Interior> {
-    decode("options.interior", raw, [Interior::Seeds, Interior::Parity, Interior::Winding])
-}
-
-/// Whether it is [`nm_filtration::NM_FILTRATION_MESH`].
-pub(super) fn decode_filtration(raw: MaybeUninit<nm_filtration>) -> Result<bool> {
-    decode("filtration", raw, [false, true])
-}
-
-pub(super) fn decode_interpolation(raw: MaybeUninit<nm_interpolation>) -> Result<Method> {
-    let value = bits(raw);
-    let interpolation = match value & 15 {
-        0 => Some(Interpolation::Linear),
-        1 => Some(Interpolation::Sibson),
-        2 => Some(Interpolation::Laplace),
-        _ => None,
-    };
-    let outside = match value >> 4 {
-        0 => Some(Outside::Nan),
-        1 => Some(Outside::Nearest),
-        _ => None,
-    };
-    interpolation
-        .zip(outside)
-        .map(|(interpolation, outside)| Method { interpolation, outside })
-        .ok_or_else(|| {
-            let message = message!("interpolation is {value}; it must be in 0..=2 or in 16..=18");
-            Error::new(ErrorKind::InvalidArgument, message)
-        })
-}
-
 /// The byte of a placement at the boundary.
 pub(super) fn placement_byte(placement: Placement) -> u8 {
     let value = match placement {
@@ -486,93 +394,4 @@ pub(super) fn class_byte(class: FaceClass) -> u8 {
         FaceClass::Interior => nm_face_class::NM_FACE_CLASS_INTERIOR,
     };
     value as u8
-}
-
-/// `by_value[raw]`, or `InvalidArgument` naming the field, the value and the range.
-fn decode<E, T: Copy, const N: usize>(
-    field: &str,
-    raw: MaybeUninit<E>,
-    by_value: [T; N],
-) -> Result<T> {
-    let value = bits(raw);
-    usize::try_from(value).ok().and_then(|index| by_value.get(index)).copied().ok_or_else(|| {
-        let last = N - 1;
-        let message = message!("{field} is {value}; it must be in 0..={last}");
-        Error::new(ErrorKind::InvalidArgument, message)
-    })
-}
-
-/// The 32 bits that C passed for an enum.
-pub(super) fn bits<E>(raw: MaybeUninit<E>) -> i32 {
-    const { assert!(size_of::<E>() == size_of::<i32>()) };
-    // SAFETY: the sizes agree, and C always passes four initialised bytes; any are a valid i32.
-    unsafe { std::mem::transmute_copy(&raw) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::capi::test_support::from_c;
-
-    #[test]
-    fn values_are_those_of_the_rust_enums() {
-        for value in 0..=11 {
-            assert_eq!(decode_format(from_c(value)).unwrap() as i32, value);
-        }
-        for value in 0..=1 {
-            assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_ordering(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_criterion(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_gives_way(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_crossings(from_c(value)).unwrap() as i32, value);
-        }
-        for value in 0..=2 {
-            assert_eq!(decode_interior(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
-        }
-        for value in 0..=3 {
-            assert_eq!(decode_measure(from_c(value)).unwrap() as i32, value);
-            assert_eq!(decode_run_extent(from_c(value)).unwrap() as i32, value);
-        }
-        for kind in [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage] {
-            assert_eq!(vertex_kind_byte(kind), kind as u8);
-        }
-        for phase in [Phase::Prepare, Phase::Insert, Phase::Finish, Phase::Export] {
-            assert_eq!(nm_phase::from(phase) as u32, phase as u32);
-        }
-    }
-
-    #[test]
-    fn statuses_have_the_kinds_values() {
-        let kinds = [
-            ErrorKind::NullArgument,
-            ErrorKind::InvalidArgument,
-            ErrorKind::NonFinite,
-            ErrorKind::Dimension,
-            ErrorKind::Capacity,
-            ErrorKind::DegenerateInput,
-            ErrorKind::Limit,
-            ErrorKind::Cancelled,
-            ErrorKind::Io,
-            ErrorKind::Format,
-            ErrorKind::State,
-            ErrorKind::OutOfMemory,
-            ErrorKind::Panic,
-        ];
-        for (kind, value) in kinds.into_iter().zip(1..) {
-            assert_eq!(kind as i32, value);
-            assert_eq!(nm_status::from(kind) as i32, value);
-        }
-    }
-
-    #[test]
-    fn unknown_values_name_the_field_and_the_value() {
-        for value in [-1, 15, i32::MIN, i32::MAX] {
-            let error = decode_format(from_c(value)).unwrap_err();
-            assert_eq!(error.kind(), ErrorKind::InvalidArgument);
-            assert_eq!(error.message(), format!("format is {value}; it must be in 0..=14"));
-        }
-        let error = decode_algorithm(from_c(3)).unwrap_err();
-        assert_eq!(error.message(), "options.algorithm is 3; it must be in 0..=2");
-    }
 }

@@ -1,11 +1,12 @@
 //! The calling thread's last message.
 
 use super::enums::nm_status;
+use super::words::InC;
 use crate::error::{Error, ErrorKind, message};
 use std::any::Any;
 use std::cell::RefCell;
 use std::ffi::c_char;
-use std::fmt::Display;
+use std::fmt::{self, Display, Write};
 
 /// The longest message that is kept.
 const MESSAGE_BYTES: usize = 2047;
@@ -23,20 +24,28 @@ impl LastMessage {
     }
 
     /// Keeps `text`, cut between characters if need be, with its NULs made visible.
-    fn set(&mut self, text: &str) {
+    fn set(&mut self, text: impl Display) {
         self.length = 0;
-        for (i, piece) in text.split('\0').enumerate() {
-            if i > 0 {
-                self.append("\\0");
-            }
-            self.append(piece);
-        }
+        // What does not fit is left out, which is no error.
+        let _ = write!(self, "{text}");
     }
 
     fn append(&mut self, piece: &str) {
         let kept = prefix(piece, MESSAGE_BYTES - self.length);
         self.bytes[self.length..][..kept.len()].copy_from_slice(kept.as_bytes());
         self.length += kept.len();
+    }
+}
+
+impl Write for LastMessage {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for (i, piece) in text.split('\0').enumerate() {
+            if i > 0 {
+                self.append("\\0");
+            }
+            self.append(piece);
+        }
+        Ok(())
     }
 }
 
@@ -49,7 +58,7 @@ thread_local! {
 pub(super) fn fail(error: &Error) -> nm_status {
     // A thread that is being torn down has lost its storage: the status must do.
     let _ = LAST_MESSAGE.try_with(|last| {
-        last.borrow_mut().set(error.message());
+        last.borrow_mut().set(error.in_words(InC));
     });
     error.kind().into()
 }

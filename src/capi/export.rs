@@ -1,7 +1,8 @@
 //! Writing meshes to files and to callbacks.
 
 use super::arrays::read_selection;
-use super::enums::{decode_format, nm_format, nm_status};
+use super::decode::decode_format;
+use super::enums::{nm_format, nm_status};
 use super::error::null_argument;
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};

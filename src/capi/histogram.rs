@@ -1,6 +1,7 @@
 //! Histograms of the quality.
 
-use super::enums::{decode_measure, nm_measure, nm_status};
+use super::decode::decode_measure;
+use super::enums::{nm_measure, nm_status};
 use super::getters::result;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::{read_rows, rows_out};

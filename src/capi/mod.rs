@@ -39,7 +39,9 @@ mod queries;
 
 mod arrays;
 
+mod decode;
 mod voronoi;
+mod words;
 
 mod topology;
 

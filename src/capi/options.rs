@@ -1,17 +1,17 @@
 //! Options, from C and to C.
 
-use super::enums::{
+use super::decode::{
     decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_interior,
-    decode_ordering, decode_output, decode_run_extent, nm_algorithm, nm_criterion, nm_crossings,
-    nm_extent, nm_gives_way, nm_interior, nm_ordering, nm_output, nm_status,
+    decode_ordering, decode_output, decode_run_extent,
 };
-use super::handle::barrier;
+use super::enums::nm_status;
+use super::getters::result;
+use super::handle::{barrier, nm_mesh, with_mesh};
 use super::memory::OutStruct;
 use super::structs::nm_options;
 use crate::error::{Error, ErrorKind, Result, message};
-use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
-};
+use crate::mesh::Mesh;
+use crate::options::Options;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
@@ -32,27 +32,39 @@ pub unsafe extern "C" fn nm_options_init(options: *mut nm_options, struct_size: 
     })
 }
 
+/// Writes the options that the last run had, with every default filled in: output and extent are
+/// what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and interior is
+/// NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with NM_CRITERION_RADIUS_EDGE
+/// min_angle and quality_bound are both set, as one says what the other does; segments make that the
+/// criterion. progress, size and what is handed to them are NULL. O(1).
+///
+/// options: the caller sets struct_size.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE (no
+/// result yet, nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_options(
+    mesh: *const nm_mesh,
+    options: *mut nm_options,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let out = unsafe { OutStruct::new("options", options)? };
+        out.write(&encode(&result(mesh)?.parameters.options()));
+        Ok(())
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
 /// `options` as C sees them.
 pub(super) fn encode(options: &Options) -> nm_options {
     nm_options {
         struct_size: size_of::<nm_options>() as u32,
-        output: MaybeUninit::new(match options.output {
-            Output::Hierarchical => nm_output::NM_OUTPUT_HIERARCHICAL,
-            Output::WellSpaced => nm_output::NM_OUTPUT_WELL_SPACED,
-        }),
-        algorithm: MaybeUninit::new(match options.algorithm {
-            Algorithm::Netmesh => nm_algorithm::NM_ALGORITHM_NETMESH,
-            Algorithm::Svr => nm_algorithm::NM_ALGORITHM_SVR,
-            Algorithm::Delaunay => nm_algorithm::NM_ALGORITHM_DELAUNAY,
-        }),
-        ordering: MaybeUninit::new(match options.ordering {
-            NetOrdering::SampledNet => nm_ordering::NM_ORDERING_SAMPLED_NET,
-            NetOrdering::DeterministicNet => nm_ordering::NM_ORDERING_DETERMINISTIC_NET,
-        }),
-        criterion: MaybeUninit::new(match options.criterion {
-            Criterion::VoronoiAspect => nm_criterion::NM_CRITERION_VORONOI_ASPECT,
-            Criterion::RadiusEdge => nm_criterion::NM_CRITERION_RADIUS_EDGE,
-        }),
+        output: MaybeUninit::new(options.output.into()),
+        algorithm: MaybeUninit::new(options.algorithm.into()),
+        ordering: MaybeUninit::new(options.ordering.into()),
+        criterion: MaybeUninit::new(options.criterion.into()),
         threads: options.threads,
         quality_bound: options.quality_bound,
         epsilon: options.epsilon,
@@ -74,26 +86,11 @@ pub(super) fn encode(options: &Options) -> nm_options {
         max_edge: options.max_edge,
         size: None,
         size_user_data: null_mut(),
-        gives_way: MaybeUninit::new(match options.gives_way {
-            GivesWay::Angle => nm_gives_way::NM_GIVES_WAY_ANGLE,
-            GivesWay::Bound => nm_gives_way::NM_GIVES_WAY_BOUND,
-        }),
+        gives_way: MaybeUninit::new(options.gives_way.into()),
         reserved_after_gives_way: 0,
-        extent: MaybeUninit::new(match options.extent {
-            Extent::All => nm_extent::NM_EXTENT_ALL,
-            Extent::Hull => nm_extent::NM_EXTENT_HULL,
-            Extent::Box => nm_extent::NM_EXTENT_BOX,
-            Extent::Boundary => nm_extent::NM_EXTENT_BOUNDARY,
-        }),
-        crossings: MaybeUninit::new(match options.crossings {
-            Crossings::Refuse => nm_crossings::NM_CROSSINGS_REFUSE,
-            Crossings::Split => nm_crossings::NM_CROSSINGS_SPLIT,
-        }),
-        interior: MaybeUninit::new(match options.interior {
-            Interior::Seeds => nm_interior::NM_INTERIOR_SEEDS,
-            Interior::Parity => nm_interior::NM_INTERIOR_PARITY,
-            Interior::Winding => nm_interior::NM_INTERIOR_WINDING,
-        }),
+        extent: MaybeUninit::new(options.extent.into()),
+        crossings: MaybeUninit::new(options.crossings.into()),
+        interior: MaybeUninit::new(options.interior.into()),
         reserved_after_interior: 0,
     }
 }
@@ -151,7 +148,11 @@ fn decode_instruments(options: &nm_options) -> Result<bool> {
 mod tests {
     use super::*;
     use crate::capi::memory::read_struct;
-    use crate::capi::test_support::{from_c, last_message};
+    use crate::capi::run::nm_run;
+    use crate::capi::test_support::{from_c, last_message, square};
+    use crate::options::{
+        Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
+    };
     use std::mem::offset_of;
 
     const SIZE: usize = size_of::<nm_options>();
@@ -198,8 +199,41 @@ mod tests {
         };
         assert_eq!(decode(&encode(&options)).unwrap(), options);
         assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
+        let named =
+            Options { output: Output::Hierarchical, extent: Extent::All, ..options.clone() };
+        assert_eq!(decode(&encode(&named)).unwrap(), named);
         let svr = Options { algorithm: Algorithm::Svr, interior: Interior::Winding, ..options };
         assert_eq!(decode(&encode(&svr)).unwrap(), svr);
+    }
+
+    #[test]
+    fn the_options_of_a_run_have_no_auto() {
+        let mesh = square();
+        let mut found = encode(&Options::default());
+        let mut read = || {
+            // SAFETY: a live handle and a whole struct.
+            let status = unsafe { nm_mesh_options(&mesh, &mut found) };
+            (status, decode(&found).unwrap())
+        };
+        assert_eq!(read(), (nm_status::NM_STATE, Options::default()));
+        let run = |options: Options| {
+            // SAFETY: a live handle and a whole struct.
+            let status = unsafe { nm_run((&raw const mesh).cast_mut(), &encode(&options)) };
+            assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+        };
+        run(Options { seed: 7, ..Options::default() });
+        let (status, options) = read();
+        assert_eq!((status, options.seed), (nm_status::NM_OK, 7));
+        assert_eq!((options.output, options.extent), (Output::Hierarchical, Extent::All));
+        assert_eq!((options.quality_bound, options.epsilon), (3.0, 0.5));
+        run(Options { extent: Extent::Box, min_angle: 20.0, ..Options::default() });
+        let (_, options) = read();
+        assert_eq!((options.output, options.extent), (Output::WellSpaced, Extent::Box));
+        assert_eq!(options.criterion, Criterion::RadiusEdge);
+        assert!((options.min_angle - 20.0).abs() < 1e-12, "{}", options.min_angle);
+        // SAFETY: NULL is allowed.
+        let status = unsafe { nm_mesh_options(&mesh, null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "options is NULL"));
     }
 
     #[test]
@@ -265,7 +299,8 @@ mod tests {
     fn every_enum_field_is_checked() {
         let good = encode(&Options::default());
         let bad = [
-            ("output", 2, nm_options { output: from_c(2), ..good }),
+            ("output", 3, nm_options { output: from_c(3), ..good }),
+            ("extent", 5, nm_options { extent: from_c(5), ..good }),
             ("algorithm", 3, nm_options { algorithm: from_c(3), ..good }),
             ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
             ("criterion", 2, nm_options { criterion: from_c(2), ..good }),

@@ -1,6 +1,7 @@
 //! Questions to a result: location, nearest vertices, interpolation.
 
-use super::enums::{decode_interpolation, nm_interpolation, nm_status};
+use super::decode::decode_interpolation;
+use super::enums::{nm_interpolation, nm_status};
 use super::getters::result;
 use super::handle::{nm_mesh, with_mesh, with_prepared};
 use super::memory::{read_rows, rows_out};

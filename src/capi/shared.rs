@@ -4,3 +4,4 @@ pub use super::error::null_argument;
 pub use super::handle::barrier;
 pub use super::memory::{OutStruct, Versioned, copy_out, read_rows, utf8_path};
 pub use super::run::{read_options, report};
+pub use super::words::in_words_of_c;

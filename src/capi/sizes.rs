@@ -219,8 +219,13 @@ mod tests {
             refuse(none, null_argument, "values is NULL");
             // Values for what has no sizes.
             assert_eq!(nm_mesh_set_sizes(mesh, 5, good.as_ptr()), nm_status::NM_OK);
-            let run = nm_run(mesh, null());
-            refuse(run, invalid, "options.size is set, or values for it;");
+            let hierarchical = Options { output: Output::Hierarchical, ..Options::default() };
+            let run = nm_run(mesh, &encode(&hierarchical));
+            refuse(
+                run,
+                invalid,
+                "nm_mesh_set_sizes is given; it does not go with options.output = NM_OUTPUT_HIER",
+            );
         }
     }
 

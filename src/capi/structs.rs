@@ -17,7 +17,7 @@ use std::mem::{MaybeUninit, offset_of};
 pub struct nm_selection {
     /// sizeof(nm_selection) of the caller. Fields that a smaller struct lacks select all.
     pub struct_size: u32,
-    /// The simplices inside this region (nm_placement).
+    /// The simplices inside this region (nm_placement); NM_EXTENT_AUTO is NM_EXTENT_ALL.
     pub extent: MaybeUninit<nm_extent>,
     /// Nonzero: those across the region's boundary, too.
     pub across: u32,
@@ -90,7 +90,7 @@ pub struct nm_options {
     /// sizeof(nm_options) of the caller, set by nm_options_init. Fields that a smaller struct lacks
     /// have their defaults; a larger struct is accepted if what this version does not know is zero.
     pub struct_size: u32,
-    /// What the run leaves behind. Default NM_OUTPUT_HIERARCHICAL.
+    /// What the run leaves behind. Default NM_OUTPUT_AUTO.
     pub output: MaybeUninit<nm_output>,
     /// How it works. Default NM_ALGORITHM_NETMESH.
     pub algorithm: MaybeUninit<nm_algorithm>,
@@ -147,15 +147,17 @@ pub struct nm_options {
     /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
     /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
     /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
-    /// (1 + distance_ratio) / (1 - distance_ratio). For NM_OUTPUT_WELL_SPACED of
-    /// NM_ALGORITHM_NETMESH; root_scale then has the default 12. In
-    /// [0.05, 1], default 0: no matter how far.
+    /// (1 + distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+    /// NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no matter
+    /// how far.
     pub distance_ratio: f64,
     /// 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
     /// criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
     /// With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
     /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
-    /// too; a few cells at the root's cage may then be given up (precision-limited).
+    /// too; a few cells at the root's cage may then be given up (precision-limited). With
+    /// NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
+    /// nm_quality.below_min_angle counts the others.
     pub min_angle: f64,
     /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
     /// points move and further ones come until none is smaller. Where quality_bound cannot be had
@@ -166,7 +168,7 @@ pub struct nm_options {
     /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
     /// largest of their coordinates on each axis); their circumradius is at most that of the regular
     /// simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-    /// NM_OUTPUT_WELL_SPACED of NM_ALGORITHM_NETMESH. Above 0, default 0: none.
+    /// NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
     pub max_edge: f64,
     /// The size at each point, on the same conditions: no simplex that meets the box of the inputs
     /// has a larger circumradius than the regular simplex whose edges have the least of the sizes
@@ -184,12 +186,13 @@ pub struct nm_options {
     /// Zero.
     pub reserved_after_gives_way: u32,
     /// How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
-    /// of edges. Above 2D NM_EXTENT_ALL. Default NM_EXTENT_ALL.
+    /// of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
     pub extent: MaybeUninit<nm_extent>,
     /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<nm_crossings>,
-    /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY; with another
-    /// extent it must be the default. Default NM_INTERIOR_SEEDS.
+    /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
+    /// there are segments, NM_EXTENT_AUTO; otherwise it must be the default. Default
+    /// NM_INTERIOR_SEEDS.
     pub interior: MaybeUninit<nm_interior>,
     /// Zero.
     pub reserved_after_interior: u32,
@@ -353,6 +356,10 @@ pub struct nm_quality {
     pub forced: u64,
     /// Smallest angle of these, in degrees; 0 if there are none.
     pub least_forced_angle_degrees: f64,
+    /// Triangles with an angle below nm_options.min_angle, or below what NM_CRITERION_RADIUS_EDGE
+    /// promises in 2D, which nothing forces: beside cages in hierarchical meshes, which break the
+    /// angle, and at precision-limited vertices. 0 where no angle was promised, and above 2D.
+    pub below_min_angle: u64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -360,7 +367,7 @@ unsafe impl Versioned for nm_quality {
     const TYPE: &'static str = "nm_quality";
 }
 
-const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 12 * 8);
+const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 13 * 8);
 
 /// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]

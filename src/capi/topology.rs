@@ -1,6 +1,7 @@
 //! Faces and filtrations. They are made once and kept with the mesh.
 
-use super::enums::{decode_filtration, nm_filtration, nm_status};
+use super::decode::decode_filtration;
+use super::enums::{nm_filtration, nm_status};
 use super::error::null_argument;
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};

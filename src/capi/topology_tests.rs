@@ -129,7 +129,7 @@ fn what_is_wrong_is_named() {
         let alpha = from_c::<nm_filtration>(0);
         assert_eq!(nm_mesh_filtration(&mesh, alpha, u32::MAX, buf, 0, &mut needed), invalid);
         assert_eq!(nm_mesh_filtration(&mesh, from_c(2), 0, buf, 0, &mut needed), invalid);
-        assert_eq!(last_message(), "filtration is 2; it must be in 0..=1");
+        assert_eq!(last_message(), "filtration is 2; it must be one of nm_filtration, 0 to 1");
         assert_eq!(needed, 7);
         let status = nm_mesh_get_faces(null(), 0, null_mut(), 0, &mut needed);
         assert_eq!(status, nm_status::NM_NULL_ARGUMENT);

@@ -1,6 +1,7 @@
 //! What the library is, and the names of its statuses.
 
-use super::enums::{bits, nm_status};
+use super::decode::bits;
+use super::enums::nm_status;
 use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 

@@ -3,7 +3,7 @@
 use super::columns::{Column, Columns, OrRule, named_coordinates, parse_entry};
 use super::text::quoted;
 use super::values::Values;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::collected;
 use crate::mesh::MAX_DIM;
 use crate::mesh::attribute::rule_against;
@@ -115,7 +115,7 @@ impl Entry {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, message!("attributes: {why}"))
+    Error::new(ErrorKind::InvalidArgument, say!(Name::Attributes, ": {why}"))
 }
 
 /// A column that becomes an attribute.

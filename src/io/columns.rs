@@ -1,7 +1,7 @@
 //! Which columns of a table are the coordinates.
 
 use super::text::quoted;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::str::FromStr;
 
@@ -84,7 +84,7 @@ pub(super) fn parse_entry(entry: &str) -> OrRule<(Column, Option<u64>)> {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, message!("columns: {why}"))
+    Error::new(ErrorKind::InvalidArgument, say!(Name::Columns, ": {why}"))
 }
 
 impl Columns {

@@ -122,9 +122,7 @@ pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<T
 
 /// What `read` makes of a file, whose name it gives to errors.
 fn in_file<T>(path: &Path, read: impl FnOnce(&mut dyn BufRead) -> Result<T>) -> Result<T> {
-    let in_file = |error: Error| {
-        Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
-    };
+    let in_file = |error: Error| error.within(&path.display());
     let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
     read(&mut BufReader::with_capacity(1 << 16, file)).map_err(in_file)
 }

@@ -29,6 +29,16 @@ pub struct Region {
     pub max_edge: f64,
 }
 
+impl Region {
+    /// Returns true if region `number` is a hole, and how many of that kind come before it: for those
+    /// who give holes apart from other regions. A number of none is that of a region.
+    pub fn number_among_its_kind(regions: &[Self], number: usize) -> (bool, usize) {
+        let Some(region) = regions.get(number) else { return (false, number) };
+        let before = regions[..number].iter().filter(|other| other.is_hole == region.is_hole);
+        (region.is_hole, before.count())
+    }
+}
+
 /// A piece of a segment, with its direction. No vertex of the arrangement and no other piece is in
 /// its interior.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

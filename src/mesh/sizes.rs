@@ -2,7 +2,7 @@
 //! vertices of another mesh.
 
 use super::{Boundary, Boxed, Mesh, Triangulation};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{AllocResult, copied, filled};
 
 /// Values of sizes.
@@ -40,7 +40,7 @@ impl Mesh {
             let message = message!("count is {given}; it must be 0 or the {count} inputs");
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        check(sizes)?;
+        check(sizes, Name::SizeAt)?;
         self.given_sizes.at_inputs = copied(sizes)?;
         Ok(())
     }
@@ -83,20 +83,18 @@ impl Mesh {
                 message!("count is {given}; it must be the {vertices} vertices of the background");
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        check(sizes)?;
+        check(sizes, Name::BackgroundSizeAt)?;
         Ok(Background { mesh: arrays_of(mesh)?, sizes: copied(sizes)? })
     }
 }
 
-/// Fails unless all are sizes.
-fn check(sizes: &[f64]) -> Result<()> {
+/// Fails unless all are sizes; `name` is that of the size with a number.
+fn check(sizes: &[f64], name: fn(usize) -> Name) -> Result<()> {
     match sizes.iter().position(|size| size.is_nan() || *size <= 0.0) {
         None => Ok(()),
         Some(at) => {
-            let message = message!(
-                "values[{at}] is {}; a size is above 0, or infinite for no bound",
-                sizes[at]
-            );
+            let size = sizes[at];
+            let message = say!(name(at), " is {size}; a size is above 0, or infinite for no bound");
             Err(Error::new(ErrorKind::InvalidArgument, message))
         }
     }

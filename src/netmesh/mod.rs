@@ -35,7 +35,7 @@ use crate::error::Result;
 use crate::memory::collected;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
-use crate::parameters::{Parameters, check_region_sizes, check_sized, with_segments};
+use crate::parameters::{Parameters, check_region_sizes, output_for, with_segments};
 use refinement::size::Sizes;
 use state::{Cell, Mesher, Scratch, Stage, State};
 use std::time::Instant;
@@ -65,6 +65,9 @@ pub fn run_sized(
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<Triangulation> {
+    let by_region = arrangement.as_deref().is_some_and(Arrangement::has_sizes);
+    let output = output_for(options, size.is_some() || by_region);
+    let options = &Options { output, ..options.clone() };
     let parameters = match &arrangement {
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
@@ -73,10 +76,7 @@ pub fn run_sized(
             ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
         },
     };
-    if size.is_some() {
-        check_sized(options, "size", "set, or values for it")?;
-    }
-    if arrangement.as_deref().is_some_and(Arrangement::has_sizes) {
+    if by_region {
         check_region_sizes(options)?;
     }
     in_dimension!(
@@ -149,7 +149,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         match self.state.parameters.output {
             Output::WellSpaced => self.finish_mesh(cavity),
-            Output::Hierarchical => Ok(()),
+            Output::Auto | Output::Hierarchical => Ok(()),
         }
     }
 }

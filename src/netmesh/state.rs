@@ -13,7 +13,7 @@ use super::segments::Segments;
 use super::watch::Watch;
 use crate::complex::{SimplexId, VertexId, VertexSet};
 use crate::delaunay::Delaunay;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, say};
 use crate::memory::{Array, TryGrow, expect, filled};
 use crate::mesh::{Inputs, Stats};
 use crate::options::{Algorithm, Output, Phase};
@@ -131,8 +131,7 @@ pub(super) struct Scratch {
 }
 
 pub(super) fn limit(max_vertices: u64, needed: usize) -> Error {
-    let message =
-        message!("options.max_vertices is {max_vertices}; the mesh needs {needed} or more");
+    let message = say!(Name::MaxVertices, " is {max_vertices}; the mesh needs {needed} or more");
     Error::new(ErrorKind::Limit, message)
 }
 
@@ -298,7 +297,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     fn shares(&self) -> [f64; 2] {
         match (self.state.parameters.algorithm, self.state.parameters.output) {
             (Algorithm::Delaunay, _) => [1.0, 0.0],
-            (_, Output::Hierarchical) => [0.6, 0.0],
+            (_, Output::Auto | Output::Hierarchical) => [0.6, 0.0],
             (_, Output::WellSpaced) => [0.3, 0.4],
         }
     }

@@ -71,7 +71,14 @@ pub struct Quality {
     pub forced: u64,
     /// Smallest angle of these, in degrees.
     pub least_forced_angle_degrees: f64,
+    /// Number of triangles with an angle below [`crate::Parameters::min_angle`] that nothing forces,
+    /// wherever they are. Cages break the angle: between a cage and what is around it are triangles
+    /// with vertices of several domains.
+    pub below_min_angle: u64,
 }
+
+/// The builder compares rounded radii; so do measures and the certificate, with other roundings.
+pub(crate) const SLACK: f64 = 1e-7;
 
 /// Measures `triangulation`. A triangulation whose arrays do not fit together, or whose ids are
 /// out of range, answers all zeros: [`crate::validate::validate`] says what is wrong with it.
@@ -106,6 +113,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
         beyond_bound: mesh.beyond_bound.len() as u64,
         forced: simplices.forced,
         least_forced_angle_degrees: simplices.forced_angle.degrees(),
+        below_min_angle: simplices.below_min_angle,
         ..Quality::default()
     };
     add_aspects(&mut quality, mesh, &cells, &on_hull);
@@ -126,6 +134,7 @@ struct SimplexMeasures {
     angle: LeastAngle,
     forced: u64,
     forced_angle: LeastAngle,
+    below_min_angle: u64,
 }
 
 /// The smallest of angles, by the squared tangent of half of it.
@@ -166,6 +175,10 @@ impl SimplexMeasures {
             self.forced += 1;
             return self.forced_angle.add(view, vertices);
         }
+        let parameters = &view.mesh.parameters;
+        // A triangle's smallest angle is below the one that is asked for if its ratio is above.
+        let is_above = cell.radius_edge > parameters.quality_bound * (1.0 + SLACK);
+        self.below_min_angle += u64::from(parameters.min_angle > 0.0 && is_above);
         if vertices.iter().any(|&v| at_cage.get(v as usize).is_some_and(|&at_cage| at_cage)) {
             return Ok(());
         }

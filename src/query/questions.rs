@@ -6,7 +6,7 @@ use super::locate::{Locator, Place, Scratch};
 use super::threads::{on_threads, piece, threads};
 use super::view::View;
 use super::{Among, Index};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::AllocResult;
 use crate::mesh::{Triangulation, in_dimension};
 use crate::nearest::{Tree, nearest, sort_by_leaf};
@@ -102,9 +102,12 @@ impl Index {
         out: &mut [f64],
     ) -> Result<()> {
         if mesh.boundary.whole.is_some() && method.interpolation != Interpolation::Linear {
-            let rule = "method is that of natural neighbours, which a mesh that is cut to its domain \
-                        has not; it must be linear";
-            return Err(Error::new(ErrorKind::InvalidArgument, rule));
+            let message = say!(
+                Name::Interpolation,
+                " is by natural neighbours, which a mesh that is cut to its domain lacks; it must be \
+                 linear"
+            );
+            return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         values.check("values", self.vertices, "vertices")?;
         let rule = "components is 0; it must be at least 1";

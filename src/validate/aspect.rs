@@ -10,12 +10,9 @@ use crate::mesh::NONE;
 use crate::options::{Criterion, GivesWay};
 use crate::parameters::Parameters;
 use crate::quality::cells::{Cells, SimplexCell};
-use crate::quality::precision_limited_cages;
 use crate::quality::tree::DomainTree;
 use crate::quality::view::View;
-
-/// The builder compares rounded radii; so does this, with other roundings.
-const SLACK: f64 = 1e-7;
+use crate::quality::{SLACK, precision_limited_cages};
 
 /// A cage surrounds inputs within this fraction of its sphere's radius.
 const SURROUNDED: f64 = 0.8;

@@ -220,7 +220,7 @@ static void test_options(void)
     EXPECT(NM_INVALID_ARGUMENT, nm_run(mesh, &bad), part)
     REFUSED(struct_size, 3, "struct_size is 3");
     REFUSED(struct_size, 5000, "struct_size is 5000");
-    REFUSED(output, 2, "options.output is 2");
+    REFUSED(output, 3, "options.output is 3");
     REFUSED(algorithm, -1, "options.algorithm is -1");
     REFUSED(ordering, 77, "options.ordering is 77");
     REFUSED(criterion, 2, "options.criterion is 2");
@@ -233,17 +233,27 @@ static void test_options(void)
     REFUSED(encroachment, 0.5, "encroachment is 0.5");
     REFUSED(cage_scale, DBL_MIN, "cage_scale");
     REFUSED(root_scale, 1.0, "root_scale is 1");
-    REFUSED(distance_ratio, 0.5, "well-spaced output");
+    REFUSED(distance_ratio, 1.5, "distance_ratio is 1.5");
     REFUSED(min_angle, 34.0, "options.min_angle is 34");
     REFUSED(instruments, 2, "options.instruments is 2");
     REFUSED(reserved, 1, "options.reserved is 1");
     REFUSED(min_dihedral, 23.0, "min_dihedral is 23");
     REFUSED(max_edge, -1.0, "max_edge is -1");
-    REFUSED(size, answer_nothing, "options.size is set");
+    REFUSED(size, answer_nothing, "options.size answers NaN");
     REFUSED(gives_way, 2, "options.gives_way is 2");
     REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
     REFUSED(interior, 3, "options.interior is 3");
-    REFUSED(interior, NM_INTERIOR_WINDING, "options.interior is winding and options.extent is all");
+    REFUSED(interior, NM_INTERIOR_WINDING, 
+            "options.interior = NM_INTERIOR_WINDING needs segments; the mesh has none");
+    options.output = NM_OUTPUT_HIERARCHICAL;
+    REFUSED(distance_ratio, 0.5, "it does not go with options.output = NM_OUTPUT_HIERARCHICAL");
+    REFUSED(size, answer_nothing,
+            "options.size is given; it does not go with options.output = NM_OUTPUT_HIERARCHICAL");
+    options.output = NM_OUTPUT_AUTO;
+    options.extent = NM_EXTENT_ALL;
+    REFUSED(interior, NM_INTERIOR_WINDING, 
+            "options.interior = NM_INTERIOR_WINDING does not go with options.extent = NM_EXTENT_ALL");
+    options.extent = NM_EXTENT_AUTO;
     REFUSED(reserved_after_interior, 1, "options.reserved_after_interior is 1");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);

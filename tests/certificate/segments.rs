@@ -162,6 +162,7 @@ fn domains_in_a_cut_hierarchy_have_their_centres() {
     let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
     mesh.set_segments(segments.as_flattened(), None).unwrap();
     let options = Options {
+        output: Output::Hierarchical,
         extent: Extent::Boundary,
         crossings: Crossings::Split,
         min_angle: 30.0,

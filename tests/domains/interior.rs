@@ -227,7 +227,10 @@ fn curves_that_do_not_close() {
     domain.points.push([0.25, 0.5]);
     domain.segments.push([2, 4]);
     for (interior, start) in [
-        (Interior::Parity, "input 2 is an end of 3 segments; with options.interior parity"),
+        (
+            Interior::Parity,
+            "input 2 is an end of 3 segments; with options.interior = Interior::Parity",
+        ),
         (Interior::Winding, "input 2 is the first end of 2 segments and the second end of 1;"),
     ] {
         let (kind, message) = refusal(&domain, &options(interior));
@@ -245,7 +248,9 @@ fn curves_are_for_domains_that_they_bound() {
         let (kind, message) = refusal(&domain, &Options { extent, ..options(Interior::Parity) });
         assert_eq!(kind, ErrorKind::InvalidArgument);
         assert!(
-            message.starts_with("options.interior is parity and options.extent is"),
+            message.starts_with(
+                "options.interior = Interior::Parity does not go with options.extent ="
+            ),
             "{message}"
         );
     }

@@ -13,18 +13,26 @@ const MESSAGE_BYTES: usize = 1024;
 pub struct Collective<T> {
     transport: T,
     bytes_sent: Cell<u64>,
+    /// Says an error in the words of the caller, since ranks tell each other no more than text.
+    words: fn(&Error) -> String,
     /// What all ranks have agreed on.
     failure: RefCell<Option<Error>>,
 }
 
 impl<T: Transport> Collective<T> {
+    /// Ranks whose messages are in the words of C.
     pub fn new(transport: T) -> Self {
-        Self { transport, bytes_sent: Cell::new(0), failure: RefCell::new(None) }
+        Self::in_words(transport, netmesh::capi::shared::in_words_of_c)
+    }
+
+    /// Ranks whose messages are those of `words`.
+    pub fn in_words(transport: T, words: fn(&Error) -> String) -> Self {
+        Self { transport, bytes_sent: Cell::new(0), words, failure: RefCell::new(None) }
     }
 
     /// For another call: what has failed before is past.
     pub fn again(&self) -> Collective<&T> {
-        Collective::new(&self.transport)
+        Collective::in_words(&self.transport, self.words)
     }
 
     /// What every collective call begins with.
@@ -49,7 +57,8 @@ impl<T: Transport> Collective<T> {
     fn error_of(&self, rank: usize, local: Option<&Error>) -> Result<Error> {
         let mut packet = [0; 8 + MESSAGE_BYTES];
         if let (Some(error), true) = (local, rank == self.transport.rank()) {
-            let message = prefix(error.message(), MESSAGE_BYTES);
+            let message = (self.words)(error);
+            let message = prefix(&message, MESSAGE_BYTES);
             packet[..4].copy_from_slice(&(error.kind() as i32).to_le_bytes());
             packet[4..8].copy_from_slice(&(message.len() as u32).to_le_bytes());
             packet[8..][..message.len()].copy_from_slice(message.as_bytes());

@@ -1,6 +1,7 @@
 //! The command line: the words of `netmesh`, as far as they are for several ranks.
 
 use crate::exit_code;
+use crate::whole::whole;
 use clap::{Parser, ValueEnum};
 use netmesh::{Criterion, GivesWay, NetOrdering, Options, Output};
 use std::path::PathBuf;
@@ -34,9 +35,15 @@ pub struct Arguments {
     #[arg(long, value_enum, value_name = "FORMAT")]
     pub output_format: Option<OutputFormat>,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH) instead of a hierarchical one
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle
+    /// does; otherwise the mesh is hierarchical
     #[arg(long)]
     pub finish: bool,
+
+    /// Make a hierarchical mesh, also where an angle asks for a well-spaced one; some triangles beside
+    /// cages then miss the angle
+    #[arg(long, conflicts_with = "finish")]
+    pub hierarchical: bool,
 
     /// Check the mesh with the certificate checker, which has nothing from what made it
     #[arg(long)]
@@ -123,15 +130,17 @@ pub struct Meshing {
     pub gives_way: GivesWayName,
 
     /// Seed of every random choice; the same seed makes the same mesh
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
+    #[arg(value_parser = whole::<u64>)]
     pub seed: u64,
 
     /// Stop with exit code 5 rather than make more vertices than this
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u64>)]
     pub max_vertices: Option<u64>,
 
     /// Threads of each rank, 0 = all cores; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true)]
+    #[arg(value_parser = whole::<u32>)]
     pub threads: u32,
 }
 
@@ -194,7 +203,11 @@ impl Arguments {
         let meshing = &self.meshing;
         let number = |given: Option<f64>| given.unwrap_or(0.0);
         Options {
-            output: if self.finish { Output::WellSpaced } else { Output::Hierarchical },
+            output: match (self.finish, self.hierarchical) {
+                (true, _) => Output::WellSpaced,
+                (_, true) => Output::Hierarchical,
+                _ => Output::Auto,
+            },
             ordering: match meshing.ordering {
                 OrderingName::Sampled => NetOrdering::SampledNet,
                 OrderingName::Deterministic => NetOrdering::DeterministicNet,
@@ -261,5 +274,7 @@ mod tests {
         assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
         let angle = Arguments::parse_from(["netmesh-mpi", "in.npy", "--min-angle", "25"]).options();
         assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
+        let named = Arguments::parse_from(["netmesh-mpi", "in.npy", "--hierarchical"]).options();
+        assert_eq!(named, Options { output: Output::Hierarchical, ..Options::default() });
     }
 }

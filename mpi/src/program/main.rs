@@ -9,6 +9,11 @@ mod arguments;
 mod exit_code;
 mod session;
 mod summary;
+#[path = "../../../cli/src/whole.rs"]
+mod whole;
+#[allow(dead_code)]
+#[path = "../../../cli/src/words.rs"]
+mod words;
 
 use arguments::Arguments;
 use clap::Parser;
@@ -19,7 +24,7 @@ use std::io::Write;
 
 fn main() -> std::process::ExitCode {
     let code = match begin().and_then(|()| Ranks::of_world()) {
-        Ok(ranks) => run(&Collective::new(ranks)),
+        Ok(ranks) => run(&Collective::in_words(ranks, words::in_options)),
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "netmesh-mpi: {error}");
             ExitCode::Other as u8

@@ -3,7 +3,7 @@
 use super::super::choice::AttributeColumns;
 use super::super::text::{Line, Lines, quoted};
 use super::super::values::Values;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, say};
 
 /// The most elements and properties that are read: a header is kept in memory.
 const MAX_DECLARATIONS: usize = 1000;
@@ -119,13 +119,12 @@ impl Header {
         let mut lists = columns().filter(|(property, _)| is_list(property));
         match lists.find(|(_, column)| values.of_column(*column).is_some()) {
             None => Ok(values),
-            Some((property, _)) => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "attributes: the property {} is a list; an attribute has one number a point",
-                    quoted(&property.name)
-                ),
-            )),
+            Some((property, _)) => {
+                let name = quoted(&property.name);
+                let rule = "an attribute has one number a point";
+                let message = say!(Name::Attributes, ": the property {name} is a list; {rule}");
+                Err(Error::new(ErrorKind::InvalidArgument, message))
+            }
         }
     }
 }

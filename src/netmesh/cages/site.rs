@@ -115,7 +115,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn spare_room(&self) -> f64 {
         match self.state.parameters.output {
             Output::WellSpaced => ROOM_IF_FINISHED,
-            Output::Hierarchical => 1.0,
+            Output::Auto | Output::Hierarchical => 1.0,
         }
     }
 

@@ -53,7 +53,7 @@ impl<const D: usize> Maker<D> {
     pub fn is_done(&self, piece: &Piece<D>) -> Result<bool> {
         let is_finished = match self.parameters.output {
             Output::WellSpaced => piece.domains.len() <= 1,
-            Output::Hierarchical => true,
+            Output::Auto | Output::Hierarchical => true,
         };
         Ok(is_finished && piece.is_settled()?)
     }

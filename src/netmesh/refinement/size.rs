@@ -16,7 +16,7 @@
 
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, say};
 use crate::memory::{Array, TryGrow};
 use crate::mesh::{Inputs, MAX_DIM};
 use crate::netmesh::Mesher;
@@ -176,8 +176,9 @@ impl<'a, const D: usize> Sizes<'a, D> {
         if answer > 0.0 {
             return Ok(answer);
         }
-        let message = message!(
-            "options.size answers {answer} at {x:?}; a size is above 0, or infinite for no bound"
+        let message = say!(
+            Name::Size,
+            " answers {answer} at {x:?}; a size is above 0, or infinite for no bound"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }

@@ -85,7 +85,7 @@ pub(in crate::netmesh) struct Crowded {
 /// What an error calls a segment.
 fn name_of(segment: u32) -> Cow<'static, str> {
     match segment {
-        NONE => "the boundary of options.extent".into(),
+        NONE => "the boundary of the hull or box".into(),
         segment => message!("segments[{segment}]").into(),
     }
 }

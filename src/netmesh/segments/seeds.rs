@@ -5,14 +5,13 @@
 use super::regions::OUTSIDE;
 use super::{Seed, name_of};
 use crate::complex::{SimplexId, VertexId};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{NONE, Region};
 use crate::netmesh::{Mesher, State};
 use crate::numerics::{Sign, orientation};
 use crate::options::Extent;
 use crate::parameters::Parameters;
-use std::borrow::Cow;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds which regions belong to the domain, and what their seeds say of them. All regions are
@@ -61,9 +60,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refuse_outside(number, seed, region, is_enclosed[region as usize])?;
             let earlier = std::mem::replace(&mut seed_of[region as usize], number);
             if earlier != NONE {
-                return refuse(message!(
-                    "regions[{number}].seed is in the same region as regions[{earlier}].seed; no \
-                     segment is between them, and a region must have one seed at most"
+                return refuse(say!(
+                    Name::Seed(number),
+                    " is in the same region as ",
+                    Name::Seed(earlier),
+                    "; no segment is between them, and a region must have one seed at most"
                 ));
             }
             let found = Seed { number, x: seed.seed, region };
@@ -86,20 +87,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if is_enclosed || seed.is_hole && region != OUTSIDE {
             return Ok(());
         }
-        let place = match (extent, region) {
-            (Extent::Boundary, OUTSIDE) => "outside of all that segments enclose".into(),
-            (Extent::Boundary, _) => message!(
-                "where options.interior {} leaves the domain out, so that only a hole may be there",
-                interior.word()
-            )
-            .into(),
-            _ => message!("outside of the {} of the inputs", extent.word()).into(),
-        };
-        let place: Cow<'static, str> = place;
-        refuse(message!(
-            "regions[{number}].seed is ({x:?}, {y:?}), {place}; it must be in a region of the \
-             domain"
-        ))
+        let seed = Name::Seed(number);
+        let must = "it must be in a region of the domain";
+        refuse(match (extent, region) {
+            (Extent::Boundary, OUTSIDE) => {
+                say!(seed, " is ({x:?}, {y:?}), outside of all that segments enclose; {must}")
+            }
+            (Extent::Boundary, _) => say!(
+                seed,
+                " is ({x:?}, {y:?}), which ",
+                Choice::Interior(interior),
+                " leaves out, so that only a hole may be there; {must}"
+            ),
+            _ => say!(
+                seed,
+                " is ({x:?}, {y:?}), beyond the boundary, with ",
+                Choice::Extent(extent),
+                "; {must}"
+            ),
+        })
     }
 
     /// Refuses a domain that has no region, for which `why` is the reason.
@@ -108,11 +114,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if is_inside.contains(&true) {
             return Ok(());
         }
-        refuse(message!(
-            "{why}, and options.extent is {} (options.interior is {}); the domain must not be \
-             empty",
-            extent.word(),
-            interior.word()
+        refuse(say!(
+            "{why}, with ",
+            Choice::Extent(extent),
+            " and ",
+            Choice::Interior(interior),
+            "; the domain must not be empty"
         ))
     }
 
@@ -127,10 +134,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             near = simplex;
             self.refuse_on_segment(seed.number, &x, simplex)?;
             if segments.regions.of(simplex) != Some(seed.region) {
-                return refuse(message!(
-                    "regions[{}].seed is within a rounding of a segment; it must be in the \
-                     interior of a region",
-                    seed.number
+                return refuse(say!(
+                    Name::Seed(seed.number),
+                    " is within a rounding of a segment; it must be in the interior of a region"
                 ));
             }
         }
@@ -141,8 +147,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
         let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
         let name = name_of(self.state.segments.chains.lines[line as usize].segment);
-        refuse(message!(
-            "regions[{number}].seed is on {name}; it must be in the interior of a region"
+        refuse(say!(
+            Name::Seed(number),
+            " is on {name}; it must be in the interior of a region"
         ))
     }
 
@@ -166,6 +173,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-fn refuse(message: impl Into<Cow<'static, str>>) -> Result<()> {
+fn refuse(message: Message) -> Result<()> {
     Err(Error::new(ErrorKind::InvalidArgument, message))
 }

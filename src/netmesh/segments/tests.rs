@@ -429,9 +429,10 @@ fn extents_that_cannot_be_are_refused() {
         mesh.run(&Options { extent, ..Options::default() }, None).unwrap_err().message().to_owned()
     };
     assert!(
-        refusal(3, Extent::Box).starts_with("options.extent is box and the mesh has dimension 3;")
+        refusal(3, Extent::Box)
+            == "options.extent = Extent::Box is for 2D; the mesh has dimension 3"
     );
-    assert!(refusal(2, Extent::Boundary).contains("has no segments"));
+    assert!(refusal(2, Extent::Boundary).contains("needs segments; the mesh has none"));
 }
 
 /// What is cut away holds no point of a query.

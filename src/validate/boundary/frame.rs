@@ -19,7 +19,7 @@ pub(super) fn check(
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let corners = match view.mesh.parameters.extent {
-        Extent::All | Extent::Boundary => return Ok(()),
+        Extent::Auto | Extent::All | Extent::Boundary => return Ok(()),
         Extent::Hull => hull(inputs)?,
         Extent::Box => collected(corners_of_box(inputs, view))?,
     };

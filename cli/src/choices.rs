@@ -1,0 +1,221 @@
+//! The words for values of options, and what they are to the library.
+
+use clap::ValueEnum;
+use clap::builder::PossibleValue;
+use netmesh::io::Format;
+use netmesh::{Algorithm, Criterion, Crossings, Extent, Interior, NetOrdering};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AddedValues {
+    /// Linear in the Delaunay triangulation of the inputs, those of the nearest input beyond its
+    /// hull
+    Linear,
+    /// Not a number
+    Nan,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FiltrationName {
+    /// Alpha values, of the Delaunay triangulation of the input, which is made instead of a mesh
+    Alpha,
+    /// The distance to the input, followed by the cells of the mesh; best with --finish
+    Mesh,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AlgorithmName {
+    Netmesh,
+    Svr,
+    Delaunay,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum OrderingName {
+    Sampled,
+    Deterministic,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CriterionName {
+    /// Voronoi aspect ratio: farthest corner over half the distance to the nearest neighbour
+    Aspect,
+    /// Circumradius over shortest edge of a simplex
+    RadiusEdge,
+}
+
+/// How far the mesh reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ExtentName {
+    /// Boundary where segments enclose something, otherwise all
+    Auto,
+    All,
+    Hull,
+    Box,
+    Boundary,
+}
+
+/// What becomes of segments that cross.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CrossingsName {
+    Refuse,
+    Split,
+}
+
+/// Which regions between segments are inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum InteriorName {
+    /// All that cannot be reached from outside without crossing a segment
+    Seeds,
+    /// Where a path from outside crosses an odd number of segments
+    Parity,
+    /// Where the winding number of the segments is not 0
+    Winding,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GivesWayName {
+    /// The angle: some tetrahedra stay below it
+    Angle,
+    /// The bound: some cells, or tetrahedra, go beyond it
+    Bound,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormatName {
+    /// VTK XML unstructured grid, write only (.vtu)
+    Vtu,
+    /// TetGen .node and .ele
+    Tetgen,
+    /// Gmsh, as text (.msh)
+    Gmsh,
+    /// Medit, as text (.mesh)
+    Medit,
+    /// OFF, nOFF from three dimensions on (.off)
+    Off,
+    /// Polygons: of a planar mesh all triangles, in 3D the boundary (.ply)
+    Ply,
+    /// Points, separated by spaces (.xyz)
+    Xyz,
+    /// Points, separated by commas (.csv)
+    Csv,
+    /// Points as a NumPy array (.npy)
+    Npy,
+    /// The Voronoi diagram of the vertices, write only (.voronoi.json)
+    VoronoiJson,
+    /// The domains and their cages, write only (.domains.json)
+    DomainsJson,
+    /// Triangle's points, segments and regions, read only (.poly)
+    Poly,
+    /// Points, lines and polygons of GeoJSON, read only (.geojson)
+    #[value(name = "geojson")]
+    GeoJson,
+    /// Points, lines and polygons of well-known text, read only (.wkt)
+    Wkt,
+}
+
+/// A format that points can be read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ReadableFormat(pub FormatName);
+
+impl ValueEnum for ReadableFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        const READABLE: [ReadableFormat; 11] = [
+            ReadableFormat(FormatName::Tetgen),
+            ReadableFormat(FormatName::Gmsh),
+            ReadableFormat(FormatName::Medit),
+            ReadableFormat(FormatName::Off),
+            ReadableFormat(FormatName::Ply),
+            ReadableFormat(FormatName::Xyz),
+            ReadableFormat(FormatName::Csv),
+            ReadableFormat(FormatName::Npy),
+            ReadableFormat(FormatName::Poly),
+            ReadableFormat(FormatName::GeoJson),
+            ReadableFormat(FormatName::Wkt),
+        ];
+        &READABLE
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        self.0.to_possible_value()
+    }
+}
+
+impl AlgorithmName {
+    pub fn algorithm(self) -> Algorithm {
+        match self {
+            Self::Netmesh => Algorithm::Netmesh,
+            Self::Svr => Algorithm::Svr,
+            Self::Delaunay => Algorithm::Delaunay,
+        }
+    }
+}
+
+impl OrderingName {
+    pub fn ordering(self) -> NetOrdering {
+        match self {
+            Self::Sampled => NetOrdering::SampledNet,
+            Self::Deterministic => NetOrdering::DeterministicNet,
+        }
+    }
+}
+
+impl ExtentName {
+    pub fn extent(self) -> Extent {
+        match self {
+            Self::Auto => Extent::Auto,
+            Self::All => Extent::All,
+            Self::Hull => Extent::Hull,
+            Self::Box => Extent::Box,
+            Self::Boundary => Extent::Boundary,
+        }
+    }
+}
+
+impl CrossingsName {
+    pub fn crossings(self) -> Crossings {
+        match self {
+            Self::Refuse => Crossings::Refuse,
+            Self::Split => Crossings::Split,
+        }
+    }
+}
+
+impl InteriorName {
+    pub fn interior(self) -> Interior {
+        match self {
+            Self::Seeds => Interior::Seeds,
+            Self::Parity => Interior::Parity,
+            Self::Winding => Interior::Winding,
+        }
+    }
+}
+
+impl CriterionName {
+    pub fn criterion(self) -> Criterion {
+        match self {
+            Self::Aspect => Criterion::VoronoiAspect,
+            Self::RadiusEdge => Criterion::RadiusEdge,
+        }
+    }
+}
+
+impl FormatName {
+    pub fn format(self) -> Format {
+        match self {
+            Self::Vtu => Format::Vtu,
+            Self::Tetgen => Format::TetgenNode,
+            Self::Gmsh => Format::Gmsh,
+            Self::Medit => Format::Medit,
+            Self::Off => Format::Off,
+            Self::Ply => Format::Ply,
+            Self::Xyz => Format::Xyz,
+            Self::Csv => Format::Csv,
+            Self::Npy => Format::Npy,
+            Self::VoronoiJson => Format::VoronoiJson,
+            Self::DomainsJson => Format::DomainsJson,
+            Self::Poly => Format::Poly,
+            Self::GeoJson => Format::GeoJson,
+            Self::Wkt => Format::Wkt,
+        }
+    }
+}

@@ -4,6 +4,7 @@
 
 mod architecture;
 mod c_api;
+mod called_functions;
 mod certificate;
 mod damaged_features;
 mod damaged_meshes;

@@ -5,27 +5,31 @@ import math
 from fractions import Fraction
 
 
+# Units that no rounding explains.
+ELSEWHERE = 10**6
+
+
 class Segment:
-    """A segment between two points of doubles."""
+    """A segment between two points of doubles. Offsets from it are in units: those in the last place of the
+    larger coordinate of its ends, axis by axis."""
 
     def __init__(self, a, b):
-        self.a, self.b = ([Fraction(coordinate) for coordinate in end] for end in (a, b))
-        self.along = [b - a for a, b in zip(self.a, self.b)]
-        self.square = sum(step * step for step in self.along)
-        self.ulp = Fraction(math.ulp(max(abs(coordinate) for coordinate in (*a, *b))))
+        self.units = [Fraction(math.ulp(max(abs(p), abs(q)))) for p, q in zip(a, b)]
+        self.start = self.scaled(a)
+        self.along = [q - p for p, q in zip(self.start, self.scaled(b))]
 
-    def place(self, point):
-        """Returns the scalar product that tells where beside the segment a point is: 0 at one end, 1 at
-        the other."""
-        steps = (Fraction(x) - a for x, a in zip(point, self.a))
-        return sum(step * d for step, d in zip(steps, self.along)) / self.square
+    def scaled(self, point):
+        """Returns a point in units."""
+        return [Fraction(x) / unit for x, unit in zip(point, self.units)]
 
-    def square_distance(self, point):
-        """Returns the exact square of a point's distance, in squares of the unit in the last place of the
-        segment's largest coordinate."""
-        place = min(max(self.place(point), 0), 1)
-        gaps = (Fraction(x) - a - place * d for x, a, d in zip(point, self.a, self.along))
-        return sum(gap * gap for gap in gaps) / self.ulp**2
+    def offset(self, point):
+        """Returns how many units a rectangle about a point must reach along each axis to meet the segment,
+        exactly."""
+        (dx, dy), (ex, ey) = ([x - a for x, a in zip(self.scaled(point), self.start)], self.along)
+        # The reach is a convex function of the place on the segment, linear between these.
+        breaks = [(dx, ex), (dy, ey), (dx - dy, ex - ey), (dx + dy, ex + ey)]
+        places = [0, 1] + [min(max(d / e, 0), 1) for d, e in breaks if e]
+        return min(max(abs(dx - place * ex), abs(dy - place * ey)) for place in places)
 
 
 def orientation(a, b, c):
@@ -35,43 +39,40 @@ def orientation(a, b, c):
     return (area > 0) - (area < 0)
 
 
-def really_cross(first, second, bound):
+def really_cross(first, second, near):
     """Returns true if two segments cross and no end of one is within so many units of the other."""
     (a, b), (c, d) = first, second
     if orientation(a, b, c) * orientation(a, b, d) >= 0 or orientation(c, d, a) * orientation(c, d, b) >= 0:
         return False
     pairs = [(Segment(a, b), (c, d)), (Segment(c, d), (a, b))]
-    return all(one.square_distance(end) > bound**2 for one, ends in pairs for end in ends)
+    return all(one.offset(end) > near for one, ends in pairs for end in ends)
 
 
 def straightest(segment, start, goal, edges, points):
-    """Returns the square of the distance of the farthest vertex on the best path between two vertices, and
-    None where there is no path that stays near the segment."""
-    if start == goal:
-        return Fraction(0)
-    distances = {start: Fraction(0)}
+    """Returns the offset of the farthest vertex on the best path between two vertices; None where no path
+    stays near the segment."""
+    offsets = {start: Fraction(0)}
     queue = [(Fraction(0), start)]
     done = set()
     while queue:
-        farthest, vertex = heapq.heappop(queue)
+        most, vertex = heapq.heappop(queue)
         if vertex == goal:
-            return farthest
+            return most
         if vertex in done:
             continue
         done.add(vertex)
         for other in edges.get(vertex, ()):
-            if other not in done:
-                if other not in distances:
-                    distances[other] = segment.square_distance(points[other])
-                # What is a millionth of a unit of the coordinates away is another way.
-                if distances[other] < Fraction(10) ** 12 and (not math.isinf(float(distances[other]))):
-                    heapq.heappush(queue, (max(farthest, distances[other]), other))
+            if other not in offsets:
+                offsets[other] = segment.offset(points[other])
+            # Another way is farther off than any rounding.
+            if other not in done and offsets[other] < ELSEWHERE:
+                heapq.heappush(queue, (max(most, offsets[other]), other))
     return None
 
 
 def farthest(points, segments, ends, pieces, parents, is_cut):
-    """Returns the distance of the chain vertex that is farthest from its segment, in units, and the number of
-    segments without a chain. `segments` are coordinates, `ends` the vertices of their ends; a domain that is
+    """Returns the offset of the chain vertex that is farthest from its segment, and the number of segments
+    without a chain. `segments` are coordinates, `ends` the vertices of their ends; a domain that is
     cut out (`is_cut`) lacks the chains outside of it."""
     edges, owned = {}, {}
     for (a, b), parent in zip(pieces, parents):
@@ -85,7 +86,7 @@ def farthest(points, segments, ends, pieces, parents, is_cut):
         segment = Segment(*segment)
         own = owned.get(number, [])
         for vertex in {vertex for piece in own for vertex in piece}:
-            most = max(most, segment.square_distance(points[vertex]))
+            most = max(most, segment.offset(points[vertex]))
         leads_through = bool(own) and own[0][0] == start and own[-1][1] == goal
         leads_through &= all(one[1] == next_[0] for one, next_ in zip(own, own[1:]))
         if not leads_through:
@@ -94,4 +95,4 @@ def farthest(points, segments, ends, pieces, parents, is_cut):
                 most = max(most, worst)
             elif not is_cut:
                 broken += 1
-    return math.sqrt(most), broken
+    return float(most), broken

@@ -39,8 +39,9 @@ def arguments():
     add("--count", type=int, default=2000, help="inputs a row")
     add("--rows", default="", help="names or parts of names, separated by commas; all if empty")
     add("--options", type=int, default=2, help="combinations of options an input, of 16")
-    add("--bound", type=float, default=4, help="how far a chain may be from its segment, in units in the last\n"
-        "place of the largest coordinate of the segment's ends")
+    add("--bound", type=float, default=16, help="how far a chain may be from its segment, in units in the last\n"
+        "place of the larger coordinate of the segment's ends, along each axis")
+    add("--near", type=float, default=3, help="segments cross if no end is so near to the other, in these units")
     add("--seed", type=int, default=1)
     add("--vertices", type=int, default=10000, help="max_vertices, beside 100 an input point")
     add("--seconds", type=int, default=20, help="time for a run with its certificate")

@@ -19,7 +19,7 @@ OPTIONS = [
         (0, 30), ("ALL", "BOX", "HULL", "BOUNDARY"), ("SPLIT", "REFUSE"))
 ]
 # Names of fields in which a result may say how many inputs were taken as on segments, and how far they were.
-OWN_FIELD = re.compile("snap|on_segment|incident|farthest|moved")
+OWN_FIELD = re.compile("near_input|snap|on_segment|incident|farthest|moved")
 STRUCTS = ("counts", "quality", "stats")
 MOST_MEMORY = 4 << 30
 # Triangle meshes any of these in milliseconds, if at all.
@@ -33,7 +33,7 @@ def outcome(library, points, segments, options, settings):
         try:
             mesh.run(max_vertices=settings.vertices + 100 * len(points), **options)
         except Refusal as refusal:
-            name = refused(refusal, points, segments, settings.bound)
+            name = refused(refusal, points, segments, settings.near)
             return {"outcome": name, "message": str(refusal), "seconds": time.perf_counter() - begun}
         seconds = time.perf_counter() - begun
         report = mesh.filled("validate", ctypes.c_uint32(3))
@@ -48,7 +48,7 @@ def outcome(library, points, segments, options, settings):
         return made
 
 
-def refused(refusal, points, segments, bound):
+def refused(refusal, points, segments, near):
     """Returns the outcome for a refusal; what no mesh can answer is none."""
     if refusal.name == "NM_LIMIT" and "max_vertices" in refusal.message or refusal.name == "NM_OUT_OF_MEMORY":
         return "endless"
@@ -59,7 +59,7 @@ def refused(refusal, points, segments, bound):
     # Numbers beyond them are sides of a hull or box.
     if numbers and max(numbers) < len(segments):
         pair = ([points[end] for end in segments[number]] for number in numbers)
-        if chains.really_cross(*pair, bound):
+        if chains.really_cross(*pair, near):
             return "crossing"
     return "refused"
 
@@ -89,6 +89,17 @@ def measured(mesh, points, segments, options):
     return chains.farthest(vertices, lines, ends, pieces, parents, is_cut)
 
 
+def limit(seconds):
+    """Lets this process end after so many seconds of its processor, or, if it waits, after ten times as long."""
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    signal.alarm(10 * seconds)
+
+
+def is_endless(status):
+    """Returns true if a process' status says that its time was over."""
+    return -status in (signal.SIGPROF, signal.SIGALRM)
+
+
 def in_child(seconds, work):
     """Runs `work` in a process of its own, which hands over dictionaries one after the other, each within the
     time. Returns them, and the signal or status that ended it."""
@@ -103,11 +114,11 @@ def in_child(seconds, work):
             resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
             with os.fdopen(write, "w") as file:
-                signal.alarm(seconds)
+                limit(seconds)
                 for made in work():
                     file.write(json.dumps(made) + "\n")
                     file.flush()
-                    signal.alarm(seconds)
+                    limit(seconds)
             status = 0
         except BaseException:
             traceback.print_exc()
@@ -127,7 +138,7 @@ def netmesh_trials(library, points, segments, chosen, settings):
         found, status = in_child(settings.seconds, lambda: (
             outcome(library, points, segments, options, settings) for options in rest))
         made += found
-        if status == -signal.SIGALRM:
+        if is_endless(status):
             made.append({"outcome": "endless", "message": f"no end in {settings.seconds} s"})
         elif status:
             made.append({"outcome": "crash", "message": f"status {status}"})
@@ -149,4 +160,4 @@ def triangle_trial(points, segments):
     made, status = in_child(TRIANGLES_SECONDS, run)
     if made:
         return made[0]["outcome"]
-    return "endless" if status == -signal.SIGALRM else "crash"
+    return "endless" if is_endless(status) else "crash"

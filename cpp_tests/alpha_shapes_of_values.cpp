@@ -385,6 +385,15 @@ void values_are_the_least(const Complex& complex) {
     CHECK_STATUS(nm_export_alpha_shape(complex.handle.get(), 1, "shape.vtu"), NM_INVALID_ARGUMENT);
 }
 
+// Points in two clusters, which one piece needs a far larger value for than two.
+PointSet two_clusters(unsigned dim) {
+    PointSet points = generate("uniform", dim, 40);
+    for (std::size_t i = 0; i < points.coordinates.size() / 2; ++i) {
+        points.coordinates[i] += 3;
+    }
+    return points;
+}
+
 #ifdef NETMESH_WITH_CGAL
 
 // CGAL's shapes of the plane, counted by class.
@@ -454,6 +463,9 @@ int main(int argc, char** argv) {
         }
         check::context.clear();
         values_are_the_least(complex);
+        const Complex clusters(two_clusters(dim));
+        CHECK(optimal(clusters, 1) > 2 * optimal(clusters, 2));
+        values_are_the_least(clusters);
     }
 #ifdef NETMESH_WITH_CGAL
     counts_are_cgals();

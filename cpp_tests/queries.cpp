@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -218,7 +221,7 @@ void threads_share_an_index() {
 }
 
 // Faces, and the values of a plain triangulation, whose whole is a ball.
-void filtrations_have_values() {
+void filtrations_have_values(const std::string& directory) {
     netmesh::mesh mesh(3, generate("uniform", 3, 200).coordinates);
     netmesh::options plain;
     plain.algorithm = NM_ALGORITHM_DELAUNAY;
@@ -246,6 +249,17 @@ void filtrations_have_values() {
         }
     }
     CHECK(euler == 1);
+    const std::string path = directory + "/queries.filtration";
+    mesh.save_filtration(path, NM_FILTRATION_ALPHA);
+    std::ifstream file(path);
+    const std::istreambuf_iterator<char> first(file), last;
+    // A line for each face.
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k <= 3; ++k) {
+        count += mesh.faces(k).size();
+    }
+    CHECK(static_cast<std::size_t>(std::count(first, last, '\n')) == count);
+    CHECK(std::remove(path.c_str()) == 0);
     const auto nowhere = mesh.try_save_filtration("/no/such/directory/a.dipha", NM_FILTRATION_ALPHA);
     CHECK(!nowhere && nowhere.status() == NM_IO);
     mesh.run();
@@ -318,7 +332,7 @@ int main(int argc, char** argv) {
     attributes_reach_all_vertices(argv[1]);
     segments_become_edges();
     threads_share_an_index();
-    filtrations_have_values();
+    filtrations_have_values(argv[1]);
     threads_share_arrays();
     failures_are_named();
     return check::result("queries");

@@ -5,6 +5,7 @@
 mod architecture;
 mod automatic;
 mod c_api;
+mod called_functions;
 mod certificate;
 mod damaged_features;
 mod damaged_meshes;

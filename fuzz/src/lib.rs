@@ -7,6 +7,7 @@ pub mod c_api;
 pub mod families;
 pub mod features;
 pub mod mesh;
+pub mod near_incidence;
 pub mod oracle;
 pub mod outlines;
 pub mod poly;

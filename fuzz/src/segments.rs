@@ -4,6 +4,7 @@
 use super::bytes::Bytes;
 use super::families;
 use super::mesh::{check_limit, check_repetition, refusal_of_points};
+use super::near_incidence;
 use netmesh::io::{Format, write};
 use netmesh::options::SizeFn;
 use netmesh::query::Index;
@@ -15,6 +16,9 @@ const MAX_POINTS: u8 = 24;
 const MAX_SEGMENTS: u8 = 28;
 const MAX_SEEDS: u8 = 4;
 const MAX_VERTICES: u64 = 1200;
+
+/// The choice for which points lie as near to segments as rounding brings them.
+const NEAR_INCIDENCES: usize = 6;
 
 /// Points, pairs of them, and seeds.
 #[derive(Debug)]
@@ -45,8 +49,12 @@ impl Plane {
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let mut options = options(&mut bytes);
-    // One byte chooses a size or curves: files of before these could be drawn mean what they did.
+    // One byte chooses a size, curves or near incidences: files of before these could be drawn mean
+    // what they did.
     let more = bytes.below(8);
+    if more == NEAR_INCIDENCES {
+        return check_drawing(&mut bytes, options);
+    }
     let size = (more == 0).then(|| bytes.power_of_two());
     let interior = [Interior::Seeds, Interior::Parity, Interior::Winding].get(more);
     options.interior = interior.copied().unwrap_or_default();
@@ -56,6 +64,21 @@ pub fn check(data: &[u8]) {
     }
     let plane = plane(&mut bytes, asks_for_curves);
     check_plane(&plane, &options, size);
+}
+
+/// Checks near incidences of any bytes; the first ones pick the options.
+pub fn check_near_incidences(data: &[u8]) {
+    let mut bytes = Bytes::new(data);
+    let options = options(&mut bytes);
+    check_drawing(&mut bytes, options);
+}
+
+/// Checks a drawing of near incidences: without sizes, and mostly with crossings split.
+fn check_drawing(bytes: &mut Bytes<'_>, options: Options) {
+    let crossings = if bytes.once_in(4) { Crossings::Refuse } else { Crossings::Split };
+    let near_incidence::Drawing { points, segments } = near_incidence::drawing(bytes);
+    let plane = Plane { points, segments, regions: Vec::new() };
+    check_plane(&plane, &Options { crossings, max_edge: 0.0, ..options }, None);
 }
 
 fn options(bytes: &mut Bytes<'_>) -> Options {

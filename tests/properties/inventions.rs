@@ -54,6 +54,11 @@ fn meshes_of_any_segments() {
     for_all(60, bytes(180), |data| segments::check(&data));
 }
 
+#[test]
+fn meshes_of_near_incidences() {
+    for_all(150, bytes(120), |data| segments::check_near_incidences(&data));
+}
+
 /// Words of a `.poly` file in nearly their order.
 #[test]
 fn poly_files_that_are_nearly_right() {

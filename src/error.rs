@@ -28,11 +28,23 @@ pub enum ErrorKind {
 pub struct Error {
     kind: ErrorKind,
     message: Cow<'static, str>,
+    /// The system's number for the reason, where the system gave one.
+    system_code: Option<i32>,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, message: impl Into<Cow<'static, str>>) -> Self {
-        Self { kind, message: message.into() }
+        Self { kind, message: message.into(), system_code: None }
+    }
+
+    /// Returns the same error with the system's number for its reason (`errno`).
+    pub fn with_system_code(self, system_code: Option<i32>) -> Self {
+        Self { system_code, ..self }
+    }
+
+    /// Returns the system's number for the reason (`errno`), where the system gave one.
+    pub fn system_code(&self) -> Option<i32> {
+        self.system_code
     }
 
     pub fn kind(&self) -> ErrorKind {

@@ -123,7 +123,8 @@ pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<T
 /// What `read` makes of a file, whose name it gives to errors.
 fn in_file<T>(path: &Path, read: impl FnOnce(&mut dyn BufRead) -> Result<T>) -> Result<T> {
     let in_file = |error: Error| {
-        Error::new(error.kind(), message!("{}: {}", path.display(), error.message()))
+        let message = message!("{}: {}", path.display(), error.message());
+        Error::new(error.kind(), message).with_system_code(error.system_code())
     };
     let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
     read(&mut BufReader::with_capacity(1 << 16, file)).map_err(in_file)
@@ -408,6 +409,6 @@ fn io_error(what: &str, error: &std::io::Error) -> Error {
     match message!("{what}: {error}") {
         // Not even for that there was memory.
         message if message.is_empty() => AllocError::Memory.into(),
-        message => Error::new(kind, message),
+        message => Error::new(kind, message).with_system_code(error.raw_os_error()),
     }
 }

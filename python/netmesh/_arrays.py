@@ -12,7 +12,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._errors import InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._netmesh import Core
 
 #: Doubles have all whole numbers up to this one.
@@ -34,8 +34,8 @@ def doubles(values: Any, name: str) -> np.ndarray:
     """Real numbers of any shape as aligned doubles, copied only where they are none yet."""
     given = array(values, name)
     if given.dtype.kind not in "biuf":
-        # Objects may be numbers all the same, but complex ones would lose a part.
-        if given.dtype.kind != "O" or any(np.iscomplexobj(x) for x in given.flat):
+        # Objects may be numbers all the same, but complex ones would lose a part, and none is NaN.
+        if given.dtype.kind != "O" or any(x is None or np.iscomplexobj(x) for x in given.flat):
             raise InvalidArgumentError(f"{name} is an array of {given.dtype}; it must be real numbers")
     try:
         found = np.require(given, np.float64, "A")
@@ -47,6 +47,9 @@ def doubles(values: Any, name: str) -> np.ndarray:
 
 def number(value: Any, name: str) -> float:
     """One real number."""
+    if value is None or isinstance(value, (str, bytes)):
+        kind = type(value).__name__
+        raise ArgumentTypeError(f"{name} is of type {kind}; it must be a number")
     found = doubles(value, name)
     if found.ndim != 0:
         raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be a number")

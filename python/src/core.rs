@@ -67,7 +67,8 @@ impl Core {
         let (n, dim) = points.as_array().dim();
         if !(MIN_DIM..=MAX_DIM).contains(&dim) {
             let message = format!(
-                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to {MAX_DIM}"
+                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to \
+                 {MAX_DIM}"
             );
             return Err(raised(py, ErrorKind::Dimension, message));
         }

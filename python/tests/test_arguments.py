@@ -12,6 +12,12 @@ import pytest
 
 SQUARE = np.array([[0, 0], [1, 0], [1, 1], [0, 1], [0.25, 0.5]])
 SIDES = [[0, 1], [1, 2], [2, 3], [3, 0]]
+# A square in a square, for what is between them and for the hole.
+RINGS = {
+    "points": [[0, 0], [3, 0], [3, 3], [0, 3], [1, 1], [2, 1], [2, 2], [1, 2]],
+    "segments": [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]],
+    "extent": "boundary",
+}
 
 
 @pytest.fixture(scope="module")
@@ -39,8 +45,8 @@ def entries(mesh):
         "points of mesh, in rows": (lambda p: netmesh.mesh(list(p)), SQUARE),
         "segments": (lambda s: netmesh.mesh(SQUARE, s), SIDES),
         "markers": (lambda m: netmesh.mesh(SQUARE, SIDES, markers=m), [1, 2, 3, 4]),
-        "regions": (lambda r: netmesh.mesh(SQUARE, SIDES, regions=r), [[0.5, 0.5, 3]]),
-        "holes": (lambda h: netmesh.mesh(SQUARE, SIDES, holes=h), [[0.5, 0.5]]),
+        "regions": (lambda r: netmesh.mesh(**RINGS, regions=r), [[0.5, 0.5, 3]]),
+        "holes": (lambda h: netmesh.mesh(**RINGS, holes=h), [[1.5, 1.5]]),
         "size": (lambda s: netmesh.mesh(SQUARE, size=s, **sized), np.full(n, 2.0)),
         "background": (
             lambda s: netmesh.mesh(SQUARE, background=(mesh, s), **sized),
@@ -236,6 +242,15 @@ def test_errors_are_netmeshs_and_name_the_argument():
     ]
     for call, message in expected:
         assert refused(call).startswith(message), (refused(call), message)
+
+
+def test_none_is_no_number():
+    for call in (
+        lambda: netmesh.mesh([[0, 0], [1, 0], [None, 1]]),
+        lambda: netmesh.LinearNDInterpolator(SQUARE, [0, 1, 2, None, 4]),
+        lambda: netmesh.mesh(SQUARE).locate([[None, 0.5]]),
+    ):
+        assert "is an array of object; it must be real numbers" in refused(call)
 
 
 def test_regions_may_be_an_array():

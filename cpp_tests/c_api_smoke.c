@@ -103,6 +103,9 @@ static void getters(const nm_mesh *mesh) {
     REQUIRE(nm_mesh_get_vertex_domains(mesh, ids, counts.vertices, &needed) == NM_OK);
     REQUIRE(nm_mesh_get_input_vertices(mesh, ids, counts.vertices, &needed) == NM_OK);
     REQUIRE(needed == point_count && ids[0] == 0 && ids[point_count - 1] == 0);
+    REQUIRE(nm_mesh_get_vertex_inputs(mesh, ids, counts.vertices, &needed) == NM_OK);
+    REQUIRE(needed == counts.vertices && ids[0] == 0 && ids[point_count - 2] == point_count - 2);
+    REQUIRE(ids[counts.vertices - 1] == NM_NONE);
     free(ids);
 
     domains = allocate(counts.domains, sizeof *domains);

@@ -1,6 +1,6 @@
 // Queries, arrays ready to use, selections and filtrations, through netmesh.hpp: each answer against what the
 // mesh's own arrays say.
-#include <netmesh.hpp>
+#include <netmesh/alpha_shape.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ void middles_are_in_their_simplices(std::uint32_t dim) {
         CHECK(near.vertices[vertex] == vertex && near.distances[vertex] == 0);
     }
     const auto input = mesh.nearest_input(far);
-    CHECK(input.vertices[0] < mesh.counts().inputs);
+    CHECK(input.inputs[0] < mesh.counts().inputs);
 
     // A linear function goes through unchanged.
     const auto vertices = mesh.points();
@@ -268,6 +268,70 @@ void filtrations_have_values(const std::string& directory) {
     CHECK(!refused && refused.message().find("NM_ALGORITHM_DELAUNAY") != std::string::npos);
 }
 
+// With points given twice, inputs and vertices have different numbers: what speaks of inputs has those
+// of the caller.
+void inputs_have_the_callers_numbers(const std::string& scratch) {
+    const std::vector<double> once = generate("uniform", 3, 60).coordinates;
+    std::vector<double> points;
+    for (std::size_t i = 0; i < once.size(); i += 3) {
+        // Every third point is given twice in a row, and the first one again and again.
+        const std::size_t copies = i % 9 == 0 ? 2 : 1;
+        for (std::size_t copy = 0; copy < copies; ++copy) {
+            points.insert(points.end(), once.begin() + i, once.begin() + i + 3);
+        }
+        points.insert(points.end(), once.begin(), once.begin() + 3);
+    }
+    netmesh::mesh mesh(3, points);
+    netmesh::options plain;
+    plain.algorithm = NM_ALGORITHM_DELAUNAY;
+    for (const bool is_plain : {true, false}) {
+        mesh.run(is_plain ? plain : netmesh::options());
+        const std::vector<std::uint32_t> vertices = mesh.input_vertices(), inputs = mesh.vertex_inputs();
+        const auto coordinates = mesh.points();
+        const auto kinds = mesh.vertex_kinds();
+        CHECK(inputs.size() == mesh.counts().vertices && vertices.size() == points.size() / 3);
+        for (std::size_t vertex = 0; vertex < inputs.size(); ++vertex) {
+            CHECK((inputs[vertex] == NM_NONE) == (kinds[vertex] != NM_VERTEX_INPUT));
+            if (inputs[vertex] != NM_NONE) {
+                CHECK(vertices[inputs[vertex]] == vertex);
+                CHECK(std::equal(coordinates[vertex].begin(), coordinates[vertex].end(),
+                                 points.begin() + 3 * inputs[vertex]));
+            }
+        }
+        for (std::size_t input = 0; input < vertices.size(); ++input) {
+            const auto first = std::find(vertices.begin(), vertices.end(), vertices[input]);
+            CHECK(inputs[vertices[input]] == static_cast<std::size_t>(first - vertices.begin()));
+        }
+        // Each input is nearest to itself, by the number of the first that equals it.
+        const auto near = mesh.nearest_input(points, 2);
+        for (std::size_t input = 0; input < vertices.size(); ++input) {
+            CHECK(near.inputs[input] == inputs[vertices[input]] && near.distances[input] == 0);
+        }
+    }
+    mesh.run(plain);
+    const netmesh::alpha_shape shape(mesh, netmesh::optimal_alpha(mesh));
+    // A closed surface of the caller's points: by the divergence theorem it has the shape's volume.
+    double volume = 0;
+    for (netmesh::span<const std::uint32_t> facet : shape.boundary()) {
+        const double *a = &points[3 * facet[0]], *b = &points[3 * facet[1]], *c = &points[3 * facet[2]];
+        volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                   + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    }
+    CHECK(std::abs(volume - shape.measures().volume) < 1e-12);
+    // A file of the filtration has the same numbers.
+    const std::string path = scratch + "/inputs.filtration";
+    mesh.save_filtration(path, NM_FILTRATION_ALPHA);
+    std::ifstream file(path);
+    std::vector<std::uint32_t> named;
+    for (std::uint32_t dim = 0, vertex = 0; file >> dim && dim == 0 && file >> vertex;) {
+        double value = -1;
+        file >> value;
+        CHECK(value == 0);
+        named.push_back(vertex);
+    }
+    CHECK(named == mesh.vertex_inputs());
+}
+
 // Threads that ask one mesh for arrays of different groups and selections, each several times.
 void threads_share_arrays() {
     const netmesh::mesh mesh = meshed(3, 100);
@@ -333,6 +397,7 @@ int main(int argc, char** argv) {
     segments_become_edges();
     threads_share_an_index();
     filtrations_have_values(argv[1]);
+    inputs_have_the_callers_numbers(argv[1]);
     threads_share_arrays();
     failures_are_named();
     return check::result("queries");

@@ -45,8 +45,13 @@
  *
  * DOCUMENTS. docs/... is in the source, and beside the installed library as share/doc/netmesh/....
  *
- * IDS. Vertices, simplices, domains and inputs are numbered from 0. Vertices 0, 1, ... are the
- * distinct inputs in input order, Steiner and cage vertices follow. NM_NONE is no id.
+ * IDS. Vertices, simplices, domains and inputs are numbered from 0. NM_NONE is no id. An input is a
+ * point of the caller, duplicates included, and has the caller's number. Vertices 0, 1, ... are the
+ * distinct inputs in input order, Steiner and cage vertices follow: as soon as a point is given twice,
+ * the numbers of inputs and vertices differ. What describes the mesh speaks of vertices. Of inputs
+ * speak: segments and whatever is set; nm_mesh_nearest_input; the boundary of an alpha shape; files of
+ * NM_FILTRATION_ALPHA. nm_mesh_get_input_vertices and nm_mesh_get_vertex_inputs lead from one to the
+ * other.
  *
  * ARRAY GETTERS, nm_mesh_get_*(mesh, buf, capacity, needed). buf: room for capacity elements, or
  * NULL. capacity and *needed count elements (doubles, ids, bytes, nm_domain), not bytes and not
@@ -1969,9 +1974,9 @@ nm_status nm_mesh_get_precision_limited(const struct nm_mesh *mesh,
                                         uint64_t *needed);
 
 /**
- * Writes the vertex of each input: one id per point given, duplicates included. Exact duplicates
- * share the vertex of the first; vertices are numbered by first appearance. The same before and
- * after nm_run.
+ * Writes the vertex of each input: one vertex id per point given, duplicates included. Exact
+ * duplicates share the vertex of the first; vertices are numbered by first appearance. The same
+ * before and after nm_run. nm_mesh_get_vertex_inputs is the inverse.
  *
  * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
  */
@@ -1980,6 +1985,22 @@ nm_status nm_mesh_get_input_vertices(const struct nm_mesh *mesh,
                                      uint32_t *buf,
                                      uint64_t capacity,
                                      uint64_t *needed);
+
+/**
+ * Writes the input of each vertex: one number of the caller's points per vertex, of equal points
+ * the first; NM_NONE for vertices that are no inputs. Ascending where it is a number.
+ *
+ * With input_vertices from nm_mesh_get_input_vertices, input_vertices[vertex_inputs[v]] is v for
+ * each vertex v that is an input, and vertex_inputs[input_vertices[i]] is i for each input i that
+ * repeats no earlier one, else the one that it repeats.
+ *
+ * Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_get_vertex_inputs(const struct nm_mesh *mesh,
+                                    uint32_t *buf,
+                                    uint64_t capacity,
+                                    uint64_t *needed);
 
 /**
  * Writes the domain hierarchy, a tree of balls: the root first, every parent before its children.
@@ -2053,16 +2074,22 @@ nm_status nm_mesh_nearest(const struct nm_mesh *mesh,
                           double *distances);
 
 /**
- * As nm_mesh_nearest, among the vertices that are inputs.
+ * Finds the input nearest to each of count points: its number among the caller's points, of equal
+ * ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact distance
+ * the least.
  *
- * Errors: as nm_mesh_nearest.
+ * points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives count
+ * distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
+ * NULL unless count is 0; they must not overlap.
+ *
+ * Errors: as nm_mesh_nearest, with inputs in place of vertices.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_nearest_input(const struct nm_mesh *mesh,
                                 uint64_t count,
                                 const double *points,
                                 uint32_t threads,
-                                uint32_t *vertices,
+                                uint32_t *inputs,
                                 double *distances);
 
 /**
@@ -2399,8 +2426,9 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids,
- * ascending within a face; the faces in lexicographic order. The id of a face is its place there.
+ * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices, not
+ * of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
+ * lexicographic order. The id of a face is its place there.
  * k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
  * another one than that of nm_mesh_get_simplices).
  *
@@ -2514,7 +2542,9 @@ nm_status nm_mesh_filtration_factor(const struct nm_mesh *mesh,
 
 /**
  * Writes all faces and their values in a filtration to a file, which appears complete or not at
- * all, for programs that compute persistent homology (docs/topology.md).
+ * all, for programs that compute persistent homology (docs/topology.md). NM_FILTRATION_ALPHA has
+ * the caller's points for vertices, of equal ones the first (nm_mesh_get_vertex_inputs);
+ * NM_FILTRATION_MESH, which has others, the vertices of the mesh.
  *
  * path_utf8: UTF-8 on every system; it ends with .filtration (text, as GUDHI's simplex trees write
  * and read it) or .dipha (DIPHA's binary boundary matrix).
@@ -2565,7 +2595,8 @@ nm_status nm_mesh_get_alpha_shape_classes(const struct nm_mesh *mesh,
 
 /**
  * Writes the boundary of the simplices of an alpha shape (of the regularized shape): facets x dim
- * vertex ids, oriented outwards as by nm_mesh_get_hull. They are the facets of class
+ * inputs, numbers of the caller's points, of equal ones the first; oriented outwards as by
+ * nm_mesh_get_hull. They are the facets of class
  * NM_FACE_CLASS_REGULAR. In 3D it is a closed surface; two of its sheets may touch in a vertex or
  * an edge.
  *

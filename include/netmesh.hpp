@@ -109,6 +109,12 @@ struct nearest_vertices {
     std::vector<double> distances;
 };
 
+// What nearest_input() found, for each of the points: numbers of the caller's points.
+struct nearest_inputs {
+    std::vector<std::uint32_t> inputs;
+    std::vector<double> distances;
+};
+
 // How many values of a measure there are below the first edge, in each bin and above the last edge,
 // the least value and the largest.
 struct histogram {
@@ -248,9 +254,15 @@ public:
         return array<std::uint8_t>(nm_mesh_get_precision_limited);
     }
 
-    // The vertex of each input.
+    // The vertex of each input; equal inputs share one.
     result<std::vector<std::uint32_t>> try_input_vertices() const {
         return array<std::uint32_t>(nm_mesh_get_input_vertices);
+    }
+
+    // The input that each vertex is, a number of the caller's points and of equal ones the first;
+    // NM_NONE for vertices that are no inputs.
+    result<std::vector<std::uint32_t>> try_vertex_inputs() const {
+        return array<std::uint32_t>(nm_mesh_get_vertex_inputs);
     }
 
     // The tree of domains, the root first, every parent before its children.
@@ -327,7 +339,7 @@ public:
         return array<std::uint8_t>(nm_mesh_get_ridge_bounded, wanted);
     }
 
-    // faces x (k + 1) vertices: the faces of dimension k, each once.
+    // faces x (k + 1) vertex ids, not inputs: the faces of dimension k, each once.
     result<table<std::uint32_t>> try_faces(std::uint32_t k) const {
         return of_faces(nm_mesh_get_faces, k);
     }
@@ -356,7 +368,8 @@ public:
             });
     }
 
-    // To a file that ends with .filtration or .dipha.
+    // To a file that ends with .filtration or .dipha. Numbers in it are those of inputs for
+    // NM_FILTRATION_ALPHA, of vertices for NM_FILTRATION_MESH.
     result<void> try_save_filtration(const std::string &path_utf8,
                                      nm_filtration filtration) const {
         nm_status status = nm_export_filtration(handle_, filtration, path_utf8.c_str());
@@ -406,13 +419,14 @@ public:
     // The vertex nearest to each of the points, and its distance.
     result<nearest_vertices> try_nearest(span<const double> points,
                                          std::uint32_t threads = 1) const {
-        return nearest_by(nm_mesh_nearest, points, threads);
+        return nearest_by<nearest_vertices>(nm_mesh_nearest, points, threads);
     }
 
-    // The same among the vertices that are inputs.
-    result<nearest_vertices> try_nearest_input(span<const double> points,
-                                               std::uint32_t threads = 1) const {
-        return nearest_by(nm_mesh_nearest_input, points, threads);
+    // The input nearest to each of the points, by its number among the caller's points and of equal
+    // ones the first, and its distance.
+    result<nearest_inputs> try_nearest_input(span<const double> points,
+                                             std::uint32_t threads = 1) const {
+        return nearest_by<nearest_inputs>(nm_mesh_nearest_input, points, threads);
     }
 
     // Values at the points, components each, of those at the vertices.
@@ -644,6 +658,7 @@ public:
     std::vector<std::uint32_t> vertex_domains() const { return try_vertex_domains().value(); }
     std::vector<std::uint8_t> precision_limited() const { return try_precision_limited().value(); }
     std::vector<std::uint32_t> input_vertices() const { return try_input_vertices().value(); }
+    std::vector<std::uint32_t> vertex_inputs() const { return try_vertex_inputs().value(); }
     std::vector<nm_domain> domains() const { return try_domains().value(); }
     std::vector<std::uint32_t> selected(const selection &wanted = {}) const {
         return try_selected(wanted).value();
@@ -708,7 +723,7 @@ public:
     nearest_vertices nearest(span<const double> points, std::uint32_t threads = 1) const {
         return try_nearest(points, threads).value();
     }
-    nearest_vertices nearest_input(span<const double> points, std::uint32_t threads = 1) const {
+    nearest_inputs nearest_input(span<const double> points, std::uint32_t threads = 1) const {
         return try_nearest_input(points, threads).value();
     }
     table<double> interpolate(nm_interpolation interpolation, std::uint32_t components,
@@ -978,21 +993,22 @@ private:
         return points.size() / counted->dim;
     }
 
-    template <typename Query>
-    result<nearest_vertices> nearest_by(Query query, span<const double> points,
-                                        std::uint32_t threads) const {
+    template <typename Found, typename Query>
+    result<Found> nearest_by(Query query, span<const double> points,
+                             std::uint32_t threads) const {
         result<std::size_t> count = count_of(points);
         if (!count) {
             return failure{count.status(), count.message()};
         }
-        return detail::allocating("the vertices", [&]() -> result<nearest_vertices> {
-            nearest_vertices found{std::vector<std::uint32_t>(*count), std::vector<double>(*count)};
-            nm_status status = query(handle_, *count, points.data(), threads,
-                                     found.vertices.data(), found.distances.data());
+        return detail::allocating("the ids", [&]() -> result<Found> {
+            std::vector<std::uint32_t> ids(*count);
+            std::vector<double> distances(*count);
+            nm_status status = query(handle_, *count, points.data(), threads, ids.data(),
+                                     distances.data());
             if (status != NM_OK) {
                 return detail::failed(status);
             }
-            return found;
+            return Found{std::move(ids), std::move(distances)};
         });
     }
 

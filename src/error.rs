@@ -38,11 +38,23 @@ pub enum ErrorKind {
 pub struct Error {
     kind: ErrorKind,
     message: Message,
+    /// The system's number for the reason, where the system gave one.
+    system_code: Option<i32>,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, message: impl Into<Message>) -> Self {
-        Self { kind, message: message.into() }
+        Self { kind, message: message.into(), system_code: None }
+    }
+
+    /// Returns the same error with the system's number for its reason (`errno`).
+    pub fn with_system_code(self, system_code: Option<i32>) -> Self {
+        Self { system_code, ..self }
+    }
+
+    /// Returns the system's number for the reason (`errno`), where the system gave one.
+    pub fn system_code(&self) -> Option<i32> {
+        self.system_code
     }
 
     pub fn kind(&self) -> ErrorKind {
@@ -61,7 +73,7 @@ impl Error {
 
     /// Returns the error with `place` and a colon before its message.
     pub(crate) fn within(self, place: &dyn Display) -> Self {
-        Self { kind: self.kind, message: self.message.within(place) }
+        Self { message: self.message.within(place), ..self }
     }
 }
 

@@ -286,12 +286,19 @@ impl Inputs {
         self.count() - self.distinct()
     }
 
-    /// Input i -> vertex.
+    /// Returns the vertex of each input. Inputs that are equal share one.
     pub fn vertices(&self) -> &[u32] {
         &self.vertices
     }
 
-    /// The first of the inputs that are `vertex`; `None` for a vertex that is no input.
+    /// Returns the first input that each of the vertices `0..distinct()` is, ascending; other
+    /// vertices are no inputs. This is the inverse of [`Inputs::vertices`] but for duplicates,
+    /// which have the input that they repeat.
+    pub fn first_inputs(&self) -> &[u32] {
+        &self.first_input
+    }
+
+    /// Returns the first of the inputs that are `vertex`; `None` for a vertex that is no input.
     pub fn first_input(&self, vertex: usize) -> Option<u32> {
         self.first_input.get(vertex).copied()
     }

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 const DOCUMENT: &str = "docs/guarantees.md";
 /// Where tests are, and what registers them.
-const PLACES: [&str; 5] = ["tests", "src", "cpp_tests", "fuzz/src", "fuzz/examples"];
+const PLACES: [&str; 6] =
+    ["tests", "src", "cpp_tests", "fuzz/src", "fuzz/examples", "python/tests"];
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))

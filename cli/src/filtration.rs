@@ -44,6 +44,7 @@ pub fn write(
         FiltrationName::Alpha => prepared.alpha(mesh, threads)?,
         FiltrationName::Mesh => prepared.distances(mesh, threads)?,
     };
-    write_filtration_file(prepared.faces(mesh, threads)?, filtration, format, path)
+    let faces = prepared.faces(mesh, threads)?;
+    write_filtration_file(mesh.inputs(), faces, filtration, format, path)
         .map_err(|error| Failure::writing(&path.display().to_string(), &error))
 }

@@ -65,6 +65,7 @@ void every_getter(const nm_mesh* mesh, nm_status expected, int first) {
         size_of<std::uint32_t, nm_mesh_get_vertex_domains>,
         size_of<std::uint8_t, nm_mesh_get_precision_limited>,
         size_of<std::uint32_t, nm_mesh_get_input_vertices>,
+        size_of<std::uint32_t, nm_mesh_get_vertex_inputs>,
         size_of<double, nm_mesh_get_sizes>,
         size_of<nm_domain, nm_mesh_get_domains>,
         size_of_selected<std::uint32_t, nm_mesh_get_selected>,

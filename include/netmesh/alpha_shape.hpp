@@ -62,7 +62,8 @@ public:
             });
     }
 
-    // facets x dim vertices: the boundary of the simplices, oriented outwards.
+    // facets x dim inputs, numbers of the caller's points and of equal ones the first: the boundary
+    // of the simplices, oriented outwards.
     result<table<std::uint32_t>> try_boundary() const {
         result<nm_counts> counted = mesh_->try_counts();
         if (!counted) {

@@ -7,6 +7,7 @@
 from . import _errors
 from ._delaunay import Delaunay
 from ._errors import (
+    ArgumentTypeError,
     CancelledError,
     CapacityError,
     DegenerateInputError,
@@ -43,6 +44,7 @@ from ._voronoi import Voronoi
 
 __all__ = [
     "AlphaShape",
+    "ArgumentTypeError",
     "CSR",
     "CancelledError",
     "CapacityError",

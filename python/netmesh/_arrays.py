@@ -1,78 +1,201 @@
-"""Arguments as arrays that the library reads."""
+"""The one way in for arguments that are arrays: all refusals of them are here.
 
-from typing import Any
+Nothing else in the package makes an array of what a caller gave. Masked elements are refused,
+ragged rows, and whole numbers that no double is.
+"""
+
+from __future__ import annotations
+
+import collections.abc
+import numbers
+from typing import Any, Optional
 
 import numpy as np
 
-from ._errors import InvalidArgumentError
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._netmesh import Core
+
+#: Doubles have all whole numbers up to this one.
+_LARGEST_EXACT = 2**53
+
+
+def array(values: Any, name: str) -> np.ndarray:
+    """Any array, as it stands; no masked elements, no ragged rows."""
+    # What is under a mask is no number of the caller's.
+    if _holds_masked(values):
+        raise InvalidArgumentError(f"{name} has masked elements; fill or drop them")
+    try:
+        return np.asarray(values)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidArgumentError(f"{name} is no array: {error}") from None
+
+
+def doubles(values: Any, name: str) -> np.ndarray:
+    """Real numbers of any shape as aligned doubles, copied only where they are none yet."""
+    given = array(values, name)
+    if given.dtype.kind not in "biuf":
+        # Objects may be numbers all the same, but complex ones would lose a part, and none is NaN.
+        if given.dtype.kind != "O" or any(x is None or np.iscomplexobj(x) for x in given.flat):
+            raise InvalidArgumentError(f"{name} is an array of {given.dtype}; it must be real numbers")
+    try:
+        found = np.require(given, np.float64, "A")
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidArgumentError(f"{name} must be an array of real numbers: {error}") from None
+    _refuse_rounded(values, given, found, name)
+    return found
+
+
+def number(value: Any, name: str) -> float:
+    """One real number."""
+    if value is None or isinstance(value, (str, bytes)):
+        kind = type(value).__name__
+        raise ArgumentTypeError(f"{name} is of type {kind}; it must be a number")
+    found = doubles(value, name)
+    if found.ndim != 0:
+        raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be a number")
+    return float(found)
+
+
+def whole_numbers(values: Any, name: str) -> np.ndarray:
+    """Whole numbers of any shape as contiguous int64."""
+    given = array(values, name)
+    if given.size and given.dtype.kind not in "iu":
+        raise InvalidArgumentError(f"{name} has dtype {given.dtype}; it must be of whole numbers")
+    if given.dtype.kind == "u" and given.size and given.max() >= 2**63:
+        place = np.argwhere(given >= 2**63)[0]
+        raise InvalidArgumentError(f"{_element(name, place)} is {given[tuple(place)]}, beyond 64 bits")
+    return np.ascontiguousarray(given, dtype=np.int64)
 
 
 def point_rows(points: Any, name: str = "points") -> np.ndarray:
     """Doubles of shape (n, dim), copied only where the library cannot read them as they stand."""
-    array = _doubles(points, name)
-    if array.ndim != 2:
-        raise InvalidArgumentError(f"{name} has shape {array.shape}; it must be (n, dim)")
-    step, width = array.strides
-    if width != 8 or step % 8 or step < 8 * array.shape[1]:
-        array = np.ascontiguousarray(array)
-    return array
+    found = doubles(points, name)
+    if found.ndim != 2:
+        raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be (n, dim)")
+    step, width = found.strides
+    if width != 8 or step % 8 or step < 8 * found.shape[1]:
+        found = np.ascontiguousarray(found)
+    return found
 
 
 def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:
     """Contiguous doubles of shape (..., dim)."""
-    array = _doubles(points, name)
-    if array.ndim == 0 or array.shape[-1] != dim:
-        raise InvalidArgumentError(f"{name} has shape {array.shape}; it must be (..., {dim})")
-    return np.ascontiguousarray(array)
+    found = doubles(points, name)
+    if found.ndim == 0 or found.shape[-1] != dim:
+        raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be (..., {dim})")
+    return np.ascontiguousarray(found)
+
+
+def coordinates(args: tuple, name: str, dim: Optional[int] = None) -> np.ndarray:
+    """Doubles of shape (..., dim), of one array or of one for each axis, as SciPy takes them."""
+    if len(args) == 1 and isinstance(args[0], tuple):
+        args = args[0]
+    if len(args) == 1:
+        points = doubles(args[0], name)
+        if points.ndim == 1 and (dim is None or len(points) % dim == 0):
+            points = points.reshape(-1, dim or 1)
+    else:
+        arrays = [doubles(axis, f"{name}[{at}]") for at, axis in enumerate(args)]
+        try:
+            points = np.stack(np.broadcast_arrays(*arrays), axis=-1)
+        except ValueError:
+            shapes = " and ".join(str(axis.shape) for axis in arrays)
+            rule = "they must be arrays that broadcast, one for each axis"
+            raise InvalidArgumentError(f"{name} has the shapes {shapes or 'of no arrays'}; {rule}") from None
+    if dim is not None and (points.ndim == 0 or points.shape[-1] != dim):
+        raise InvalidArgumentError(f"{name} has shape {points.shape}; it must be (..., {dim})")
+    return points
 
 
 def vertex_columns(values: Any, core: Core, name: str = "values") -> np.ndarray:
     """As `value_columns`, of the vertices of a mesh."""
-    shape = np.shape(values)
-    if shape and shape[0] == len(core.input_vertices) != len(core.kinds):
+    given = array(values, name)
+    things = "vertex"
+    if given.ndim and given.shape[0] == len(core.input_vertices) != len(core.kinds):
         things = "vertex; extend_values makes them of values at the inputs"
-    else:
-        things = "vertex"
     return value_columns(values, len(core.kinds), things, name)
 
 
 def value_columns(values: Any, count: int, things: str, name: str = "values") -> np.ndarray:
     """Values as contiguous doubles of shape (count, components); a complex one is two."""
-    _refuse_masked(values, name)
-    array = np.asarray(values)
-    array = array.astype(np.complex128, copy=False) if array.dtype.kind == "c" else _doubles(array, name)
-    if array.ndim == 0 or array.shape[0] != count:
-        message = f"{name} has shape {array.shape}; it must be ({count}, ...), one for each {things}"
-        raise InvalidArgumentError(message)
-    columns = np.ascontiguousarray(array).reshape(count, -1)
+    given = array(values, name)
+    found = given.astype(np.complex128, copy=False) if given.dtype.kind == "c" else doubles(values, name)
+    _require_one_each(found, count, things, name)
+    columns = np.ascontiguousarray(found).reshape(count, -1)
     return columns.view(np.float64) if columns.dtype.kind == "c" else columns
 
 
 def shaped_values(columns: np.ndarray, values: Any, places: tuple) -> np.ndarray:
     """Columns that were made of those of `value_columns(values)`, for places of that shape."""
-    values = np.asarray(values)
-    if values.dtype.kind == "c":
+    given = np.asarray(values)
+    if given.dtype.kind == "c":
         columns = columns.view(np.complex128)
-    return columns.reshape(places + values.shape[1:])
+    return columns.reshape(places + given.shape[1:])
 
 
-def _refuse_masked(values: Any, name: str) -> None:
-    # What is under a mask is no number of the caller's.
-    if np.ma.is_masked(values):
-        raise InvalidArgumentError(f"{name} has masked elements; fill or drop them")
+def data(values: Any, count: int, things: str, name: str) -> np.ndarray:
+    """An array of any type with an element or a row for each of `count` things."""
+    given = array(values, name)
+    _require_one_each(given, count, things, name)
+    return given
 
 
-def _doubles(values: Any, name: str) -> np.ndarray:
-    _refuse_masked(values, name)
-    array = np.asarray(values)
-    if array.dtype.kind not in "biuf":
-        # Objects may be numbers all the same, but complex ones would lose a part.
-        if array.dtype.kind != "O" or any(np.iscomplexobj(x) for x in array.flat):
-            raise InvalidArgumentError(f"{name} is an array of {array.dtype}; it must be real numbers")
-    try:
-        return np.require(array, np.float64, "A")
-    except (TypeError, ValueError) as error:
-        raise InvalidArgumentError(f"{name} must be an array of real numbers: {error}") from None
+def fixed(made: np.ndarray) -> np.ndarray:
+    """The same array, read-only for good: not even its owner can be made writable."""
+    base: Any = made
+    while isinstance(base, np.ndarray):
+        base.flags.writeable = False
+        if base.base is None:
+            # The owner of its memory would let itself be made writable again.
+            return np.asarray(memoryview(made))
+        base = base.base
+    return made
 
 
+def _require_one_each(given: np.ndarray, count: int, things: str, name: str) -> None:
+    if given.ndim == 0 or given.shape[0] != count:
+        message = f"{name} has shape {given.shape}; it must be ({count}, ...), one for each {things}"
+        raise InvalidArgumentError(message)
+
+
+def _holds_masked(values: Any) -> bool:
+    if isinstance(values, np.ma.MaskedArray):
+        return values.dtype.names is None and bool(np.ma.is_masked(values))
+    if isinstance(values, (str, bytes)) or not isinstance(values, collections.abc.Sequence):
+        return False
+    kinds = (np.ma.MaskedArray, collections.abc.Sequence)
+    if any(issubclass(kind, kinds) for kind in set(map(type, values))):
+        return any(map(_holds_masked, values))
+    return False
+
+
+def _refuse_rounded(values: Any, given: np.ndarray, found: np.ndarray, name: str) -> None:
+    """Refuses whole numbers that are not those doubles that have been made of them."""
+    if given.dtype.kind in "iu":
+        if given.dtype.itemsize < 8 or not given.size:
+            return
+        size = np.abs(given.reshape(-1)).astype(np.uint64)
+        # A whole number is a double if no more than 53 bits are left without its last zeros.
+        odd = size // np.maximum(size & (~size + np.uint64(1)), np.uint64(1))
+        places = np.argwhere((odd > _LARGEST_EXACT).reshape(given.shape))
+    elif isinstance(values, np.ndarray) and given.dtype.kind in "bf":
+        return
+    else:
+        # Among other numbers of a list NumPy has made doubles of whole ones already.
+        large = np.argwhere(np.abs(found) >= _LARGEST_EXACT)
+        if not len(large):
+            return
+        given = np.asarray(values, dtype=object)
+        places = [place for place in large if _is_rounded(given[tuple(place)], found[tuple(place)])]
+    if len(places):
+        place = places[0]
+        rule = "whole numbers beyond 2**53 must be doubles, which this one is not"
+        raise InvalidArgumentError(f"{_element(name, place)} is {given[tuple(place)]}; {rule}")
+
+
+def _is_rounded(number: Any, double: float) -> bool:
+    return isinstance(number, numbers.Integral) and (np.isinf(double) or int(number) != int(double))
+
+
+def _element(name: str, place: Any) -> str:
+    return f"{name}[{', '.join(map(str, place))}]" if len(place) else name

@@ -91,8 +91,6 @@ class Delaunay:
         *,
         threads: int = 1,
     ) -> None:
-        if np.ma.isMaskedArray(points):
-            raise InvalidArgumentError("points is a masked array; fill or drop what is masked")
         if furthest_site:
             raise InvalidArgumentError("furthest_site is True; only False is supported")
         for option in (qhull_options or "").split():
@@ -132,13 +130,10 @@ class Delaunay:
     def max_bound(self) -> np.ndarray:
         return self.points.max(axis=0)
 
-    @functools.cached_property
+    @property
     def _first_inputs(self) -> np.ndarray:
         """Vertex of the mesh -> the first point that it is."""
-        vertices = self.mesh.input_vertices
-        first = np.empty(len(self.mesh.points), np.int32)
-        first[vertices[::-1]] = np.arange(len(vertices) - 1, -1, -1, dtype=np.int32)
-        return first
+        return self.mesh.vertex_inputs
 
     @functools.cached_property
     def simplices(self) -> np.ndarray:

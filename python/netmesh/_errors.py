@@ -9,6 +9,10 @@ class InvalidArgumentError(Error, ValueError):
     """An argument is out of its range. The message names it, its value and the range."""
 
 
+class ArgumentTypeError(Error, TypeError):
+    """An argument is of a type that it cannot have. The message names it and the type."""
+
+
 class NonFiniteError(InvalidArgumentError):
     """A coordinate is infinite or NaN. The message names the point and the coordinate."""
 
@@ -34,7 +38,14 @@ class CancelledError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be written. The message has the system's reason."""
+    """A file cannot be written. The message has the path and the system's reason.
+
+    `errno` is the system's number for the reason, `filename` the path that was given.
+    """
+
+    def __str__(self) -> str:
+        # Of an `OSError` with three arguments this is the second one.
+        return Error.__str__(self) if self.strerror is None else str(self.strerror)
 
 
 class FormatError(Error, ValueError):

@@ -7,6 +7,7 @@ from typing import Any, Union
 
 import numpy as np
 
+from ._arrays import number
 from ._errors import InvalidArgumentError
 from ._netmesh import FiltrationCore
 from ._results import CSR
@@ -16,8 +17,9 @@ from ._shape import AlphaShape
 class Filtration:
     """The faces of a mesh, each with a value. `Mesh.filtration` makes it; nothing changes it.
 
-    Vertices are numbered as those of the mesh: the distinct inputs first, in their order. A face is
-    named by its dimension and its place in `faces`.
+    Vertices are numbered as `points` are: those of kind 'alpha' as the caller's points, of equal
+    ones the first; those of kind 'mesh', of which some are no inputs, as the vertices of the mesh.
+    A face is named by its dimension and its place in `faces`.
 
     Examples
     --------
@@ -52,8 +54,19 @@ class Filtration:
         """
         return self._core.factor
 
+    @property
+    def points(self) -> np.ndarray:
+        """The points that faces are made of, float64, shape (points, dim).
+
+        Of kind 'alpha' the caller's points, duplicates included; of kind 'mesh' the vertices.
+        """
+        return self._core.points
+
     def faces(self, k: int) -> np.ndarray:
-        """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted."""
+        """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted.
+
+        Numbers are those of rows of `points`.
+        """
         return self._core.faces(k)
 
     def values(self, k: int) -> np.ndarray:
@@ -78,8 +91,8 @@ class Filtration:
         Parameters
         ----------
         path : str or path
-            ``.filtration``: text as GUDHI's simplex trees write and read it. ``.dipha``: DIPHA's
-            binary boundary matrix with weights.
+            ``.filtration``: text as GUDHI's simplex trees write and read it, with the numbers of
+            `faces`. ``.dipha``: DIPHA's binary boundary matrix with weights.
         """
         self._core.export(os.fspath(path))
 
@@ -113,10 +126,13 @@ class Filtration:
             raise InvalidArgumentError(
                 f"alpha is {alpha!r}; it must be a number, 'connected' or 'optimal'"
             )
-        return AlphaShape(self._core, self._core.checked_alpha(alpha))
+        return AlphaShape(self._core, self._core.checked_alpha(number(alpha, "alpha")))
 
     def to_gudhi(self) -> Any:
-        """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi."""
+        """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi.
+
+        Its vertices are numbered as in `faces`: of kind 'alpha' as the caller's points.
+        """
         import gudhi
 
         tree = gudhi.SimplexTree()

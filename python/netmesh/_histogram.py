@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from typing import Any, Optional
 
 import numpy as np
 
-from ._errors import InvalidArgumentError
+from ._arrays import doubles
+from ._errors import ArgumentTypeError, InvalidArgumentError
 from ._netmesh import Core
 
 #: The angles that measures in degrees may have.
@@ -26,15 +28,38 @@ def histogram(
 def _edges(
     core: Core, measure: str, bins: Any, extent: Optional[tuple[float, float]], hull: bool
 ) -> np.ndarray:
-    if np.ndim(bins) > 0:
-        edges = np.asarray(bins, dtype=np.float64)
+    edges = doubles(bins, "bins")
+    if edges.ndim > 0:
         if edges.ndim != 1 or len(edges) < 2:
             raise InvalidArgumentError(f"bins has shape {edges.shape}; it must be (bins + 1,)")
         return edges
     if extent is None:
         extent = _RANGES.get(measure) or _extremes(core, measure, hull)
-    # NumPy checks both, and widens a range of no width.
-    return np.histogram_bin_edges([], bins=operator.index(bins), range=extent)
+    else:
+        extent = _checked_range(extent)
+    # NumPy widens a range of no width.
+    return np.histogram_bin_edges([], bins=_checked_count(bins), range=extent)
+
+
+def _checked_count(bins: Any) -> int:
+    try:
+        count = operator.index(bins)
+    except TypeError:
+        kind = type(bins).__name__
+        raise ArgumentTypeError(f"bins is of type {kind}; it must be a whole number or an array") from None
+    if count < 1:
+        raise InvalidArgumentError(f"bins is {count}; it must be at least 1")
+    return count
+
+
+def _checked_range(extent: Any) -> tuple[float, float]:
+    ends = doubles(extent, "range")
+    if ends.shape != (2,):
+        raise InvalidArgumentError(f"range has shape {ends.shape}; it must be (2,)")
+    low, high = ends.tolist()
+    if not -math.inf < low <= high < math.inf:
+        raise InvalidArgumentError(f"range is ({low}, {high}); it must ascend and be finite")
+    return low, high
 
 
 def _extremes(core: Core, measure: str, hull: bool) -> tuple[float, float]:

@@ -6,7 +6,7 @@ from typing import Any, Optional, Union
 
 import numpy as np
 
-from ._arrays import point_rows, shaped_values, value_columns
+from ._arrays import array, coordinates, number, point_rows, value_columns
 from ._delaunay import Delaunay
 from ._errors import InvalidArgumentError, NonFiniteError
 
@@ -62,7 +62,7 @@ class LinearNDInterpolator:
                 raise InvalidArgumentError(message + "``points``.")
             self.tri = points
         else:
-            points = _coordinates((points,))
+            points = coordinates((points,), "points")
             if points.ndim != 2:
                 message = f"points has shape {points.shape}; it must be (npoints, ndim)"
                 raise InvalidArgumentError(message)
@@ -76,11 +76,11 @@ class LinearNDInterpolator:
         self.threads = threads
         self.points = self.tri.points
         columns = value_columns(values, len(self.points), "point")
-        values = np.asarray(values)
-        self.is_complex = values.dtype.kind == "c"
-        self.values_shape = values.shape[1:]
+        given = array(values, "values")
+        self.is_complex = given.dtype.kind == "c"
+        self.values_shape = given.shape[1:]
         self.values = columns.view(np.complex128) if self.is_complex else columns
-        self.fill_value = np.asarray(fill_value, self.values.dtype)[()]
+        self.fill_value = self._fill_value(fill_value)
         tri = self.tri
         self._of_vertices = columns if tri._is_distinct else columns[tri._first_inputs]
 
@@ -97,12 +97,10 @@ class LinearNDInterpolator:
             The shape of the points, then that of values without the first axis.
         """
         ndim = self.points.shape[1]
-        xi = _coordinates(args, ndim)
-        if xi.shape[-1] != ndim:
-            raise InvalidArgumentError(f"xi has shape {xi.shape}; it must be (..., {ndim})")
+        xi = coordinates(args, "xi", ndim)
         if self.scale is not None:
             xi = (xi - self.offset) / self.scale
-        rows = np.ascontiguousarray(xi.reshape(-1, ndim), dtype=np.float64)
+        rows = np.ascontiguousarray(xi.reshape(-1, ndim))
         columns = self._at(rows)
         out = columns.view(np.complex128) if self.is_complex else columns
         if not np.isnan(self.fill_value):
@@ -111,6 +109,14 @@ class LinearNDInterpolator:
             outside = missing[self.tri.find_simplex(rows[missing]) == -1]
             out[outside] = self.fill_value
         return out.reshape(xi.shape[:-1] + self.values_shape)
+
+    def _fill_value(self, given: Any) -> Any:
+        value = array(given, "fill_value")
+        if value.ndim != 0:
+            raise InvalidArgumentError(f"fill_value has shape {value.shape}; it must be a number")
+        if self.is_complex and value.dtype.kind == "c":
+            return value.astype(np.complex128)[()]
+        return self.values.dtype.type(number(given, "fill_value"))
 
     def _at(self, rows: np.ndarray) -> np.ndarray:
         evaluate = self.tri.mesh._core.interpolate
@@ -121,14 +127,3 @@ class LinearNDInterpolator:
             out = np.full((len(rows), self._of_vertices.shape[1]), np.nan)
             out[finite] = evaluate(self._of_vertices, rows[finite], "linear", "nan", self.threads)
             return out
-
-
-def _coordinates(args: tuple, ndim: Optional[int] = None) -> np.ndarray:
-    """Coordinates of points in the last axis: of one array, or of an array for each axis."""
-    if len(args) == 1 and isinstance(args[0], tuple):
-        args = args[0]
-    if len(args) == 1:
-        points = np.asanyarray(args[0])
-        return points.reshape(-1, ndim or 1) if points.ndim == 1 else points
-    arrays = np.broadcast_arrays(*args)
-    return np.stack([np.asarray(array, dtype=np.float64) for array in arrays], axis=-1)

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+import functools
 import os
 from typing import Any, Optional, Union
 
 import numpy as np
 
 from . import _views
-from ._arrays import point_rows, query_points, shaped_values, value_columns, vertex_columns
+from ._arrays import (
+    doubles,
+    fixed,
+    point_rows,
+    query_points,
+    shaped_values,
+    value_columns,
+    vertex_columns,
+)
 from ._boundary import boundary_of
 from ._filtration import Filtration
 from ._histogram import histogram
@@ -161,6 +170,11 @@ def mesh(
     (3, True)
     """
     given = {name: value for name, value in locals().items() if name not in _NO_OPTIONS}
+    if size is not None and not callable(size):
+        sizes = doubles(size, "size")
+        given["size"] = sizes if sizes.ndim else float(sizes)
+    if isinstance(background, tuple) and len(background) == 2:
+        given["background"] = background[0], doubles(background[1], "background")
     boundary = None
     if not all(value is None for value in (segments, markers, regions, holes)):
         boundary = boundary_of(segments, markers, regions, holes)
@@ -274,8 +288,23 @@ class Mesh(Arrays):
 
     @property
     def input_vertices(self) -> np.ndarray:
-        """Vertices of inputs, int32, shape (n,); equal inputs share one."""
+        """Vertices of inputs, int32, shape (n,); equal inputs share one. See `vertex_inputs`."""
         return self._core.input_vertices
+
+    @functools.cached_property
+    def vertex_inputs(self) -> np.ndarray:
+        """Inputs of vertices, int32, shape (vertices,); -1 for vertices that are no inputs.
+
+        Of equal inputs the first. This is the inverse of `input_vertices`, but for duplicates.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> m.input_vertices, m.vertex_inputs
+        (array([0, 0, 1, 2], dtype=int32), array([0, 2, 3], dtype=int32))
+        """
+        return fixed(self._core.vertex_inputs())
 
     @property
     def segments(self) -> np.ndarray:
@@ -509,7 +538,7 @@ class Mesh(Arrays):
     def nearest(
         self, points: Any, *, among: str = "vertices", threads: int = 1
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Find the nearest vertices, and how far they are.
+        """Find the nearest vertices, or the nearest of the caller's points, and how far they are.
 
         Parameters
         ----------
@@ -520,7 +549,8 @@ class Mesh(Arrays):
 
         Returns
         -------
-        vertices : ndarray of int32, shape (...)
+        found : ndarray of int32, shape (...)
+            Vertices or, among inputs, the numbers of the caller's points, of equal ones the first.
             The least of those at the same distance.
         distances : ndarray of float64, shape (...)
 

@@ -8,7 +8,7 @@ from typing import Optional, Union
 
 import numpy as np
 
-from ._arrays import vertex_columns
+from ._arrays import fixed, vertex_columns
 from ._netmesh import Core
 from ._results import CSR, Facets, VoronoiCells
 
@@ -32,34 +32,34 @@ class Arrays:
     @functools.cached_property
     def edges(self) -> np.ndarray:
         """Edges, int32, shape (edges, 2): the less vertex first, in lexicographic order."""
-        return _fixed(self._core.edges(self._selection))
+        return fixed(self._core.edges(self._selection))
 
     @functools.cached_property
     def facets(self) -> Facets:
         """Facets, and the two simplices of each; -1 on the hull."""
-        return Facets(*map(_fixed, self._core.facets(self._selection)))
+        return Facets(*map(fixed, self._core.facets(self._selection)))
 
     @functools.cached_property
     def hull(self) -> Facets:
         """Facets of the convex hull, oriented outwards, and the simplex of each."""
-        return Facets(*map(_fixed, self._core.hull(self._selection)))
+        return Facets(*map(fixed, self._core.hull(self._selection)))
 
     @functools.cached_property
     def vertex_simplices(self) -> CSR:
         """The simplices of each vertex, ascending."""
         indptr, indices = self._core.vertex_simplices(self._selection)
-        return CSR(_fixed(indptr), _fixed(indices))
+        return CSR(fixed(indptr), fixed(indices))
 
     @functools.cached_property
     def vertex_neighbors(self) -> CSR:
         """The vertices that have an edge with each vertex, ascending."""
         indptr, indices = self._core.vertex_neighbors(self._selection)
-        return CSR(_fixed(indptr), _fixed(indices))
+        return CSR(fixed(indptr), fixed(indices))
 
     @functools.cached_property
     def _circumballs(self) -> tuple[np.ndarray, np.ndarray]:
         centers, radii = self._core.circumcenters(self._selection)
-        return _fixed(centers), _fixed(radii)
+        return fixed(centers), fixed(radii)
 
     @property
     def circumcenters(self) -> np.ndarray:
@@ -74,14 +74,14 @@ class Arrays:
     @functools.cached_property
     def volumes(self) -> np.ndarray:
         """Volumes (2D: areas) of simplices, float64, shape (simplices,)."""
-        return _fixed(self._core.volumes(self._selection))
+        return fixed(self._core.volumes(self._selection))
 
     @functools.cached_property
     def voronoi(self) -> VoronoiCells:
         """The Voronoi diagram of the vertices."""
         parts = self._core.voronoi(self._selection)
         for name, part in parts.items():
-            parts[name] = CSR(*map(_fixed, part)) if isinstance(part, tuple) else _fixed(part)
+            parts[name] = CSR(*map(fixed, part)) if isinstance(part, tuple) else fixed(part)
         return VoronoiCells(**parts)
 
 
@@ -96,7 +96,7 @@ class Part(Arrays):
         self._core = core
         self._selection = selection
         #: Ids of the part's simplices, int32, ascending.
-        self.simplices = _fixed(core.part_simplices(selection))
+        self.simplices = fixed(core.part_simplices(selection))
 
     def __repr__(self) -> str:
         return f"<netmesh.Part: {len(self.simplices)} simplices>"
@@ -113,9 +113,3 @@ class Part(Arrays):
         Attributes are of all vertices of the mesh.
         """
         self._export(path, format, attributes)
-
-
-def _fixed(array: np.ndarray) -> np.ndarray:
-    """An array that is kept, so that nobody changes it."""
-    array.flags.writeable = False
-    return array

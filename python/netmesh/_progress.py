@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Callable, Optional
 
+from ._errors import ArgumentTypeError
 from ._netmesh import Progress
 
 
@@ -13,7 +14,7 @@ def reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:
         return progress
     if not all(hasattr(progress, name) for name in ("update", "n", "total")):
         kind = type(progress).__name__
-        raise TypeError(f"progress is of type {kind}; it must be a function or a bar as tqdm's")
+        raise ArgumentTypeError(f"progress is of type {kind}; it must be a function or a bar as tqdm's")
     if progress.total is None:
         progress.total = 1
 

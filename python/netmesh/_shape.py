@@ -70,8 +70,16 @@ class AlphaShape:
         return self._core.shape_simplices(self.alpha)
 
     @property
+    def points(self) -> np.ndarray:
+        """The caller's points, duplicates included: float64, shape (n, dim)."""
+        return self._core.points
+
+    @property
     def boundary(self) -> np.ndarray:
-        """The boundary of the simplices: int32, shape (facets, dim), oriented outwards."""
+        """The boundary of the simplices: int32, shape (facets, dim), oriented outwards.
+
+        Numbers are those of the caller's points, of equal ones the first: rows of `points`.
+        """
         return self._core.shape_boundary(self.alpha)
 
     def export(self, path: Union[str, os.PathLike]) -> None:

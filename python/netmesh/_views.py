@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
+from ._arrays import data
 from ._errors import InvalidArgumentError
 
 if TYPE_CHECKING:
@@ -19,11 +20,12 @@ def to_meshio(mesh: Mesh, point_data: Optional[dict], cell_data: Optional[dict])
     import meshio
 
     name, _ = _cell(mesh)
+    of_cells = _cell_data(mesh, cell_data)
     return meshio.Mesh(
         mesh.points,
         [(name, mesh.simplices)],
         point_data=_point_data(mesh, point_data),
-        cell_data={name: [np.asarray(values)] for name, values in (cell_data or {}).items()},
+        cell_data={name: [values] for name, values in of_cells.items()},
     )
 
 
@@ -35,9 +37,9 @@ def to_pyvista(mesh: Mesh, point_data: Optional[dict], cell_data: Optional[dict]
     points[:, : mesh.dim] = mesh.points
     grid = pyvista.UnstructuredGrid({number: mesh.simplices.astype(np.int64)}, points)
     for name, values in _point_data(mesh, point_data).items():
-        grid.point_data[name] = np.array(values)
-    for name, values in (cell_data or {}).items():
-        grid.cell_data[name] = np.array(values)
+        grid.point_data[name] = values.copy()
+    for name, values in _cell_data(mesh, cell_data).items():
+        grid.cell_data[name] = values.copy()
     return grid
 
 
@@ -62,5 +64,14 @@ def _cell(mesh: Mesh) -> tuple[str, int]:
 
 
 def _point_data(mesh: Mesh, more: Optional[dict]) -> dict:
-    data = {"kind": mesh.kinds, "domain": mesh.vertex_domains}
-    return {**data, **{name: np.asarray(values) for name, values in (more or {}).items()}}
+    of_vertices = _checked(more, len(mesh.points), "vertex", "point_data")
+    return {"kind": mesh.kinds, "domain": mesh.vertex_domains, **of_vertices}
+
+
+def _cell_data(mesh: Mesh, given: Optional[dict]) -> dict:
+    return _checked(given, len(mesh.simplices), "simplex", "cell_data")
+
+
+def _checked(given: Optional[dict], count: int, things: str, name: str) -> dict:
+    pairs = (given or {}).items()
+    return {key: data(values, count, things, f"{name}[{key!r}]") for key, values in pairs}

@@ -1,14 +1,14 @@
 //! A mesh with its arrays.
 
-use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
+use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided, unsigned};
 use crate::boundary::{Boundary, set_boundary};
-use crate::errors::{detached, exception, exception_with, invalid, raised, unlocked};
+use crate::errors::{detached_on_file, exception, exception_with, invalid, raised, unlocked};
 use crate::options::{by_keyword, options};
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
 use crate::sizes::Sizes;
 use netmesh::io::{Format, write_file_with};
-use netmesh::mesh::{MAX_DIM, MIN_DIM};
+use netmesh::mesh::{Inputs, MAX_DIM, MIN_DIM};
 use netmesh::prepared::Prepared;
 use netmesh::{Attribute, ErrorKind, Mesh, Triangulation};
 use numpy::ndarray::ArrayView;
@@ -67,7 +67,8 @@ impl Core {
         let (n, dim) = points.as_array().dim();
         if !(MIN_DIM..=MAX_DIM).contains(&dim) {
             let message = format!(
-                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to {MAX_DIM}"
+                "points has shape ({n}, {dim}); it must be (n, dim), dim from {MIN_DIM} to \
+                 {MAX_DIM}"
             );
             return Err(raised(py, ErrorKind::Dimension, message));
         }
@@ -153,6 +154,17 @@ impl Core {
         unsafe { shared_ids_1(this.as_any(), inputs.vertices(), inputs.count()) }
     }
 
+    /// The first input that each vertex is; a new array.
+    fn vertex_inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        let (inputs, vertices) = (self.mesh.inputs(), self.triangulation().vertex_count());
+        let found = crate::arrays::empty(py, [vertices])?;
+        let mut out = found.readwrite();
+        for (vertex, out) in unsigned(out.as_slice_mut()?).iter_mut().enumerate() {
+            *out = inputs.first_input(vertex).unwrap_or(netmesh::NONE);
+        }
+        Ok(found)
+    }
+
     #[getter]
     fn segments<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<i32>>> {
         let mesh = this.get().triangulation();
@@ -203,14 +215,7 @@ impl Core {
 
     /// The points that were given, duplicates included.
     fn input_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let inputs = self.mesh.inputs();
-        let array = crate::arrays::empty(py, (inputs.count(), inputs.dim()))?;
-        let mut out = array.readwrite();
-        let out = out.as_slice_mut()?;
-        for (i, out) in out.chunks_exact_mut(inputs.dim()).enumerate() {
-            out.copy_from_slice(inputs.point(i));
-        }
-        Ok(array)
+        points_of_inputs(py, self.mesh.inputs())
     }
 
     fn export(
@@ -241,15 +246,30 @@ impl Core {
         }
         let attributes = vertex_attributes(py, &attributes)?;
         let Some(selection) = selected(selection)? else {
-            return detached(py, || write_file_with(&self.mesh, &attributes, &path, format));
+            return detached_on_file(py, &path, || {
+                write_file_with(&self.mesh, &attributes, &path, format)
+            });
         };
-        detached(py, || {
+        detached_on_file(py, &path, || {
             let part = self.prepared.part(&self.mesh, &selection)?;
             let (mesh, attributes) = part.to_mesh(self.mesh.inputs(), &attributes)?;
             let mesh = mesh.with_markers(self.mesh.markers_of_result().to_vec());
             write_file_with(&mesh, &attributes, &path, format)
         })
     }
+}
+
+/// The points that were given, duplicates included; a new array.
+pub fn points_of_inputs<'py>(
+    py: Python<'py>,
+    inputs: &Inputs,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let array = crate::arrays::empty(py, (inputs.count(), inputs.dim()))?;
+    let mut out = array.readwrite();
+    for (i, out) in out.as_slice_mut()?.chunks_exact_mut(inputs.dim()).enumerate() {
+        out.copy_from_slice(inputs.point(i));
+    }
+    Ok(array)
 }
 
 /// Refuses a format that would leave the attributes out.

@@ -1,13 +1,13 @@
 //! Arrays that are made of the mesh's on request.
 
-use crate::arrays::{empty, fits};
+use crate::arrays::fits;
 use crate::core::Core;
-use crate::errors::detached;
+use crate::errors::{abandonable_until, detached, exception};
 use crate::options::whole;
 use crate::progress::Reporter;
 use crate::selection::Given;
-use netmesh::query::{Values, extend_values};
-use netmesh::{Algorithm, ErrorKind, Mesh, Options, arrays};
+use netmesh::query::{Values, Work, extend_values};
+use netmesh::{Algorithm, Error, ErrorKind, Mesh, Options, Result, arrays};
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -27,6 +27,14 @@ pub fn ids(py: Python<'_>, ids: Vec<u32>, count: usize) -> PyResult<Bound<'_, Py
 pub fn lists(py: Python<'_>, lists: arrays::Lists, count: usize) -> PyResult<Lists<'_>> {
     let starts = lists.starts.into_iter().map(|start| start as i64).collect();
     Ok((PyArray1::from_vec(py, starts), ids(py, lists.ids, count)?))
+}
+
+/// No doubles yet, with room for as many.
+fn reserved(count: usize) -> Result<Vec<f64>> {
+    let mut doubles = Vec::new();
+    let refused = |_| Error::new(ErrorKind::OutOfMemory, "an allocation failed");
+    doubles.try_reserve_exact(count).map_err(refused)?;
+    Ok(doubles)
 }
 
 impl Core {
@@ -173,19 +181,25 @@ impl Core {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let threads = whole("threads", threads, u32::MAX)?;
         let components = values.as_array().dim().1;
-        let mesh = self.triangulation();
-        let found = empty(py, (mesh.vertex_count(), components))?;
-        let mut out = found.readwrite();
-        let (out, values) = (out.as_slice_mut()?, values.as_slice()?);
-        let is_delaunay = mesh.parameters.algorithm == Algorithm::Delaunay;
+        let is_delaunay = self.triangulation().parameters.algorithm == Algorithm::Delaunay;
         let other = if is_delaunay { None } else { Some(self.delaunay(py)?) };
-        let delaunay = match &other {
-            Some(other) => other.as_ref().as_ref().and_then(Mesh::triangulation),
-            None => Some(mesh),
-        };
-        let values = Values { components, values };
-        detached(py, || extend_values(self.mesh.inputs(), delaunay, mesh, values, threads, out))?;
-        Ok(found)
+        // The index of the triangulation cannot be stopped: the work may outlive this call.
+        let (made, given) = (Arc::clone(&self.made), reserved(values.as_slice()?.len()));
+        let mut given = given.map_err(|error| exception(py, &error))?;
+        given.extend_from_slice(values.as_slice()?);
+        let found = abandonable_until(py, move |stop| {
+            let mesh = made.triangulation();
+            let delaunay = match &other {
+                Some(other) => other.as_ref().as_ref().and_then(Mesh::triangulation),
+                None => Some(mesh),
+            };
+            let mut out = reserved(mesh.vertex_count() * components)?;
+            out.resize(mesh.vertex_count() * components, 0.0);
+            let (values, work) = (Values { components, values: &given }, Work { threads, stop });
+            extend_values(made.mesh.inputs(), delaunay, mesh, values, work, &mut out)?;
+            Ok(out)
+        })?;
+        PyArray1::from_vec(py, found).reshape([self.count_of_vertices(), components])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Options by keyword.
 
-use crate::errors::invalid;
+use crate::errors::{self, invalid};
 use netmesh::error::Choice;
 use netmesh::{
     Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
@@ -157,7 +157,7 @@ where
     })
 }
 
-fn wrong_type(name: &str, value: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
+pub fn wrong_type(name: &str, value: &Bound<'_, PyAny>, wanted: &str) -> PyErr {
     let kind = value.get_type().name().map_or_else(|_| "unknown".into(), |name| name.to_string());
-    PyTypeError::new_err(format!("{name} is of type {kind}; it must be {wanted}"))
+    errors::wrong_type(value.py(), format!("{name} is of type {kind}; it must be {wanted}"))
 }

@@ -2,20 +2,17 @@
 
 use crate::arrays::{empty, unsigned};
 use crate::core::Core;
-use crate::errors::{abandonable, detached, exception, invalid};
+use crate::errors::{abandonable, exception, invalid, stoppable};
 use crate::options::{choice, whole};
 use netmesh::quality::Measure;
-use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values};
-use netmesh::{ErrorKind, Result, Stats, Triangulation, quality, validate};
+use netmesh::query::{Among, Index, Interpolation, Method, Outside, Values, Work};
+use netmesh::{Stats, quality, validate};
 use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-
-/// Points between two looks for signals.
-const PORTION: usize = 1 << 18;
 
 impl Core {
     fn count(&self, points: &PyReadonlyArray2<'_, f64>) -> PyResult<usize> {
@@ -42,28 +39,6 @@ impl Core {
         }
         self.prepared.index(&self.mesh).map_err(|error| exception(py, &error))
     }
-
-    /// Calls `ask` for portions of `count` points; a signal stops it.
-    fn in_portions(
-        &self,
-        py: Python<'_>,
-        count: usize,
-        mut ask: impl FnMut(&Triangulation, &Index, std::ops::Range<usize>) -> Result<()> + Send,
-    ) -> PyResult<()> {
-        let index = self.index(py)?;
-        for start in (0..count).step_by(PORTION) {
-            let range = start..count.min(start + PORTION);
-            detached(py, || match ask(self.triangulation(), index, range) {
-                // So that the message counts from the first point.
-                Err(error) if error.kind() == ErrorKind::NonFinite && start > 0 => {
-                    ask(self.triangulation(), index, 0..count)
-                }
-                done => done,
-            })?;
-            py.check_signals()?;
-        }
-        Ok(())
-    }
 }
 
 #[pymethods]
@@ -76,18 +51,16 @@ impl Core {
         threads: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyArray1<i32>>> {
         let threads = whole("threads", threads, u32::MAX)?;
-        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
+        let (count, index) = (self.count(&points)?, self.index(py)?);
         let found = empty(py, [count])?;
         let mut out = found.readwrite();
         let (points, out) = (points.as_slice()?, unsigned(out.as_slice_mut()?));
-        self.in_portions(py, count, |mesh, index, range| {
-            let points = &points[range.start * dim..range.end * dim];
-            index.locate(mesh, points, threads, &mut out[range])
-        })?;
+        let mesh = self.triangulation();
+        stoppable(py, |stop| index.locate(mesh, points, Work { threads, stop }, out))?;
         Ok(found)
     }
 
-    /// The nearest vertex of each point, and its distance.
+    /// The nearest vertex of each point, or the number of the nearest input, and its distance.
     fn nearest<'py>(
         &self,
         py: Python<'py>,
@@ -98,17 +71,23 @@ impl Core {
         let names = [("vertices", Among::Vertices), ("inputs", Among::Inputs)];
         let among = choice("among", among, &names)?;
         let threads = whole("threads", threads, u32::MAX)?;
-        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
-        let (vertices, distances) = (empty(py, [count])?, empty(py, [count])?);
-        let (mut ids, mut lengths) = (vertices.readwrite(), distances.readwrite());
+        let (count, index) = (self.count(&points)?, self.index(py)?);
+        let (found, distances) = (empty(py, [count])?, empty(py, [count])?);
+        let (mut ids, mut lengths) = (found.readwrite(), distances.readwrite());
         let (ids, lengths) = (unsigned(ids.as_slice_mut()?), lengths.as_slice_mut()?);
-        let points = points.as_slice()?;
-        self.in_portions(py, count, |mesh, index, range| {
-            let points = &points[range.start * dim..range.end * dim];
-            let (ids, lengths) = (&mut ids[range.clone()], &mut lengths[range]);
-            index.nearest(mesh, among, points, threads, ids, lengths)
+        let (points, made) = (points.as_slice()?, &self.made);
+        stoppable(py, |stop| {
+            let work = Work { threads, stop };
+            match among {
+                Among::Inputs => {
+                    made.prepared.nearest_inputs(&made.mesh, points, work, ids, lengths)
+                }
+                Among::Vertices => {
+                    index.nearest(made.triangulation(), among, points, work, ids, lengths)
+                }
+            }
         })?;
-        Ok((vertices, distances))
+        Ok((found, distances))
     }
 
     /// The values (`points x components`) of a function given at the vertices.
@@ -138,16 +117,15 @@ impl Core {
             )?,
         };
         let threads = whole("threads", threads, u32::MAX)?;
-        let (count, dim) = (self.count(&points)?, self.triangulation().dim);
+        let (count, index) = (self.count(&points)?, self.index(py)?);
         let components = values.as_array().dim().1;
         let found = empty(py, (count, components))?;
         let mut out = found.readwrite();
         let (points, out) = (points.as_slice()?, out.as_slice_mut()?);
         let values = Values { components, values: values.as_slice()? };
-        self.in_portions(py, count, |mesh, index, range| {
-            let points = &points[range.start * dim..range.end * dim];
-            let out = &mut out[range.start * components..range.end * components];
-            index.interpolate(mesh, method, values, points, threads, out)
+        let mesh = self.triangulation();
+        stoppable(py, |stop| {
+            index.interpolate(mesh, method, values, points, Work { threads, stop }, out)
         })?;
         Ok(found)
     }

@@ -1,7 +1,7 @@
 //! Alpha shapes of a filtration by alpha values.
 
 use crate::derived::ids;
-use crate::errors::{detached, invalid};
+use crate::errors::{detached, detached_on_file, invalid};
 use crate::options::{number, whole};
 use crate::topology::FiltrationCore;
 use netmesh::Result;
@@ -81,15 +81,15 @@ impl FiltrationCore {
         py: Python<'py>,
         alpha: f64,
     ) -> PyResult<Bound<'py, PyArray2<i32>>> {
-        let mesh = self.made.triangulation();
-        let facets = detached(py, || self.shape(alpha)?.solid(mesh)?.hull())?.vertices;
+        let (inputs, mesh) = (self.made.mesh.inputs(), self.made.triangulation());
+        let facets = detached(py, || self.shape(alpha)?.boundary(inputs, mesh))?;
         let count = facets.len() / mesh.dim;
-        ids(py, facets, mesh.vertex_count())?.reshape([count, mesh.dim])
+        ids(py, facets, inputs.count())?.reshape([count, mesh.dim])
     }
 
     /// The format goes by the extension.
     fn export_shape(&self, py: Python<'_>, alpha: f64, path: PathBuf) -> PyResult<()> {
-        detached(py, || {
+        detached_on_file(py, &path, || {
             let format = SurfaceFormat::from_path(&path)?;
             let mesh = self.made.triangulation();
             let facets = self.shape(alpha)?.solid(mesh)?.hull()?.vertices;

@@ -3,12 +3,12 @@
 
 use crate::core::Core;
 use crate::errors::{exception, invalid};
+use crate::options::wrong_type;
 use netmesh::Mesh;
 use netmesh::options::SizeFn;
 use numpy::{PyArray1, PyReadonlyArray1};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use std::sync::{Mutex, PoisonError};
 
 /// What tells sizes during a run. Values for the points are the mesh's own.
@@ -77,10 +77,8 @@ fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()
     let core = |other: &Bound<'_, PyAny>| other.getattr("_core").ok()?.extract::<Py<Core>>().ok();
     let Some((core, values)) = pair.and_then(|(other, values)| Some((core(&other)?, values)))
     else {
-        let kind = background.get_type().name()?.to_string();
-        return Err(PyTypeError::new_err(format!(
-            "background is of type {kind}; it must be a Mesh and values at its vertices, as a pair"
-        )));
+        let wanted = "a Mesh and values at its vertices, as a pair";
+        return Err(wrong_type("background", background, wanted));
     };
     let other = core.get().triangulation();
     let values = values_of("background", &values, other.vertex_count(), "vertices of it")?;
@@ -107,12 +105,27 @@ fn values_of<'py>(
     numpy.call_method1("ascontiguousarray", (array,))?.extract()
 }
 
+/// The number that a function has answered at the point `x`.
+fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> PyResult<f64> {
+    let is_float = answer.is_instance_of::<PyFloat>();
+    // An array of one element would do, with a warning of some versions of NumPy.
+    let has_axes = || answer.getattr("ndim").is_ok_and(|ndim| ndim.gt(0).unwrap_or(true));
+    if is_float || !has_axes() {
+        if let Ok(size) = answer.extract() {
+            return Ok(size);
+        }
+    }
+    let message = format!("size answered {} at {x}; it must be a number", answer.repr()?);
+    Err(invalid(answer.py(), message))
+}
+
 impl Function {
     /// The size at a point; NaN after an exception, which ends the run.
     fn at(&self, x: &[f64]) -> f64 {
         Python::attach(|py| {
             let x = PyArray1::from_slice(py, x);
-            let answer = self.callable.bind(py).call1((x,)).and_then(|answer| answer.extract());
+            let answer = self.callable.bind(py).call1((&x,));
+            let answer = answer.and_then(|answer| size_of_answer(&answer, &x));
             answer.unwrap_or_else(|raised| {
                 *self.exception.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
                 f64::NAN

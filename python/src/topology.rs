@@ -1,13 +1,14 @@
 //! Faces and filtrations.
 
-use crate::arrays::{shared, shared_ids};
-use crate::core::{Core, Made};
-use crate::derived::{Lists, lists};
-use crate::errors::{abandonable, detached, invalid};
+use crate::arrays::{rows, shared, shared_ids};
+use crate::core::{Core, Made, points_of_inputs};
+use crate::derived::{Lists, ids, lists};
+use crate::errors::{abandonable, detached, detached_on_file, invalid};
 use crate::options::{choice, whole};
 use netmesh::io::{FiltrationFormat, write_filtration_file};
 use netmesh::topology::{Faces, Filtration, alpha, distances, has_inputs_alone};
 use numpy::ndarray::ArrayView;
+use numpy::prelude::*;
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -51,6 +52,11 @@ impl Core {
 }
 
 impl FiltrationCore {
+    /// The number of each vertex; `None` where it is that of the vertex itself.
+    fn vertex_numbers(&self) -> Option<&[u32]> {
+        self.filtration.vertex_numbers(self.made.mesh.inputs())
+    }
+
     /// The dimension `k`, which is in `first..=last`.
     pub fn dimension(&self, k: &Bound<'_, PyAny>, first: u32, last: usize) -> PyResult<usize> {
         let given: u32 = whole("k", k, u32::MAX)?;
@@ -73,6 +79,19 @@ impl FiltrationCore {
         self.filtration.factor
     }
 
+    /// The points that the numbers of `faces` name.
+    #[getter]
+    fn points<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let core = this.get();
+        if core.vertex_numbers().is_some() {
+            return points_of_inputs(this.py(), core.made.mesh.inputs());
+        }
+        let mesh = core.made.triangulation();
+        // SAFETY: nothing changes a mesh.
+        unsafe { shared(this.as_any(), &rows(&mesh.points, mesh.dim)) }
+    }
+
+    /// The faces of dimension `k`, their vertices numbered as those of the filtration.
     fn faces<'py>(
         this: &Bound<'py, Self>,
         k: &Bound<'py, PyAny>,
@@ -80,6 +99,11 @@ impl FiltrationCore {
         let faces = &this.get().faces;
         let k = this.get().dimension(k, 0, faces.dim())?;
         let vertices = &faces.of_dimension(k).vertices;
+        if let Some(numbers) = this.get().vertex_numbers() {
+            let found = vertices.iter().map(|&vertex| numbers[vertex as usize]).collect();
+            let count = this.get().made.mesh.inputs().count();
+            return ids(this.py(), found, count)?.reshape([vertices.len() / (k + 1), k + 1]);
+        }
         // SAFETY: nothing changes a filtration.
         unsafe { shared_ids(this.as_any(), vertices, k + 1, faces.of_dimension(0).count()) }
     }
@@ -106,9 +130,10 @@ impl FiltrationCore {
 
     /// The format goes by the extension.
     fn export(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
-        detached(py, || {
+        detached_on_file(py, &path, || {
             let format = FiltrationFormat::from_path(&path)?;
-            write_filtration_file(&self.faces, &self.filtration, format, &path)
+            let inputs = self.made.mesh.inputs();
+            write_filtration_file(inputs, &self.faces, &self.filtration, format, &path)
         })
     }
 

@@ -113,13 +113,60 @@ def test_ctrl_c_from_another_process_stops_a_call():
         child.wait()
 
 
+class Alarm(Exception):
+    pass
+
+
+def fail(number, frame):
+    raise Alarm
+
+
+def sphere(random, n):
+    points = random.normal(size=(n, 3))
+    return points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+def long_queries(random):
+    """Calls that take many seconds, of many points that take little each, and of few that take much."""
+    plain = {"algorithm": "delaunay"}
+    m, wide = netmesh.mesh(random.random((20_000, 3)), **plain), netmesh.mesh(random.random((40, 6)), **plain)
+    ball = netmesh.mesh(sphere(random, 5000), **plain)
+    x, values = random.random((3_000_000, 3)), random.random(20_000)
+    for how in ("linear", "laplace", "sibson"):
+        yield how, lambda: m.interpolate(values, x, interpolation=how)
+        yield f"{how}, two threads", lambda: m.interpolate(values, x, interpolation=how, threads=2)
+    middles = wide.points[wide.simplices].mean(axis=1).repeat(20, axis=0)
+    yield "six dimensions", lambda: wide.interpolate(np.zeros(40), middles, interpolation="sibson")
+    yield "locate", lambda: m.locate(x)
+    yield "nearest", lambda: m.nearest(x)
+    # All inputs are equally near.
+    yield "nearest of a sphere", lambda: ball.nearest(np.zeros((300_000, 3)), among="inputs")
+    f = netmesh.LinearNDInterpolator(m.points, values)
+    yield "LinearNDInterpolator", lambda: f(x)
+    yield "find_simplex", lambda: f.tri.find_simplex(x)
+    mesh = netmesh.mesh(random.random((100_000, 2)))
+    yield "extend_values", lambda: mesh.extend_values(np.zeros((100_000, 30)))
+
+
+def test_a_signal_ends_every_query_within_a_third_of_a_second(random):
+    before = signal.signal(signal.SIGALRM, fail)
+    try:
+        for name, call in long_queries(random):
+            needed = []
+            # The best of some: others may have the processor now and then.
+            while min(needed, default=1) >= 0.3 and len(needed) < 4:
+                start = time.monotonic()
+                signal.setitimer(signal.ITIMER_REAL, 0.3)
+                with pytest.raises(Alarm):
+                    call()
+                needed.append(time.monotonic() - start - 0.3)
+            assert min(needed) < 0.3, (name, needed)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random):
-    class Alarm(Exception):
-        pass
-
-    def fail(number, frame):
-        raise Alarm
-
     points, x = random.random((400_000, 2)), random.random((1000, 2))
     whole, m = (netmesh.mesh(points, algorithm="delaunay") for _ in range(2))
     before = signal.signal(signal.SIGALRM, fail)

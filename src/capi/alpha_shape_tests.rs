@@ -75,6 +75,22 @@ fn classes_and_boundary_are_written() {
     assert_eq!((needed, edges), (8, vec![[0, 1], [1, 2], [2, 3], [3, 0]]));
 }
 
+/// Every point but the last one twice.
+#[test]
+fn the_boundary_is_of_the_callers_points() {
+    let points = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 9.0, 0.5];
+    let mut mesh = Mesh::new(2, 8, &points, 0).unwrap();
+    mesh.run(&Options { algorithm: Algorithm::Delaunay, ..Options::default() }, None).unwrap();
+    let (mesh, mut needed, mut boundary) = (nm_mesh::new(mesh), 0, [9u32; 8]);
+    let get = nm_mesh_get_alpha_shape_boundary;
+    // SAFETY: a live handle and a buffer of the capacity that is said.
+    let status = unsafe { get(&mesh, 0.5, boundary.as_mut_ptr(), 8, &mut needed) };
+    assert_eq!((status, needed), (nm_status::NM_OK, 8));
+    let mut edges: Vec<[u32; 2]> = boundary.chunks_exact(2).map(|e| [e[0], e[1]]).collect();
+    edges.sort_unstable();
+    assert_eq!(edges, [[0, 2], [2, 5], [5, 6], [6, 0]]);
+}
+
 #[test]
 fn values_are_found() {
     let mesh = delaunay();

@@ -103,7 +103,8 @@ pub unsafe extern "C" fn nm_mesh_get_alpha_shape_classes(
 }
 
 /// Writes the boundary of the simplices of an alpha shape (of the regularized shape): facets x dim
-/// vertex ids, oriented outwards as by nm_mesh_get_hull. They are the facets of class
+/// inputs, numbers of the caller's points, of equal ones the first; oriented outwards as by
+/// nm_mesh_get_hull. They are the facets of class
 /// NM_FACE_CLASS_REGULAR. In 3D it is a closed surface; two of its sheets may touch in a vertex or
 /// an edge.
 ///
@@ -120,8 +121,9 @@ pub unsafe extern "C" fn nm_mesh_get_alpha_shape_boundary(
     // SAFETY: as above.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let hull = shape(mesh, prepared, alpha)?.solid(result(mesh)?)?.hull()?;
-            copy_out(buf, capacity, needed, hull.vertices.len(), hull.vertices.iter().copied())
+            let shape = shape(mesh, prepared, alpha)?;
+            let facets = shape.boundary(mesh.inputs(), result(mesh)?)?;
+            copy_out(buf, capacity, needed, facets.len(), facets.iter().copied())
         })
     }
 }

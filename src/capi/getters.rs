@@ -166,9 +166,9 @@ pub unsafe extern "C" fn nm_mesh_get_precision_limited(
     unsafe { get_per_vertex(mesh, buf, capacity, needed, 0, of) }
 }
 
-/// Writes the vertex of each input: one id per point given, duplicates included. Exact duplicates
-/// share the vertex of the first; vertices are numbered by first appearance. The same before and
-/// after nm_run.
+/// Writes the vertex of each input: one vertex id per point given, duplicates included. Exact
+/// duplicates share the vertex of the first; vertices are numbered by first appearance. The same
+/// before and after nm_run. nm_mesh_get_vertex_inputs is the inverse.
 ///
 /// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
 #[unsafe(no_mangle)]
@@ -182,6 +182,32 @@ pub unsafe extern "C" fn nm_mesh_get_input_vertices(
         let vertices = mesh.inputs().vertices();
         // SAFETY: the caller's buffer rules are those of `copy_out`.
         unsafe { copy_out(buf, capacity, needed, vertices.len(), vertices.iter().copied()) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
+}
+
+/// Writes the input of each vertex: one number of the caller's points per vertex, of equal points
+/// the first; NM_NONE for vertices that are no inputs. Ascending where it is a number.
+///
+/// With input_vertices from nm_mesh_get_input_vertices, input_vertices[vertex_inputs[v]] is v for
+/// each vertex v that is an input, and vertex_inputs[input_vertices[i]] is i for each input i that
+/// repeats no earlier one, else the one that it repeats.
+///
+/// Array getter, see the top of this file. Errors: as nm_mesh_get_points.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_get_vertex_inputs(
+    mesh: *const nm_mesh,
+    buf: *mut u32,
+    capacity: u64,
+    needed: *mut u64,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let (inputs, distinct) = (mesh.inputs(), mesh.inputs().distinct());
+        let count = mesh.triangulation().map_or(distinct, Triangulation::vertex_count);
+        let numbers = (0..count).map(|vertex| inputs.first_input(vertex).unwrap_or(NONE));
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, count, numbers) }
     };
     // SAFETY: the caller gave NULL or a live handle.
     unsafe { with_mesh(mesh, body) }
@@ -264,6 +290,7 @@ mod tests {
         let mesh = square();
         assert_eq!(get(&mesh, nm_mesh_get_points), [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0]);
         assert_eq!(get(&mesh, nm_mesh_get_input_vertices), [0, 1, 0, 2, 3]);
+        assert_eq!(get(&mesh, nm_mesh_get_vertex_inputs), [0, 1, 3, 4]);
         assert_eq!(get(&mesh, nm_mesh_get_vertex_kinds), [0; 4]);
         assert_eq!(get(&mesh, nm_mesh_get_vertex_domains), [NONE; 4]);
         assert_eq!(get(&mesh, nm_mesh_get_precision_limited), [0; 4]);
@@ -313,6 +340,8 @@ mod tests {
         let n = if cfg!(miri) { 2 } else { 62 };
         let mut points = vec![60.0, 60.0, 60.0, 60.0 + 1e-9];
         points.extend((0..2 * (n as i32 - 2)).map(|i| f64::from(i * i % 121)));
+        points.splice(4..4, [60.0, 60.0]);
+        let n = n + 1;
         let mut mesh = Mesh::new(2, n, &points, 0).unwrap();
         mesh.run(&Options::default(), None).unwrap();
         let t = mesh.triangulation().unwrap().clone();
@@ -327,7 +356,18 @@ mod tests {
         assert!(kinds[..distinct].iter().all(|&kind| kind == 0) && kinds[distinct..].contains(&2));
         let limited = t.precision_limited.iter().map(|&limited| u8::from(limited));
         assert_eq!(get(&mesh, nm_mesh_get_precision_limited), limited.collect::<Vec<_>>());
-        assert_eq!(get(&mesh, nm_mesh_get_input_vertices).len(), n);
+        let vertices = get(&mesh, nm_mesh_get_input_vertices);
+        let inputs = get(&mesh, nm_mesh_get_vertex_inputs);
+        assert_eq!((vertices.len(), inputs.len()), (n, t.kinds.len()));
+        // Each is the inverse of the other.
+        for (vertex, &input) in inputs.iter().enumerate() {
+            assert_eq!(input != NONE, vertex < distinct);
+            assert!(input == NONE || vertices[input as usize] as usize == vertex);
+        }
+        for (input, &vertex) in vertices.iter().enumerate() {
+            let first = vertices.iter().position(|other| *other == vertex).unwrap();
+            assert!(first <= input && inputs[vertex as usize] as usize == first);
+        }
         let mut domains = vec![nm_domain { center: 9, parent: 9, radius: 9.0 }; t.domains.len()];
         let capacity = domains.len() as u64;
         // SAFETY: a live handle; the buffer has room for `capacity`.

@@ -95,7 +95,7 @@ pub use export::{
 pub use getters::{
     nm_mesh_counts, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,
     nm_mesh_get_points, nm_mesh_get_precision_limited, nm_mesh_get_simplices,
-    nm_mesh_get_vertex_domains, nm_mesh_get_vertex_kinds,
+    nm_mesh_get_vertex_domains, nm_mesh_get_vertex_inputs, nm_mesh_get_vertex_kinds,
 };
 pub use handle::nm_mesh;
 pub use histogram::nm_mesh_quality_histogram;

@@ -89,45 +89,43 @@ pub unsafe extern "C" fn nm_mesh_nearest(
     vertices: *mut u32,
     distances: *mut f64,
 ) -> nm_status {
-    // SAFETY: the caller's promises are those of `nearest`.
-    unsafe { nearest(mesh, Among::Vertices, count, points, threads, vertices, distances) }
+    // SAFETY: the caller's arrays have the lengths that the manual asks for.
+    unsafe {
+        with_prepared(mesh, |mesh, prepared| {
+            let result = result(mesh)?;
+            let points = read_rows("points", points, count, result.dim)?;
+            let vertices = rows_out("vertices", vertices, count, 1)?;
+            let (distances, among) = (rows_out("distances", distances, count, 1)?, Among::Vertices);
+            prepared.index(mesh)?.nearest(result, among, points, threads, vertices, distances)
+        })
+    }
 }
 
-/// As nm_mesh_nearest, among the vertices that are inputs.
+/// Finds the input nearest to each of count points: its number among the caller's points, of equal
+/// ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact distance
+/// the least.
 ///
-/// Errors: as nm_mesh_nearest.
+/// points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives count
+/// distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
+/// NULL unless count is 0; they must not overlap.
+///
+/// Errors: as nm_mesh_nearest, with inputs in place of vertices.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_nearest_input(
     mesh: *const nm_mesh,
     count: u64,
     points: *const f64,
     threads: u32,
-    vertices: *mut u32,
+    inputs: *mut u32,
     distances: *mut f64,
 ) -> nm_status {
-    // SAFETY: the caller's promises are those of `nearest`.
-    unsafe { nearest(mesh, Among::Inputs, count, points, threads, vertices, distances) }
-}
-
-/// # Safety
-/// `mesh` is NULL or a live handle; the arrays are NULL or as long as `count` says.
-unsafe fn nearest(
-    mesh: *const nm_mesh,
-    among: Among,
-    count: u64,
-    points: *const f64,
-    threads: u32,
-    vertices: *mut u32,
-    distances: *mut f64,
-) -> nm_status {
-    // SAFETY: the caller's promise.
+    // SAFETY: the caller's arrays have the lengths that the manual asks for.
     unsafe {
         with_prepared(mesh, |mesh, prepared| {
-            let result = result(mesh)?;
-            let points = read_rows("points", points, count, result.dim)?;
-            let vertices = rows_out("vertices", vertices, count, 1)?;
+            let points = read_rows("points", points, count, result(mesh)?.dim)?;
+            let inputs = rows_out("inputs", inputs, count, 1)?;
             let distances = rows_out("distances", distances, count, 1)?;
-            prepared.index(mesh)?.nearest(result, among, points, threads, vertices, distances)
+            prepared.nearest_inputs(mesh, points, threads, inputs, distances)
         })
     }
 }
@@ -269,6 +267,23 @@ mod tests {
             )
         };
         assert_eq!((status, inputs), (nm_status::NM_OK, vertices));
+        // Each corner but the last one is given twice.
+        let twice = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0];
+        let mut repeated = Mesh::new(2, 7, &twice, 0).expect("four good points");
+        repeated.run(&Options::default(), None).expect("a mesh");
+        let (repeated, at) = (nm_mesh::new(repeated), [0.9, 0.1, 0.9, 0.8, 0.1, 0.9]);
+        // SAFETY: as above.
+        let status = unsafe {
+            nm_mesh_nearest_input(
+                &repeated,
+                3,
+                at.as_ptr(),
+                0,
+                inputs.as_mut_ptr(),
+                distances.as_mut_ptr(),
+            )
+        };
+        assert_eq!((status, inputs), (nm_status::NM_OK, [2, 4, 5]));
         // SAFETY: NULL is allowed where there are no points.
         let none = unsafe { nm_mesh_locate(&mesh, 0, null(), 1, null_mut()) };
         assert_eq!(none, nm_status::NM_OK);

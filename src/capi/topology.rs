@@ -50,8 +50,9 @@ unsafe fn copy_ids(
     }
 }
 
-/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) vertex ids,
-/// ascending within a face; the faces in lexicographic order. The id of a face is its place there.
+/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices, not
+/// of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
+/// lexicographic order. The id of a face is its place there.
 /// k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
 /// another one than that of nm_mesh_get_simplices).
 ///
@@ -257,7 +258,9 @@ pub unsafe extern "C" fn nm_mesh_filtration_factor(
 }
 
 /// Writes all faces and their values in a filtration to a file, which appears complete or not at
-/// all, for programs that compute persistent homology (docs/topology.md).
+/// all, for programs that compute persistent homology (docs/topology.md). NM_FILTRATION_ALPHA has
+/// the caller's points for vertices, of equal ones the first (nm_mesh_get_vertex_inputs);
+/// NM_FILTRATION_MESH, which has others, the vertices of the mesh.
 ///
 /// path_utf8: UTF-8 on every system; it ends with .filtration (text, as GUDHI's simplex trees write
 /// and read it) or .dipha (DIPHA's binary boundary matrix).
@@ -277,7 +280,7 @@ pub unsafe extern "C" fn nm_export_filtration(
             let path = utf8_path(path_utf8)?;
             let format = FiltrationFormat::from_path(path)?;
             let found = self::filtration(mesh, prepared, filtration, threads)?;
-            write_filtration_file(faces(mesh, prepared)?, found, format, path)
+            write_filtration_file(mesh.inputs(), faces(mesh, prepared)?, found, format, path)
         })
     }
 }

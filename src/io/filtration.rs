@@ -3,6 +3,7 @@
 use super::{Buffered, allocation_failed, io_error, replace};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
+use crate::mesh::Inputs;
 use crate::topology::{Faces, Filtration};
 use std::io::{self, Write};
 use std::path::Path;
@@ -12,7 +13,8 @@ use std::path::Path;
 pub enum FiltrationFormat {
     /// Text as GUDHI's `Simplex_tree` writes and reads it: a line for each face with its dimension,
     /// its vertices in descending order and its value. By ascending value, facets before what they
-    /// are facets of.
+    /// are facets of. Vertices are numbered as [`Filtration::numbers`] says: in an alpha filtration
+    /// as the caller's points.
     Gudhi,
     /// DIPHA's binary weighted boundary matrix. By dimension.
     Dipha,
@@ -38,18 +40,19 @@ impl FiltrationFormat {
     }
 }
 
-/// Writes faces, from the vertices on, and their values.
+/// Writes faces, from the vertices on, and their values. `inputs` are those of the mesh.
 ///
 /// # Errors
 /// `Io`: `out` fails, it is not called again; `OutOfMemory`.
 pub fn write_filtration(
+    inputs: &Inputs,
     faces: &Faces,
     filtration: &Filtration,
     format: FiltrationFormat,
     out: &mut dyn Write,
 ) -> Result<()> {
     let mut buffered = Buffered::new(1 << 16, out)?;
-    let written = write(faces, filtration, format, &mut buffered);
+    let written = write(inputs, faces, filtration, format, &mut buffered);
     written.and_then(|()| buffered.flush()).map_err(|error| io_error("cannot write", &error))
 }
 
@@ -58,34 +61,45 @@ pub fn write_filtration(
 /// # Errors
 /// As [`write_filtration`].
 pub fn write_filtration_file(
+    inputs: &Inputs,
     faces: &Faces,
     filtration: &Filtration,
     format: FiltrationFormat,
     path: &Path,
 ) -> Result<()> {
     match replace::open_stream(path)? {
-        Some(mut stream) => write_filtration(faces, filtration, format, &mut stream),
-        None => replace::replace(&[(path, &|out| write(faces, filtration, format, out))]),
+        Some(mut stream) => write_filtration(inputs, faces, filtration, format, &mut stream),
+        None => replace::replace(&[(path, &|out| write(inputs, faces, filtration, format, out))]),
     }
 }
 
 fn write(
+    inputs: &Inputs,
     faces: &Faces,
     filtration: &Filtration,
     format: FiltrationFormat,
     out: &mut dyn Write,
 ) -> io::Result<()> {
     match format {
-        FiltrationFormat::Gudhi => write_gudhi(faces, filtration, out),
+        FiltrationFormat::Gudhi => {
+            write_gudhi(filtration.vertex_numbers(inputs), faces, filtration, out)
+        }
         FiltrationFormat::Dipha => write_dipha(faces, filtration, out),
     }
 }
 
-fn write_gudhi(faces: &Faces, filtration: &Filtration, out: &mut dyn Write) -> io::Result<()> {
+/// `numbers`: the number of each vertex, that of the vertex itself without.
+fn write_gudhi(
+    numbers: Option<&[u32]>,
+    faces: &Faces,
+    filtration: &Filtration,
+    out: &mut dyn Write,
+) -> io::Result<()> {
+    let number = |vertex: u32| numbers.map_or(vertex, |numbers| numbers[vertex as usize]);
     for (value, k, face) in by_value(faces, filtration).map_err(allocation_failed)? {
         write!(out, "{k} ")?;
-        for vertex in faces.of_dimension(k as usize).face(face as usize).iter().rev() {
-            write!(out, "{vertex} ")?;
+        for &vertex in faces.of_dimension(k as usize).face(face as usize).iter().rev() {
+            write!(out, "{} ", number(vertex))?;
         }
         writeln!(out, "{value}")?;
     }
@@ -143,28 +157,60 @@ fn write_dipha(faces: &Faces, filtration: &Filtration, out: &mut dyn Write) -> i
 mod tests {
     use super::*;
     use crate::arrays::tests::{delaunay, meshed};
-    use crate::topology::alpha;
+    use crate::mesh::Mesh;
+    use crate::options::Options;
+    use crate::query::Index;
+    use crate::topology::{alpha, distances};
 
-    fn written(format: FiltrationFormat) -> Vec<u8> {
-        let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]];
-        let mesh = meshed(&points, &delaunay()).unwrap();
-        let mesh = mesh.triangulation().unwrap();
+    const POINTS: [[f64; 2]; 3] = [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]];
+
+    fn written(points: &[[f64; 2]], format: FiltrationFormat) -> Vec<u8> {
+        let made = Mesh::new(2, points.len(), points.as_flattened(), 0);
+        let mut made = made.unwrap();
+        made.run(&delaunay(), None).unwrap();
+        let mesh = made.triangulation().unwrap();
         let faces = Faces::new(mesh, 0, 1).unwrap();
         let filtration = alpha(mesh, &faces, 1).unwrap();
         let mut out = Vec::new();
-        write_filtration(&faces, &filtration, format, &mut out).unwrap();
+        write_filtration(made.inputs(), &faces, &filtration, format, &mut out).unwrap();
         out
+    }
+
+    /// A mesh of other vertices, too, has the numbers of its own vertices.
+    #[test]
+    fn files_have_the_numbers_of_inputs_where_all_vertices_are() {
+        let [a, b, c] = POINTS;
+        let points = [a, a, b, a, c, b];
+        let expected = "0 0 0\n0 2 0\n0 4 0\n1 4 0 2.25\n1 2 0 4\n1 4 2 6.25\n2 4 2 0 6.25\n";
+        let gudhi = FiltrationFormat::Gudhi;
+        assert_eq!(String::from_utf8(written(&points, gudhi)).unwrap(), expected);
+        let mut made = Mesh::new(2, 6, points.as_flattened(), 0).unwrap();
+        made.run(&Options::default(), None).unwrap();
+        let mesh = made.triangulation().unwrap();
+        let (faces, index) = (Faces::new(mesh, 0, 1).unwrap(), Index::new(mesh).unwrap());
+        let filtration = distances(mesh, &faces, &index, 1).unwrap();
+        let mut out = Vec::new();
+        write_filtration(made.inputs(), &faces, &filtration, gudhi, &mut out).unwrap();
+        let text = String::from_utf8(out).unwrap();
+        let vertices = text.lines().filter_map(|line| line.strip_prefix("0 "));
+        let mut numbers: Vec<usize> =
+            vertices.map(|line| line.split(' ').next().unwrap().parse().unwrap()).collect();
+        numbers.sort_unstable();
+        assert!(numbers.len() > 3 && numbers.into_iter().eq(0..mesh.vertex_count()));
     }
 
     #[test]
     fn gudhi_gets_a_line_for_each_face() {
         let expected = "0 0 0\n0 1 0\n0 2 0\n1 2 0 2.25\n1 1 0 4\n1 2 1 6.25\n2 2 1 0 6.25\n";
-        assert_eq!(String::from_utf8(written(FiltrationFormat::Gudhi)).unwrap(), expected);
+        assert_eq!(String::from_utf8(written(&POINTS, FiltrationFormat::Gudhi)).unwrap(), expected);
     }
 
     #[test]
     fn dipha_gets_a_boundary_matrix() {
-        let bytes = written(FiltrationFormat::Dipha);
+        let [a, b, c] = POINTS;
+        let bytes = written(&POINTS, FiltrationFormat::Dipha);
+        // Cells have no numbers of vertices.
+        assert_eq!(bytes, written(&[a, a, b, c], FiltrationFormat::Dipha));
         let numbers: Vec<i64> = bytes
             .chunks_exact(8)
             .map(|number| i64::from_le_bytes(number.try_into().unwrap()))
@@ -184,10 +230,11 @@ mod tests {
         let path = directory.join(format!("netmesh-{}.dipha", std::process::id()));
         let format = FiltrationFormat::from_path(&path).unwrap();
         let mesh = meshed(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &delaunay()).unwrap();
+        let inputs = Inputs::new(2, 3, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0], 0).unwrap();
         let mesh = mesh.triangulation().unwrap();
         let faces = Faces::new(mesh, 0, 1).unwrap();
         let filtration = alpha(mesh, &faces, 1).unwrap();
-        write_filtration_file(&faces, &filtration, format, &path).unwrap();
+        write_filtration_file(&inputs, &faces, &filtration, format, &path).unwrap();
         assert_eq!(std::fs::metadata(&path).unwrap().len(), 8 * (5 + 3 * 7 + 1 + 9));
         std::fs::remove_file(&path).unwrap();
         let error = FiltrationFormat::from_path(Path::new("a.vtu")).unwrap_err();

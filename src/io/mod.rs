@@ -406,6 +406,6 @@ fn io_error(what: &str, error: &std::io::Error) -> Error {
     match message!("{what}: {error}") {
         // Not even for that there was memory.
         message if message.is_empty() => AllocError::Memory.into(),
-        message => Error::new(kind, message),
+        message => Error::new(kind, message).with_system_code(error.raw_os_error()),
     }
 }

@@ -55,6 +55,11 @@ fn temporary_prefix() -> String {
 
 const SUFFIX: &str = ".tmp";
 
+/// The system's numbers of what is refused before the system is asked: EISDIR and EACCES of every
+/// Unix.
+const IS_A_DIRECTORY: i32 = 21;
+const PERMISSION_DENIED: i32 = 13;
+
 /// A complete file under a temporary name, which is removed unless the file takes its place.
 struct Staged {
     temporary: PathBuf,
@@ -92,9 +97,12 @@ impl Drop for Staged {
 
 /// Where to write, links followed, and the permissions of the file that is there.
 fn writable_target(path: &Path) -> Result<(PathBuf, Option<fs::Permissions>)> {
-    let refused = |why: &str| Error::new(ErrorKind::Io, format!("{}: {why}", path.display()));
+    let refused = |why: &str, code: i32| {
+        let message = format!("{}: {why}", path.display());
+        Error::new(ErrorKind::Io, message).with_system_code(Some(code))
+    };
     if path.file_name().is_none() {
-        return Err(refused("the path names no file"));
+        return Err(refused("the path names no file", IS_A_DIRECTORY));
     }
     let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
     let target = match is_link {
@@ -102,9 +110,11 @@ fn writable_target(path: &Path) -> Result<(PathBuf, Option<fs::Permissions>)> {
         false => path.to_path_buf(),
     };
     match fs::metadata(&target) {
-        Ok(metadata) if metadata.is_dir() => Err(refused("is a directory")),
+        Ok(metadata) if metadata.is_dir() => Err(refused("is a directory", IS_A_DIRECTORY)),
         // A rename would replace it all the same.
-        Ok(metadata) if metadata.permissions().readonly() => Err(refused("the file is read-only")),
+        Ok(metadata) if metadata.permissions().readonly() => {
+            Err(refused("the file is read-only", PERMISSION_DENIED))
+        }
         Ok(metadata) => Ok((target, Some(metadata.permissions()))),
         Err(_) => Ok((target, None)),
     }

@@ -3,5 +3,6 @@
 mod search;
 mod tree;
 
-pub(crate) use search::nearest;
+pub use search::Stop;
+pub(crate) use search::{nearest, nearest_until};
 pub(crate) use tree::{Tree, sort_by_leaf};

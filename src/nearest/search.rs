@@ -4,6 +4,7 @@
 use super::tree::{Node, Tree};
 use crate::mesh::NONE;
 use crate::numerics::{Column, Edges, Sign, distance, norm};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How far from each other two computed measures may be while the order of the exact ones is open:
 /// a square carries D + 2 roundings, a length D + 4.
@@ -18,26 +19,54 @@ const LARGEST_SQUARE: f64 = 1e250;
 /// A difference of lengths that rounding to subnormal numbers may make.
 const TINY: f64 = 1e-322;
 
+/// A switch that ends a call from another thread; the default is never set.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stop<'a>(Option<&'a AtomicBool>);
+
+impl<'a> Stop<'a> {
+    /// Makes a switch that is set when the value becomes true.
+    pub fn new(switch: &'a AtomicBool) -> Self {
+        Self(Some(switch))
+    }
+
+    /// Returns true once the switch is set.
+    #[inline]
+    pub fn is_set(self) -> bool {
+        self.0.is_some_and(|switch| switch.load(Ordering::Relaxed))
+    }
+}
+
 /// The nearest point, the least of those at the same exact distance, and its distance.
 /// [`NONE`] and infinity if the tree is empty.
 pub(crate) fn nearest<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
-    let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, measure: square };
+    nearest_until(Stop::default(), tree, q)
+}
+
+/// Finds the same as [`nearest`], or gives up soon after `stop` is set and returns any point:
+/// where many are equally near, the search for one visits them all.
+pub(crate) fn nearest_until<const D: usize>(
+    stop: Stop<'_>,
+    tree: &Tree,
+    q: &[f64; D],
+) -> (u32, f64) {
+    let best = f64::INFINITY;
+    let mut search = Search { tree, q, best, id: NONE, point: *q, stop, measure: square };
     search.visit(1, &mut [0.0; D]);
     if !(SMALLEST_SQUARE..=LARGEST_SQUARE).contains(&search.best) && search.best != 0.0 {
-        return nearest_by_length(tree, q);
+        return nearest_by_length(stop, tree, q);
     }
     // Squares underflow to zero too.
     if search.best == 0.0 && search.point != *q {
-        return nearest_by_length(tree, q);
+        return nearest_by_length(stop, tree, q);
     }
     (search.id, distance(q, &search.point))
 }
 
 #[cold]
 #[inline(never)]
-fn nearest_by_length<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
+fn nearest_by_length<const D: usize>(stop: Stop<'_>, tree: &Tree, q: &[f64; D]) -> (u32, f64) {
     let measure = |vector: &[f64; D]| norm(vector);
-    let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, measure };
+    let mut search = Search { tree, q, best: f64::INFINITY, id: NONE, point: *q, stop, measure };
     search.visit(1, &mut [0.0; D]);
     let length = if search.id == NONE { f64::INFINITY } else { distance(q, &search.point) };
     (search.id, length)
@@ -57,6 +86,7 @@ struct Search<'a, const D: usize, M> {
     id: u32,
     /// ... and its place.
     point: [f64; D],
+    stop: Stop<'a>,
     measure: M,
 }
 
@@ -72,7 +102,7 @@ impl<const D: usize, M: Fn(&[f64; D]) -> f64> Search<'_, D, M> {
         let near = 2 * node + usize::from(beyond >= 0.0);
         self.visit(near, offsets);
         let kept = std::mem::replace(&mut offsets[axis], beyond.abs());
-        if (self.measure)(offsets) <= self.limit() {
+        if (self.measure)(offsets) <= self.limit() && !self.stop.is_set() {
             self.visit(near ^ 1, offsets);
         }
         offsets[axis] = kept;

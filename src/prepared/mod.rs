@@ -15,7 +15,7 @@ use crate::memory::{filled, with_capacity};
 use crate::mesh::{Attribute, Mesh, Triangulation};
 use crate::netmesh;
 use crate::options::{self, Algorithm, Options};
-use crate::query::{self, Index, Values};
+use crate::query::{self, Among, Index, Values, Work};
 use crate::topology::{self, Faces, Filtration};
 use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -78,6 +78,28 @@ impl Prepared {
     pub fn index(&self, mesh: &Mesh) -> Result<&Index> {
         let result = mesh.result()?;
         self.index.get_or_make(|| Index::new(result))
+    }
+
+    /// Writes for each of the points (`count x dim`) the number of the nearest input, of equal ones
+    /// the first and of those at the same exact distance the least, and its distance.
+    ///
+    /// # Errors
+    /// `State` before a run, and those of [`Index::nearest`].
+    pub fn nearest_inputs<'a>(
+        &self,
+        mesh: &Mesh,
+        points: &[f64],
+        work: impl Into<Work<'a>>,
+        inputs: &mut [u32],
+        distances: &mut [f64],
+    ) -> Result<()> {
+        let result = mesh.result()?;
+        self.index(mesh)?.nearest(result, Among::Inputs, points, work, inputs, distances)?;
+        // First inputs ascend with their vertices: the least vertex is the least input.
+        for number in inputs {
+            *number = mesh.inputs().first_input(*number as usize).expect("an input's vertex");
+        }
+        Ok(())
     }
 
     /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty

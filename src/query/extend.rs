@@ -1,6 +1,6 @@
 //! Values of the inputs at all vertices of a mesh of theirs.
 
-use super::{Among, Index, Interpolation, Method, Outside, Values};
+use super::{Among, Index, Interpolation, Method, Outside, Values, Work};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{Inputs, Triangulation};
@@ -11,15 +11,17 @@ use crate::mesh::{Inputs, Triangulation};
 /// beyond its hull. Without `delaunay`, for inputs in a hyperplane, those of the nearest input.
 ///
 /// # Errors
-/// `InvalidArgument` (a length; a triangulation of other inputs), `OutOfMemory`.
-pub fn extend_values(
+/// `InvalidArgument` (a length; a triangulation of other inputs), `Cancelled` (by what stops the
+/// work), `OutOfMemory`.
+pub fn extend_values<'a>(
     inputs: &Inputs,
     delaunay: Option<&Triangulation>,
     mesh: &Triangulation,
     values: Values<'_>,
-    threads: u32,
+    work: impl Into<Work<'a>>,
     out: &mut [f64],
 ) -> Result<()> {
+    let work = work.into();
     check_extension(inputs, mesh, values, out)?;
     let components = values.components;
     let is_of_inputs =
@@ -35,12 +37,12 @@ pub fn extend_values(
     if let Some(delaunay) = delaunay {
         let method = Method { interpolation: Interpolation::Linear, outside: Outside::Nearest };
         let index = Index::new(delaunay)?;
-        return index.interpolate(delaunay, method, of_vertices, &mesh.points, threads, out);
+        return index.interpolate(delaunay, method, of_vertices, &mesh.points, work, out);
     }
     let mut nearest = filled(mesh.vertex_count(), 0)?;
     let mut distances = filled(mesh.vertex_count(), 0.0)?;
     let index = Index::new(mesh)?;
-    index.nearest(mesh, Among::Inputs, &mesh.points, threads, &mut nearest, &mut distances)?;
+    index.nearest(mesh, Among::Inputs, &mesh.points, work, &mut nearest, &mut distances)?;
     for (out, &vertex) in out.chunks_exact_mut(components).zip(&nearest) {
         out.copy_from_slice(of_vertices.of(vertex));
     }

@@ -9,7 +9,7 @@ use crate::nearest::Tree;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Among {
     Vertices,
-    /// Those that are points of the caller.
+    /// Those that are points of the caller. They are named as vertices all the same.
     Inputs,
 }
 

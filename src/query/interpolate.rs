@@ -4,12 +4,12 @@ use super::Index;
 use super::barycentric::coordinates_in;
 use super::locate::{Locator, Place, Scratch};
 use super::natural::Natural;
-use super::threads::{on_threads, piece, threads};
+use super::threads::{Work, on_threads, piece, threads};
 use super::view::View;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::AllocResult;
 use crate::mesh::Triangulation;
-use crate::nearest::nearest;
+use crate::nearest::nearest_until;
 use crate::numerics::coordinates;
 
 /// How values go on between vertices. All three reproduce linear functions and are continuous.
@@ -93,28 +93,38 @@ pub(super) fn interpolate_in<const D: usize>(
     method: Method,
     values: Values<'_>,
     points: &[f64],
-    wanted: u32,
+    work: Work<'_>,
     out: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(wanted);
+    let threads = threads(work.threads);
     let piece = piece(points.len() / D, threads);
     let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece * values.components));
     on_threads(threads, pieces, |buffers: &mut Buffers, (points, out)| {
         let Buffers { scratch, natural } = buffers;
-        let mut locator = Locator::new(View::<D> { mesh }, index);
+        let mut locator = Locator::new(View::<D> { mesh }, index, work.stop);
         locator.each(points, scratch, |locator, scratch, at, place| {
             let q = coordinates::<D>(points, at);
             let out = &mut out[at * values.components..][..values.components];
             if place == Place::OUTSIDE {
                 match method.outside {
                     Outside::Nan => out.fill(f64::NAN),
-                    Outside::Nearest => out.copy_from_slice(values.of(nearest(&index.all, q).0)),
+                    Outside::Nearest => {
+                        let (vertex, _) = nearest_until(work.stop, &index.all, q);
+                        out.copy_from_slice(values.of(vertex));
+                    }
                 }
                 return Ok(());
             }
             let view = locator.view;
             if method.interpolation != Interpolation::Linear
-                && natural.weigh(view, method.interpolation, place, q, &mut scratch.set)?
+                && natural.weigh(
+                    view,
+                    method.interpolation,
+                    place,
+                    q,
+                    &mut scratch.set,
+                    work.stop,
+                )?
             {
                 values.combine(natural.weights(), out);
                 return Ok(());

@@ -5,7 +5,7 @@ use super::marked_ids::MarkedIds;
 use super::view::View;
 use crate::memory::AllocResult;
 use crate::mesh::NONE;
-use crate::nearest::sort_by_leaf;
+use crate::nearest::{Stop, sort_by_leaf};
 use crate::numerics::{Sign, coordinates, orientation};
 
 /// Where a point is.
@@ -50,21 +50,24 @@ pub(super) struct Locator<'a, const D: usize> {
     end: u32,
     /// The state of a generator of numbers, which decide where a step looks first.
     random: u32,
+    /// Places are of no use any more once it is set.
+    stop: Stop<'a>,
 }
 
 impl<'a, const D: usize> Locator<'a, D> {
     const ALL: u32 = (1 << (D + 1)) - 1;
 
-    pub fn new(view: View<'a, D>, index: &'a Index) -> Self {
+    pub fn new(view: View<'a, D>, index: &'a Index, stop: Stop<'a>) -> Self {
         let end = view.mesh.simplex_count() as u32;
         // The hull of a mesh that was cut need not be convex.
         match (view.mesh.boundary.whole.as_deref(), index.whole.as_deref()) {
-            (Some(mesh), Some(index)) => Self { view: View { mesh }, index, end, random: 1 },
-            _ => Self { view, index, end, random: 1 },
+            (Some(mesh), Some(index)) => Self { view: View { mesh }, index, end, random: 1, stop },
+            _ => Self { view, index, end, random: 1, stop },
         }
     }
 
-    /// Calls `take` with the number and the place of each of the points, near ones in turn.
+    /// Calls `take` with the number and the place of each of the points, near ones in turn, until
+    /// the work is stopped.
     pub fn each(
         &mut self,
         points: &[f64],
@@ -73,6 +76,9 @@ impl<'a, const D: usize> Locator<'a, D> {
     ) -> AllocResult<()> {
         sort_by_leaf::<D>(&self.index.all, points, &mut scratch.keys)?;
         for k in 0..scratch.keys.len() {
+            if self.stop.is_set() {
+                break;
+            }
             let (leaf, at) = ((scratch.keys[k] >> 32) as usize, scratch.keys[k] as u32 as usize);
             let place = self.place(leaf, coordinates(points, at), &mut scratch.set)?;
             take(self, scratch, at, place)?;
@@ -100,6 +106,9 @@ impl<'a, const D: usize> Locator<'a, D> {
         }
         let (mut previous, mut current) = (NONE, start);
         for _ in 0..self.view.mesh.simplex_count() {
+            if self.stop.is_set() {
+                return None;
+            }
             match self.step(current, previous, q) {
                 Ok(face) => return Some((current, face)),
                 // The hull is convex: a point beyond one of its facets is outside.
@@ -142,7 +151,9 @@ impl<'a, const D: usize> Locator<'a, D> {
     #[cold]
     fn scan(&mut self, q: &[f64; D]) -> Option<(u32, u32)> {
         let count = self.view.mesh.simplex_count() as u32;
-        (0..count).find_map(|simplex| Some((simplex, self.step(simplex, NONE, q).ok()?)))
+        let stop = self.stop;
+        let mut all = (0..count).take_while(|_| !stop.is_set());
+        all.find_map(|simplex| Some((simplex, self.step(simplex, NONE, q).ok()?)))
     }
 
     /// The same place in the least of all simplices that have the face.

@@ -29,13 +29,16 @@ mod natural;
 mod questions;
 #[cfg(test)]
 mod tests;
+mod tetrahedron;
 pub(crate) mod threads;
 pub(crate) mod unit;
 pub(crate) mod view;
 
+pub use crate::nearest::Stop;
 pub(crate) use extend::check_extension;
 pub use extend::extend_values;
 pub(crate) use index::check_arrays;
 pub use index::{Among, Index};
 pub use interpolate::{Interpolation, Method, Outside, Values};
 pub use locate::Place;
+pub use threads::Work;

@@ -5,10 +5,12 @@ use super::barycentric::System;
 use super::dual::{Chains, dot};
 use super::locate::Place;
 use super::marked_ids::MarkedIds;
+use super::tetrahedron;
 use super::unit::{Unit, largest};
 use super::view::View;
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
+use crate::nearest::Stop;
 use crate::numerics::{Circumball, Sign, in_ball, norm, orientation};
 
 /// A weight with a larger error than this is no weight.
@@ -31,6 +33,7 @@ impl Natural {
     /// Finds the weights of `q`, whose place is in the mesh. False if it has none of its own: on a
     /// vertex, on the hull, and where rounding errors leave nothing of them: next to the hull,
     /// where circumcentres are far away. Linear interpolation is what they tend to on the hull.
+    /// False, too, soon after `stop` is set.
     pub fn weigh<const D: usize>(
         &mut self,
         view: View<'_, D>,
@@ -38,14 +41,18 @@ impl Natural {
         place: Place,
         q: &[f64; D],
         cavity: &mut MarkedIds,
+        stop: Stop<'_>,
     ) -> AllocResult<bool> {
         if place.dimension() == Some(0) {
             return Ok(false);
         }
-        find_conflicts(view, place.simplex, q, cavity)?;
+        find_conflicts(view, place.simplex, q, cavity, stop)?;
         self.find_neighbors(view, cavity)?;
         let unit = unit_around(view, &self.neighbors, q);
         for at in 0..cavity.members().len() {
+            if stop.is_set() {
+                return Ok(false);
+            }
             let member = cavity.members()[at];
             if !member.mark {
                 continue;
@@ -105,6 +112,13 @@ impl Natural {
         unit: Unit,
     ) {
         let center = Circumball::new(points).into();
+        if D == 3 {
+            if let Some(cells) = tetrahedron::cells(points, &center, unit) {
+                let of_vertices = simplex.iter().zip(cells).filter(|&(&v, _)| v != left_out);
+                of_vertices.for_each(|(&vertex, cell)| self.add(vertex, factor * cell));
+                return;
+            }
+        }
         for (base, &vertex) in simplex.iter().enumerate().filter(|&(_, &v)| v != left_out) {
             self.chains.of(points, base, &center, unit);
             self.add(vertex, factor * self.chains.of_cell());
@@ -179,11 +193,12 @@ fn find_conflicts<const D: usize>(
     start: u32,
     q: &[f64; D],
     cavity: &mut MarkedIds,
+    stop: Stop<'_>,
 ) -> AllocResult<()> {
     cavity.clear();
     cavity.add(start, true)?;
     let mut done = 0;
-    while let Some(&member) = cavity.members().get(done) {
+    while let Some(&member) = cavity.members().get(done).filter(|_| !stop.is_set()) {
         done += 1;
         if !member.mark {
             continue;

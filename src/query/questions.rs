@@ -3,45 +3,45 @@
 use super::index::no_dimension;
 use super::interpolate::{Interpolation, Method, Values, interpolate_in};
 use super::locate::{Locator, Place, Scratch};
-use super::threads::{on_threads, piece, threads};
+use super::threads::{Work, on_threads, piece, threads};
 use super::view::View;
 use super::{Among, Index};
 use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::AllocResult;
 use crate::mesh::{Triangulation, in_dimension};
-use crate::nearest::{Tree, nearest, sort_by_leaf};
+use crate::nearest::{Tree, nearest_until, sort_by_leaf};
 use crate::numerics::coordinates;
 
 impl Index {
     /// Writes for each of the points (`count x dim`) the simplex that holds it, [`NONE`] outside.
-    /// On a face that several share it is the least of them. `threads` as in the options,
-    /// 0 for all cores.
+    /// On a face that several share it is the least of them. `work`: a number of threads as in the
+    /// options, 0 for all cores, or a [`Work`].
     ///
     /// # Errors
     /// `InvalidArgument` (a length; a mesh other than that of the index), `NonFinite` (names point
-    /// and coordinate), `OutOfMemory`. What `simplices` holds then is unspecified.
-    pub fn locate(
+    /// and coordinate), `Cancelled` (by what stops the work), `OutOfMemory`. What `simplices` holds then is unspecified.
+    pub fn locate<'a>(
         &self,
         mesh: &Triangulation,
         points: &[f64],
-        threads: u32,
+        work: impl Into<Work<'a>>,
         simplices: &mut [u32],
     ) -> Result<()> {
-        self.locate_each(mesh, points, threads, simplices, "simplices")
+        self.locate_each(mesh, points, work.into(), simplices, "simplices")
     }
 
     /// As [`Index::locate`], with the face of the simplex that was hit.
     ///
     /// # Errors
     /// As those of [`Index::locate`].
-    pub fn places(
+    pub fn places<'a>(
         &self,
         mesh: &Triangulation,
         points: &[f64],
-        threads: u32,
+        work: impl Into<Work<'a>>,
         places: &mut [Place],
     ) -> Result<()> {
-        self.locate_each(mesh, points, threads, places, "places")
+        self.locate_each(mesh, points, work.into(), places, "places")
     }
 
     /// Writes what is wanted of the place of each of the points to the array `name`.
@@ -49,17 +49,18 @@ impl Index {
         &self,
         mesh: &Triangulation,
         points: &[f64],
-        threads: u32,
+        work: Work<'_>,
         out: &mut [impl From<Place> + Send],
         name: &str,
     ) -> Result<()> {
         self.check(mesh, points, out.len(), name)?;
         let found = in_dimension!(
             self.dim,
-            D => locate_in::<D>(self, mesh, points, threads, out),
+            D => locate_in::<D>(self, mesh, points, work, out),
             _ => return no_dimension()
         );
-        Ok(found?)
+        found?;
+        work.check()
     }
 
     /// Writes for each of the points the nearest vertex and its distance: the least of those at the
@@ -68,37 +69,38 @@ impl Index {
     ///
     /// # Errors
     /// As those of [`Index::locate`].
-    pub fn nearest(
+    pub fn nearest<'a>(
         &self,
         mesh: &Triangulation,
         among: Among,
         points: &[f64],
-        threads: u32,
+        work: impl Into<Work<'a>>,
         vertices: &mut [u32],
         distances: &mut [f64],
     ) -> Result<()> {
         self.check(mesh, points, vertices.len(), "vertices")?;
         self.check(mesh, points, distances.len(), "distances")?;
-        let tree = self.tree(among);
+        let (tree, work) = (self.tree(among), work.into());
         let found = in_dimension!(
             self.dim,
-            D => nearest_in::<D>(tree, points, threads, vertices, distances),
+            D => nearest_in::<D>(tree, points, work, vertices, distances),
             _ => return no_dimension()
         );
-        Ok(found?)
+        found?;
+        work.check()
     }
 
     /// Writes for each of the points (`count x dim`) the values there (`count x components`).
     ///
     /// # Errors
     /// As those of [`Index::locate`]; `InvalidArgument` if `values` is not `vertices x components`.
-    pub fn interpolate(
+    pub fn interpolate<'a>(
         &self,
         mesh: &Triangulation,
         method: Method,
         values: Values<'_>,
         points: &[f64],
-        threads: u32,
+        work: impl Into<Work<'a>>,
         out: &mut [f64],
     ) -> Result<()> {
         if mesh.boundary.whole.is_some() && method.interpolation != Interpolation::Linear {
@@ -122,12 +124,14 @@ impl Index {
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
         self.check(mesh, points, count, "out")?;
+        let work = work.into();
         let made = in_dimension!(
             self.dim,
-            D => interpolate_in::<D>(self, mesh, method, values, points, threads, out),
+            D => interpolate_in::<D>(self, mesh, method, values, points, work, out),
             _ => return no_dimension()
         );
-        Ok(made?)
+        made?;
+        work.check()
     }
 
     /// Checks the mesh and the points, for which there are `count` results in the array `name`.
@@ -167,14 +171,14 @@ fn locate_in<const D: usize>(
     index: &Index,
     mesh: &Triangulation,
     points: &[f64],
-    wanted: u32,
+    work: Work<'_>,
     out: &mut [impl From<Place> + Send],
 ) -> AllocResult<()> {
-    let threads = threads(wanted);
+    let threads = threads(work.threads);
     let piece = piece(out.len(), threads);
     let pieces = points.chunks(piece * D).zip(out.chunks_mut(piece));
     on_threads(threads, pieces, |scratch: &mut Scratch, (points, out)| {
-        let mut locator = Locator::new(View::<D> { mesh }, index);
+        let mut locator = Locator::new(View::<D> { mesh }, index, work.stop);
         locator.each(points, scratch, |_, _, at, place| {
             out[at] = place.into();
             Ok(())
@@ -185,19 +189,20 @@ fn locate_in<const D: usize>(
 fn nearest_in<const D: usize>(
     tree: &Tree,
     points: &[f64],
-    wanted: u32,
+    work: Work<'_>,
     vertices: &mut [u32],
     distances: &mut [f64],
 ) -> AllocResult<()> {
-    let threads = threads(wanted);
+    let threads = threads(work.threads);
     let piece = piece(vertices.len(), threads);
     let out = vertices.chunks_mut(piece).zip(distances.chunks_mut(piece));
     let pieces = points.chunks(piece * D).zip(out);
     on_threads(threads, pieces, |keys: &mut Vec<u64>, (points, (vertices, distances))| {
         sort_by_leaf::<D>(tree, points, keys)?;
-        for key in keys.iter() {
-            let at = *key as u32 as usize;
-            (vertices[at], distances[at]) = nearest(tree, coordinates::<D>(points, at));
+        for key in keys.iter().take_while(|_| !work.stop.is_set()) {
+            let (at, stop) = (*key as u32 as usize, work.stop);
+            let q = coordinates::<D>(points, at);
+            (vertices[at], distances[at]) = nearest_until(stop, tree, q);
         }
         Ok(())
     })

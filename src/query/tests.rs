@@ -404,6 +404,41 @@ fn wrong_arguments_are_named() {
     index.locate(mesh, &[], 3, &mut []).unwrap();
 }
 
+/// Whatever is asked, also of points that are all equally near, it ends soon after a stop.
+#[test]
+fn a_stop_ends_every_query() {
+    use std::sync::atomic::AtomicBool;
+    let inputs = points::<3>(Family::Uniform, 200, &mut Random(4));
+    let mesh = meshed(&inputs, &delaunay()).unwrap();
+    let mesh = mesh.triangulation().unwrap();
+    let index = Index::new(mesh).unwrap();
+    let queries = scattered(&inputs, 5000, 1.0);
+    let (flat, n) = (queries.as_flattened(), queries.len());
+    let switch = AtomicBool::new(true);
+    for threads in [1, 3] {
+        let work = Work { threads, stop: Stop::new(&switch) };
+        let (mut ids, mut numbers) = (vec![7; n], vec![7.0; n]);
+        let data = vec![0.0; mesh.vertex_count()];
+        let values = Values { components: 1, values: &data };
+        let mut answers = vec![index.locate(mesh, flat, work, &mut ids)];
+        assert!(ids.iter().all(|&id| id == 7), "nothing was found");
+        for interpolation in [Interpolation::Linear, Interpolation::Sibson, Interpolation::Laplace]
+        {
+            let method = Method { interpolation, outside: Outside::Nearest };
+            answers.push(index.interpolate(mesh, method, values, flat, work, &mut numbers));
+        }
+        let among = Among::Vertices;
+        answers.push(index.nearest(mesh, among, flat, work, &mut ids, &mut numbers));
+        assert!(numbers.iter().all(|&number| number == 7.0), "nothing was made");
+        for answer in answers {
+            assert_eq!(answer.unwrap_err().kind(), ErrorKind::Cancelled);
+        }
+    }
+    switch.store(false, std::sync::atomic::Ordering::Relaxed);
+    let work = Work { threads: 1, stop: Stop::new(&switch) };
+    index.locate(mesh, flat, work, &mut vec![7; n]).unwrap();
+}
+
 #[test]
 fn bytes_are_about_what_is_said() {
     let inputs = points::<3>(Family::Uniform, 2000, &mut Random(4));

@@ -1,6 +1,8 @@
 //! Pieces of work that do not need each other, on as many threads as the caller allows.
 
+use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, with_capacity};
+use crate::nearest::Stop;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -9,6 +11,31 @@ const LARGEST: usize = 1 << 15;
 
 /// The fewest, unless there are no more.
 const SMALLEST: usize = 1 << 10;
+
+/// How a call works: on how many threads, and what stops it. A number stands for that many threads.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Work<'a> {
+    /// Threads to use, 0 for all cores.
+    pub threads: u32,
+    /// Ends the call, which then answers `Cancelled`, soon after it becomes true.
+    pub stop: Stop<'a>,
+}
+
+impl From<u32> for Work<'_> {
+    fn from(threads: u32) -> Self {
+        Self { threads, stop: Stop::default() }
+    }
+}
+
+impl Work<'_> {
+    /// Fails if the call has been stopped, so that its answers are not all there.
+    pub(super) fn check(&self) -> Result<()> {
+        match self.stop.is_set() {
+            true => Err(Error::new(ErrorKind::Cancelled, "the query was stopped")),
+            false => Ok(()),
+        }
+    }
+}
 
 /// Threads to use: what the caller allows (0: all cores), and no more than there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {

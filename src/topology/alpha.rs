@@ -12,10 +12,19 @@ use super::circumscribed::{Ball, Radius, ball};
 use super::{Faces, Level};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, filled};
-use crate::mesh::{Triangulation, VertexKind, in_dimension};
+use crate::mesh::{Inputs, Triangulation, VertexKind, in_dimension};
 use crate::query::threads::{on_threads, threads as threads_of};
 use crate::query::view::View;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+/// How the vertices of a filtration's faces are numbered for those who read it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// As the caller's points, of equal ones the first: all vertices are inputs.
+    Inputs,
+    /// As the vertices of the mesh, of which some are no inputs.
+    Vertices,
+}
 
 /// Values of faces, and what they say of the inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +36,16 @@ pub struct Filtration {
     /// `death / birth > factor^2` has its own in the other, birth and death within the factor.
     /// Infinite where nothing can be said.
     pub factor: f64,
+    /// How vertices are numbered. [`Faces`] have those of the mesh in any case.
+    pub numbers: Numbers,
+}
+
+impl Filtration {
+    /// Returns the number of each vertex; `None` where it is that of the vertex itself.
+    pub fn vertex_numbers<'a>(&self, inputs: &'a Inputs) -> Option<&'a [u32]> {
+        let differs = self.numbers == Numbers::Inputs && inputs.duplicates() > 0;
+        differs.then(|| inputs.first_inputs())
+    }
 }
 
 /// The alpha values of the faces: squared radii, each the double nearest to the exact one. Vertices
@@ -51,7 +70,7 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
         D => radii::<D>(mesh, faces, threads, Radius::Square, |_| true),
         _ => none()
     )?;
-    Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0 })
+    Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0, numbers: Numbers::Inputs })
 }
 
 /// Refuses a mesh that is cut to its domain: what is outside counts for the values.

@@ -11,7 +11,7 @@
 use super::alpha::{flat, radii, refuse_cut};
 use super::circumscribed::Radius;
 use super::reach::{fill_reaches, is_sound};
-use super::{Faces, Filtration, Level};
+use super::{Faces, Filtration, Level, Numbers};
 use crate::arrays::{Circumcenters, Part};
 use crate::error::Result;
 use crate::memory::{collected, filled};
@@ -43,7 +43,7 @@ pub fn distances(
     for (k, values) in (faces.lowest()..).zip(&mut values) {
         cells.raise(faces.of_dimension(k), values);
     }
-    Ok(Filtration { values, factor: cells.factor })
+    Ok(Filtration { values, factor: cells.factor, numbers: Numbers::Vertices })
 }
 
 /// How near the Voronoi faces come to the inputs, of the faces that have a vertex in a group.

@@ -28,7 +28,7 @@ mod shape_tests;
 #[cfg(test)]
 mod tests;
 
-pub use alpha::{Filtration, alpha, has_inputs_alone};
+pub use alpha::{Filtration, Numbers, alpha, has_inputs_alone};
 pub use distance::distances;
 pub use faces::{Faces, Level};
 pub use shape::{AlphaShape, FaceClass, Topology, connecting_alpha, optimal_alpha};

@@ -11,7 +11,7 @@ use super::{Faces, Filtration};
 use crate::arrays::{Lists, Part};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, collected, filled};
-use crate::mesh::Triangulation;
+use crate::mesh::{Inputs, Triangulation};
 
 /// The faces whose alpha value is at most some number.
 #[derive(Clone, Copy, Debug)]
@@ -179,6 +179,19 @@ impl<'a> AlphaShape<'a> {
         let of_simplices = self.faces.of_simplices().iter();
         let is_in = collected(of_simplices.map(|&face| self.contains(dim, face as usize)))?;
         Part::of_chosen(mesh, is_in)
+    }
+
+    /// Returns the boundary of the simplices of the shape: facets of `dim` inputs each, of equal
+    /// ones the first, oriented outwards.
+    ///
+    /// # Errors
+    /// As [`AlphaShape::solid`].
+    pub fn boundary(&self, inputs: &Inputs, mesh: &Triangulation) -> Result<Vec<u32>> {
+        let mut facets = self.solid(mesh)?.hull()?.vertices;
+        for corner in &mut facets {
+            *corner = inputs.first_input(*corner as usize).expect("a vertex that is an input");
+        }
+        Ok(facets)
     }
 
     /// The volume of the shape (an area in 2D), up to a relative error of 1e-12. O(simplices).

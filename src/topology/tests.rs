@@ -205,7 +205,8 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
         };
         let mesh = mesh.triangulation().unwrap();
         let faces = Faces::new(mesh, 0, 2).unwrap();
-        let Filtration { values, factor } = distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
+        let Filtration { values, factor, .. } =
+            distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
         let group = Cells::new(mesh, &mesh_index(mesh), 1).unwrap().group;
         assert!((1.0..f64::INFINITY).contains(&factor), "{family:?} {factor}");
         let is_input = |vertex: usize| mesh.kinds[vertex] == VertexKind::Input;

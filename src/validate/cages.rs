@@ -179,7 +179,8 @@ fn check_input<const D: usize>(
     findings.check(!far || view.mesh.cage_of[v] as usize == domain, || {
         let (distance, radius) = (distance.to_f64(), ball.radius);
         let message = message!(
-            "domain {domain} of radius {radius:e} is inner-encroached: input {v} is {distance:e} from its centre"
+            "domain {domain} of radius {radius:e} is inner-encroached: the input at vertex {v} is \
+             {distance:e} from its centre"
         );
         Violation::new(ViolationKind::InnerEncroachment, message).vertex(v).domain(domain)
     });

@@ -45,7 +45,8 @@ pub(super) fn check_plain(inputs: &Inputs, mesh: &Triangulation, findings: &mut 
 fn check_bits(inputs: &Inputs, mesh: &Triangulation, v: usize, findings: &mut Findings) {
     if v >= mesh.vertex_count() {
         findings.check(false, || {
-            let message = message!("distinct input {v} is no vertex");
+            let input = inputs.first_input(v).unwrap_or(NONE);
+            let message = message!("input {input} is no vertex");
             Violation::new(ViolationKind::InputVertex, message)
         });
         return;

@@ -53,6 +53,7 @@ static void test_before_a_run() {
     CHECK(mesh.dim() == 2 && mesh.counts().inputs == 4 && mesh.counts().vertices == 3);
     CHECK(mesh.points().flat() == std::vector<double>({0, 0, 1, 0, 0, 1}));
     CHECK(mesh.input_vertices() == std::vector<std::uint32_t>({0, 1, 2, 0}));
+    CHECK(mesh.vertex_inputs() == std::vector<std::uint32_t>({0, 1, 2}));
     CHECK(mesh.vertex_kinds() == std::vector<std::uint8_t>(3, NM_VERTEX_INPUT));
     CHECK(mesh.domains().empty());
     CHECK(status_of([&] { mesh.simplices(); }) == NM_STATE);

@@ -6,7 +6,7 @@ use super::handle::Handle;
 use netmesh::capi::{
     nm_domain, nm_mesh, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,
     nm_mesh_get_points, nm_mesh_get_precision_limited, nm_mesh_get_simplices,
-    nm_mesh_get_vertex_domains, nm_mesh_get_vertex_kinds, nm_status,
+    nm_mesh_get_vertex_domains, nm_mesh_get_vertex_inputs, nm_mesh_get_vertex_kinds, nm_status,
 };
 use std::ptr::{null, null_mut};
 
@@ -19,16 +19,17 @@ pub fn get(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     });
     let entries = simplices * (dim + 1);
     let mut call = Call { bytes, handle, needs_result: false };
-    match call.bytes.below(8) {
+    match call.bytes.below(9) {
         0 => call.check(nm_mesh_get_points, vertices * dim, f64::to_bits),
         1 => call.check(nm_mesh_get_vertex_kinds, vertices, u64::from),
         2 => call.check(nm_mesh_get_vertex_domains, vertices, u64::from),
         3 => call.check(nm_mesh_get_precision_limited, vertices, u64::from),
         4 => call.check(nm_mesh_get_input_vertices, inputs, u64::from),
-        5 => call.check(nm_mesh_get_domains, domains, |d: nm_domain| d.radius.to_bits()),
+        5 => call.check(nm_mesh_get_vertex_inputs, vertices, u64::from),
+        6 => call.check(nm_mesh_get_domains, domains, |d: nm_domain| d.radius.to_bits()),
         kind => {
             call.needs_result = true;
-            let getter = if kind == 6 { nm_mesh_get_simplices } else { nm_mesh_get_neighbors };
+            let getter = if kind == 7 { nm_mesh_get_simplices } else { nm_mesh_get_neighbors };
             call.check(getter, entries, u64::from);
         }
     }

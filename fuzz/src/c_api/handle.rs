@@ -5,7 +5,7 @@ use netmesh::capi::{
     nm_counts, nm_domain, nm_mesh, nm_mesh_counts, nm_mesh_free, nm_mesh_get_domains,
     nm_mesh_get_input_vertices, nm_mesh_get_neighbors, nm_mesh_get_points,
     nm_mesh_get_precision_limited, nm_mesh_get_simplices, nm_mesh_get_vertex_domains,
-    nm_mesh_get_vertex_kinds, nm_status,
+    nm_mesh_get_vertex_inputs, nm_mesh_get_vertex_kinds, nm_status,
 };
 use std::ptr::null_mut;
 
@@ -51,8 +51,11 @@ impl Handle {
     }
 
     pub fn snapshot(&self) -> Snapshot {
-        let mut ids =
-            vec![self.all(nm_mesh_get_vertex_domains, 0), self.all(nm_mesh_get_input_vertices, 0)];
+        let mut ids = vec![
+            self.all(nm_mesh_get_vertex_domains, 0),
+            self.all(nm_mesh_get_input_vertices, 0),
+            self.all(nm_mesh_get_vertex_inputs, 0),
+        ];
         if self.has_result {
             ids.push(self.all(nm_mesh_get_simplices, 0));
             ids.push(self.all(nm_mesh_get_neighbors, 0));

@@ -2,7 +2,7 @@
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided};
 use crate::boundary::{Boundary, set_boundary};
-use crate::errors::{detached, exception, invalid, raised};
+use crate::errors::{detached, exception, in_default_environment, invalid, raised};
 use crate::options::options;
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
@@ -79,7 +79,7 @@ impl Core {
         let Some((coordinates, stride)) = strided(&points) else {
             return Err(invalid(py, "points must stand one after the other in memory".into()));
         };
-        let mesh = Mesh::new(dim, n, coordinates, stride);
+        let mesh = in_default_environment(|| Mesh::new(dim, n, coordinates, stride));
         let mut mesh = mesh.map_err(|error| exception(py, &error))?;
         let sizes = Sizes::new(&mut mesh, given)?;
         if let Some(boundary) = boundary {

@@ -1,5 +1,6 @@
 //! The library's errors as Python's exceptions, and Python's locks let go while the library works.
 
+use netmesh::capi::shared::Environment;
 use netmesh::{Error, ErrorKind, Result};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
@@ -46,8 +47,8 @@ pub fn raised(py: Python<'_>, kind: ErrorKind, message: String) -> PyErr {
     }
 }
 
-/// Does work of the library that other threads of Python need not wait for. A panic, which is a
-/// defect of the library, becomes an exception too.
+/// Does work of the library that other threads of Python need not wait for, in the default
+/// floating-point environment. A panic, which is a defect of the library, becomes an exception too.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> PyResult<T> {
     py.detach(|| caught(work)).map_err(|error| exception(py, &error))
 }
@@ -81,7 +82,30 @@ pub fn abandonable<T: Send + 'static>(
     }
 }
 
+/// Does work of the library in the default floating-point environment, whatever a shared object or
+/// the program has set, and restores the thread's own.
+pub fn in_default_environment<T>(work: impl FnOnce() -> T) -> T {
+    Environment::DEFAULT.run(work)
+}
+
+/// The floating-point environment of Python, in which its functions are called during work.
+#[derive(Clone, Copy)]
+pub struct OfPython(Environment);
+
+impl OfPython {
+    /// Returns the calling thread's.
+    pub fn current() -> Self {
+        Self(Environment::current())
+    }
+
+    /// Calls a function of Python's.
+    pub fn call<T>(self, function: impl FnOnce() -> T) -> T {
+        self.0.run(function)
+    }
+}
+
 fn caught<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+    let work = || in_default_environment(work);
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<&str>().copied();
         let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));

@@ -1,8 +1,11 @@
-//! Signs in two and three dimensions from adaptive floating-point expansions (J. R. Shewchuk,
-//! "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997),
-//! which the package `robust` has.
+//! Signs in two dimensions and orientations in three from adaptive floating-point expansions (J. R.
+//! Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
+//! 1997), which the package `robust` has.
+//!
+//! Its in-sphere test is not used: the last stage of it takes 181 KB of stack, which threads of
+//! small stacks do not have.
 
-use robust::{Coord, Coord3D, incircle, insphere, orient2d, orient3d};
+use robust::{Coord, Coord3D, incircle, orient2d, orient3d};
 use std::cmp::Ordering;
 
 /// Coordinates from this magnitude on, and zero, are within the window. The units of such a
@@ -11,11 +14,12 @@ use std::cmp::Ordering;
 /// is still normal.
 const SMALLEST: f64 = f64::from_bits((1023 - 142) << 52);
 
-/// The largest magnitude within the window. The in-sphere determinant is a sum of 72 products of
-/// five differences below 2^202: less than 2^1017, and 2^7 times that is still finite.
+/// The largest magnitude within the window. An in-sphere determinant, the longest of all, would be a
+/// sum of 72 products of five differences below 2^202: less than 2^1017, and 2^7 times that is still
+/// finite.
 const LARGEST: f64 = f64::from_bits((1023 + 201) << 52);
 
-/// Where signs in two and three dimensions come from; `None` where this source has none.
+/// A source of signs in two and three dimensions; `None` where it has none.
 pub(in super::super) trait Adaptive {
     fn orientation<const D: usize>(&mut self, simplex: &[&[f64; D]]) -> Option<Ordering>;
     fn in_ball<const D: usize>(&mut self, simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Ordering>;
@@ -42,17 +46,11 @@ impl Adaptive for Robust {
     }
 
     fn in_ball<const D: usize>(&mut self, simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Ordering> {
-        if D > 3 || !simplex.iter().copied().chain([q]).all(is_in_window) {
+        if D != 2 || !simplex.iter().copied().chain([q]).all(is_in_window) {
             return None;
         }
-        Some(sign(match D {
-            2 => incircle(planar(simplex[0]), planar(simplex[1]), planar(simplex[2]), planar(q)),
-            _ => {
-                let [a, b, c, d] = std::array::from_fn(|i| spatial(simplex[i]));
-                // That of a simplex which `orient3d` calls positive.
-                -insphere(a, b, c, d, spatial(q))
-            }
-        }))
+        let [a, b, c] = std::array::from_fn(|i| planar(simplex[i]));
+        Some(sign(incircle(a, b, c, planar(q))))
     }
 }
 

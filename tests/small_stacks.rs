@@ -47,18 +47,34 @@ fn of_any_size(dim: usize, count: usize) -> Vec<f64> {
     (0..dim * count).map(|_| coordinate()).collect()
 }
 
-fn lattice(dim: usize, steps: usize) -> Vec<f64> {
-    let point = |i: usize| (0..dim).map(move |k| (i / steps.pow(k as u32) % steps) as f64 * 0.1);
-    (0..steps.pow(dim as u32)).flat_map(point).collect()
+fn lattice(dim: usize, steps: &[f64]) -> Vec<f64> {
+    let step = |i: usize, axis: usize| steps[i / steps.len().pow(axis as u32) % steps.len()];
+    let point = |i: usize| (0..dim).map(move |axis| step(i, axis));
+    (0..steps.len().pow(dim as u32)).flat_map(point).collect()
 }
 
 #[test]
 fn lattices_need_little_stack() {
     on_a_small_stack(|| {
-        for (dim, steps) in [(2, 12), (3, 5), (4, 3)] {
-            let points = lattice(dim, steps);
+        for (dim, count) in [(2, 12), (3, 5), (4, 3)] {
+            let steps: Vec<f64> = (0..count).map(|i| i as f64 * 0.1).collect();
+            let points = lattice(dim, &steps);
             work("a lattice", dim, &points, &options(Algorithm::Netmesh));
             work("a lattice", dim, &points, &options(Algorithm::Delaunay));
+        }
+    });
+}
+
+/// The corners of each box are on a sphere, and no double tells it: differences of coordinates so far
+/// apart are inexact.
+#[test]
+fn boxes_of_any_shape_need_little_stack() {
+    on_a_small_stack(|| {
+        let mut random = Random::new(3);
+        let sizes = [1e-9, 1e-4, 0.1, 1.0, 300.0].map(|size| size * (1.0 + random.unit()));
+        for (dim, count) in [(2, 5), (3, 5), (4, 3), (5, 2)] {
+            let points = lattice(dim, &sizes[..count]);
+            work("boxes", dim, &points, &options(Algorithm::Delaunay));
         }
     });
 }

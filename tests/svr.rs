@@ -90,9 +90,8 @@ fn a_corner_at_an_input_is_that_input() {
             let options = Options { algorithm, yield_radius, ..Options::default() };
             certify(2, &named, &options);
             for dim in [2, 2, 2, 3] {
-                let points: Vec<f64> = (0..4 * dim)
-                    .map(|_| unit * (random.unit() * 12.0 - 6.0).round())
-                    .collect();
+                let points: Vec<f64> =
+                    (0..4 * dim).map(|_| unit * (random.unit() * 12.0 - 6.0).round()).collect();
                 if points.chunks(dim).any(|point| point != &points[..dim]) {
                     certify(dim, &points, &options);
                 }

@@ -64,11 +64,11 @@ if kind == "load":
 elif kind == "round":
     assert libm.fesetround(int(value)) == 0
 
-def is_flushing():
-    return sys.float_info.min / 2 == 0
+one, little = np.float64(1), np.float64(2**-60)
 
 def state():
-    return libm.fegetround(), is_flushing()
+    flushes = sys.float_info.min / 2 == 0
+    return bool(one + little > one), bool(-one - little < -one), bool(one - little < one), flushes
 
 def trapping(call):
     if kind == "trap":
@@ -86,8 +86,7 @@ def look(answer):
     return asked
 
 before = state()
-assert kind != "load" or before[1]
-assert kind != "round" or before[0] == int(value)
+assert any(before) == (kind in ("load", "round")), before
 digest, seen = hashlib.sha256(), []
 
 def add(*arrays):

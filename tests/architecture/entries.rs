@@ -111,7 +111,8 @@ impl<'ast> Visit<'ast> for Functions {
     }
 
     fn visit_expr_method_call(&mut self, call: &'ast ExprMethodCall) {
-        let is_it = call.method == "run" && last_of_path(&call.receiver).as_deref() == Some("caller");
+        let is_it =
+            call.method == "run" && last_of_path(&call.receiver).as_deref() == Some("caller");
         self.in_callers_environment += usize::from(is_it);
         visit::visit_expr_method_call(self, call);
         self.in_callers_environment -= usize::from(is_it);

@@ -3,9 +3,7 @@
 use crate::comm::mpi::Ranks;
 use crate::comm::{Collective, Communicator, agreed};
 use crate::distributed::DistributedMesh;
-use netmesh::capi::shared::{
-    Environment, barrier, null_argument, read_options, read_rows, report,
-};
+use netmesh::capi::shared::{Environment, barrier, null_argument, read_options, read_rows, report};
 use netmesh::capi::{nm_options, nm_status};
 use netmesh::options::ProgressFn;
 use netmesh::{Error, ErrorKind, Result};

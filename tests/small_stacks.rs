@@ -1,5 +1,5 @@
-//! Threads of small stacks make, check, measure and ask meshes, whatever the coordinates. A stack that
-//! does not suffice ends the process.
+//! Threads of small stacks make, check, measure and ask meshes, whatever the coordinates. A stack
+//! that does not suffice ends the process.
 
 use crate::random::Random;
 use netmesh::arrays::Selection;
@@ -65,8 +65,8 @@ fn lattices_need_little_stack() {
     });
 }
 
-/// The corners of each box are on a sphere, and no double tells it: differences of coordinates so far
-/// apart are inexact.
+/// The corners of each box are on a sphere, and no double tells it: differences of coordinates so
+/// far apart are inexact.
 #[test]
 fn boxes_of_any_shape_need_little_stack() {
     on_a_small_stack(|| {

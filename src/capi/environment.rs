@@ -25,8 +25,8 @@ impl Environment {
     }
 
     /// Runs `body` in this environment and restores the one before, all flags included, also where
-    /// `body` panics. In another environment than [`Self::DEFAULT`] `body` must not compute: it is a
-    /// call of a function that was not made by this compiler.
+    /// `body` panics. In another environment than [`Self::DEFAULT`] `body` must not compute: it is
+    /// a call of a function that was not made by this compiler.
     pub fn run<R>(self, body: impl FnOnce() -> R) -> R {
         let _restored = Restored(Self::current());
         registers::write(self.0);

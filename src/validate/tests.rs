@@ -38,7 +38,7 @@ impl Adaptive for Counted {
 }
 
 /// One orientation a simplex and more for the winding, one in-ball sign an interior facet. In three
-/// dimensions the latter come from intervals and integers.
+/// dimensions some of the latter come from intervals and integers.
 fn signs_come_from_the_package<const D: usize>(family: Family) {
     let mesh = meshed::<D>(120, family);
     let view = View::<D> { mesh: mesh.triangulation().unwrap() };
@@ -49,10 +49,11 @@ fn signs_come_from_the_package<const D: usize>(family: Family) {
     let asked = &signs.adaptive;
     assert_eq!(asked.in_balls, interior as u64);
     assert!(asked.orientations > view.simplex_count() as u64);
-    let others = if D == 2 { 0 } else { asked.in_balls };
+    let others = signs.by_intervals + signs.by_integers;
     assert_eq!(asked.answered, asked.in_balls + asked.orientations - others);
     assert_eq!(signs.by_expansions, asked.answered);
-    assert_eq!(signs.by_intervals + signs.by_integers, others);
+    let most = if D == 3 && family == Family::OneUlp { asked.in_balls } else { 0 };
+    assert!(others <= most, "{others}");
 }
 
 #[test]
@@ -160,8 +161,10 @@ fn signs_agree_at_the_window<const D: usize>() {
             let side = (in_ball_oracle(&simplex, q) as i8).cmp(&0);
             assert_eq!(signs.in_ball(&simplex, q), Ok(side), "{trial} {points:?}");
         }
-        let answered = if D == 2 { 800 } else { 400 };
-        assert_eq!(signs.by_expansions, if answers { answered } else { 0 }, "2^{exponent}");
+        // All that are asked for, but for points on spheres in space.
+        let most = if answers { 800 } else { 0 };
+        let least = if D == 2 { most } else { most * 3 / 4 };
+        assert!((least..=most).contains(&signs.by_expansions), "2^{exponent}: {signs:?}");
     }
 }
 

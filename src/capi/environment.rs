@@ -141,8 +141,8 @@ mod tests {
 
     #[test]
     fn a_strange_environment_is_strange() {
-        let usual = Environment::current();
         assert!(computes_as_usual());
+        let usual = Environment::current();
         assert!(!STRANGE.run(computes_as_usual));
         assert_eq!((Environment::current(), STRANGE.run(Environment::current)), (usual, STRANGE));
     }

@@ -35,6 +35,12 @@
  * that is too early, without waiting). nm_mesh_free is not checked. Callbacks run on the thread that
  * made the call.
  *
+ * FLOATING-POINT ENVIRONMENT. A program's rounding mode, flush-to-zero, denormals-are-zero and traps
+ * change no result: on x86-64 (MXCSR) and aarch64 (FPCR, FPSR) every function computes in the default
+ * environment, on all threads that it starts, and returns with the environment that it was called
+ * with, flags of exceptions included, whatever it answers. Callbacks run in that of the caller; what
+ * they change of it lasts until they return. On other processors call in the default environment.
+ *
  * STRUCT SIZES. Structs begin with struct_size, so that programs and libraries of different versions
  * fit. The caller sets it to sizeof, or has it set by NM_COUNTS_INIT and its like or by
  * nm_options_init. Of a struct that the library fills, only the first min(struct_size, what the

@@ -115,6 +115,15 @@ fn misuse_is_refused() {
 }
 
 #[test]
+fn the_callers_environment_does_not_matter_and_is_restored() {
+    let last = match cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) {
+        true => "every environment made the same",
+        false => "every environment is left as it is on this processor",
+    };
+    passes(Language::C99, "tests/c/environment.c", Link::Shared, last);
+}
+
+#[test]
 fn the_cpp_wrapper_holds() {
     passes(Language::Cpp17, "tests/c/wrapper.cpp", Link::Shared, "the wrapper holds");
 }

@@ -25,6 +25,7 @@ mod properties;
 mod size_fields;
 mod sizes;
 mod slivers;
+mod small_stacks;
 mod spread_curve;
 mod svr;
 mod written_files;

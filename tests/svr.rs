@@ -70,3 +70,32 @@ fn the_size_follows_the_logarithm_of_the_spread() {
         assert!((0.85..1.15).contains(&growth), "{dim}D: {growth}");
     }
 }
+
+/// Among a few units of the smallest double a corner may fall on an input, and the distance within
+/// which it yields becomes zero.
+#[test]
+fn a_corner_at_an_input_is_that_input() {
+    let unit = f64::from_bits(1);
+    let named = [2.0, 5.0, 5.0, -2.0, 4.0, 0.0].map(|x| x * unit);
+    let yields = [0.05, 0.289, 0.7, 1.0];
+    let certify = |dim: usize, points: &[f64], options: &Options| {
+        let mut mesh = Mesh::new(dim, points.len() / dim, points, 0).unwrap();
+        mesh.run(options, None).unwrap_or_else(|error| panic!("{points:?} {options:?}: {error}"));
+        let report = validate(mesh.inputs(), mesh.triangulation().unwrap(), 3).unwrap();
+        assert_eq!(report.level, 3, "{points:?} {options:?}: {:?}", report.first);
+    };
+    let mut random = Random::new(11);
+    for yield_radius in yields {
+        for algorithm in [Algorithm::Svr, Algorithm::Netmesh] {
+            let options = Options { algorithm, yield_radius, ..Options::default() };
+            certify(2, &named, &options);
+            for dim in [2, 2, 2, 3] {
+                let points: Vec<f64> =
+                    (0..4 * dim).map(|_| unit * (random.unit() * 12.0 - 6.0).round()).collect();
+                if points.chunks(dim).any(|point| point != &points[..dim]) {
+                    certify(dim, &points, &options);
+                }
+            }
+        }
+    }
+}

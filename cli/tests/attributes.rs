@@ -221,9 +221,11 @@ fn wrong_attributes_name_the_option_the_column_and_the_rule() {
 /// A week of earthquakes: longitude, latitude, depth.
 #[test]
 fn depths_of_earthquakes_are_attributes_of_the_plane() {
-    let data = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data/usgs_quakes_week.xyz");
-    let Ok(text) = fs::read_to_string(Path::new(data)) else {
-        println!("skipped: there is no {data}");
+    const NAME: &str = "usgs_quakes_week.xyz";
+    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/data");
+    let directory = std::env::var_os("NETMESH_DATA").unwrap_or_else(|| beside.into());
+    let Ok(text) = fs::read_to_string(Path::new(&directory).join(NAME)) else {
+        println!("skipped: {NAME} is not in the data directory (set NETMESH_DATA to it)");
         return;
     };
     let bench = Workbench::new("earthquakes");

@@ -40,6 +40,9 @@
  * which MPI must allow (MPI_THREAD_FUNNELED for the main thread). Getters may be called from any thread
  * at any time.
  *
+ * FLOATING-POINT ENVIRONMENT. As netmesh.h says: that of the caller changes no result and is restored,
+ * and the progress callback runs in it. Processes may have different ones.
+ *
  * IDS of vertices and simplices are those of the whole mesh, 64 bits wide. NM_MPI_NONE is no id.
  */
 

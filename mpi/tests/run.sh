@@ -63,7 +63,7 @@ same_test() {
   if [ -e "$scan" ]; then
     same "$scan" 3 10000 hierarchical
   else
-    echo "skipped: same mesh of a scan: there is no $scan"
+    echo "skipped: same mesh of a scan: ${scan##*/} is not in the data directory (set NETMESH_DATA to it)"
   fi
 }
 

@@ -1,6 +1,6 @@
 //! Segments and regions from Python.
 
-use crate::errors::{exception_with, invalid};
+use crate::errors::{exception_with, in_default_environment, invalid};
 use netmesh::{Mesh, Region};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -34,8 +34,9 @@ pub fn set_boundary(py: Python<'_>, mesh: &mut Mesh, boundary: &Boundary<'_>) ->
     }
     let region = |&(seed, label, max_edge, is_hole)| Region { seed, label, is_hole, max_edge };
     let regions: Vec<Region> = regions.iter().map(region).collect();
-    let set = mesh.set_segments(&ends, markers.is_some().then_some(&*own_markers));
-    let set =
-        set.and_then(|()| if regions.is_empty() { Ok(()) } else { mesh.set_regions(&regions) });
+    let set = in_default_environment(|| {
+        mesh.set_segments(&ends, markers.is_some().then_some(&*own_markers))?;
+        if regions.is_empty() { Ok(()) } else { mesh.set_regions(&regions) }
+    });
     set.map_err(|error| exception_with(py, &error, &regions))
 }

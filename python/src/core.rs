@@ -2,7 +2,9 @@
 
 use crate::arrays::{rows, shared, shared_ids, shared_ids_1, strided, unsigned};
 use crate::boundary::{Boundary, set_boundary};
-use crate::errors::{detached_on_file, exception, exception_with, invalid, raised, unlocked};
+use crate::errors::{
+    detached_on_file, exception, exception_with, in_default_environment, invalid, raised, unlocked,
+};
 use crate::options::{by_keyword, options};
 use crate::progress::Reporter;
 use crate::selection::{Given, selected};
@@ -80,7 +82,7 @@ impl Core {
         let Some((coordinates, stride)) = strided(&points) else {
             return Err(invalid(py, "points must stand one after the other in memory".into()));
         };
-        let mesh = Mesh::new(dim, n, coordinates, stride);
+        let mesh = in_default_environment(|| Mesh::new(dim, n, coordinates, stride));
         let mut mesh = mesh.map_err(|error| exception(py, &error))?;
         let sizes = Sizes::new(&mut mesh, given)?;
         if let Some(boundary) = boundary {

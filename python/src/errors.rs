@@ -1,6 +1,7 @@
 //! The library's errors as Python's exceptions, and Python's locks let go while the library works.
 
 use crate::options::keyword_argument;
+use netmesh::capi::shared::Environment;
 use netmesh::error::{Name, Words};
 use netmesh::query::Stop;
 use netmesh::{Error, ErrorKind, Region, Result};
@@ -111,8 +112,8 @@ fn exception_of_file(py: Python<'_>, error: &Error, path: &Path) -> PyErr {
     of_class(py, class(ErrorKind::Io), arguments, message)
 }
 
-/// Does work of the library that other threads of Python need not wait for. A panic, which is a
-/// defect of the library, becomes an exception too.
+/// Does work of the library that other threads of Python need not wait for, in the default
+/// floating-point environment. A panic, which is a defect of the library, becomes an exception too.
 pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> PyResult<T> {
     unlocked(py, work).map_err(|error| exception(py, &error))
 }
@@ -209,7 +210,30 @@ pub fn abandonable_until<T: Send + 'static>(
     }
 }
 
+/// Does work of the library in the default floating-point environment, whatever a shared object or
+/// the program has set, and restores the thread's own.
+pub fn in_default_environment<T>(work: impl FnOnce() -> T) -> T {
+    Environment::DEFAULT.run(work)
+}
+
+/// The floating-point environment of Python, in which its functions are called during work.
+#[derive(Clone, Copy)]
+pub struct OfPython(Environment);
+
+impl OfPython {
+    /// Returns the calling thread's.
+    pub fn current() -> Self {
+        Self(Environment::current())
+    }
+
+    /// Calls a function of Python's.
+    pub fn call<T>(self, function: impl FnOnce() -> T) -> T {
+        self.0.run(function)
+    }
+}
+
 fn caught<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+    let work = || in_default_environment(work);
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<&str>().copied();
         let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));

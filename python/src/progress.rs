@@ -1,5 +1,6 @@
 //! How far a run is, and what stops it: the caller's function, an exception of it, a signal.
 
+use crate::errors::OfPython;
 use netmesh::Phase;
 use pyo3::prelude::*;
 
@@ -45,23 +46,22 @@ impl From<&netmesh::Progress> for Progress {
 /// What is asked during a run.
 pub struct Reporter {
     callback: Option<Py<PyAny>>,
+    environment: OfPython,
     /// Why the run was stopped, if not by the callback's answer.
     pub exception: Option<PyErr>,
 }
 
 impl Reporter {
     pub fn new(callback: Option<Py<PyAny>>) -> Self {
-        Self { callback, exception: None }
+        Self { callback, environment: OfPython::current(), exception: None }
     }
 
     /// Whether the run goes on.
     pub fn report(&mut self, progress: &netmesh::Progress) -> bool {
-        Python::attach(|py| match self.ask(py, progress) {
-            Ok(goes_on) => goes_on,
-            Err(exception) => {
-                self.exception = Some(exception);
-                false
-            }
+        let asked = self.environment.call(|| Python::attach(|py| self.ask(py, progress)));
+        asked.unwrap_or_else(|exception| {
+            self.exception = Some(exception);
+            false
         })
     }
 

@@ -1,7 +1,7 @@
 //! Alpha shapes of a filtration by alpha values.
 
 use crate::derived::ids;
-use crate::errors::{detached, detached_on_file, invalid};
+use crate::errors::{detached, detached_on_file, in_default_environment, invalid};
 use crate::options::{number, whole};
 use crate::topology::FiltrationCore;
 use netmesh::Result;
@@ -33,7 +33,7 @@ impl FiltrationCore {
     /// The value as a number, if it can be that of a shape.
     fn checked_alpha(&self, alpha: &Bound<'_, PyAny>) -> PyResult<f64> {
         let alpha_value = number("alpha", alpha)?;
-        match self.shape(alpha_value) {
+        match in_default_environment(|| self.shape(alpha_value)) {
             Ok(shape) => Ok(shape.alpha()),
             Err(error) => Err(invalid(alpha.py(), error.message().into())),
         }

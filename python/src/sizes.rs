@@ -2,7 +2,7 @@
 //! the vertices of another mesh.
 
 use crate::core::Core;
-use crate::errors::{exception, invalid};
+use crate::errors::{OfPython, exception, in_default_environment, invalid};
 use crate::options::wrong_type;
 use netmesh::Mesh;
 use netmesh::options::SizeFn;
@@ -21,6 +21,7 @@ pub enum Sizes {
 /// A callable of Python.
 pub struct Function {
     callable: Py<PyAny>,
+    environment: OfPython,
     /// What it has raised.
     exception: Mutex<Option<PyErr>>,
 }
@@ -36,17 +37,22 @@ impl Sizes {
             return Ok(Self::Given);
         };
         if size.is_callable() {
-            let callable = size.unbind();
-            return Ok(Self::Function(Function { callable, exception: Mutex::default() }));
+            let function = Function {
+                callable: size.unbind(),
+                environment: OfPython::current(),
+                exception: Mutex::default(),
+            };
+            return Ok(Self::Function(function));
         }
         if let Ok(size) = size.extract::<f64>() {
-            return match size > 0.0 {
+            return match in_default_environment(|| size > 0.0) {
                 true => Ok(Self::Constant(size)),
                 false => Err(invalid(py, format!("size is {size}; it must be above 0"))),
             };
         }
         let values = values_of("size", &size, mesh.inputs().count(), "points")?;
-        mesh.set_sizes(values.as_slice()?).map_err(|error| exception(py, &error))?;
+        let values = values.as_slice()?;
+        in_default_environment(|| mesh.set_sizes(values)).map_err(|error| exception(py, &error))?;
         Ok(Self::Given)
     }
 
@@ -82,7 +88,8 @@ fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()
     };
     let other = core.get().triangulation();
     let values = values_of("background", &values, other.vertex_count(), "vertices of it")?;
-    let set = mesh.set_background(Some((other, values.as_slice()?)));
+    let values = values.as_slice()?;
+    let set = in_default_environment(|| mesh.set_background(Some((other, values))));
     set.map_err(|error| exception(py, &error))
 }
 
@@ -122,14 +129,14 @@ fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> Py
 impl Function {
     /// The size at a point; NaN after an exception, which ends the run.
     fn at(&self, x: &[f64]) -> f64 {
-        Python::attach(|py| {
+        let ask = |py: Python<'_>| {
             let x = PyArray1::from_slice(py, x);
-            let answer = self.callable.bind(py).call1((&x,));
-            let answer = answer.and_then(|answer| size_of_answer(&answer, &x));
-            answer.unwrap_or_else(|raised| {
-                *self.exception.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
-                f64::NAN
-            })
+            let answer = self.callable.bind(py).call1((&x,))?;
+            size_of_answer(&answer, &x)
+        };
+        self.environment.call(|| Python::attach(ask)).unwrap_or_else(|raised| {
+            *self.exception.lock().unwrap_or_else(PoisonError::into_inner) = Some(raised);
+            f64::NAN
         })
     }
 }

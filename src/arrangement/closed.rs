@@ -115,6 +115,7 @@ fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: I
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arrangement::{Task, arrange};
 
     /// Input 4 equals input 0.
     fn check(segments: &[[u32; 2]], interior: Interior) -> Result<()> {
@@ -149,9 +150,9 @@ mod tests {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0], [3.0, 0.0]];
         let inputs = Inputs::new(2, 6, points.as_flattened(), 0).unwrap();
         let segments = Segments { inputs: segments.to_vec(), markers: vec![0; segments.len()] };
-        let poll: crate::arrangement::Poll<'_> = &mut |_| Ok(());
-        let arrangement =
-            crate::arrangement::arrange(&inputs, &segments, crate::options::Crossings::Split, poll);
+        let (own, crossings) = (segments.count(), crate::options::Crossings::Split);
+        let task = Task { inputs: &inputs, segments: &segments, own, crowded: &[], crossings };
+        let arrangement = arrange(&task, &mut |_| Ok(()));
         encloses(&inputs, &segments, &arrangement.unwrap(), interior).unwrap()
     }
 

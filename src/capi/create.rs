@@ -11,7 +11,6 @@ use crate::memory::with_capacity;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::str::FromStr;
 
 /// Makes a mesh of n points; they are copied, and may be freed when the call returns. nm_run meshes
@@ -125,7 +124,10 @@ pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
         // SAFETY: a handle comes from `Box::into_raw`, and this is its last use by the rules.
         let handle = unsafe { Box::from_raw(mesh) };
         // Dropping plain data does not panic; if it ever did, C could do nothing about it.
-        let _ = catch_unwind(AssertUnwindSafe(|| drop(handle)));
+        let _ = barrier(|| {
+            drop(handle);
+            Ok(())
+        });
     }
 }
 

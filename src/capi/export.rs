@@ -3,6 +3,7 @@
 use super::arrays::read_selection;
 use super::decode::decode_format;
 use super::enums::{nm_format, nm_status};
+use super::environment::Environment;
 use super::error::null_argument;
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
@@ -107,12 +108,13 @@ pub unsafe extern "C" fn nm_export_write_selected(
     write: nm_write_fn,
     user_data: *mut c_void,
 ) -> nm_status {
+    let caller = Environment::current();
     let body = |mesh: &Mesh, attributes: &[Attribute]| {
         let format = decode_format(format)?;
         let callback = write.ok_or_else(|| null_argument("write"))?;
         let send = |bytes: &[u8]| {
             // SAFETY: the caller's function, with the caller's `user_data`.
-            unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) }
+            caller.run(|| unsafe { callback(bytes.as_ptr().cast(), bytes.len(), user_data) })
         };
         write_through(send, |out| io::write_with(mesh, attributes, format, out))
     };

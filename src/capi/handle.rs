@@ -1,6 +1,8 @@
-//! The handle: a mesh, a lock that never waits, and the panic barrier.
+//! The handle: a mesh, a lock that never waits, and the barrier round every entry, which no panic and
+//! no floating-point environment passes.
 
 use super::enums::nm_status;
+use super::environment::Environment;
 use super::error::{fail, null_argument, panicked};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::Mesh;
@@ -66,9 +68,10 @@ fn poisoned() -> Error {
     Error::new(ErrorKind::State, message)
 }
 
-/// Runs `body` so that no panic leaves it, and answers its status.
+/// Runs `body` in the default floating-point environment, so that no panic leaves it, and answers its
+/// status. The caller's environment is restored.
 pub fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
-    match catch_unwind(AssertUnwindSafe(body)) {
+    match Environment::DEFAULT.run(|| catch_unwind(AssertUnwindSafe(body))) {
         Ok(Ok(())) => nm_status::NM_OK,
         Ok(Err(error)) => fail(&error),
         Err(payload) => fail(&panicked(&*payload)),

@@ -4,12 +4,14 @@
 //! This is the only module with `unsafe`. What every function relies on is what the header asks of
 //! its callers: a pointer is NULL or points to as much as the manual says, a handle came from a
 //! create function and was not freed. Everything else is checked: `memory` holds the raw reads and
-//! writes, `handle` the lock and the panic barrier, `error` the thread's last message.
+//! writes, `handle` the lock and the barrier that every entry goes through, `environment` the
+//! floating-point environment that this sets, `error` the thread's last message.
 
 // The header's general rules stand for a `# Safety` section at every function.
 #![allow(clippy::missing_safety_doc)]
 #![warn(clippy::undocumented_unsafe_blocks, unsafe_op_in_unsafe_fn)]
 
+mod environment;
 mod handle;
 mod memory;
 pub mod shared;

@@ -1,6 +1,7 @@
 //! `nm_run`, with the adapter between the core's progress and C's.
 
 use super::enums::nm_status;
+use super::environment::Environment;
 use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::read_struct;
 use super::options::{decode, encode};
@@ -30,14 +31,15 @@ use crate::options::{Options, Progress, ProgressFn, SizeFn};
 /// thread; different meshes may be run at the same time.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) -> nm_status {
+    let caller = Environment::current();
     let body = |mesh: &mut crate::mesh::Mesh| {
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
         let (given, options) = unsafe { read_options(options)? };
         // SAFETY: the caller's function, with the caller's `user_data`.
-        let mut report = unsafe { report(&given) };
+        let mut report = unsafe { report(&given, caller) };
         let size = given.size.map(|callback| {
             // SAFETY: the caller's function, with the caller's `size_user_data`.
-            move |x: &[f64]| unsafe { callback(x.as_ptr(), given.size_user_data) }
+            move |x: &[f64]| caller.run(|| unsafe { callback(x.as_ptr(), given.size_user_data) })
         });
         let size = size.as_ref().map(|size| size as &SizeFn<'_>);
         let report = report.as_mut().map(|report| report as &mut ProgressFn<'_>);
@@ -63,17 +65,21 @@ pub unsafe fn read_options(options: *const nm_options) -> Result<(nm_options, Op
     Ok((given, options))
 }
 
-/// The caller's progress callback as the core calls it.
+/// Returns the caller's progress callback as the core calls it, which runs in the caller's
+/// floating-point environment.
 ///
 /// # Safety
 /// The function may be called with its `user_data` while the result lives.
-pub unsafe fn report(given: &nm_options) -> Option<impl FnMut(&Progress) -> bool + use<>> {
+pub unsafe fn report(
+    given: &nm_options,
+    caller: Environment,
+) -> Option<impl FnMut(&Progress) -> bool + use<>> {
     let user_data = given.user_data;
     given.progress.map(|callback| {
         move |progress: &Progress| {
             let report = encode_progress(progress);
             // SAFETY: the caller's function, with the caller's `user_data`.
-            unsafe { callback(&report, user_data) == 0 }
+            caller.run(|| unsafe { callback(&report, user_data) == 0 })
         }
     })
 }

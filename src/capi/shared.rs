@@ -1,5 +1,7 @@
-//! What another C ABI of netmesh's, that on MPI, has in common with this one. Not for C, and no promise.
+//! What other boundaries of netmesh's, the C ABI on MPI and the Python package, have in common with this
+//! one. Not for C, and no promise.
 
+pub use super::environment::Environment;
 pub use super::error::null_argument;
 pub use super::handle::barrier;
 pub use super::memory::{OutStruct, Versioned, copy_out, read_rows, utf8_path};

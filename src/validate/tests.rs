@@ -37,8 +37,9 @@ impl Adaptive for Counted {
     }
 }
 
-/// One orientation a simplex and more for the winding, one in-ball sign an interior facet.
-fn every_sign_comes_from_the_package<const D: usize>(family: Family) {
+/// One orientation a simplex and more for the winding, one in-ball sign an interior facet. In three
+/// dimensions some of the latter come from intervals and integers.
+fn signs_come_from_the_package<const D: usize>(family: Family) {
     let mesh = meshed::<D>(120, family);
     let view = View::<D> { mesh: mesh.triangulation().unwrap() };
     let (mut signs, mut findings) = (Signs::<Counted>::default(), Findings::default());
@@ -48,16 +49,17 @@ fn every_sign_comes_from_the_package<const D: usize>(family: Family) {
     let asked = &signs.adaptive;
     assert_eq!(asked.in_balls, interior as u64);
     assert!(asked.orientations > view.simplex_count() as u64);
-    assert_eq!(asked.answered, asked.in_balls + asked.orientations);
+    let others = signs.by_intervals + signs.by_integers;
+    assert_eq!(asked.answered, asked.in_balls + asked.orientations - others);
     assert_eq!(signs.by_expansions, asked.answered);
-    assert_eq!((signs.by_intervals, signs.by_integers), (0, 0));
+    assert!(if D == 2 { others == 0 } else { others < asked.in_balls }, "{others}");
 }
 
 #[test]
 fn signs_in_two_and_three_dimensions_come_from_the_package() {
     for family in [Family::Uniform, Family::FarCluster, Family::OneUlp] {
-        every_sign_comes_from_the_package::<2>(family);
-        every_sign_comes_from_the_package::<3>(family);
+        signs_come_from_the_package::<2>(family);
+        signs_come_from_the_package::<3>(family);
     }
 }
 
@@ -78,8 +80,8 @@ impl Adaptive for Reversed {
 /// The certificate believes the package and nothing else: if that is wrong, so is the certificate.
 #[test]
 fn a_wrong_package_makes_a_wrong_certificate() {
-    let mesh = meshed::<3>(60, Family::Uniform);
-    let view = View::<3> { mesh: mesh.triangulation().unwrap() };
+    let mesh = meshed::<2>(60, Family::Uniform);
+    let view = View::<2> { mesh: mesh.triangulation().unwrap() };
     let (mut signs, mut findings) = (Signs::<Reversed>::default(), Findings::default());
     check_geometry(view, &mut signs, &mut findings).unwrap();
     let interior = view.mesh.neighbors.iter().filter(|&&n| n != NONE).count() / 2;
@@ -158,7 +160,10 @@ fn signs_agree_at_the_window<const D: usize>() {
             let side = (in_ball_oracle(&simplex, q) as i8).cmp(&0);
             assert_eq!(signs.in_ball(&simplex, q), Ok(side), "{trial} {points:?}");
         }
-        assert_eq!(signs.by_expansions, if answers { 800 } else { 0 }, "2^{exponent}");
+        // All that are asked for, but for points on spheres in space.
+        let most = if answers { 800 } else { 0 };
+        let least = if D == 2 { most } else { most * 3 / 4 };
+        assert!((least..=most).contains(&signs.by_expansions), "2^{exponent}: {signs:?}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! ARCHITECTURE.md is what the sources are: its table of layers, its directories, its files.
 
+mod entries;
 mod planted;
 mod uses;
 

@@ -366,9 +366,26 @@ fn a_subsegment_that_is_not_gabriel() {
     };
     assert_eq!(kind_by_hand(&domain(3f64.sqrt().next_up())), None);
     assert_eq!(kind_by_hand(&domain(3f64.sqrt().next_down())), Some(Kind::SubsegmentGabriel));
-    let mut limited = domain(1.0);
-    limited.case.mesh.precision_limited[..2].fill(true);
-    assert_eq!(kind_by_hand(&limited), None);
+}
+
+/// Doubles have no room for a vertex on an edge of some units in the last place, or where another
+/// vertex is as near to it. Marks alone excuse nothing, and neither does one marked end.
+#[test]
+fn a_subsegment_without_room_need_not_be_gabriel() {
+    let kind = |width: f64, y: f64, limited: usize| {
+        let points = [[1.0, 1.0], [1.0 + width, 1.0], [1.0 + 0.5 * width, 1.0 + y]];
+        let mut domain = by_hand(&points, 3, &[[0, 1]], &[[0, 1, 0]]);
+        domain.case.mesh.precision_limited[..limited].fill(true);
+        kind_by_hand(&domain)
+    };
+    let (broken, unit) = (Some(Kind::SubsegmentGabriel), f64::EPSILON);
+    for (width, y) in [(0.5, 0.125), (4096.0 * unit, 256.0 * unit)] {
+        assert_eq!([0, 1, 2].map(|limited| kind(width, y, limited)), [broken; 3], "{width}");
+    }
+    for (width, y) in [(8.0 * unit, 2.0 * unit), (0.5, 4.0 * unit)] {
+        let kinds = [0, 1, 2].map(|limited| kind(width, y, limited));
+        assert_eq!(kinds, [broken, broken, None], "{width}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::comm::mpi::Ranks;
 use crate::comm::{Collective, Communicator, agreed};
 use crate::distributed::DistributedMesh;
-use netmesh::capi::shared::{barrier, null_argument, read_options, read_rows, report};
+use netmesh::capi::shared::{Environment, barrier, null_argument, read_options, read_rows, report};
 use netmesh::capi::{nm_options, nm_status};
 use netmesh::options::ProgressFn;
 use netmesh::{Error, ErrorKind, Result};
@@ -68,11 +68,12 @@ pub unsafe extern "C" fn netmesh_mpi_run(
     options: *const nm_options,
     mesh: *mut *mut nm_mpi_mesh,
 ) -> nm_status {
+    let caller = Environment::current();
     barrier(|| {
         // SAFETY: the C function's own argument.
         let comm = Collective::new(unsafe { Ranks::of(comm)? });
         // SAFETY: the caller's promises are the same.
-        let made = unsafe { run(&comm, dim, local_count, points, options, mesh)? };
+        let made = unsafe { run(&comm, caller, dim, local_count, points, options, mesh)? };
         let made = Box::into_raw(Box::new(nm_mpi_mesh { mesh: made, comm }));
         // SAFETY: checked not to be NULL, so writable.
         unsafe { mesh.write(made) };
@@ -84,6 +85,7 @@ pub unsafe extern "C" fn netmesh_mpi_run(
 /// As [`netmesh_mpi_run`].
 unsafe fn run(
     comm: &dyn Communicator,
+    caller: Environment,
     dim: u32,
     local_count: u64,
     points: *const f64,
@@ -106,7 +108,7 @@ unsafe fn run(
         Ok((points, given, options))
     })?;
     // SAFETY: the caller's function, with the caller's `user_data`.
-    let mut report = unsafe { report(&given) };
+    let mut report = unsafe { report(&given, caller) };
     let report = report.as_mut().map(|report| report as &mut ProgressFn<'_>);
     crate::run(comm, dim as usize, points, &options, report)
 }

@@ -18,13 +18,16 @@ mod words;
 use arguments::Arguments;
 use clap::Parser;
 use exit_code::{ExitCode, Failure};
+use netmesh::capi::shared::Environment;
 use netmesh_mpi::comm::mpi::{Ranks, begin, end};
 use netmesh_mpi::comm::{Collective, Communicator};
 use std::io::Write;
 
 fn main() -> std::process::ExitCode {
     let code = match begin().and_then(|()| Ranks::of_world()) {
-        Ok(ranks) => run(&Collective::in_words(ranks, words::in_options)),
+        // What MPI has loaded may have set flush-to-zero.
+        Ok(ranks) => Environment::DEFAULT
+            .run(|| run(&Collective::in_words(ranks, words::in_options))),
         Err(error) => {
             let _ = writeln!(std::io::stderr(), "netmesh-mpi: {error}");
             ExitCode::Other as u8

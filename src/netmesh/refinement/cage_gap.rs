@@ -86,17 +86,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         x.iter().all(|x| x.is_finite()).then_some(x)
     }
 
-    /// Finds the cavity of `x` and tells whether `x` is far enough from its vertices.
+    /// Finds the cavity of `x` and returns true if `x` is far enough from its vertices, and is no
+    /// uninserted input, of which a partition may have some left.
     fn finds_room(
         &mut self,
         near: SimplexId,
         domain: DomainId,
         x: &[f64; D],
         cavity: &mut Cavity,
-    ) -> AllocResult<bool> {
+    ) -> Result<bool> {
         let Some(start) = self.state.delaunay.locate(near, x) else { return Ok(false) };
         self.state.delaunay.find_cavity(start, x, cavity)?;
-        Ok(self.nearest_vertex_distance(x, cavity) >= SPACING * self.sphere_radius(domain))
+        let is_apart =
+            self.nearest_vertex_distance(x, cavity) >= SPACING * self.sphere_radius(domain);
+        Ok(is_apart && self.input_near(x, 0.0, cavity)?.is_none())
     }
 
     /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.

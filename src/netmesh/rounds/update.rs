@@ -128,8 +128,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The uninserted input nearest to `x` within `max_distance`, among the conflict lists of
-    /// `cavity`, which is that of `x`.
+    /// Returns the uninserted input nearest to `x` within `max_distance`, among the conflict lists of
+    /// `cavity`, which is that of `x`. An input at `x` itself is within any distance, also one that
+    /// has become zero among subnormal numbers: no other vertex may take its place.
     pub(in crate::netmesh) fn input_near(
         &mut self,
         x: &[f64; D],
@@ -146,7 +147,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             for input in self.state.conflict_lists.entries(simplex) {
                 self.watch.poll_after(1)?;
                 let distance = distance(x, self.state.delaunay.point(input));
-                if distance < least {
+                if distance < least || distance == 0.0 {
                     least = distance;
                     best = Some(input);
                 }

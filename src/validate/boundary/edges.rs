@@ -1,12 +1,17 @@
 //! Level 2: every subsegment is an edge of the triangulation, and Gabriel.
 
-use super::exact::{Point, side_of_diametral_circle};
+use super::exact::{Point, meets, side_of_diametral_circle, unit_in_last_place};
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, filled};
 use crate::mesh::NONE;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
+
+/// A subsegment may lack room for a vertex on it if it is so many units in the last place of the
+/// mesh's largest coordinates long, or a vertex opposite to it is so near to its line. Splits are
+/// fractions of the caller's segments, and as coarse as doubles near their ends.
+const NO_ROOM: f64 = 8.0;
 
 /// Which edges of the triangles are subsegments.
 pub(super) struct Edges {
@@ -73,6 +78,7 @@ fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32
 }
 
 pub(super) fn check(view: View<'_, 2>, edges: &Edges, findings: &mut Findings) -> AllocResult<()> {
+    let least_room = least_room(view);
     for (at, sides) in edges.sides.iter().enumerate() {
         let [a, b] = view.mesh.boundary.subsegments[at];
         let is_edge = findings.check(*sides != [NONE; 2], || {
@@ -81,13 +87,44 @@ pub(super) fn check(view: View<'_, 2>, edges: &Edges, findings: &mut Findings) -
             );
             Violation::new(ViolationKind::SubsegmentEdge, message).vertex(a as usize)
         });
-        // Doubles are too coarse there to split it.
+        // Doubles may be too coarse there to split it.
         let is_limited = [a, b].iter().all(|&end| view.mesh.precision_limited[end as usize]);
-        if is_edge && !is_limited {
+        let is_exempt = is_limited && may_lack_room(view, [a, b], *sides, least_room)?;
+        if is_edge && !is_exempt {
             check_gabriel(view, at, *sides, findings)?;
         }
     }
     Ok(())
+}
+
+/// Returns [`NO_ROOM`] units in the last place of the largest coordinate, by axis.
+fn least_room(view: View<'_, 2>) -> Point {
+    let coordinates = |axis: usize| view.mesh.points.iter().skip(axis).step_by(2);
+    let largest = |axis: usize| coordinates(axis).fold(0.0, |most: f64, x| most.max(x.abs()));
+    [0, 1].map(|axis| NO_ROOM * unit_in_last_place(largest(axis)))
+}
+
+/// Returns true if doubles may have no room for a vertex on a subsegment: it is no longer than
+/// `least_room`, or a vertex opposite to it is no farther from its line.
+fn may_lack_room(
+    view: View<'_, 2>,
+    ends: [u32; 2],
+    sides: [u32; 2],
+    least_room: Point,
+) -> AllocResult<bool> {
+    let [a, b]: [&Point; 2] = ends.map(|end| view.point(end));
+    if (0..2).all(|axis| (b[axis] - a[axis]).abs() <= least_room[axis]) {
+        return Ok(true);
+    }
+    for side in sides.into_iter().filter(|&side| side != NONE) {
+        let vertices = view.simplex(side as usize);
+        for &apex in vertices.iter().filter(|vertex| !ends.contains(vertex)) {
+            if meets(a, b, view.point(apex), least_room.map(|room| 2.0 * room))? {
+                return Ok(true);
+            }
+        }
+    }
+    Ok(false)
 }
 
 /// With the mesh Delaunay, the vertices of the two triangles speak for all.

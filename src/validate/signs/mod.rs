@@ -1,6 +1,9 @@
-//! Exact signs of determinants of points, by other methods than the builder's. In two and three
-//! dimensions the adaptive expansions of the package `robust`, where they are exact; else, and from
-//! four dimensions on, elimination in intervals, and in integers where intervals do not decide.
+//! Exact signs of determinants of points, by other methods than the builder's: in two dimensions, and
+//! for orientations in three, the adaptive expansions of the package `robust`, where they are exact;
+//! for spheres a determinant in doubles, where its error leaves no doubt; all others by elimination in
+//! intervals, and in integers where intervals do not decide.
+//!
+//! No sign takes more than some KiB of stack: callers may have threads of small stacks.
 
 mod adaptive;
 mod interval;

@@ -1,5 +1,6 @@
 //! A run from points to a rank's part of their mesh.
 
+use crate::agreement::{Arguments, require_same};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
@@ -28,7 +29,10 @@ pub fn run(
         check_points(dim, points)?;
         check_options(options)
     })?;
-    agreed(comm, || check_equal(comm, dim, options))?;
+    // Threads may differ.
+    let asked = Options { threads: 1, ..options.clone() };
+    let arguments = Arguments::of_call("nm_mpi_run").and("dim", dim);
+    require_same(comm, "", &arguments.and_fields(&asked, |field| format!("options.{field}")))?;
     let mut notes = Notes::new(comm);
     let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress, &mut notes))?;
     let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;
@@ -62,42 +66,29 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
     Err(Error::new(ErrorKind::NonFinite, message))
 }
 
-/// What only one process can do.
-fn check_options(options: &Options) -> Result<()> {
-    let refused = match () {
-        () if options.algorithm != Algorithm::Netmesh => "algorithm: only NM_ALGORITHM_NETMESH",
-        () if options.extent != Extent::All => "extent: only NM_EXTENT_ALL",
-        () if options.instruments => "instruments: only 0",
-        () if options.max_edge != 0.0 => "max_edge: only 0",
-        () if options.distance_ratio != 0.0 => "distance_ratio: only 0",
-        () if options.min_dihedral != 0.0 => "min_dihedral: only 0",
-        () => return Ok(()),
-    };
-    let message = format!("options.{refused} is for meshes of several ranks");
-    Err(Error::new(ErrorKind::InvalidArgument, message))
-}
+/// Options that meshes of several ranks do not have: the name, what is taken, and whether others are
+/// asked for. The header and `netmesh-mpi --help` list them.
+type Refusal = (&'static str, &'static str, fn(&Options) -> bool);
 
-/// Collective: that all ranks ask for the same.
-fn check_equal(comm: &dyn Communicator, dim: usize, options: &Options) -> Result<()> {
-    // All fields, as they print: floats so that no two print alike. Threads may differ.
-    let asked = Options { threads: 1, ..options.clone() };
-    let text = format!("{dim} {asked:?}");
-    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    let mut least = [hash, dim as u64];
-    comm.all_reduce_integers(&mut least, Operation::Min)?;
-    let mut most = [hash, dim as u64];
-    comm.all_reduce_integers(&mut most, Operation::Max)?;
-    if least[1] != most[1] {
-        let message = format!("dim is {} on one rank and {} on another", least[1], most[1]);
-        return Err(Error::new(ErrorKind::Dimension, message));
+const REFUSED: [Refusal; 6] = [
+    ("algorithm", "only NM_ALGORITHM_NETMESH", |options| options.algorithm != Algorithm::Netmesh),
+    ("extent", "only NM_EXTENT_ALL", |options| {
+        matches!(options.extent, Extent::Hull | Extent::Box | Extent::Boundary)
+    }),
+    ("instruments", "only 0", |options| options.instruments),
+    ("max_edge", "only 0", |options| options.max_edge != 0.0),
+    ("distance_ratio", "only 0", |options| options.distance_ratio != 0.0),
+    ("min_dihedral", "only 0", |options| options.min_dihedral != 0.0),
+];
+
+fn check_options(options: &Options) -> Result<()> {
+    match REFUSED.iter().find(|(_, _, is_asked_for)| is_asked_for(options)) {
+        None => Ok(()),
+        Some((name, taken, _)) => {
+            let message = format!("options.{name}: {taken} is for meshes of several ranks");
+            Err(Error::new(ErrorKind::InvalidArgument, message))
+        }
     }
-    if least[0] != most[0] {
-        let rule = "options are not the same on all ranks; only threads, progress and user_data may differ";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
-    }
-    Ok(())
 }
 
 /// Collective: the bytes that all ranks have sent, and the most of one.
@@ -107,4 +98,32 @@ pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u6
     comm.all_reduce_integers(&mut sum, Operation::Sum)?;
     comm.all_reduce_integers(&mut most, Operation::Max)?;
     Ok((sum[0], most[0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::REFUSED;
+
+    /// Returns the names in a list that is between two phrases of a text.
+    fn listed(text: &str, from: &str, to: &str) -> Vec<String> {
+        let rest = text.split_once(from).map(|(_, rest)| rest).expect("the list begins");
+        let list = rest.split_once(to).map(|(list, _)| list).expect("the list ends");
+        let mut names: Vec<_> = list
+            .split(|c: char| !(c.is_ascii_lowercase() || c == '_'))
+            .filter(|word| *word == "size" || REFUSED.iter().any(|(name, ..)| name == word))
+            .map(str::to_owned)
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The function of sizes is refused in `capi`, which alone knows it.
+    #[test]
+    fn the_header_lists_every_refusal() {
+        let header = include_str!("../include/netmesh_mpi.h");
+        let mut expected: Vec<_> = REFUSED.iter().map(|(name, ..)| name.to_string()).collect();
+        expected.push("size".to_owned());
+        expected.sort();
+        assert_eq!(listed(header, "Always refused: ", "Errors"), expected);
+    }
 }

@@ -31,9 +31,9 @@ use std::ffi::c_char;
 ///
 /// report: of the rank; the caller sets struct_size.
 ///
-/// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level,
-/// report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE (an earlier call on the mesh has
-/// failed), NM_PANIC.
+/// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level, also
+/// where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE
+/// (an earlier call on the mesh has failed), NM_PANIC.
 ///
 /// A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
 ///

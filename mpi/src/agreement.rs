@@ -82,12 +82,21 @@ fn is_field(word: &str) -> bool {
 }
 
 /// Collective: refuses arguments that differ between ranks; all ranks answer the same, in the words of
-/// the lowest rank that differs from rank 0. `subject`, which may differ, begins the message.
+/// the lowest rank that differs from rank 0. `subject`, which may differ, begins the message. `own`
+/// makes the arguments, or says what is wrong with them on this rank alone.
+///
+/// Calls that some ranks may confuse begin with this one, before any other word to each other: only so
+/// is it known what the others are at.
 ///
 /// # Errors
-/// `InvalidArgument`; `Dimension` where it is `dim` that differs.
-pub fn require_same(comm: &dyn Communicator, subject: &str, own: &Arguments) -> Result<()> {
-    let digest = agreed(comm, || Ok(own.digest()))?;
+/// `InvalidArgument`; `Dimension` where it is `dim` that differs; those of `own`.
+pub fn require_same(
+    comm: &dyn Communicator,
+    subject: &str,
+    own: impl FnOnce() -> Result<Arguments>,
+) -> Result<()> {
+    let own = agreed(comm, own)?;
+    let digest = own.digest();
     let (mut least, mut most) = ([digest], [digest]);
     comm.all_reduce_integers(&mut least, Operation::Min)?;
     comm.all_reduce_integers(&mut most, Operation::Max)?;
@@ -182,14 +191,15 @@ mod tests {
             let own = Arguments::of_call("a_call")
                 .and("dim", 2)
                 .and("options.seed", if rank < 2 { 7 } else { rank });
-            require_same(comm, &format!("file {rank}: "), &own).map_err(|error| error.to_string())
+            require_same(comm, &format!("file {rank}: "), || Ok(own))
+                .map_err(|error| error.to_string())
         });
         let expected = "file 2: options.seed is 2, on rank 0 it is 7; it must be the same on all ranks \
                         (rank 2)";
         assert_eq!(answers, vec![Err(expected.to_owned()); 4]);
         let answers = threads::run(3, |comm| {
             let own = Arguments::of_call("a_call").and("dim", 2 + comm.rank() / 2);
-            require_same(comm, "", &own).unwrap_err().kind()
+            require_same(comm, "", || Ok(own)).unwrap_err().kind()
         });
         assert_eq!(answers, [ErrorKind::Dimension; 3]);
         // Another call, with other arguments.
@@ -198,12 +208,13 @@ mod tests {
                 0 => Arguments::of_call("one").and("level", 1),
                 _ => Arguments::of_call("other").and("path", "a").and("format", 2),
             };
-            require_same(comm, "", &own).unwrap_err().message().to_owned()
+            require_same(comm, "", || Ok(own)).unwrap_err().message().to_owned()
         });
         let expected =
             "the call is other, on rank 0 it is one; it must be the same on all ranks (rank 1)";
         assert_eq!(answers, [expected; 2]);
-        let answers = threads::run(3, |comm| require_same(comm, "", &Arguments::of_call("one")));
+        let answers =
+            threads::run(3, |comm| require_same(comm, "", || Ok(Arguments::of_call("one"))));
         assert_eq!(answers, vec![Ok(()); 3]);
     }
 }

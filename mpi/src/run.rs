@@ -24,15 +24,15 @@ pub fn run(
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<DistributedMesh> {
-    agreed(comm, || {
+    require_same(comm, "", || {
         check_dimension(dim)?;
         check_points(dim, points)?;
-        check_options(options)
+        check_options(options)?;
+        // Threads may differ.
+        let asked = Options { threads: 1, ..options.clone() };
+        let arguments = Arguments::of_call("nm_mpi_run").and("dim", dim);
+        Ok(arguments.and_fields(&asked, |field| format!("options.{field}")))
     })?;
-    // Threads may differ.
-    let asked = Options { threads: 1, ..options.clone() };
-    let arguments = Arguments::of_call("nm_mpi_run").and("dim", dim);
-    require_same(comm, "", &arguments.and_fields(&asked, |field| format!("options.{field}")))?;
     let mut notes = Notes::new(comm);
     let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress, &mut notes))?;
     let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;

@@ -271,7 +271,9 @@ fn a_file_that_one_rank_misses_has_that_ranks_name() {
     };
     assert_eq!(threads::run(2, read).into_iter().map(Result::unwrap).sum::<usize>(), 3);
     let name = path(2).display().to_string();
-    for (content, words) in [(None, "cannot open"), (Some("0 0\n"), "the file's length in bytes is 4")] {
+    for (content, words) in
+        [(None, "cannot open"), (Some("0 0\n"), "the file's length in bytes is 4")]
+    {
         if let Some(content) = content {
             std::fs::write(path(2), content).unwrap();
         }

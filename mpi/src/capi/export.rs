@@ -1,7 +1,7 @@
 //! Files.
 
 use super::run::{handle, nm_mpi_mesh};
-use crate::comm::agreed;
+use crate::comm::Communicator;
 use crate::output::{self, Format};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{barrier, utf8_path};
@@ -50,10 +50,11 @@ pub unsafe extern "C" fn nm_mpi_export(
         // SAFETY: the caller gave NULL or a live handle.
         let handle = unsafe { handle(mesh)? };
         let comm = handle.comm.again();
-        let (path, format) = agreed(&comm, || {
-            // SAFETY: the caller gave NULL or a C string.
-            Ok((unsafe { utf8_path(path_utf8)? }, decode_format(format)?))
-        })?;
+        // No word to the others before the call is compared with theirs.
+        // SAFETY: the caller gave NULL or a C string.
+        let path = unsafe { utf8_path(path_utf8) };
+        let arguments = path.and_then(|path| Ok((path, decode_format(format)?)));
+        let (path, format) = arguments.map_err(|error| comm.fail(error))?;
         output::write(&comm, &handle.mesh, path, format)
     })
 }

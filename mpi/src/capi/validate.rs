@@ -4,7 +4,7 @@ use super::run::{handle, nm_mpi_mesh};
 use super::structs::nm_mpi_report;
 use super::violations::nm_mpi_violation;
 use crate::certificate::{Report, validate};
-use crate::comm::agreed;
+use crate::comm::Communicator;
 use crate::distributed::NO_ID;
 use netmesh::NONE;
 use netmesh::capi::nm_status;
@@ -48,8 +48,10 @@ pub unsafe extern "C" fn nm_mpi_validate(
         // SAFETY: the caller gave NULL or a live handle.
         let handle = unsafe { handle(mesh)? };
         let comm = handle.comm.again();
+        // No word to the others before the call is compared with theirs.
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
-        let out = agreed(&comm, || unsafe { OutStruct::new("report", report) })?;
+        let out = unsafe { OutStruct::new("report", report) };
+        let out = out.map_err(|error| comm.fail(error))?;
         out.write(&encode(&validate(&comm, &handle.mesh, level)?));
         Ok(())
     })

@@ -69,9 +69,11 @@ const MAX_DIM: usize = 3;
 /// `InvalidArgument`, the same on all ranks: `level` is not 1, 2 or 3 or not the same on all ranks, or
 /// the mesh is none of these ranks. `OutOfMemory`.
 pub fn validate(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> Result<Report> {
-    agreed(comm, || check_arguments(comm, mesh, level))?;
-    let arguments = Arguments::of_call("nm_mpi_validate").and("level", level);
-    require_same(comm, "", &arguments.and("the mesh's dimension", mesh.dim))?;
+    require_same(comm, "", || {
+        check_arguments(comm, mesh, level)?;
+        let arguments = Arguments::of_call("nm_mpi_validate").and("level", level);
+        Ok(arguments.and("the mesh's dimension", mesh.dim))
+    })?;
     agreed(comm, || match mesh.dim {
         2 => check::<2>(comm, mesh, level),
         _ => check::<3>(comm, mesh, level),

@@ -40,7 +40,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         let own = own.map_err(in_file)?.and("the format", format.name());
         Ok((file?, format, own))
     })?;
-    require_same(comm, &format!("{}: ", path.display()), &own)?;
+    require_same(comm, &format!("{}: ", path.display()), || Ok(own))?;
     let mut share = agreed(comm, || {
         let share = match format {
             Format::Npy => npy::read(file, rank, ranks),

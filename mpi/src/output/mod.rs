@@ -107,8 +107,10 @@ pub fn write(
 
 /// Collective: the format that all ranks ask for.
 fn resolved(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Format> {
-    let own = Arguments::of_call("nm_mpi_export").and("path_utf8", format!("{path:?}"));
-    require_same(comm, "", &own.and("format", format as i32))?;
+    require_same(comm, "", || {
+        let own = Arguments::of_call("nm_mpi_export").and("path_utf8", format!("{path:?}"));
+        Ok(own.and("format", format as i32))
+    })?;
     agreed(comm, || format.resolved(path))
 }
 

@@ -38,7 +38,7 @@ fn main() -> std::process::ExitCode {
 fn run(comm: &dyn Communicator) -> u8 {
     let parsed = Arguments::try_parse();
     let speaks = comm.rank() == 0;
-    if let Err(error) = require_same(comm, "", &compared(&parsed)) {
+    if let Err(error) = require_same(comm, "", || Ok(compared(&parsed))) {
         return fail(speaks, &Failure::new(ExitCode::Usage, error.message()));
     }
     match parsed {

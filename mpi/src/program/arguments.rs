@@ -17,7 +17,8 @@ const REFUSED: &str = "Always refused: ask netmesh, on one process";
 /// netmesh makes of them on one process, in parts.
 ///
 /// Each rank reads its part of the input and writes its part of the output; all must see the same
-/// files. The number of coordinates in the input is the dimension.
+/// files, and be called with the same options but for --threads. The number of coordinates in the input
+/// is the dimension, 2 or 3.
 #[derive(Clone, Debug, Parser)]
 #[command(name = "netmesh-mpi", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
@@ -233,6 +234,16 @@ impl Arguments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_help_lists_what_is_always_refused() {
+        let help = Arguments::command().render_long_help().to_string();
+        let (_, listed) = help.split_once(REFUSED).unwrap();
+        for option in ["--distance-ratio", "--min-dihedral", "--max-edge"] {
+            assert!(listed.contains(option), "{listed}");
+        }
+    }
 
     #[test]
     fn every_option_reaches_the_run() {

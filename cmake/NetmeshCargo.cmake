@@ -60,12 +60,12 @@ else()
   if(CMAKE_C_COMPILER_TARGET)
     set(netmesh_target_option "${CMAKE_C_COMPILE_OPTIONS_TARGET}${CMAKE_C_COMPILER_TARGET}")
   endif()
-  set(netmesh_gather COMMAND "${CMAKE_COMMAND}"
-      "-DFROM=${netmesh_cargo_dir}" "-DTO=${netmesh_library_dir}"
-      "-DVERSION=${PROJECT_VERSION}" "-DSONAME=${netmesh_soname}"
-      "-DHEADER=${netmesh_include_dir}/netmesh.h"
-      "-DCOMPILER=${CMAKE_C_COMPILER}" "-DTARGET_OPTION=${netmesh_target_option}"
-      "-DOBJCOPY=${CMAKE_OBJCOPY}" "-DAR=${CMAKE_AR}"
+  set(netmesh_gather_tools
+      "-DTO=${netmesh_library_dir}" "-DCOMPILER=${CMAKE_C_COMPILER}" "-DTARGET_OPTION=${netmesh_target_option}"
+      "-DOBJCOPY=${CMAKE_OBJCOPY}" "-DAR=${CMAKE_AR}")
+  set(netmesh_gather COMMAND "${CMAKE_COMMAND}" -DNAME=netmesh
+      "-DFROM=${netmesh_cargo_dir}" "-DVERSION=${PROJECT_VERSION}" "-DSONAME=${netmesh_soname}"
+      "-DHEADERS=${netmesh_include_dir}/netmesh.h" ${netmesh_gather_tools}
       -P "${CMAKE_CURRENT_LIST_DIR}/NetmeshGather.cmake")
 endif()
 

@@ -17,6 +17,14 @@ set(netmesh_mpi_cargo_dir "${NETMESH_CARGO_TARGET_DIR}/mpi")
 set(netmesh_mpi_dir "${netmesh_mpi_cargo_dir}/${NETMESH_CARGO_TARGET}/${netmesh_profile_dir}")
 cmake_path(NORMAL_PATH netmesh_mpi_dir)
 set(netmesh_mpi_archive "${netmesh_mpi_dir}/libnetmesh_mpi.a")
+set(netmesh_mpi_gather "")
+if(netmesh_soname)
+  # As the core's archive, it leaves the names of Rust's runtime to others.
+  set(netmesh_mpi_archive "${netmesh_library_dir}/libnetmesh_mpi.a")
+  set(netmesh_mpi_gather COMMAND "${CMAKE_COMMAND}" -DNAME=netmesh_mpi "-DFROM=${netmesh_mpi_dir}"
+      "-DHEADERS=${netmesh_include_dir}/netmesh.h$<SEMICOLON>${PROJECT_SOURCE_DIR}/mpi/include/netmesh_mpi.h"
+      ${netmesh_gather_tools} -P "${CMAKE_CURRENT_LIST_DIR}/NetmeshGather.cmake")
+endif()
 set(netmesh_mpi_program "${netmesh_mpi_dir}/netmesh-mpi")
 set(netmesh_mpi_include_dir "${PROJECT_SOURCE_DIR}/mpi/include")
 set(netmesh_mpi_target_option "")
@@ -31,6 +39,7 @@ set(netmesh_mpi_cargo_build
   --profile "${NETMESH_CARGO_PROFILE}" ${netmesh_mpi_target_option})
 add_custom_target(netmesh_mpi ALL
   COMMAND ${netmesh_mpi_cargo_build} --lib --bins
+  ${netmesh_mpi_gather}
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
   BYPRODUCTS "${netmesh_mpi_archive}" "${netmesh_mpi_program}"
   COMMENT "Building the library on MPI with cargo"
@@ -45,7 +54,5 @@ target_include_directories(netmesh::mpi INTERFACE "${netmesh_mpi_include_dir}" "
 add_dependencies(netmesh::mpi netmesh_mpi)
 
 if(NETMESH_INSTALL)
-  install(FILES "${netmesh_mpi_archive}" DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-  install(FILES "${netmesh_mpi_include_dir}/netmesh_mpi.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-  install(PROGRAMS "${netmesh_mpi_program}" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  include("${CMAKE_CURRENT_LIST_DIR}/NetmeshInstallMpi.cmake")
 endif()

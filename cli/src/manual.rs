@@ -1,10 +1,11 @@
-//! The man page `cli/netmesh.1.in`, made of the definition of the command line. It is checked in,
+//! The man page `cli/netmesh.1.in`, and in the same way `mpi/netmesh-mpi.1.in`, made of the definition of the command line. It is checked in,
 //! so that who builds the program needs neither clap_mangen nor to run it (the build may be for
 //! another machine); the build puts the version in. After a change of the options,
 //!
 //!     NETMESH_WRITE_MANUAL=1 cargo test --package netmesh-cli manual
+//!     NETMESH_WRITE_MANUAL=1 cargo test --manifest-path mpi/Cargo.toml manual
 //!
-//! writes it anew.
+//! write them anew.
 
 use crate::arguments::{Arguments, EXAMPLES};
 use crate::exit_code;
@@ -42,7 +43,8 @@ fn part(man: &Man, render: fn(&Man, &mut dyn Write) -> std::io::Result<()>) -> S
 /// Short, where clap_mangen would list every option.
 fn synopsis() -> String {
     let mut section = Roff::new();
-    let words = [bold("netmesh"), roman(" ["), italic("OPTIONS"), roman("] "), italic("INPUT")];
+    let name = Arguments::command().get_name().to_owned();
+    let words = [bold(name), roman(" ["), italic("OPTIONS"), roman("] "), italic("INPUT")];
     section.control("SH", ["SYNOPSIS"]).text(words).to_roff()
 }
 
@@ -58,13 +60,14 @@ fn verbatim(heading: &str, help: &str) -> String {
 
 #[test]
 fn the_manual_is_what_the_arguments_make() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("netmesh.1.in");
+    let name = format!("{}.1.in", Arguments::command().get_name());
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(&name);
     if std::env::var_os("NETMESH_WRITE_MANUAL").is_some() {
         std::fs::write(&path, manual()).expect("the page can be written");
     }
     let page = std::fs::read_to_string(&path).expect("the page is there").replace('\r', "");
     assert!(
         page == manual(),
-        "cli/netmesh.1.in is not that of these options; src/manual.rs tells how"
+        "{name} is not the page of these options; cli/src/manual.rs tells how"
     );
 }

@@ -5,9 +5,8 @@ use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
 use netmesh::io::{self, Format};
 use netmesh::{Attribute, Error, ErrorKind, Mesh};
-use std::fs;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Refuses a path that no file can be written to.
 pub fn require_place(path: &Path) -> Result<(), Failure> {
@@ -27,6 +26,15 @@ pub fn require_place(path: &Path) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses files that could not be written after the work, by trying now to write beside them.
+pub fn require_writable(paths: &[PathBuf]) -> Result<(), Failure> {
+    let files = paths.iter().filter(|path| !standard::is_meant(path));
+    files.into_iter().try_for_each(|path| {
+        require_place(path)?;
+        io::require_writable(path).map_err(|error| failure(path, &error))
+    })
 }
 
 /// Refuses standard output without a format, and for the format that is two files.
@@ -95,20 +103,7 @@ pub fn write(
 
 /// Writes a file of text: complete, or not at all. A device or a pipe is written into.
 pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    let refuse = |error: std::io::Error| {
-        let message = format!("{}: cannot write: {error}", path.display());
-        Failure::new(ExitCode::OutputNotWritable, message)
-    };
-    if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
-        return fs::write(path, text).map_err(refuse);
-    }
-    // `netmesh::io::unfinished_files` knows such names.
-    let temporary = path.with_file_name(format!(".netmesh-{}-json.tmp", std::process::id()));
-    let written = fs::write(&temporary, text).and_then(|()| fs::rename(&temporary, path));
-    if written.is_err() {
-        let _ = fs::remove_file(&temporary);
-    }
-    written.map_err(refuse)
+    io::write_text_file(path, text).map_err(|error| failure(path, &error))
 }
 
 fn failure(path: &Path, error: &Error) -> Failure {

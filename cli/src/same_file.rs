@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = outputs(arguments)?;
     if let Some(json) = arguments.json.as_deref() {
-        if outputs.iter().any(|output| output == json || are_same(output, json)) {
+        if outputs.iter().any(|output| will_be_same(output, json) || are_same(output, json)) {
             let message = format!(
                 "{}: both the mesh and the JSON object would go here; name another file for --json",
                 standard::output_name(json)
@@ -48,6 +48,12 @@ pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
         Some(path) => io::output_paths(path, arguments.output_format())
             .map_err(|error| Failure::writing(&path.display().to_string(), &error)),
     }
+}
+
+/// Returns true for two names of a file that need not be there yet.
+fn will_be_same(a: &Path, b: &Path) -> bool {
+    let files = io::follow_links(a).ok().zip(io::follow_links(b).ok());
+    files.is_some_and(|(a, b)| a == b)
 }
 
 /// Two names of one file: links too. A terminal may well be read and written.

@@ -17,14 +17,16 @@ use crate::standard;
 use crate::summary::{Summary, Times};
 use crate::words::CommandLine;
 use netmesh::prepared::Prepared;
-use netmesh::{Mesh, Triangulation, quality};
+use netmesh::{Extent, Mesh, Triangulation, quality};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     check_paths(arguments)?;
-    interruption::clean_up_after(files_to_write(arguments)?);
+    let files = files_to_write(arguments)?;
+    interruption::clean_up_after(files.clone());
+    require_writable(files, arguments)?;
     let display = Display::new(!arguments.quiet);
     let mut times = Times::default();
     let mut mesh = {
@@ -39,6 +41,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(output) = &arguments.output {
         require_output_format(&mesh, output, arguments)?;
+        require_parts_of_segments(&mesh, arguments)?;
     }
     timed(&mut times.mesh, || make(&mut mesh, arguments, &display))?;
     let alpha_shape = timed(&mut times.write, || write(&mesh, arguments, &display))?;
@@ -103,6 +106,22 @@ fn files_to_write(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     files.extend(arguments.json.clone());
     files.retain(|path| !standard::is_meant(path));
     Ok(files)
+}
+
+/// Refuses outputs that cannot be written, but for those that only segments make.
+fn require_writable(mut files: Vec<PathBuf>, arguments: &Arguments) -> Result<(), Failure> {
+    let of_segments: Vec<PathBuf> = same_file::outputs(arguments)?.into_iter().skip(2).collect();
+    files.retain(|path| !of_segments.contains(path));
+    output::require_writable(&files)
+}
+
+/// Refuses outputs of a mesh with segments, or with a boundary like theirs, that cannot be written.
+fn require_parts_of_segments(mesh: &Mesh, arguments: &Arguments) -> Result<(), Failure> {
+    let is_bounded = matches!(arguments.options().extent, Extent::Hull | Extent::Box);
+    match mesh.segments().count() {
+        0 if !is_bounded => Ok(()),
+        _ => output::require_writable(&same_file::outputs(arguments)?),
+    }
 }
 
 fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> Result<(), Failure> {

@@ -81,6 +81,54 @@ fn the_input_is_not_replaced_without_force() {
     assert_eq!(bench.files(), ["same.ele", "same.node", "square.xyz"]);
 }
 
+/// No input is there: who is told of the output has not waited for a mesh.
+#[test]
+#[cfg(target_os = "linux")]
+fn an_output_that_cannot_be_written_is_refused_before_anything_is_read() {
+    let bench = Workbench::new("refused_before");
+    bench.write("file", "");
+    bench.write("mesh.off/file", "");
+    let long = "a".repeat(300);
+    for output in ["/proc/a.off", "file/a.off", "mesh.off", "a.off/", &format!("{long}.off")] {
+        let name = output.trim_end_matches('/');
+        for line in ["-o", "--json", "--alpha-shape optimal -o"] {
+            bench.run(&format!("missing.xyz {line} {output}")).assert_failure(8, &[name]);
+        }
+    }
+    let line = "missing.xyz --filtration alpha -o /proc/a.filtration";
+    bench.run(line).assert_failure(8, &["/proc/a.filtration"]);
+    // Both parts of the pair, and where there are segments those of segments.
+    bench.write("a.ele/file", "");
+    bench.run("missing.xyz -o a.node").assert_failure(8, &["a.ele"]);
+    bench.write("b.edge/file", "");
+    bench.write("points.xyz", SQUARE);
+    bench.write("square.poly", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n1 0\n0 0 1\n0\n");
+    bench.run("square.poly -o b.node").assert_failure(8, &["b.edge"]);
+    bench.run("points.xyz -o b.node --extent hull").assert_failure(8, &["b.edge"]);
+    bench.run("points.xyz -q -o b.node").assert_success();
+    assert!(!bench.files().iter().any(|name| name.ends_with(".tmp")));
+}
+
+#[test]
+#[cfg(unix)]
+fn links_to_files_that_are_not_there_are_followed() {
+    use std::os::unix::fs::symlink;
+    let bench = bench_with("dangling_links", "points.xyz", SQUARE);
+    bench.write("there/file", "");
+    for (name, target) in
+        [("a.off", "there/a.off"), ("a.json", "there/a.json"), ("b.json", "there/a.off")]
+    {
+        symlink(target, bench.directory().join(name)).unwrap();
+    }
+    bench.run("points.xyz -o a.off --json b.json").assert_failure(2, &["b.json", "--json"]);
+    bench.run("points.xyz -q -o a.off --json a.json").assert_success();
+    for name in ["a.off", "a.json"] {
+        assert!(bench.directory().join(name).is_symlink(), "{name} was replaced");
+        assert!(!bench.bytes(&format!("there/{name}")).is_empty());
+    }
+    assert!(bench.read("there/a.json").starts_with('{'));
+}
+
 #[test]
 fn mesh_and_record_do_not_go_to_one_file() {
     let bench = bench_with("one_file", "points.xyz", SQUARE);

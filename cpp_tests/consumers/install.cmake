@@ -24,6 +24,15 @@ set(expected ${headers} ${pages}
 if(soname)
   list(APPEND expected "${library_dir}/${soname}" "${library_dir}/libnetmesh.so")
 endif()
+if(has_mpi)
+  list(APPEND expected
+      "${library_dir}/libnetmesh_mpi.a"
+      "${include_dir}/netmesh_mpi.h"
+      "${library_dir}/pkgconfig/netmesh_mpi.pc"
+      "${program_dir}/netmesh-mpi"
+      "${manual_dir}/man1/netmesh-mpi.1"
+      "${data_dir}/doc/netmesh/mpi/README.md")
+endif()
 list(SORT expected)
 file(GLOB_RECURSE installed RELATIVE "${prefix}" "${prefix}/*")
 list(SORT installed)
@@ -37,6 +46,22 @@ foreach(name IN ITEMS "${soname}" libnetmesh.so)
     message(FATAL_ERROR "${name} is a copy")
   endif()
 endforeach()
+
+# Libraries and programs have no line tables, unless these are asked for.
+set(size 0)
+foreach(name "${library_dir}/${shared_name}" "${library_dir}/${static_name}" "${program_dir}/netmesh")
+  if(readelf AND soname)
+    run("${readelf}" --section-headers --wide "${prefix}/${name}")
+    string(FIND "${run_output}" ".debug_" place)
+    if(NOT has_symbols AND NOT place EQUAL -1)
+      message(FATAL_ERROR "${name} is not stripped")
+    endif()
+  endif()
+  file(SIZE "${prefix}/${name}" bytes)
+  math(EXPR size "${size} + ${bytes}")
+endforeach()
+math(EXPR size "${size} / 1000000")
+message(STATUS "libraries and program have ${size} MB")
 
 # Every page that a header cites is there.
 set(cited "")

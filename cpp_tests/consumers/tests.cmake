@@ -6,6 +6,10 @@ find_program(NETMESH_PKG_CONFIG pkg-config)
 get_filename_component(netmesh_rust_dir "${NETMESH_CARGO}" DIRECTORY)
 find_program(NETMESH_RUSTC rustc HINTS "${netmesh_rust_dir}")
 
+set(netmesh_has_mpi OFF)
+if(TARGET netmesh::mpi)
+  set(netmesh_has_mpi ON)
+endif()
 set(consumer_settings "${CMAKE_CURRENT_BINARY_DIR}/consumer_settings.cmake")
 configure_file(consumers/settings.cmake.in "${consumer_settings}" @ONLY)
 

@@ -1,5 +1,6 @@
 //! A run from points to a rank's part of their mesh.
 
+use crate::agreement::{Arguments, require_same};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::distributed::{DistributedMesh, Promise};
 use crate::meshing::MAX_DIM;
@@ -24,12 +25,15 @@ pub fn run(
     options: &Options,
     progress: Option<&mut ProgressFn<'_>>,
 ) -> Result<DistributedMesh> {
-    agreed(comm, || {
+    require_same(comm, "", || {
         check_dimension(dim)?;
         check_points(dim, points)?;
-        check_options(options)
+        check_options(options)?;
+        // Threads may differ.
+        let asked = Options { threads: 1, ..options.clone() };
+        let arguments = Arguments::of_call("nm_mpi_run").and("dim", dim);
+        Ok(arguments.and_fields(&asked, |field| format!("options.{field}")))
     })?;
-    agreed(comm, || check_equal(comm, dim, options))?;
     let mut notes = Notes::new(comm);
     let pieces = agreed(comm, || meshing::mesh(comm, dim, points, options, progress, &mut notes))?;
     let mut mesh = agreed(comm, || numbering::number(comm, dim, points, pieces))?;
@@ -63,56 +67,40 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
     Err(Error::new(ErrorKind::NonFinite, message))
 }
 
-/// Refuses what only one process can do.
-fn check_options(options: &Options) -> Result<()> {
-    let numbers = [
-        (Name::MaxEdge, options.max_edge),
-        (Name::DistanceRatio, options.distance_ratio),
-        (Name::MinDihedral, options.min_dihedral),
-    ];
-    let number = numbers.into_iter().find(|&(_, value)| value != 0.0);
-    let rule = "meshes of several ranks";
-    let message = match (options.algorithm, options.extent) {
-        (Algorithm::Netmesh, Extent::Auto | Extent::All) => match number {
-            Some((name, value)) => {
-                Message::about(name, format!(" is {value}; it must be 0 for {rule}"))
-            }
-            None if options.instruments => {
-                Message::about(Name::Instruments, format!(" is not for {rule}"))
-            }
-            None => return Ok(()),
-        },
-        (Algorithm::Netmesh, extent) => {
-            Message::about(Choice::Extent(extent), format!(" is not for {rule}"))
-        }
-        (algorithm, _) => {
-            Message::about(Choice::Algorithm(algorithm), format!(" is not for {rule}"))
-        }
-    };
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+/// An option that meshes of several ranks do not have, and what is said where others are asked for.
+/// The header and `netmesh-mpi --help` list them.
+type Refusal = (&'static str, fn(&Options) -> Option<Message>);
+
+const REFUSED: [Refusal; 6] = [
+    ("algorithm", |options| {
+        let algorithm = options.algorithm;
+        (algorithm != Algorithm::Netmesh).then(|| refused(Choice::Algorithm(algorithm)))
+    }),
+    ("extent", |options| {
+        let is_cropped = !matches!(options.extent, Extent::Auto | Extent::All);
+        is_cropped.then(|| refused(Choice::Extent(options.extent)))
+    }),
+    ("instruments", |options| options.instruments.then(|| refused(Name::Instruments))),
+    ("max_edge", |options| refused_number(Name::MaxEdge, options.max_edge)),
+    ("distance_ratio", |options| refused_number(Name::DistanceRatio, options.distance_ratio)),
+    ("min_dihedral", |options| refused_number(Name::MinDihedral, options.min_dihedral)),
+];
+
+fn refused(name: impl Into<Name>) -> Message {
+    Message::about(name, " is not for meshes of several ranks")
 }
 
-/// Collective: that all ranks ask for the same.
-fn check_equal(comm: &dyn Communicator, dim: usize, options: &Options) -> Result<()> {
-    // All fields, as they print: floats so that no two print alike. Threads may differ.
-    let asked = Options { threads: 1, ..options.clone() };
-    let text = format!("{dim} {asked:?}");
-    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    let mut least = [hash, dim as u64];
-    comm.all_reduce_integers(&mut least, Operation::Min)?;
-    let mut most = [hash, dim as u64];
-    comm.all_reduce_integers(&mut most, Operation::Max)?;
-    if least[1] != most[1] {
-        let message = format!("dim is {} on one rank and {} on another", least[1], most[1]);
-        return Err(Error::new(ErrorKind::Dimension, message));
+fn refused_number(name: Name, value: f64) -> Option<Message> {
+    let rule = || format!(" is {value}; it must be 0 for meshes of several ranks");
+    (value != 0.0).then(|| Message::about(name, rule()))
+}
+
+/// Refuses what only one process can do.
+fn check_options(options: &Options) -> Result<()> {
+    match REFUSED.iter().find_map(|(_, refusal)| refusal(options)) {
+        None => Ok(()),
+        Some(message) => Err(Error::new(ErrorKind::InvalidArgument, message)),
     }
-    if least[0] != most[0] {
-        let rule = "options are not the same on all ranks; only threads, progress and user_data may differ";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
-    }
-    Ok(())
 }
 
 /// Collective: the bytes that all ranks have sent, and the most of one.
@@ -122,4 +110,32 @@ pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u6
     comm.all_reduce_integers(&mut sum, Operation::Sum)?;
     comm.all_reduce_integers(&mut most, Operation::Max)?;
     Ok((sum[0], most[0]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::REFUSED;
+
+    /// Returns the names in a list that is between two phrases of a text.
+    fn listed(text: &str, from: &str, to: &str) -> Vec<String> {
+        let rest = text.split_once(from).map(|(_, rest)| rest).expect("the list begins");
+        let list = rest.split_once(to).map(|(list, _)| list).expect("the list ends");
+        let mut names: Vec<_> = list
+            .split(|c: char| !(c.is_ascii_lowercase() || c == '_'))
+            .filter(|word| *word == "size" || REFUSED.iter().any(|(name, ..)| name == word))
+            .map(str::to_owned)
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The function of sizes is refused in `capi`, which alone knows it.
+    #[test]
+    fn the_header_lists_every_refusal() {
+        let header = include_str!("../include/netmesh_mpi.h");
+        let mut expected: Vec<_> = REFUSED.iter().map(|(name, ..)| name.to_string()).collect();
+        expected.push("size".to_owned());
+        expected.sort();
+        assert_eq!(listed(header, "Always refused: ", "Errors"), expected);
+    }
 }

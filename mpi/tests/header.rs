@@ -39,6 +39,16 @@ fn the_header_is_what_cbindgen_makes() {
     assert!(header() == made, "include/netmesh_mpi.h has another length than what cbindgen makes");
 }
 
+/// Nothing is declared again by a program that includes the header twice.
+#[test]
+fn the_guard_is_around_all_that_is_declared() {
+    let header = header();
+    let (_, guarded) = header.split_once("#ifndef NETMESH_MPI_H\n#define NETMESH_MPI_H\n").unwrap();
+    let (declared, after) = guarded.split_once("#endif  /* NETMESH_MPI_H */").unwrap();
+    assert!(declared.contains("nm_status nm_mpi_run(MPI_Comm communicator"));
+    assert_eq!(after.trim(), "");
+}
+
 /// The compiler wrapper's flags, without the program.
 fn compiles(name: &str, language: &[&str], text: &str) {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
@@ -49,7 +59,7 @@ fn compiles(name: &str, language: &[&str], text: &str) {
     let core = root().join("../include");
     let output = Command::new(wrapper)
         .args(language)
-        .args(["-Wall", "-Wextra", "-Werror", "-c", "-I"])
+        .args(["-Wall", "-Wextra", "-Wredundant-decls", "-Werror", "-c", "-I"])
         .arg(include)
         .arg("-I")
         .arg(core)

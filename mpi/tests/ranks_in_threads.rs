@@ -208,12 +208,12 @@ fn what_does_not_fit_together_is_told_to_all() {
         (
             |rank, points, dim, _| (*points, *dim) = (Vec::new(), 2 + rank % 2),
             ErrorKind::Dimension,
-            "dim is 2 on one rank and 3 on another (rank 0)",
+            "dim is 3, on rank 0 it is 2; it must be the same on all ranks (rank 1)",
         ),
         (
             |rank, _, _, options| options.seed = rank as u64,
             ErrorKind::InvalidArgument,
-            "options are not the same on all ranks; only threads, progress and user_data may differ (rank 0)",
+            "options.seed is 1, on rank 0 it is 0; it must be the same on all ranks (rank 1)",
         ),
         (
             |_, _, _, options| options.epsilon = -1.0,
@@ -255,4 +255,32 @@ fn a_cancelled_rank_cancels_all() {
         netmesh_mpi::run(comm, 2, &points, &Options::default(), Some(&mut cancel)).unwrap_err()
     });
     assert!(errors.iter().all(|error| error.kind() == ErrorKind::Cancelled), "{errors:?}");
+}
+
+/// The file that is missing is named as the rank knows it that misses it.
+#[test]
+fn a_file_that_one_rank_misses_has_that_ranks_name() {
+    let directory = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("shares");
+    let _ = std::fs::remove_dir_all(&directory);
+    std::fs::create_dir_all(&directory).unwrap();
+    let path = |rank: usize| directory.join(format!("points_{rank}.xyz"));
+    (0..2).for_each(|rank| std::fs::write(path(rank), "0 0\n1 0\n0 1\n").unwrap());
+    let read = |comm: &dyn Communicator| {
+        let read = netmesh_mpi::input::read(comm, &path(comm.rank()), netmesh::io::Format::Auto);
+        read.map(|share| share.points.len() / 2)
+    };
+    assert_eq!(threads::run(2, read).into_iter().map(Result::unwrap).sum::<usize>(), 3);
+    let name = path(2).display().to_string();
+    for (content, words) in
+        [(None, "cannot open"), (Some("0 0\n"), "the file's length in bytes is 4")]
+    {
+        if let Some(content) = content {
+            std::fs::write(path(2), content).unwrap();
+        }
+        for error in threads::run(3, read).into_iter().map(Result::unwrap_err) {
+            let message = error.message();
+            assert!(message.starts_with(&format!("{name}: {words}")), "{message}");
+            assert!(message.ends_with("(rank 2)"), "{message}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the programs of the tests on several numbers of ranks, and compares what they say.
 #
-#   run.sh messages|same|work|statuses|files|faults PROGRAMS SCRATCH
+#   run.sh messages|same|work|statuses|apart|files|faults PROGRAMS SCRATCH
 #
 # PROGRAMS: the directory with messages, same_mesh, statuses and netmesh-mpi. SCRATCH: a directory for files.
 # NETMESH_MPIRUN: the launcher, mpirun if not given. What cannot run here is a line `SKIP: REASON`.
@@ -22,7 +22,7 @@ ranks() {
   shift
   OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
     OMPI_MCA_mpi_yield_when_idle=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
-    timeout 300 "${NETMESH_MPIRUN:-mpirun}" -np "$number" "$@"
+    timeout "${limit:-300}" "${NETMESH_MPIRUN:-mpirun}" -np "$number" "$@"
 }
 
 # same SHAPE DIM COUNT OUTPUT: one mesh, whatever the ranks and whoever has the points.
@@ -85,7 +85,8 @@ work_test() {
   [ "$(cut -d, -f1 1.partitions | uniq -c | awk '{ printf "%s ", $1 }')" = "8 8 8 4 2 1 " ] ||
     fail "phases: $(cut -d, -f1 1.partitions | uniq -c)"
   refused 2 'the table would replace the input' 2 points.xyz --work points.xyz
-  refused 8 'cannot write' 3 points.xyz --work absent/work.csv
+  refused 8 'cannot create' 3 points.xyz --work absent/work.csv
+  refused 2 'both the table and the output' 2 points.xyz -o mesh.npy --work mesh.points.npy
   # From its own partitions the model foresees what a run took, and nothing else.
   "${NETMESH_PYTHON:-python3}" "$here/../model/scaling.py" replay 1.csv 1.csv | grep '+0%'
   "${NETMESH_PYTHON:-python3}" "$here/../model/scaling.py" predict 1.csv 8.csv --ranks 64 | grep '^ *64 '
@@ -108,6 +109,74 @@ statuses_test() {
     ranks "$number" "$programs/statuses" "$directory"
     [ -z "$mounted" ] || [ -z "$(ls -A "$directory/full")" ] || fail "a full disk keeps $(ls -A "$directory/full")"
     ! ls -A "$directory" | grep -q '\.tmp$' || fail "temporary files stay: $(ls -A "$directory")"
+  done
+}
+
+# Ranks that are called differently, or see different files: all say so, and none waits for the others.
+apart_test() {
+  local directory="$scratch/apart" limit=60 number
+  rm -rf "$directory"
+  mkdir -p "$directory/elsewhere" "$directory/shorter" "$directory/changed" "$directory/there"
+  cd "$directory"
+  awk 'BEGIN { srand(7); for (i = 0; i < 300; i++) print rand(), rand() }' >in.xyz
+  cp in.xyz other.xyz
+  tail -n +2 in.xyz >shorter/in.xyz
+  tr 123 321 <in.xyz >changed/in.xyz
+
+  apart 2 '--output is "x.npy", on rank 0 it is "x.pvtu"; it must be the same' . 'in.xyz -q -o x.pvtu' 'in.xyz -q -o x.npy'
+  apart 2 '--output is "y.npy", on rank 0 it is "x.npy"' . 'in.xyz -q -o x.npy' 'in.xyz -q -o y.npy'
+  apart 2 '--output is not given, on rank 0 it is "x.npy"' . 'in.xyz -q -o x.npy' 'in.xyz -q'
+  apart 2 '--output-format is Npy, on rank 0 it is Pvtu' . 'in.xyz -o x --output-format pvtu' 'in.xyz -o x --output-format npy'
+  apart 2 "the command line is refused (unexpected argument '--nothing' found), on rank 0 it is understood" . \
+    'in.xyz -q' 'in.xyz -q --nothing'
+  apart 2 "the command line is understood, on rank 0 it is refused (unexpected argument '--nothing' found)" . \
+    'in.xyz -q --nothing' 'in.xyz -q'
+  apart 2 'the command line is a question (--help, --version), on rank 0' . 'in.xyz -q' '--help'
+  apart 2 '--validate is true, on rank 0 it is false' . 'in.xyz -q' 'in.xyz -q --validate'
+  apart 2 '--quiet is false, on rank 0 it is true' . 'in.xyz -q' 'in.xyz'
+  apart 2 '--work is "w", on rank 0 it is not given' . 'in.xyz -q' 'in.xyz -q --work w'
+  apart 2 '--seed is 1, on rank 0 it is 0' . 'in.xyz -q' 'in.xyz -q --seed 1'
+  apart 2 'INPUT is "other.xyz", on rank 0 it is "in.xyz"' . 'in.xyz -q' 'other.xyz -q'
+  # The same words, in other directories.
+  apart 3 'in.xyz: cannot open: No such file' elsewhere 'in.xyz -q' 'in.xyz -q'
+  apart 2 "in.xyz: the file's length in bytes is" shorter 'in.xyz -q' 'in.xyz -q'
+  apart 2 "in.xyz: a digest of the file's content is" changed 'in.xyz -q' 'in.xyz -q'
+  apart 8 'all ranks must see the same directory' elsewhere "$PWD/in.xyz -q -o x.pvtu" "$PWD/in.xyz -q -o x.pvtu"
+  apart 8 'all ranks must see the same directory' elsewhere "$PWD/in.xyz -q -o x.npy" "$PWD/in.xyz -q -o x.npy"
+  apart 8 'all ranks must see the same directory' elsewhere "$PWD/in.xyz -q --work w" "$PWD/in.xyz -q --work w"
+  [ -z "$(ls -A elsewhere)" ] || fail "ranks elsewhere leave $(ls -A elsewhere)"
+  [ "$(ls -A | tr '\n' ' ')" = 'changed elsewhere in.xyz other.xyz shorter there ' ] || fail "ranks leave $(ls -A)"
+
+  # What may differ, and what is wrong before anything is read.
+  ranks 1 "$programs/netmesh-mpi" in.xyz -q -o x.npy --threads 1 : -np 1 "$programs/netmesh-mpi" in.xyz -q -o x.npy --threads 2
+  for number in 2 3 4; do
+    refused 8 'x_0.vtu: cannot create' "$number" absent.xyz -o /proc/x.pvtu
+    refused 8 'cannot create' "$number" absent.xyz -o absent/x.npy
+    refused 8 'in.xyz/y_0.vtu: no file can be there' "$number" absent.xyz -o in.xyz/y.pvtu
+    refused 2 'the output would replace the input' "$number" x.points.npy -o ./there/../x.npy
+  done
+  mkdir x_1.vtu
+  refused 8 'x_1.vtu: is a directory' 3 absent.xyz -o x.pvtu
+  rmdir x_1.vtu
+  # Links lead to where files will be.
+  ln -s there/points.npy linked.points.npy
+  ranks 2 "$programs/netmesh-mpi" in.xyz -q -o linked.npy
+  [ -L linked.points.npy ] || fail "a link was replaced"
+  cmp there/points.npy x.points.npy
+}
+
+# apart CODE WORDS DIRECTORY FIRST OTHERS: the first ranks are called with the words of FIRST here, the others with
+# those of OTHERS in DIRECTORY: all exit with that code, and one says so, of the first of the others.
+apart() {
+  local code="$1" words="$2" directory="$3" first="$4" others="$5" split count status said
+  for split in '1 1' '1 2' '3 1'; do
+    count="${split% *}" status=0
+    # shellcheck disable=SC2086
+    said="$(ranks "$count" "$programs/netmesh-mpi" $first : -np "${split#* }" -wdir "$PWD/$directory" \
+      "$programs/netmesh-mpi" $others 2>&1)" || status=$?
+    [ "$status" -eq "$code" ] || fail "$first | $others: exit code $status, $code expected: $said"
+    [ "$(grep -cF -- "$words" <<<"$said")" -eq 1 ] || fail "$first | $others: '$words' is not said once: $said"
+    grep -q "(rank $count)" <<<"$said" || fail "$first | $others: not said of rank $count: $said"
   done
 }
 

@@ -161,6 +161,38 @@ pub fn unfinished_files(path: &Path) -> Vec<PathBuf> {
     replace::temporary_files(path)
 }
 
+/// Refuses a path that [`write_file`] could not write to, at once and before there is a mesh: a missing
+/// directory or one that takes no files, a directory, a read-only file, a name that is too long. Makes
+/// a file under a temporary name beside it, and removes it. A disk may still fill up until the mesh
+/// is there; a device or a pipe is not opened.
+///
+/// # Errors
+/// `Io`, as [`write_file`] has it.
+pub fn require_writable(path: &Path) -> Result<()> {
+    replace::require_writable(path)
+}
+
+/// Returns the path that the symbolic links at `path` lead to, whether a file is there or not.
+///
+/// # Errors
+/// `Io`: links that lead to each other.
+pub fn follow_links(path: &Path) -> Result<PathBuf> {
+    replace::follow_links(path)
+}
+
+/// Writes text to a file as [`write_file`] does a mesh: all or nothing, links followed, a device or a
+/// pipe written into.
+///
+/// # Errors
+/// `Io`.
+pub fn write_text_file(path: &Path, text: &str) -> Result<()> {
+    let body = |out: &mut dyn Write| out.write_all(text.as_bytes());
+    match replace::open_stream(path)? {
+        Some(mut stream) => body(&mut stream).map_err(|error| io_error("cannot write", &error)),
+        None => replace::replace(&[(path, &body)]),
+    }
+}
+
 /// Reads points from a stream.
 ///
 /// # Errors
@@ -219,7 +251,7 @@ fn read_named(
 /// is that of the `.node` part and the other is `b.ele`. With segments there are an `.edge` part and a
 /// `.poly` part too. All are complete before any is renamed.
 ///
-/// A symbolic link is followed, a read-only file is refused; a device or a pipe, which cannot be
+/// A symbolic link is followed, also to where no file is yet; a read-only file is refused; a device or a pipe, which cannot be
 /// replaced, is written as by [`write()`].
 ///
 /// # Errors

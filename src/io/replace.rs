@@ -20,11 +20,72 @@ pub(super) fn replace(files: &[(&Path, Body<'_>)]) -> Result<()> {
     staged.into_iter().try_for_each(Staged::take_place)
 }
 
+/// Answers now what [`replace`] would answer after the work: a file beside the target is made and
+/// removed again. A device or a pipe is not opened, since that alone may change or block it.
+pub(super) fn require_writable(path: &Path) -> Result<()> {
+    match fs::metadata(path) {
+        Ok(metadata) if is_stream(&metadata) => return require_stream(path, &metadata),
+        _ => {}
+    }
+    let (target, _) = writable_target(path)?;
+    let (file, temporary) = create_beside(&target)?;
+    let outcome = require_replaceable(&file, &target);
+    drop(file);
+    fs::remove_file(&temporary)
+        .map_err(|error| of_path(path, "cannot remove a file beside it", &error))?;
+    outcome
+}
+
+/// Returns true for what is written into rather than replaced.
+fn is_stream(metadata: &fs::Metadata) -> bool {
+    !metadata.is_file() && !metadata.is_dir()
+}
+
+/// Refuses a socket, which cannot be opened as a file.
+#[cfg(unix)]
+fn require_stream(path: &Path, metadata: &fs::Metadata) -> Result<()> {
+    use std::os::unix::fs::FileTypeExt;
+    match metadata.file_type().is_socket() {
+        true => Err(refused(path, "is a socket, which no file can be written to", NO_SUCH_DEVICE)),
+        false => Ok(()),
+    }
+}
+
+#[cfg(not(unix))]
+fn require_stream(_: &Path, _: &fs::Metadata) -> Result<()> {
+    Ok(())
+}
+
+/// Refuses another user's file in a directory where each user replaces only own files, as in /tmp.
+/// `own` is a file there that this process has just made.
+#[cfg(unix)]
+fn require_replaceable(own: &File, target: &Path) -> Result<()> {
+    use std::os::unix::fs::MetadataExt;
+    const STICKY: u32 = 0o1000;
+    let (own, directory, there) =
+        (own.metadata(), fs::metadata(directory_of(target)), fs::metadata(target));
+    let (Ok(own), Ok(directory), Ok(there)) = (own, directory, there) else { return Ok(()) };
+    let owners = [0, directory.uid(), there.uid()];
+    match directory.mode() & STICKY != 0 && !owners.contains(&own.uid()) {
+        true => Err(refused(
+            target,
+            "another user's file, which this user must not replace here",
+            NOT_PERMITTED,
+        )),
+        false => Ok(()),
+    }
+}
+
+#[cfg(not(unix))]
+fn require_replaceable(_: &File, _: &Path) -> Result<()> {
+    Ok(())
+}
+
 /// Opens what is there to be written into and must not be replaced: a device, a pipe. `None` for
 /// files, whether there or not.
 pub(super) fn open_stream(path: &Path) -> Result<Option<File>> {
     match fs::metadata(path) {
-        Ok(metadata) if !metadata.is_file() && !metadata.is_dir() => {
+        Ok(metadata) if is_stream(&metadata) => {
             let opened = OpenOptions::new().write(true).open(path);
             opened.map(Some).map_err(|error| of_path(path, "cannot open", &error))
         }
@@ -34,12 +95,8 @@ pub(super) fn open_stream(path: &Path) -> Result<Option<File>> {
 
 /// What this process has under temporary names in the directory of `path`, links followed.
 pub(super) fn temporary_files(path: &Path) -> Vec<PathBuf> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let directory = match target.parent() {
-        Some(parent) if parent != Path::new("") => parent,
-        _ => Path::new("."),
-    };
-    let Ok(entries) = fs::read_dir(directory) else { return Vec::new() };
+    let target = follow_links(path).unwrap_or_else(|_| path.to_path_buf());
+    let Ok(entries) = fs::read_dir(directory_of(&target)) else { return Vec::new() };
     let prefix = temporary_prefix();
     let is_temporary = |name: &str| name.starts_with(&prefix) && name.ends_with(SUFFIX);
     entries
@@ -59,6 +116,9 @@ const SUFFIX: &str = ".tmp";
 /// Unix.
 const IS_A_DIRECTORY: i32 = 21;
 const PERMISSION_DENIED: i32 = 13;
+const NOT_PERMITTED: i32 = 1;
+const NO_SUCH_DEVICE: i32 = 6;
+const TOO_MANY_LINKS: i32 = if cfg!(target_os = "linux") { 40 } else { 62 };
 
 /// A complete file under a temporary name, which is removed unless the file takes its place.
 struct Staged {
@@ -95,28 +155,51 @@ impl Drop for Staged {
     }
 }
 
+/// Returns the path that a chain of symbolic links ends at, whether a file is there or not.
+pub(super) fn follow_links(path: &Path) -> Result<PathBuf> {
+    /// As many as Linux follows.
+    const MOST_LINKS: u32 = 40;
+    let mut target = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else { return Ok(target) };
+        target = directory_of(&target).join(next);
+    }
+    Err(refused(path, "the link leads to a link, and so on without end", TOO_MANY_LINKS))
+}
+
+fn directory_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Returns true for `a/` and `a/.`, which [`Path`] takes for `a`, and the system for a directory.
+fn names_a_directory(path: &Path) -> bool {
+    let bytes = path.as_os_str().as_encoded_bytes();
+    let is_separator = |byte: &u8| std::path::is_separator(char::from(*byte));
+    bytes.strip_suffix(b".").unwrap_or(bytes).last().is_some_and(is_separator)
+}
+
 /// Where to write, links followed, and the permissions of the file that is there.
 fn writable_target(path: &Path) -> Result<(PathBuf, Option<fs::Permissions>)> {
-    let refused = |why: &str, code: i32| {
-        let message = format!("{}: {why}", path.display());
-        Error::new(ErrorKind::Io, message).with_system_code(Some(code))
-    };
     if path.file_name().is_none() {
-        return Err(refused("the path names no file", IS_A_DIRECTORY));
+        return Err(refused(path, "the path names no file", IS_A_DIRECTORY));
     }
-    let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
-    let target = match is_link {
-        true => fs::canonicalize(path).map_err(|e| of_path(path, "cannot follow the link", &e))?,
-        false => path.to_path_buf(),
-    };
+    let target = follow_links(path)?;
     match fs::metadata(&target) {
-        Ok(metadata) if metadata.is_dir() => Err(refused("is a directory", IS_A_DIRECTORY)),
+        Ok(metadata) if metadata.is_dir() => Err(refused(path, "is a directory", IS_A_DIRECTORY)),
+        _ if names_a_directory(&target) => {
+            Err(refused(path, "the path names a directory", IS_A_DIRECTORY))
+        }
         // A rename would replace it all the same.
         Ok(metadata) if metadata.permissions().readonly() => {
-            Err(refused("the file is read-only", PERMISSION_DENIED))
+            Err(refused(path, "the file is read-only", PERMISSION_DENIED))
         }
         Ok(metadata) => Ok((target, Some(metadata.permissions()))),
-        Err(_) => Ok((target, None)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok((target, None)),
+        // A name that is too long, say: no rename would get there either.
+        Err(error) => Err(of_path(path, "no file can be there", &error)),
     }
 }
 
@@ -147,6 +230,10 @@ fn fill(file: File, permissions: Option<fs::Permissions>, body: Body<'_>) -> io:
     body(&mut buffered)?;
     buffered.flush()?;
     buffered.into_inner().sync_all()
+}
+
+fn refused(path: &Path, why: &str, code: i32) -> Error {
+    Error::new(ErrorKind::Io, format!("{}: {why}", path.display())).with_system_code(Some(code))
 }
 
 fn of_path(path: &Path, what: &str, error: &io::Error) -> Error {
@@ -296,6 +383,67 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read_to_string(&a).unwrap(), "new");
         assert_eq!(fs::metadata(&a).unwrap().permissions().mode() & 0o777, 0o640);
+    }
+
+    /// A reader of a link that leads nowhere means the file that it will lead to.
+    #[cfg(unix)]
+    #[test]
+    fn links_to_nothing_are_followed() {
+        use std::os::unix::fs::symlink;
+        let directory = Directory::new("dangling");
+        fs::create_dir(directory.join("there")).unwrap();
+        let (target, link) = (directory.join("there/a"), directory.join("link"));
+        symlink("there/../there/second", &link).unwrap();
+        symlink("a", directory.join("there/second")).unwrap();
+        require_writable(&link).unwrap();
+        let body = |out: &mut dyn Write| {
+            assert_eq!(temporary_files(&link).len(), 1);
+            new_text(out)
+        };
+        replace(&[(&link, &body)]).unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read_to_string(&target).unwrap(), "new");
+        symlink("circle", directory.join("circle")).unwrap();
+        let missing = directory.join("nowhere");
+        symlink("missing/a", &missing).unwrap();
+        for path in [&directory.join("circle"), &missing] {
+            assert_eq!(require_writable(path).unwrap_err().kind(), ErrorKind::Io);
+            assert_eq!(replace(&[(path, &new_text)]).unwrap_err().kind(), ErrorKind::Io);
+        }
+    }
+
+    /// Whatever is refused after the work is refused before it, in the same words.
+    #[test]
+    fn what_cannot_be_written_is_known_before() {
+        let directory = Directory::new("before");
+        let old = directory.join("old");
+        fs::write(&old, "old").unwrap();
+        let mut permissions = fs::metadata(&old).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&old, permissions).unwrap();
+        let long = "a".repeat(300);
+        for name in ["missing/a", "old/a", "old", ".", "new/", "new/.", "..", &long] {
+            let path = directory.0.join(name);
+            let before = require_writable(&path).unwrap_err();
+            let after = replace(&[(&path, &new_text)]).unwrap_err();
+            assert_eq!((before.kind(), before.message()), (ErrorKind::Io, after.message()));
+        }
+        assert_eq!(directory.files(), owned(&[("old", "old")]));
+        require_writable(&directory.join("new")).unwrap();
+        assert_eq!(directory.files(), owned(&[("old", "old")]));
+    }
+
+    /// Directories that take no files, and sockets.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn places_that_take_no_files_are_known_before() {
+        let directory = Directory::new("sockets");
+        let socket = directory.join("socket");
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        for path in [Path::new("/proc/a"), &socket] {
+            assert_eq!(require_writable(path).unwrap_err().kind(), ErrorKind::Io, "{path:?}");
+        }
+        require_writable(Path::new("/dev/null")).unwrap();
     }
 
     #[cfg(target_os = "linux")]

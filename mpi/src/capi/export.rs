@@ -1,7 +1,7 @@
 //! Files.
 
 use super::run::{handle, nm_mpi_mesh};
-use crate::comm::agreed;
+use crate::comm::Communicator;
 use crate::output::{self, Format};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{barrier, utf8_path};
@@ -28,11 +28,14 @@ pub enum nm_mpi_format {
 /// Writes the mesh to files that all ranks see under the path, replacing what was there. Collective. The
 /// files are written under other names and then renamed: after a failure there is none of this call.
 ///
-/// path_utf8, format: the same on all ranks. NM_MPI_FORMAT_AUTO goes by the extension.
+/// path_utf8, format: the same on all ranks, and the directory too. NM_MPI_FORMAT_AUTO goes by the
+/// extension. Where a file is a symbolic link, what it leads to is written.
 ///
 /// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, path_utf8), NM_INVALID_ARGUMENT (path_utf8
-/// empty or not UTF-8, an unknown format or extension, a format that cannot hold the mesh), NM_IO (the
-/// message has the reason), NM_OUT_OF_MEMORY, NM_STATE (an earlier call on the mesh has failed).
+/// empty or not UTF-8, an unknown format or extension, a format that cannot hold the mesh, a path or a
+/// format that differs between ranks), NM_IO (the message has the reason; so too where ranks do not see
+/// the same directory, or a file that would be replaced is read-only), NM_OUT_OF_MEMORY, NM_STATE (an
+/// earlier call on the mesh has failed).
 ///
 /// A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
 ///
@@ -47,10 +50,11 @@ pub unsafe extern "C" fn nm_mpi_export(
         // SAFETY: the caller gave NULL or a live handle.
         let handle = unsafe { handle(mesh)? };
         let comm = handle.comm.again();
-        let (path, format) = agreed(&comm, || {
-            // SAFETY: the caller gave NULL or a C string.
-            Ok((unsafe { utf8_path(path_utf8)? }, decode_format(format)?))
-        })?;
+        // No word to the others before the call is compared with theirs.
+        // SAFETY: the caller gave NULL or a C string.
+        let path = unsafe { utf8_path(path_utf8) };
+        let arguments = path.and_then(|path| Ok((path, decode_format(format)?)));
+        let (path, format) = arguments.map_err(|error| comm.fail(error))?;
         output::write(&comm, &handle.mesh, path, format)
     })
 }

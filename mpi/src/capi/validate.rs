@@ -4,7 +4,7 @@ use super::run::{handle, nm_mpi_mesh};
 use super::structs::nm_mpi_report;
 use super::violations::nm_mpi_violation;
 use crate::certificate::{Report, validate};
-use crate::comm::agreed;
+use crate::comm::Communicator;
 use crate::distributed::NO_ID;
 use netmesh::NONE;
 use netmesh::capi::nm_status;
@@ -31,9 +31,9 @@ use std::ffi::c_char;
 ///
 /// report: of the rank; the caller sets struct_size.
 ///
-/// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level,
-/// report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE (an earlier call on the mesh has
-/// failed), NM_PANIC.
+/// Errors, the same on all ranks: NM_NULL_ARGUMENT (mesh, report), NM_INVALID_ARGUMENT (level, also
+/// where it differs between ranks; report->struct_size), NM_OUT_OF_MEMORY, NM_IO (MPI failed), NM_STATE
+/// (an earlier call on the mesh has failed), NM_PANIC.
 ///
 /// A NULL for mesh is told to this rank alone: without it there is nothing to talk through.
 ///
@@ -48,8 +48,10 @@ pub unsafe extern "C" fn nm_mpi_validate(
         // SAFETY: the caller gave NULL or a live handle.
         let handle = unsafe { handle(mesh)? };
         let comm = handle.comm.again();
+        // No word to the others before the call is compared with theirs.
         // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
-        let out = agreed(&comm, || unsafe { OutStruct::new("report", report) })?;
+        let out = unsafe { OutStruct::new("report", report) };
+        let out = out.map_err(|error| comm.fail(error))?;
         out.write(&encode(&validate(&comm, &handle.mesh, level)?));
         Ok(())
     })

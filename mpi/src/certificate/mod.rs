@@ -47,7 +47,8 @@ mod vertices;
 
 pub use report::{Report, Rule, Violation};
 
-use crate::comm::{Communicator, Operation, agreed};
+use crate::agreement::{Arguments, require_same};
+use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use complex::Complex;
 use netmesh::mesh::MIN_DIM;
@@ -68,7 +69,11 @@ const MAX_DIM: usize = 3;
 /// `InvalidArgument`, the same on all ranks: `level` is not 1, 2 or 3 or not the same on all ranks, or
 /// the mesh is none of these ranks. `OutOfMemory`.
 pub fn validate(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> Result<Report> {
-    agreed(comm, || check_arguments(comm, mesh, level))?;
+    require_same(comm, "", || {
+        check_arguments(comm, mesh, level)?;
+        let arguments = Arguments::of_call("nm_mpi_validate").and("level", level);
+        Ok(arguments.and("the mesh's dimension", mesh.dim))
+    })?;
     agreed(comm, || match mesh.dim {
         2 => check::<2>(comm, mesh, level),
         _ => check::<3>(comm, mesh, level),
@@ -87,14 +92,6 @@ fn check_arguments(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) 
     }
     if !(MIN_DIM..=MAX_DIM).contains(&mesh.dim) {
         return invalid(format!("dim is {}; it must be {MIN_DIM} or {MAX_DIM}", mesh.dim));
-    }
-    let mut least = [level.into(), mesh.dim as u64];
-    let mut most = least;
-    comm.all_reduce_integers(&mut least, Operation::Min)?;
-    comm.all_reduce_integers(&mut most, Operation::Max)?;
-    if least != most {
-        let message = format!("level and dim are {least:?} on one rank and {most:?} on another");
-        return invalid(message);
     }
     Ok(())
 }

@@ -3,11 +3,12 @@
 mod npy;
 mod text;
 
+use crate::agreement::{Arguments, digest, require_same};
 use crate::comm::{Communicator, Operation, agreed};
 use netmesh::io::Format;
 use netmesh::{Error, ErrorKind, Result};
 use std::fs::File;
-use std::io;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Points of a rank.
@@ -17,27 +18,39 @@ pub struct Share {
     pub points: Vec<f64>,
 }
 
-/// Collective: reads the file, which all ranks see under this path. Earlier rows are on lower ranks.
+/// Collective: reads the file, of which all ranks see the same, each under its path. Earlier rows are on
+/// lower ranks.
 ///
 /// # Errors
-/// `InvalidArgument` (a format other than NumPy's and XYZ), `Io`, `Format`, `Dimension`, `NonFinite`
-/// and `OutOfMemory`, as the core's readers have them; lines and points count from the file's first.
+/// The same on all ranks, with the path of the rank that has the error: `InvalidArgument` (a format other
+/// than NumPy's and XYZ; a format or a file that is not the same on all ranks), `Io`, `Format`,
+/// `Dimension`, `NonFinite` and `OutOfMemory`, as the core's readers have them; lines and points count
+/// from the file's first.
 pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Share> {
     let (rank, ranks) = (comm.rank() as u64, comm.size() as u64);
-    let mut share = agreed(comm, || {
+    let in_file =
+        |error: Error| Error::new(error.kind(), format!("{}: {}", path.display(), error.message()));
+    let (file, format, own) = agreed(comm, || {
         let format = match format {
             Format::Auto => Format::from_path(path)?,
             format => format,
         };
-        let file = File::open(path).map_err(|error| io_error("cannot open", &error))?;
-        match format {
+        let mut file = File::open(path).map_err(|error| io_error("cannot open", &error));
+        let own = file.as_mut().map_err(|error| error.clone()).and_then(fingerprint);
+        let own = own.map_err(in_file)?.and("the format", format.name());
+        Ok((file?, format, own))
+    })?;
+    require_same(comm, &format!("{}: ", path.display()), || Ok(own))?;
+    let mut share = agreed(comm, || {
+        let share = match format {
             Format::Npy => npy::read(file, rank, ranks),
             Format::Xyz => text::read(file, rank, ranks),
             _ => Err(Error::new(
                 ErrorKind::InvalidArgument,
                 "ranks read NumPy's arrays (.npy) and points as text (.xyz) only",
             )),
-        }
+        };
+        share.map_err(in_file)
     })?;
     agreed(comm, || {
         let own = share.dim as u64;
@@ -45,7 +58,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         comm.all_reduce_integers(&mut least, Operation::Min)?;
         let mut most = [if share.points.is_empty() { 0 } else { own }];
         comm.all_reduce_integers(&mut most, Operation::Max)?;
-        let refused = |message| Err(Error::new(ErrorKind::Format, message));
+        let refused = |message| Err(in_file(Error::new(ErrorKind::Format, message)));
         match (least[0], most[0]) {
             (u64::MAX, _) => refused("the file holds no points".to_owned()),
             (least, most) if least != most => refused(format!(
@@ -58,6 +71,23 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         }
     })?;
     Ok(share)
+}
+
+/// Tells files of different lengths apart, and those that differ in one of some places.
+fn fingerprint(file: &mut File) -> Result<Arguments> {
+    const PLACES: u64 = 16;
+    const BLOCK: u64 = 1 << 12;
+    let failed = |error: io::Error| io_error("cannot read", &error);
+    let length = file.seek(SeekFrom::End(0)).map_err(failed)?;
+    let mut blocks = Vec::new();
+    for place in 0..PLACES {
+        let start = start_of(place, PLACES - 1, length.saturating_sub(BLOCK));
+        file.seek(SeekFrom::Start(start)).map_err(failed)?;
+        Read::take(&mut *file, BLOCK).read_to_end(&mut blocks).map_err(failed)?;
+    }
+    let content = format!("{:016x}", digest([&blocks[..]]));
+    let own = Arguments::of_call("reading").and("the file's length in bytes", length);
+    Ok(own.and("a digest of the file's content", content))
 }
 
 /// Where the share of a rank begins.

@@ -7,11 +7,13 @@ mod unfinished;
 mod vtu;
 mod work;
 
+use crate::agreement::{Arguments, require_same};
 use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use netmesh::{Error, ErrorKind, Result};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use unfinished::Unfinished;
 
 pub use work::write_work;
 
@@ -29,6 +31,9 @@ pub enum Format {
 
 impl Format {
     fn resolved(self, path: &Path) -> Result<Self> {
+        if path.file_stem().is_none() {
+            return Err(Error::new(ErrorKind::InvalidArgument, "the path names no file"));
+        }
         match (self, path.extension().and_then(|extension| extension.to_str())) {
             (Self::Auto, Some("pvtu")) => Ok(Self::Pvtu),
             (Self::Auto, Some("npy")) => Ok(Self::Npy),
@@ -41,33 +46,72 @@ impl Format {
     }
 }
 
+/// Collective: finds out, before there is a mesh, whether [`write`] can write its files; nothing of what it
+/// makes for that stays.
+///
+/// # Errors
+/// As [`write`], but for a disk that is full.
+pub fn require_writable(comm: &dyn Communicator, path: &Path, format: Format) -> Result<()> {
+    let format = resolved(comm, path, format)?;
+    Unfinished::new(comm, files_of(path, format, comm.size())).map(drop)
+}
+
+/// Collective: as [`require_writable`] for the one file of [`write_work`].
+pub fn require_writable_file(comm: &dyn Communicator, path: &Path) -> Result<()> {
+    Unfinished::new(comm, vec![path.to_path_buf()]).map(drop)
+}
+
+/// The files that [`write`] makes on so many ranks.
+///
+/// # Errors
+/// `InvalidArgument`: an extension that names no format; a path that names no file.
+pub fn files(path: &Path, format: Format, ranks: usize) -> Result<Vec<PathBuf>> {
+    Ok(files_of(path, format.resolved(path)?, ranks))
+}
+
+/// The last one is that which names the others.
+fn files_of(path: &Path, format: Format, ranks: usize) -> Vec<PathBuf> {
+    match format {
+        Format::Npy => npy::files(path).to_vec(),
+        _ => vtu::files(path, ranks),
+    }
+}
+
 /// Collective: writes the mesh. All ranks must see the same files under `path`.
 ///
 /// # Errors
-/// The same on all ranks: `InvalidArgument` (the extension; a dimension that the format does not hold),
-/// `Io`, `OutOfMemory`. There is no file of this call then.
+/// The same on all ranks: `InvalidArgument` (the extension; a path or a format that is not the same on all
+/// ranks; a dimension that the format does not hold), `Io`, `OutOfMemory`. There is no file of this call
+/// then.
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
     path: &Path,
     format: Format,
 ) -> Result<()> {
-    let format = agreed(comm, || {
-        if path.file_stem().is_none() {
-            return Err(Error::new(ErrorKind::InvalidArgument, "the path names no file"));
-        }
-        let format = format.resolved(path)?;
+    let format = resolved(comm, path, format)?;
+    agreed(comm, || {
         if format == Format::Pvtu && mesh.dim > 3 {
             let message =
                 format!("VTK's files hold 2 and 3 dimensions, not {}; use .npy", mesh.dim);
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }
-        Ok(format)
+        Ok(())
     })?;
+    let unfinished = Unfinished::new(comm, files_of(path, format, comm.size()))?;
     match format {
-        Format::Npy => npy::write(comm, mesh, path),
-        _ => vtu::write(comm, mesh, path),
+        Format::Npy => npy::write(comm, mesh, unfinished),
+        _ => vtu::write(comm, mesh, path, unfinished),
     }
+}
+
+/// Collective: the format that all ranks ask for.
+fn resolved(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Format> {
+    require_same(comm, "", || {
+        let own = Arguments::of_call("nm_mpi_export").and("path_utf8", format!("{path:?}"));
+        Ok(own.and("format", format as i32))
+    })?;
+    agreed(comm, || format.resolved(path))
 }
 
 fn of_path(path: &Path, what: &str, error: &io::Error) -> Error {

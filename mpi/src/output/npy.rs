@@ -6,16 +6,23 @@ use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use crate::memory::with_capacity;
 use netmesh::Result;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Numbers begin here.
 const HEADER: usize = 128;
 
-/// Collective. Row v of the points is vertex v, and that of an input which is equal to one before it is
+/// The files of the array of points and of that of simplices.
+pub fn files(path: &Path) -> [PathBuf; 2] {
+    ["points", "simplices"].map(|what| path.with_extension(format!("{what}.npy")))
+}
+
+/// Collective. `unfinished` are [`files`]. Row v of the points is vertex v, and that of an input which is equal to one before it is
 /// its point: row i is input i. The simplices are unsigned 64-bit ids of vertices.
-pub fn write(comm: &dyn Communicator, mesh: &DistributedMesh, path: &Path) -> Result<()> {
-    let named = |what: &str| path.with_extension(format!("{what}.npy"));
-    let unfinished = Unfinished::new(comm, vec![named("points"), named("simplices")])?;
+pub fn write(
+    comm: &dyn Communicator,
+    mesh: &DistributedMesh,
+    unfinished: Unfinished,
+) -> Result<()> {
     write_points(comm, mesh, unfinished.temporary(0))?;
     write_simplices(comm, mesh, unfinished.temporary(1))?;
     unfinished.take_place(comm)

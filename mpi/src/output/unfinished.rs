@@ -2,8 +2,8 @@
 
 use super::of_path;
 use crate::comm::{Communicator, agreed};
-use netmesh::Result;
-use std::fs;
+use netmesh::{Result, io};
+use std::fs::{self, OpenOptions};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -18,14 +18,23 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// Collective. `names`: the final names, the same on all ranks.
+    /// Collective: finds out, before there is anything to write, that all ranks can write these files.
+    /// `names`: the final names, the same on all ranks; where one is a link, what it leads to.
+    ///
+    /// # Errors
+    /// `Io`: a rank that cannot write its file there, or one that does not see what rank 0 makes there.
     pub fn new(comm: &dyn Communicator, names: Vec<PathBuf>) -> Result<Self> {
         static CALLS: AtomicU64 = AtomicU64::new(0);
+        let names = agreed(comm, || {
+            let names: Result<Vec<_>> = names.iter().map(|name| io::follow_links(name)).collect();
+            names.and_then(|names| require_writable(comm, &names).map(|()| names))
+        })?;
         // Rank 0 tells what no other run has.
         let call = CALLS.fetch_add(1, Ordering::Relaxed);
         let own = format!("{}-{call}", std::process::id());
         let told = comm.all_gather(if comm.rank() == 0 { own.as_bytes() } else { &[] })?;
         let token = String::from_utf8_lossy(&told[0]).into_owned();
+        require_one_directory(comm, &names, &token)?;
         let temporary = |(index, name): (usize, PathBuf)| {
             (name.with_file_name(format!(".netmesh-mpi-{token}-{index}.tmp")), name)
         };
@@ -61,6 +70,52 @@ impl Unfinished {
             }
         }
         Ok(())
+    }
+}
+
+/// Refuses names that no file can have. Each rank looks at some of them, rank 0 at the last as well.
+fn require_writable(comm: &dyn Communicator, names: &[PathBuf]) -> Result<()> {
+    let own = names.iter().skip(comm.rank()).step_by(comm.size());
+    let last = names.last().filter(|_| comm.rank() == 0);
+    own.chain(last).try_for_each(|name| io::require_writable(name))
+}
+
+/// Collective: refuses directories of the names that are not the same for all ranks, as the current ones
+/// of processes on several machines may be.
+fn require_one_directory(comm: &dyn Communicator, names: &[PathBuf], token: &str) -> Result<()> {
+    let probe = |name: &PathBuf| name.with_file_name(format!(".netmesh-mpi-{token}-probe.tmp"));
+    let mut probes: Vec<(PathBuf, &PathBuf)> =
+        names.iter().map(|name| (probe(name), name)).collect();
+    probes.dedup_by(|a, b| a.0 == b.0);
+    let created = agreed(comm, || {
+        let mut created = Removed(Vec::new());
+        for (probe, name) in probes.iter().filter(|_| comm.rank() == 0) {
+            fs::File::create_new(probe)
+                .map_err(|error| of_path(name, "cannot create a file beside it", &error))?;
+            created.0.push(probe.clone());
+        }
+        Ok(created)
+    })?;
+    let seen = agreed(comm, || {
+        for (probe, name) in &probes {
+            OpenOptions::new().write(true).open(probe).map_err(|error| {
+                let what = "what rank 0 has created beside it cannot be opened here; all ranks must \
+                            see the same directory";
+                of_path(name, what, &error)
+            })?;
+        }
+        Ok(())
+    });
+    drop(created);
+    seen
+}
+
+/// Files that are removed in the end.
+struct Removed(Vec<PathBuf>);
+
+impl Drop for Removed {
+    fn drop(&mut self) {
+        self.0.iter().for_each(|file| drop(fs::remove_file(file)));
     }
 }
 

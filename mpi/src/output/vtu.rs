@@ -16,10 +16,19 @@ const TETRA: u8 = 10;
 /// VTK's DUPLICATECELL and DUPLICATEPOINT.
 const DUPLICATE: u8 = 1;
 
-/// Collective.
-pub fn write(comm: &dyn Communicator, mesh: &DistributedMesh, path: &Path) -> Result<()> {
-    let pieces = (0..comm.size()).map(|rank| piece_path(path, rank));
-    let unfinished = Unfinished::new(comm, pieces.chain([path.to_owned()]).collect())?;
+/// The pieces, and the file that names them.
+pub fn files(path: &Path, ranks: usize) -> Vec<PathBuf> {
+    let pieces = (0..ranks).map(|rank| piece_path(path, rank));
+    pieces.chain([path.to_owned()]).collect()
+}
+
+/// Collective. `unfinished` are [`files`].
+pub fn write(
+    comm: &dyn Communicator,
+    mesh: &DistributedMesh,
+    path: &Path,
+    unfinished: Unfinished,
+) -> Result<()> {
     agreed(comm, || {
         create(unfinished.temporary(comm.rank()), &|out| write_piece(mesh, out))?;
         match comm.rank() {

@@ -6,17 +6,21 @@ use clap::{Parser, ValueEnum};
 use netmesh::{Criterion, GivesWay, NetOrdering, Options, Output};
 use std::path::PathBuf;
 
-const EXAMPLES: &str = "\
+pub const EXAMPLES: &str = "\
 Examples:
   mpirun -np 8 netmesh-mpi points.npy -o mesh.pvtu
   mpirun -np 8 netmesh-mpi points.xyz -o mesh.npy --finish --bound 3.5";
+
+/// The heading of options that `netmesh` has and meshes of several ranks cannot have.
+const REFUSED: &str = "Always refused: ask netmesh, on one process";
 
 /// Mesh points on the ranks of an MPI program: in goes a file of points, out comes the mesh that
 /// netmesh makes of them on one process, in parts.
 ///
 /// Each rank reads its part of the input and writes its part of the output; all must see the same
-/// files. The number of coordinates in the input is the dimension.
-#[derive(Debug, Parser)]
+/// files, and be called with the same options but for --threads. The number of coordinates in the input
+/// is the dimension, 2 or 3.
+#[derive(Clone, Debug, Parser)]
 #[command(name = "netmesh-mpi", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
     /// File of points: a NumPy array (.npy), or a line each (.xyz)
@@ -63,7 +67,7 @@ pub struct Arguments {
 }
 
 /// Options of the algorithm.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Meshing")]
 pub struct Meshing {
     /// How a round of inputs is chosen: by a seeded sample, or by nets without any random number
@@ -113,20 +117,20 @@ pub struct Meshing {
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub root_scale: Option<f64>,
 
-    /// With --finish: how far a cell may reach, relative to its vertex's distance from the input
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    /// Refused: meshes of several ranks have no bound by the distance to the input
+    #[arg(long, value_name = "X", allow_negative_numbers = true, help_heading = REFUSED)]
     pub distance_ratio: Option<f64>,
 
-    /// Least dihedral angle in degrees, at most 22; in 3D
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    /// Refused: meshes of several ranks have no bound of dihedral angles
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = REFUSED)]
     pub min_dihedral: Option<f64>,
 
-    /// With --finish: the length that no edge exceeds in the box of the input
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    /// Refused: meshes of several ranks have no sizes
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = REFUSED)]
     pub max_edge: Option<f64>,
 
-    /// What gives way where --min-dihedral and --bound cannot both be had
-    #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
+    /// Without effect, as --min-dihedral is refused
+    #[arg(long, value_enum, default_value_t = GivesWayName::Angle, help_heading = REFUSED)]
     pub gives_way: GivesWayName,
 
     /// Seed of every random choice; the same seed makes the same mesh
@@ -243,6 +247,16 @@ impl Arguments {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_help_lists_what_is_always_refused() {
+        let help = Arguments::command().render_long_help().to_string();
+        let (_, listed) = help.split_once(REFUSED).unwrap();
+        for option in ["--distance-ratio", "--min-dihedral", "--max-edge"] {
+            assert!(listed.contains(option), "{listed}");
+        }
+    }
 
     #[test]
     fn every_option_reaches_the_run() {

@@ -3,9 +3,11 @@
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
 use crate::summary::{self, Times};
+use netmesh::{Error, ErrorKind};
 use netmesh_mpi::certificate::Report;
-use netmesh_mpi::comm::Communicator;
+use netmesh_mpi::comm::{Communicator, agreed};
 use netmesh_mpi::{input, output, validate};
+use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
@@ -14,10 +16,11 @@ const LEVEL: u32 = 3;
 
 /// Collective: all ranks answer the same.
 pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
-    refuse_input_as_output(arguments)?;
+    agreed(comm, || require_distinct(comm.size(), arguments))?;
+    let name = |path: &Path| path.display().to_string();
+    require_outputs(comm, arguments)?;
     let mut times = Times::default();
     let start = Instant::now();
-    let name = |path: &Path| path.display().to_string();
     let share = input::read(comm, &arguments.input, arguments.input_format())
         .map_err(|error| Failure::reading(&name(&arguments.input), &error))?;
     times.read = start.elapsed();
@@ -57,17 +60,49 @@ fn require(report: &Report) -> Result<(), Failure> {
     Err(Failure::new(ExitCode::CertificateViolated, message))
 }
 
-/// What is written for NAME.npy has other names.
-fn refuse_input_as_output(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.work.as_ref() == Some(&arguments.input) {
-        let message = format!("{}: the table would replace the input", arguments.input.display());
-        return Err(Failure::new(ExitCode::Usage, message));
+/// Collective: refuses outputs that cannot be written, before anything is read.
+fn require_outputs(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
+    let failure = |path: &Path, error| Failure::writing(&path.display().to_string(), &error);
+    if let Some(path) = &arguments.output {
+        output::require_writable(comm, path, arguments.output_format())
+            .map_err(|error| failure(path, error))?;
     }
-    let Some(output) = &arguments.output else { return Ok(()) };
-    let is_written = |extension: &str| output.with_extension(extension) == arguments.input;
-    if is_written("points.npy") || is_written("simplices.npy") {
-        let message = format!("{}: the output would replace the input", arguments.input.display());
-        return Err(Failure::new(ExitCode::Usage, message));
+    if let Some(path) = &arguments.work {
+        output::require_writable_file(comm, path).map_err(|error| failure(path, error))?;
     }
     Ok(())
+}
+
+/// Refuses outputs that are the input or each other.
+fn require_distinct(ranks: usize, arguments: &Arguments) -> netmesh::Result<()> {
+    let refused = |path: &Path, why: &str| {
+        let message = format!("{}: {why}", path.display());
+        Err(Error::new(ErrorKind::InvalidArgument, message))
+    };
+    let (input, work) = (&arguments.input, arguments.work.as_deref());
+    let files = match &arguments.output {
+        Some(output) => output::files(output, arguments.output_format(), ranks)?,
+        None => Vec::new(),
+    };
+    if work.is_some_and(|work| are_same(work, input)) {
+        return refused(input, "the table would replace the input");
+    }
+    if files.iter().any(|file| are_same(file, input)) {
+        return refused(input, "the output would replace the input");
+    }
+    match work.filter(|work| files.iter().any(|file| are_same(file, work))) {
+        Some(work) => refused(work, "both the table and the output would go here"),
+        None => Ok(()),
+    }
+}
+
+/// Two names of one file, links too, which need not be there yet.
+fn are_same(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        let target = netmesh::io::follow_links(path).unwrap_or_else(|_| path.to_owned());
+        let directory = target.parent().filter(|parent| *parent != Path::new(""));
+        let directory = fs::canonicalize(directory.unwrap_or(Path::new("."))).ok();
+        directory.zip(target.file_name().map(ToOwned::to_owned))
+    };
+    place(a).zip(place(b)).is_some_and(|(a, b)| a == b)
 }

@@ -86,9 +86,49 @@ static void bad_arguments(const cloud *points, double *own)
     CHECK(mesh == NULL);
     if (ranks > 1)
         expect_same(nm_mpi_run(MPI_COMM_WORLD, is_last ? 3 : 2, 0, NULL, NULL, &mesh), NM_DIMENSION,
-                    "dim is 2 on one rank and 3 on another");
+                    "dim is 3, on rank 0 it is 2; it must be the same on all ranks");
     expect_same(nm_mpi_run(MPI_COMM_WORLD, 2, 0, NULL, NULL, &mesh), NM_DEGENERATE_INPUT, "0 points");
     CHECK(nm_mpi_run(MPI_COMM_NULL, 2, 0, NULL, NULL, &mesh) == NM_IO);
+}
+
+/* What must be the same on all ranks, one call after another, of which the last rank makes another. */
+static void disagreements(const cloud *points, const double *own, const char *directory)
+{
+    nm_mpi_mesh *mesh = NULL;
+    nm_mpi_report report = NM_MPI_REPORT_INIT;
+    nm_options options;
+    char path[4096], other[4096];
+    int is_last = rank == ranks - 1;
+    if (ranks == 1)
+        return;
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.seed = is_last;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, "options.seed is 1, on rank 0 it is 0");
+    CHECK(nm_options_init(&options, sizeof options) == NM_OK);
+    options.epsilon = 0.01 + 1e-9 * rank;
+    expect_same(run(points, own, &options), NM_INVALID_ARGUMENT, "options.epsilon is 0.01000000");
+    options.epsilon = 0;
+    options.threads = 1 + (uint32_t)rank % 2;
+    CHECK(run(points, own, &options) == NM_OK);
+
+    CHECK(nm_mpi_run(MPI_COMM_WORLD, points->dim, points->local, own, NULL, &mesh) == NM_OK);
+    snprintf(path, sizeof path, "%s/one.pvtu", directory);
+    snprintf(other, sizeof other, "%s/two.pvtu", directory);
+    expect_same(nm_mpi_export(mesh, is_last ? other : path, NM_MPI_FORMAT_AUTO), NM_INVALID_ARGUMENT,
+                "path_utf8 is ");
+    expect_same(nm_mpi_export(mesh, path, is_last ? NM_MPI_FORMAT_NPY : NM_MPI_FORMAT_PVTU),
+                NM_INVALID_ARGUMENT, "format is 2, on rank 0 it is 1");
+    snprintf(other, sizeof other, "%s/one.npy", directory);
+    expect_same(nm_mpi_export(mesh, is_last ? other : path, NM_MPI_FORMAT_AUTO), NM_INVALID_ARGUMENT,
+                "path_utf8 is ");
+    expect_same(nm_mpi_validate(mesh, is_last ? 3 : 1, &report), NM_INVALID_ARGUMENT,
+                "level is 3, on rank 0 it is 1");
+    expect_same(is_last ? nm_mpi_validate(mesh, 1, &report) : nm_mpi_export(mesh, path, NM_MPI_FORMAT_AUTO),
+                NM_INVALID_ARGUMENT, "the call is nm_mpi_validate, on rank 0 it is nm_mpi_export");
+    /* One after another they go on. */
+    CHECK(nm_mpi_validate(mesh, 3, &report) == NM_OK && report.level == 3);
+    CHECK(nm_mpi_export(mesh, path, NM_MPI_FORMAT_AUTO) == NM_OK);
+    nm_mpi_mesh_free(mesh);
 }
 
 static void exports(const cloud *points, const double *own, const char *directory)
@@ -146,6 +186,7 @@ int main(int argc, char **argv)
     cloud points = make_cloud("uniform", 3, 2000, "even");
     double *own = points.points + points.first * points.dim;
     bad_arguments(&points, own);
+    disagreements(&points, own, argv[1]);
     exports(&points, own, argv[1]);
     certificates(&points, own);
     if (rank == 0)

@@ -32,12 +32,15 @@ static int smaller(uint64_t size, uint64_t chunk)
 /* Fails alike on all ranks, or leaves the process to MPI's own error handler before it. */
 int netmesh_ranks_open(const MPI_Comm *of, netmesh_ranks **opened)
 {
-    int is_running = 0, is_over = 0;
+    int is_running = 0, is_over = 0, is_between_groups = 0;
     CHECK(MPI_Initialized(&is_running));
     CHECK(MPI_Finalized(&is_over));
     if (!is_running || is_over)
         return NOT_RUNNING;
     if (*of == MPI_COMM_NULL)
+        return MPI_ERR_COMM;
+    CHECK(MPI_Comm_test_inter(*of, &is_between_groups));
+    if (is_between_groups)
         return MPI_ERR_COMM;
     netmesh_ranks *ranks = malloc(sizeof *ranks);
     int has_memory = ranks != NULL, all_have = 0;

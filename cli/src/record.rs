@@ -199,6 +199,8 @@ fn add_counters(object: &mut Object, stats: &Stats) {
     object.count("off_centers", stats.off_centers);
     object.count("yields", stats.yields);
     object.count("closing_points", stats.closing_points);
+    object.count("near_inputs", stats.near_inputs);
+    object.number("farthest_near_input", stats.farthest_near_input);
 }
 
 /// Null, every one, if they were not measured.

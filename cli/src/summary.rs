@@ -200,6 +200,13 @@ impl Summary<'_> {
             let why = "that small angles between segments force";
             lines.add("", format!("{forced} {why}, smallest angle {least} degrees"));
         }
+        let stats = &self.triangulation.stats;
+        if stats.near_inputs > 0 {
+            let near = counted(stats.near_inputs, "input", "inputs");
+            let farthest = measure(stats.farthest_near_input);
+            let how = "taken as on a segment, the farthest";
+            lines.add("", format!("{near} {how} {farthest} units in the last place beside it"));
+        }
         if quality.worst_cage_aspect > 0.0 {
             lines.add("", format!("cages worst {}", measure(quality.worst_cage_aspect)));
         }

@@ -191,7 +191,8 @@ fn is_documented(error: &Error, plane: &Plane, options: &Options, size: Option<f
                 || message.ends_with("; the domain must not be empty")
         }
         ErrorKind::DegenerateInput => matches!(options.extent, Extent::Hull | Extent::Box),
-        kind => kind == ErrorKind::Limit,
+        // Room there always is.
+        kind => kind == ErrorKind::Limit && !message.contains("doubles have"),
     }
 }
 

@@ -156,3 +156,5 @@ class Stats(NamedTuple):
     insertion_constant_corner: float
     insertion_constant_cage: float
     simplices_created: int
+    near_inputs: int
+    farthest_near_input: float

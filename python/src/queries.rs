@@ -248,6 +248,8 @@ impl Core {
             insertion_constant_corner,
             insertion_constant_cage,
             simplices_created,
+            near_inputs,
+            farthest_near_input,
         );
         Ok(figures)
     }

@@ -141,6 +141,8 @@ fn encode_stats(stats: &Stats) -> nm_stats {
         insertion_constant_input: stats.insertion_constant_input,
         insertion_constant_corner: stats.insertion_constant_corner,
         insertion_constant_cage: stats.insertion_constant_cage,
+        near_inputs: stats.near_inputs,
+        farthest_near_input: stats.farthest_near_input,
     }
 }
 
@@ -241,13 +243,15 @@ mod tests {
             insertion_constant_input: 26.0,
             insertion_constant_corner: 27.0,
             insertion_constant_cage: 28.0,
-            simplices_created: 29,
-            segment_points: 30,
+            near_inputs: 29,
+            farthest_near_input: 30.0,
+            simplices_created: 31,
+            segment_points: 32,
         };
         // SAFETY: numbers without padding.
-        let words: [u64; 29] = unsafe { std::mem::transmute(encode_stats(&stats)) };
+        let words: [u64; 31] = unsafe { std::mem::transmute(encode_stats(&stats)) };
         for (at, &word) in words.iter().enumerate().skip(1) {
-            let is_double = [12, 14, 22].contains(&at) || at >= 24;
+            let is_double = [12, 14, 22, 30].contains(&at) || (24..29).contains(&at);
             let expected = if is_double { (at as f64).to_bits() } else { at as u64 };
             assert_eq!(word, expected, "word {at}");
         }

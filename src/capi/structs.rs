@@ -452,6 +452,12 @@ pub struct nm_stats {
     /// to included. While a domain has no other vertex than its centre, the input that its cage is
     /// made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_cage: f64,
+    /// How often an input that is not on a straight segment, or on the boundary of an extent, counts
+    /// as on it: it is within 3 units in the last place of the segment's larger coordinates, by axis.
+    /// Measured always.
+    pub near_inputs: u64,
+    /// The distance of the farthest of these, in the same units. Measured always.
+    pub farthest_near_input: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -459,7 +465,7 @@ unsafe impl Versioned for nm_stats {
     const TYPE: &'static str = "nm_stats";
 }
 
-const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 28 * 8);
+const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 30 * 8);
 
 /// What nm_mesh_validate found.
 #[allow(non_camel_case_types)]

@@ -5,6 +5,7 @@ mod check;
 mod corners;
 mod exact;
 mod interior;
+mod near;
 mod seeds;
 mod shapes;
 

@@ -20,6 +20,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stage.bound = f64::INFINITY;
         let center = self.start_outer_cage(cavity)?;
         self.insert_points(center, cavity)?;
+        self.state.stats.near_inputs = arrangement.near_inputs;
+        self.state.stats.farthest_near_input = arrangement.farthest_near_input;
         let lines = self.lines_of(arrangement, cavity)?;
         self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;

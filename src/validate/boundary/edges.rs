@@ -8,8 +8,10 @@ use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
-/// A subsegment may lack room for a vertex on it if it is so many units in the last place of the
-/// mesh's largest coordinates long, or a vertex opposite to it is so near to its line. Splits are
+/// A subsegment may lack room for a vertex on it if it is no longer than so many units in the last
+/// place of the mesh's largest coordinates.
+const SHORT: f64 = 64.0;
+/// It may, too, if a vertex opposite to it is no farther from its line than so many. Splits are
 /// fractions of the caller's segments, and as coarse as doubles near their ends.
 const NO_ROOM: f64 = 8.0;
 
@@ -104,8 +106,8 @@ fn least_room(view: View<'_, 2>) -> Point {
     [0, 1].map(|axis| NO_ROOM * unit_in_last_place(largest(axis)))
 }
 
-/// Returns true if doubles may have no room for a vertex on a subsegment: it is no longer than
-/// `least_room`, or a vertex opposite to it is no farther from its line.
+/// Returns true if doubles may have no room for a vertex on a subsegment: it is short, or a vertex
+/// opposite to it is no farther from its line than `least_room`.
 fn may_lack_room(
     view: View<'_, 2>,
     ends: [u32; 2],
@@ -113,7 +115,7 @@ fn may_lack_room(
     least_room: Point,
 ) -> AllocResult<bool> {
     let [a, b]: [&Point; 2] = ends.map(|end| view.point(end));
-    if (0..2).all(|axis| (b[axis] - a[axis]).abs() <= least_room[axis]) {
+    if (0..2).all(|axis| (b[axis] - a[axis]).abs() <= SHORT / NO_ROOM * least_room[axis]) {
         return Ok(true);
     }
     for side in sides.into_iter().filter(|&side| side != NONE) {

@@ -1,0 +1,124 @@
+//! Points that other programs compute on slanted segments, some units in the last place beside them:
+//! each input ends in a mesh that keeps its certificate, and no gap of roundings is refined.
+
+use netmesh::options::{Crossings, Extent, Options};
+use netmesh::validate::validate_mesh;
+use netmesh::{Error, Mesh, Stats};
+
+type Point = [f64; 2];
+
+/// Meshes with every rule of `extents`, three angles and both rules of crossings, and certifies.
+fn check(points: &[Point], segments: &[[u32; 2]], extents: &[Extent]) -> Vec<Stats> {
+    let mut all = Vec::new();
+    for &extent in extents {
+        for min_angle in [0.0, 20.7, 30.0] {
+            for crossings in [Crossings::Refuse, Crossings::Split] {
+                let options = Options {
+                    extent,
+                    min_angle,
+                    crossings,
+                    max_vertices: 5000,
+                    ..Options::default()
+                };
+                let case = format!("{points:?} {extent:?} {min_angle} {crossings:?}");
+                let mesh = run(points, segments, &options)
+                    .unwrap_or_else(|error| panic!("{case}: {error}"));
+                let report = validate_mesh(&mesh, 3).unwrap();
+                assert_eq!(report.first.map(|violation| violation.message), None, "{case}");
+                all.push(mesh.result().unwrap().stats.clone());
+            }
+        }
+    }
+    all
+}
+
+fn run(points: &[Point], segments: &[[u32; 2]], options: &Options) -> Result<Mesh, Error> {
+    let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0)?;
+    mesh.set_segments(segments.as_flattened(), None)?;
+    mesh.run(options, None)?;
+    Ok(mesh)
+}
+
+const ALL: [Extent; 3] = [Extent::All, Extent::Hull, Extent::Box];
+
+#[test]
+fn a_point_beside_a_segment_is_on_it() {
+    let cases: [(&[Point], &[[u32; 2]]); 4] = [
+        (&[[3.9, 2.2], [8.7, 8.2], [5.34, 4.0]], &[[0, 1]]),
+        (&[[1.2, 1.8], [0.2, 0.0], [0.0, 0.6], [0.5, 0.54]], &[[0, 1], [3, 2]]),
+        (&[[0.0, 0.0], [5.0, 7.0], [4.5, 6.3]], &[[0, 1]]),
+        (&[[1.0, 1.0], [2.0, 3.0], [1.1, 1.2]], &[[0, 1]]),
+    ];
+    for (points, segments) in cases {
+        let all = check(points, segments, &[Extent::All, Extent::Box]);
+        assert!(all.iter().all(|stats| stats.near_inputs > 0), "{points:?}");
+        assert!(all.iter().all(|stats| stats.farthest_near_input <= 3.0), "{points:?}");
+        assert!(all.iter().all(|stats| stats.precision_limited == 0), "{points:?}");
+    }
+}
+
+/// Hulls and boxes, and the boundary of a box beside a segment of the caller's.
+#[test]
+fn extents_go_through_what_is_beside_them() {
+    let down = 1000.9999999999999;
+    let boxed = [[1002.0, 1001.0], [1001.0, 1005.0], [1002.0, down], [1005.0, 1005.0]];
+    check(&boxed, &[[2, 3]], &[Extent::Box, Extent::Hull]);
+    let low = 1004.9999999999999;
+    let hull = [[1000.0, 1005.0], [1003.0, low], [1004.0, 1001.0], [1003.0, 1005.0], [1004.0, low]];
+    check(&hull, &[[4, 3]], &[Extent::Hull, Extent::Box]);
+    let tiny = [[0.0, 2.0], [-5e-324, 0.0], [-5e-324, 4.0], [2.0, 3.0]];
+    check(&tiny, &[[1, 2]], &[Extent::Box]);
+}
+
+/// Corners of two parcels that are one up to rounding, with sides along each other.
+#[test]
+fn parcels_share_a_side() {
+    let slanted = [
+        [[0.7, 0.6], [1.8, 8.8], [-1.6, 8.4], [-1.7, 1.8]],
+        [[0.7, 0.5999999999999996], [1.58, 7.160000000000001], [5.7, 6.6], [4.2, 1.8]],
+    ];
+    let other = [
+        [[2.9, 4.4], [8.8, 2.2], [9.1, 4.8], [4.2, 6.0]],
+        [[2.9000000000000004, 4.4], [7.620000000000001, 2.64], [6.5, -0.3], [3.2, 1.6]],
+    ];
+    let rings = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+    for parcels in [slanted, other] {
+        let extents = [Extent::All, Extent::Hull, Extent::Box, Extent::Boundary];
+        check(parcels.as_flattened(), &rings, &extents);
+    }
+}
+
+/// Inputs on one slanted line, but for roundings, have a hull without area.
+#[test]
+fn a_hull_of_roundings_has_no_area() {
+    let points = [[7.2, 7.0], [6.5, 3.3], [6.78, 4.78], [6.36, 2.5599999999999996]];
+    let options = Options { extent: Extent::Hull, ..Options::default() };
+    let error = run(&points, &[[0, 1], [2, 3]], &options).unwrap_err();
+    assert!(error.message().contains("has no area"), "{error}");
+}
+
+/// Four lines through nearly one point, at small angles with each other.
+#[test]
+fn lines_through_nearly_one_point_meet_there() {
+    let points = [
+        [8.129602347798013, 1.374360814383511],
+        [11.603412013261593, -1.095538348983938],
+        [10.715592481824983, -0.7308830283414701],
+        [8.324295526649948, 1.4937746449867797],
+        [11.99960679390895, -2.8481508280242114],
+        [8.643525965107315, 1.5129577869595292],
+        [10.27527642739888, 2.2470088076456887],
+        [8.777939646024274, -1.3202275037813909],
+    ];
+    let segments = [[0, 1], [2, 3], [4, 5], [6, 7]];
+    for extent in ALL {
+        let crossings = Crossings::Split;
+        let options = Options { extent, crossings, max_vertices: 20_000, ..Options::default() };
+        let mesh = run(&points, &segments, &options).unwrap();
+        let report = validate_mesh(&mesh, 3).unwrap();
+        assert_eq!(report.first.map(|violation| violation.message), None, "{extent:?}");
+    }
+    // They do cross.
+    let refused = run(&points, &segments, &Options::default()).unwrap_err();
+    assert!(refused.message().contains("cross near"), "{refused}");
+}

@@ -185,7 +185,7 @@ fn parts_have_the_segments_that_are_their_edges() {
     let inputs = [[0.0, 0.0], [4.0, 0.5], [4.5, 4.0], [0.5, 3.5]];
     let mut mesh = Mesh::new(2, 4, inputs.as_flattened(), 0).unwrap();
     mesh.set_segments(&[0, 1, 1, 2, 2, 3, 3, 0], None).unwrap();
-    mesh.run(&Options::default(), None).unwrap();
+    mesh.run(&Options { extent: options::Extent::All, ..Options::default() }, None).unwrap();
     let result = mesh.triangulation().unwrap();
     let [a, b] = result.boundary.subsegments[0];
     let has_edge = |simplex: usize| [a, b].iter().all(|end| result.simplex(simplex).contains(end));

@@ -93,7 +93,7 @@ struct options {
     nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
     nm_extent extent = NM_EXTENT_ALL;
     nm_crossings crossings = NM_CROSSINGS_REFUSE;
-    nm_interior interior = NM_INTERIOR_SEEDS;  // with NM_EXTENT_BOUNDARY
+    nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.

@@ -396,7 +396,7 @@ impl Mesh {
 
     /// A mesh whose result has segments with these markers.
     pub fn with_markers(self, markers: Vec<i32>) -> Self {
-        let segments = Segments { inputs: Vec::new(), markers };
+        let segments = Segments { markers, ..Segments::default() };
         Self { earlier_segments: Some(segments), ..self }
     }
 
@@ -477,6 +477,15 @@ impl Mesh {
         if self.triangulation.is_some() {
             self.earlier_segments.get_or_insert(earlier);
         }
+        Ok(())
+    }
+
+    /// Says which of the segments are sides of polygons; of none that are, nothing. There is one
+    /// value for each segment.
+    pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
+        debug_assert_eq!(sides.len(), self.segments.count());
+        let any = sides.contains(&true);
+        self.segments.sides = if any { copied(sides)? } else { Vec::new() };
         Ok(())
     }
 

@@ -144,6 +144,18 @@ pub fn with_segments(options: &Options) -> Result<Options> {
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
 }
 
+/// Resolves which regions are inside: those by parity where polygons of a file may be cut out, all
+/// that is not outside otherwise.
+pub fn with_interior(options: &Options, has_polygons: bool) -> Options {
+    let reaches_on = matches!(options.extent, Extent::All | Extent::Hull | Extent::Box);
+    let interior = match options.interior {
+        Interior::Auto if has_polygons && !reaches_on => Interior::Parity,
+        Interior::Auto => Interior::Seeds,
+        given => given,
+    };
+    Options { interior, ..options.clone() }
+}
+
 /// The criterion and its bound: as they are given, or those of `min_angle`.
 fn bound(dim: usize, options: &Options) -> Result<(Criterion, f64)> {
     if options.min_angle != 0.0 {
@@ -281,6 +293,20 @@ mod tests {
 
     fn refusal(dim: usize, options: Options) -> String {
         Parameters::resolve(dim, &options).unwrap_err().message().to_owned()
+    }
+
+    #[test]
+    fn what_is_inside_of_polygons_goes_by_parity() {
+        let resolved = |interior, extent, has_polygons| {
+            let options = Options { interior, extent, ..Options::default() };
+            with_interior(&options, has_polygons).interior
+        };
+        assert_eq!(resolved(Interior::Auto, Extent::Boundary, true), Interior::Parity);
+        assert_eq!(resolved(Interior::Auto, Extent::Boundary, false), Interior::Seeds);
+        assert_eq!(resolved(Interior::Auto, Extent::Hull, true), Interior::Seeds);
+        for given in [Interior::Seeds, Interior::Parity, Interior::Winding] {
+            assert_eq!(resolved(given, Extent::Boundary, true), given);
+        }
     }
 
     #[test]

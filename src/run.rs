@@ -6,6 +6,7 @@ use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE};
 use crate::netmesh::{self, Watch};
 use crate::options::{Extent, Interior, Options, ProgressFn, SizeFn};
+use crate::parameters::with_interior;
 use crate::sizes::Field;
 
 impl Mesh {
@@ -30,6 +31,7 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
+        let options = &with_interior(options, self.segments().has_polygons());
         let mut progress = progress;
         let mut watch = Watch::new(progress.as_deref_mut());
         let arrangement = self.arrangement(options, &mut |work| watch.poll_after(work))?;
@@ -84,7 +86,8 @@ impl Mesh {
     }
 
     fn check_interior(&self, extent: Extent, interior: Interior) -> Result<()> {
-        if interior != Interior::Seeds && extent != Extent::Boundary {
+        let asks_for_curves = matches!(interior, Interior::Parity | Interior::Winding);
+        if asks_for_curves && extent != Extent::Boundary {
             let message = message!(
                 "options.interior is {} and options.extent is {}; what curves enclose is for the \
                  extent boundary",

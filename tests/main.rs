@@ -18,6 +18,7 @@ mod high_dimensions;
 mod instruments;
 mod least_bounds;
 mod pages;
+mod polygons;
 mod progress;
 mod properties;
 mod size_fields;

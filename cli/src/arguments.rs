@@ -202,7 +202,7 @@ pub struct Meshing {
 
     /// With --extent boundary: which regions between segments are inside; seeds may make holes of
     /// them
-    #[arg(long, value_enum, default_value_t = InteriorName::Seeds)]
+    #[arg(long, value_enum, default_value_t = InteriorName::Auto)]
     pub interior: InteriorName,
 
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
@@ -292,6 +292,8 @@ pub enum CrossingsName {
 /// Which regions between segments are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum InteriorName {
+    /// parity for the polygons of GeoJSON and WKT, seeds otherwise
+    Auto,
     /// All that cannot be reached from outside without crossing a segment
     Seeds,
     /// Where a path from outside crosses an odd number of segments
@@ -497,6 +499,7 @@ impl CrossingsName {
 impl InteriorName {
     fn interior(self) -> Interior {
         match self {
+            Self::Auto => Interior::Auto,
             Self::Seeds => Interior::Seeds,
             Self::Parity => Interior::Parity,
             Self::Winding => Interior::Winding,

@@ -138,6 +138,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.text(
         "interior",
         match parameters.interior {
+            Interior::Auto => "auto",
             Interior::Seeds => "seeds",
             Interior::Parity => "parity",
             Interior::Winding => "winding",

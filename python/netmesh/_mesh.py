@@ -53,7 +53,7 @@ def mesh(
     gives_way: str = "angle",
     extent: str = "all",
     crossings: str = "refuse",
-    interior: str = "seeds",
+    interior: str = "auto",
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -128,10 +128,11 @@ def mesh(
         the points, or to the boundary that segments are. What lies beyond is cut away.
     crossings : {'refuse', 'split'}
         What becomes of segments that cross where no point is.
-    interior : {'seeds', 'parity', 'winding'}
+    interior : {'auto', 'seeds', 'parity', 'winding'}
         Which regions between segments are inside, with ``extent='boundary'``: all that cannot be
         reached from outside; those into which a path from outside crosses an odd number of segments;
         or those that curves wind round, by the directions of the segments. `holes` are taken away.
+        ``'auto'`` is ``'seeds'`` for segments that are given as arrays.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

@@ -62,6 +62,7 @@ fn set(options: &mut Options, name: &str, value: &Bound<'_, PyAny>) -> PyResult<
         }
         "interior" => {
             let names = [
+                ("auto", Interior::Auto),
                 ("seeds", Interior::Seeds),
                 ("parity", Interior::Parity),
                 ("winding", Interior::Winding),

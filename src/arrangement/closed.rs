@@ -11,12 +11,12 @@ use crate::options::Interior;
 /// # Errors
 /// `InvalidArgument` (an input where curves do not close), `OutOfMemory`.
 pub fn check_closed(inputs: &Inputs, segments: &Segments, interior: Interior) -> Result<()> {
-    if interior == Interior::Seeds {
+    if matches!(interior, Interior::Auto | Interior::Seeds) {
         return Ok(());
     }
     // Vertex -> of how many segments it is the first end, and of how many the second.
     let mut counts = filled(inputs.distinct(), [0u32; 2])?;
-    for ends in &segments.inputs {
+    for (_, ends) in segments.inputs.iter().enumerate().filter(|&(at, _)| segments.encloses(at)) {
         for (which, &end) in ends.iter().enumerate() {
             counts[inputs.vertices()[end as usize] as usize][which] += 1;
         }
@@ -57,7 +57,8 @@ mod tests {
     fn check(segments: &[[u32; 2]], interior: Interior) -> Result<()> {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0]];
         let inputs = Inputs::new(2, 5, points.as_flattened(), 0).unwrap();
-        let segments = Segments { inputs: segments.to_vec(), markers: vec![0; segments.len()] };
+        let (inputs_of, markers) = (segments.to_vec(), vec![0; segments.len()]);
+        let segments = Segments { inputs: inputs_of, markers, ..Segments::default() };
         check_closed(&inputs, &segments, interior)
     }
 

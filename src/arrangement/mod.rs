@@ -67,8 +67,11 @@ pub fn arrange(
     )?;
     let ends = |ends: &[u32; 2]| ends.map(|input| inputs.vertices()[input as usize]);
     let pieces = segments.inputs.iter().zip(0u32..);
-    let pieces =
-        pieces.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment, balance: 1 });
+    let pieces = pieces.map(|(inputs, segment)| Subsegment {
+        ends: ends(inputs),
+        segment,
+        balance: i64::from(segments.encloses(segment as usize)),
+    });
     let segments = collected(pieces)?;
     let mut pieces = copied(&segments)?;
     let mut arrangement = Arrangement::default();

@@ -90,6 +90,7 @@ pub(super) fn encode(options: &Options) -> nm_options {
             Crossings::Split => nm_crossings::NM_CROSSINGS_SPLIT,
         }),
         interior: MaybeUninit::new(match options.interior {
+            Interior::Auto => nm_interior::NM_INTERIOR_AUTO,
             Interior::Seeds => nm_interior::NM_INTERIOR_SEEDS,
             Interior::Parity => nm_interior::NM_INTERIOR_PARITY,
             Interior::Winding => nm_interior::NM_INTERIOR_WINDING,
@@ -270,7 +271,7 @@ mod tests {
             ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
             ("criterion", 2, nm_options { criterion: from_c(2), ..good }),
             ("gives_way", 2, nm_options { gives_way: from_c(2), ..good }),
-            ("interior", 3, nm_options { interior: from_c(3), ..good }),
+            ("interior", 4, nm_options { interior: from_c(4), ..good }),
         ];
         for (field, value, options) in bad {
             let message = decode(&options).unwrap_err().message().to_owned();

@@ -189,7 +189,8 @@ pub struct nm_options {
     /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<nm_crossings>,
     /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY; with another
-    /// extent it must be the default. Default NM_INTERIOR_SEEDS.
+    /// extent it must be neither NM_INTERIOR_PARITY nor NM_INTERIOR_WINDING. Default
+    /// NM_INTERIOR_AUTO.
     pub interior: MaybeUninit<nm_interior>,
     /// Zero.
     pub reserved_after_interior: u32,

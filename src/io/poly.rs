@@ -191,7 +191,7 @@ mod tests {
         let table = read(&text).unwrap();
         let coordinates = vec![0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
         assert_eq!(table.points, PointCloud { dim: 2, coordinates });
-        let Outline { segments, markers, regions } = table.outline;
+        let Outline { segments, markers, regions, .. } = table.outline;
         assert_eq!(segments, [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]);
         assert_eq!(markers, [10, -1, 2, 0, 7]);
         let hole = Region { seed: [0.25, 0.75], is_hole: true, ..Region::default() };

@@ -22,6 +22,8 @@ pub struct Outline {
     pub segments: Vec<[u32; 2]>,
     /// One a segment.
     pub markers: Vec<i32>,
+    /// Tells for each segment whether it is a side of a polygon; empty in formats without polygons.
+    pub sides: Vec<bool>,
     pub regions: Vec<Region>,
 }
 
@@ -42,9 +44,12 @@ impl Table {
         for Attribute { name, components, values, .. } in &self.attributes {
             mesh.set_attribute(name, *components, values, is_extended)?;
         }
-        let Outline { segments, markers, regions } = &self.outline;
+        let Outline { segments, markers, sides, regions } = &self.outline;
         if !segments.is_empty() {
             mesh.set_segments(segments.as_flattened(), Some(markers))?;
+            if !sides.is_empty() {
+                mesh.set_sides(sides)?;
+            }
         }
         if !regions.is_empty() {
             mesh.set_regions(regions)?;

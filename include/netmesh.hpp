@@ -208,6 +208,9 @@ public:
 
     result<nm_counts> try_counts() const { return filled<nm_counts>(nm_mesh_counts); }
 
+    // What the file of the points has beside them, edges, faces and cells, and the mesh has not.
+    result<nm_left_out> try_left_out() const { return filled<nm_left_out>(nm_mesh_left_out); }
+
     // vertices x dim coordinates; the distinct inputs first.
     result<table<double>> try_points() const { return rows<double>(nm_mesh_get_points, 0); }
 
@@ -623,6 +626,7 @@ public:
     }
     void run(const options &wanted = {}) { try_run(wanted).value(); }
     nm_counts counts() const { return try_counts().value(); }
+    nm_left_out left_out() const { return try_left_out().value(); }
     std::uint32_t dim() const { return counts().dim; }
     table<double> points() const { return try_points().value(); }
     table<std::uint32_t> simplices() const { return try_simplices().value(); }

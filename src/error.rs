@@ -4,6 +4,14 @@
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
+/// `format!` for messages: where memory runs out the message ends, not the process.
+macro_rules! message {
+    ($($argument:tt)*) => {
+        $crate::error::written(format_args!($($argument)*))
+    };
+}
+pub(crate) use message;
+
 /// The kinds of failure. The C ABI's `nm_status` carries the same values (append only).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
@@ -28,11 +36,29 @@ pub enum ErrorKind {
 pub struct Error {
     kind: ErrorKind,
     message: Cow<'static, str>,
+    is_of_content: bool,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, message: impl Into<Cow<'static, str>>) -> Self {
-        Self { kind, message: message.into() }
+        Self { kind, message: message.into(), is_of_content: false }
+    }
+
+    /// Marks a failure as one of what an input says: it could be read as what it is, and what it
+    /// says cannot be meshed.
+    pub fn of_content(self) -> Self {
+        Self { is_of_content: true, ..self }
+    }
+
+    /// Returns true for a failure that [`Error::of_content`] has marked.
+    pub fn is_of_content(&self) -> bool {
+        self.is_of_content
+    }
+
+    /// Puts the name of a file before the message.
+    pub(crate) fn in_file(self, path: &std::path::Path) -> Self {
+        let message = message!("{}: {}", path.display(), self.message);
+        Self { message: message.into(), ..self }
     }
 
     pub fn kind(&self) -> ErrorKind {
@@ -51,14 +77,6 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
-
-/// `format!` for messages: where memory runs out the message ends, not the process.
-macro_rules! message {
-    ($($argument:tt)*) => {
-        $crate::error::written(format_args!($($argument)*))
-    };
-}
-pub(crate) use message;
 
 /// What [`message!`] stands for.
 pub(crate) fn written(arguments: fmt::Arguments<'_>) -> String {

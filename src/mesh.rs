@@ -5,11 +5,13 @@
 pub(crate) mod attribute;
 mod boundary;
 mod boxed;
+mod left_out;
 pub mod sizes;
 
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
 pub use boxed::Boxed;
+pub use left_out::LeftOut;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
@@ -380,6 +382,7 @@ pub struct Mesh {
     /// What the result was made with, where the caller has set others since.
     earlier_segments: Option<Segments>,
     earlier_regions: Option<Vec<Region>>,
+    left_out: LeftOut,
 }
 
 impl Mesh {
@@ -410,6 +413,7 @@ impl Mesh {
             given_sizes: GivenSizes::default(),
             earlier_segments: None,
             earlier_regions: None,
+            left_out: LeftOut::default(),
         }
     }
 
@@ -477,15 +481,6 @@ impl Mesh {
         if self.triangulation.is_some() {
             self.earlier_segments.get_or_insert(earlier);
         }
-        Ok(())
-    }
-
-    /// Says which of the segments are sides of polygons; of none that are, nothing. There is one
-    /// value for each segment.
-    pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
-        debug_assert_eq!(sides.len(), self.segments.count());
-        let any = sides.contains(&true);
-        self.segments.sides = if any { copied(sides)? } else { Vec::new() };
         Ok(())
     }
 

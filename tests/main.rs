@@ -17,6 +17,7 @@ mod header;
 mod high_dimensions;
 mod instruments;
 mod least_bounds;
+mod odd_files;
 mod pages;
 mod polygons;
 mod progress;

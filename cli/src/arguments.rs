@@ -70,7 +70,7 @@ pub struct Arguments {
 
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
-    pub output_format: Option<FormatName>,
+    pub output_format: Option<WritableFormat>,
 
     /// Let the output replace the input file; without it that is refused
     #[arg(long)]
@@ -349,7 +349,7 @@ impl Arguments {
     }
 
     pub fn output_format(&self) -> Format {
-        self.output_format.map_or(Format::Auto, FormatName::format)
+        self.output_format.map_or(Format::Auto, |writable| writable.0.format())
     }
 
     /// The columns that are read.
@@ -425,6 +425,33 @@ impl ValueEnum for ReadableFormat {
             ReadableFormat(FormatName::Wkt),
         ];
         &READABLE
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        self.0.to_possible_value()
+    }
+}
+
+/// A format that meshes can be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WritableFormat(FormatName);
+
+impl ValueEnum for WritableFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        const WRITABLE: [WritableFormat; 11] = [
+            WritableFormat(FormatName::Vtu),
+            WritableFormat(FormatName::Tetgen),
+            WritableFormat(FormatName::Gmsh),
+            WritableFormat(FormatName::Medit),
+            WritableFormat(FormatName::Off),
+            WritableFormat(FormatName::Ply),
+            WritableFormat(FormatName::Xyz),
+            WritableFormat(FormatName::Csv),
+            WritableFormat(FormatName::Npy),
+            WritableFormat(FormatName::VoronoiJson),
+            WritableFormat(FormatName::DomainsJson),
+        ];
+        &WRITABLE
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {

@@ -15,7 +15,8 @@ pub enum ExitCode {
     Usage = 2,
     /// The input is missing, unreadable, ragged or not numbers.
     InputUnreadable = 3,
-    /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range.
+    /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range,
+    /// segments and regions that no mesh has, a surface.
     InputRefused = 4,
     /// A limit was reached: `--max-vertices`, 32-bit ids, memory, the largest double.
     Limit = 5,
@@ -35,7 +36,8 @@ Exit codes:
      output that would replace the input (see --force)
   3  input missing, unreadable or malformed
   4  input refused: non-finite coordinate, fewer than two distinct points,
-     dimension other than 2 to 8, lower affine rank with --algorithm delaunay
+     dimension other than 2 to 8, lower affine rank with --algorithm delaunay,
+     segments or seeds that no mesh can have, a surface, sizes that are none
   5  limit reached: --max-vertices, 32-bit ids, memory, or points so far
      apart (above about 2e307) that the cage around them leaves the doubles
   6  cancelled
@@ -57,10 +59,33 @@ impl Failure {
     /// A failure to read `path`.
     pub fn reading(path: &str, error: &Error) -> Self {
         let code = match error.kind() {
+            ErrorKind::Format | ErrorKind::InvalidArgument if error.is_of_content() => {
+                ExitCode::InputRefused
+            }
             ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
             _ => code_of(error.kind()),
         };
         Self::new(code, in_options(&at_path(path, error)))
+    }
+
+    /// A failure to mesh what `path` holds: where no option is to blame, the input is.
+    pub fn meshing(path: &str, error: Error) -> Self {
+        match error.kind() {
+            ErrorKind::InvalidArgument if !error.message().starts_with("options.") => {
+                Self::new(ExitCode::InputRefused, in_options(&at_path(path, &error)))
+            }
+            _ => error.into(),
+        }
+    }
+
+    /// A failure to use what `path` holds beside the input: a value that is out of range is one of
+    /// the file.
+    pub fn using(path: &str, error: &Error) -> Self {
+        let reading = Self::reading(path, error);
+        match reading.code {
+            ExitCode::Usage => Self { code: ExitCode::InputRefused, ..reading },
+            _ => reading,
+        }
     }
 
     /// A failure to write `path`.

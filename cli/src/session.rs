@@ -61,6 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),
+            left_out: mesh.left_out(),
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,
@@ -144,7 +145,8 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
-    Ok(outcome?)
+    let name = standard::input_name(&arguments.input);
+    outcome.map_err(|error| Failure::meshing(&name, error))
 }
 
 /// Writes what was asked for.

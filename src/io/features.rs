@@ -95,7 +95,7 @@ impl Features {
     }
 
     fn refused(&self, place: Place, rule: &dyn fmt::Display) -> Error {
-        place.error(format_args!("{} {}: {rule}", self.noun, self.number))
+        place.error(format_args!("{} {}: {rule}", self.noun, self.number)).of_content()
     }
 
     pub fn finish(self) -> Result<Table> {

@@ -1,7 +1,7 @@
 //! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
 //! crossings.
 
-use super::{Boxed, Inputs, NONE, Triangulation};
+use super::{Boxed, Inputs, Mesh, NONE, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, collected, copied, with_capacity};
 
@@ -169,6 +169,17 @@ impl Segments {
             None => own_markers.resize(count, 0),
         }
         Ok(Self { inputs: own, markers: own_markers, sides: Vec::new() })
+    }
+}
+
+impl Mesh {
+    /// Says which of the segments are sides of polygons; of none that are, nothing. There is one
+    /// value for each segment.
+    pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
+        debug_assert_eq!(sides.len(), self.segments.count());
+        let any = sides.contains(&true);
+        self.segments.sides = if any { copied(sides)? } else { Vec::new() };
+        Ok(())
     }
 }
 

@@ -227,7 +227,7 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
     bench.run("a.poly").assert_failure(4, &["a.poly", "TetGen's facets are not"]);
     bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 1))");
     bench.run("a.wkt").assert_failure(4, &["a.wkt", "its last position must be its first"]);
-    bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 1)");
+    bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 0)");
     bench.run("a.wkt").assert_failure(3, &["a.wkt: the file ends"]);
     bench.write("a.geojson", r#"{"type":"LineString","coordinates":[[0,0]]}"#);
     bench.run("a.geojson").assert_failure(4, &["a line with fewer than 2 positions"]);

@@ -38,11 +38,23 @@ pub enum ErrorKind {
 pub struct Error {
     kind: ErrorKind,
     message: Message,
+    is_of_content: bool,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, message: impl Into<Message>) -> Self {
-        Self { kind, message: message.into() }
+        Self { kind, message: message.into(), is_of_content: false }
+    }
+
+    /// Marks a failure as one of what an input says: it could be read as what it is, and what it
+    /// says cannot be meshed.
+    pub fn of_content(self) -> Self {
+        Self { is_of_content: true, ..self }
+    }
+
+    /// Returns true for a failure that [`Error::of_content`] has marked.
+    pub fn is_of_content(&self) -> bool {
+        self.is_of_content
     }
 
     pub fn kind(&self) -> ErrorKind {
@@ -54,6 +66,11 @@ impl Error {
         self.message.text()
     }
 
+    /// Returns the name that the message begins with: what is to blame.
+    pub fn subject(&self) -> Option<Name> {
+        self.message.subject()
+    }
+
     /// Returns the message as others say it.
     pub fn in_words(&self, words: impl Words) -> impl Display {
         InWords { message: &self.message, words }
@@ -61,7 +78,7 @@ impl Error {
 
     /// Returns the error with `place` and a colon before its message.
     pub(crate) fn within(self, place: &dyn Display) -> Self {
-        Self { kind: self.kind, message: self.message.within(place) }
+        Self { message: self.message.within(place), ..self }
     }
 }
 

@@ -147,10 +147,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
         let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
         let name = name_of(self.state.segments.chains.lines[line as usize].segment);
-        refuse(say!(
-            Name::Seed(number),
-            " is on {name}; it must be in the interior of a region"
-        ))
+        refuse(say!(Name::Seed(number), " is on {name}; it must be in the interior of a region"))
     }
 
     /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it

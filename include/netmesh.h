@@ -140,6 +140,8 @@
  * Those below do the same for their structs.
  */
 #define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
+/** The initial value of an nm_left_out. */
+#define NM_LEFT_OUT_INIT { sizeof(nm_left_out), 0, 0, 0, 0 }
 /** The initial value of an nm_selection: all simplices. */
 #define NM_SELECTION_INIT { sizeof(nm_selection), NM_EXTENT_ALL, 0, NM_NONE }
 /** The initial value of an nm_quality. */
@@ -435,21 +437,27 @@ enum nm_interior
 #endif // __cplusplus
  {
     /**
+     * NM_INTERIOR_PARITY where the segments are those of a file of polygons (NM_FORMAT_GEOJSON,
+     * NM_FORMAT_WKT) that nm_mesh_create_from_file has read, NM_INTERIOR_SEEDS otherwise.
+     */
+    NM_INTERIOR_AUTO = 0,
+    /**
      * All that cannot be reached from outside without crossing a segment.
      */
-    NM_INTERIOR_SEEDS = 0,
+    NM_INTERIOR_SEEDS = 1,
     /**
      * Those into which a path from outside crosses an odd number of segments (the even-odd rule):
      * rings within rings are alternately inside and outside. Every input must be an end of an even
-     * number of segments.
+     * number of segments. Of a file of polygons only the sides of these count, not its lines.
      */
-    NM_INTERIOR_PARITY = 1,
+    NM_INTERIOR_PARITY = 2,
     /**
      * Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
      * from outside crosses from their right to their left, less that from their left to their
      * right. Every input must be the first end of as many segments as it is the second end.
+     * Of a file of polygons only the sides of these count.
      */
-    NM_INTERIOR_WINDING = 2,
+    NM_INTERIOR_WINDING = 3,
 };
 #ifndef __cplusplus
 typedef int32_t nm_interior;
@@ -1225,8 +1233,8 @@ typedef struct nm_options {
     nm_crossings crossings;
     /**
      * Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
-     * there are segments, NM_EXTENT_AUTO; otherwise it must be the default. Default
-     * NM_INTERIOR_SEEDS.
+     * there are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
+     * NM_INTERIOR_WINDING. Default NM_INTERIOR_AUTO.
      */
     nm_interior interior;
     /**
@@ -1269,6 +1277,33 @@ typedef struct nm_counts {
      */
     uint64_t domains;
 } nm_counts;
+
+/**
+ * What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
+ * has not: numbers of elements. A mesh is made of the points.
+ */
+typedef struct nm_left_out {
+    /**
+     * Set by the caller to sizeof(nm_left_out).
+     */
+    uint32_t struct_size;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Elements with two ends.
+     */
+    uint64_t edges;
+    /**
+     * Triangles and other polygons.
+     */
+    uint64_t faces;
+    /**
+     * Tetrahedra and other elements of three dimensions or more.
+     */
+    uint64_t cells;
+} nm_left_out;
 
 /**
  * A ball of the domain hierarchy; an element of the array that nm_mesh_get_domains fills (fixed in
@@ -1903,6 +1938,22 @@ nm_status nm_mesh_get_sizes(const struct nm_mesh *mesh,
  * Errors: NM_NULL_ARGUMENT (mesh, counts), NM_INVALID_ARGUMENT (counts->struct_size), NM_STATE.
  */
 NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct nm_counts *counts);
+
+/**
+ * Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
+ * the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
+ * NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
+ * become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
+ * after.
+ *
+ * left_out: the caller sets struct_size.
+ *
+ * Errors: NM_NULL_ARGUMENT (mesh, left_out), NM_INVALID_ARGUMENT (left_out->struct_size), NM_STATE
+ * (nm_run at work, poisoned).
+ */
+NM_NODISCARD NM_API
+nm_status nm_mesh_left_out(const struct nm_mesh *mesh,
+                           struct nm_left_out *left_out);
 
 /**
  * Writes the vertices' coordinates: vertices x dim doubles, coordinate k of vertex v at

@@ -93,7 +93,7 @@ struct options {
     nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
     nm_extent extent = NM_EXTENT_AUTO;
     nm_crossings crossings = NM_CROSSINGS_REFUSE;
-    nm_interior interior = NM_INTERIOR_SEEDS;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
+    nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
 };
 
 // Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -225,6 +225,9 @@ public:
     }
 
     result<nm_counts> try_counts() const { return filled<nm_counts>(nm_mesh_counts); }
+
+    // What the file of the points has beside them, edges, faces and cells, and the mesh has not.
+    result<nm_left_out> try_left_out() const { return filled<nm_left_out>(nm_mesh_left_out); }
 
     // vertices x dim coordinates; the distinct inputs first.
     result<table<double>> try_points() const { return rows<double>(nm_mesh_get_points, 0); }
@@ -650,6 +653,7 @@ public:
     void run(const options &wanted = {}) { try_run(wanted).value(); }
     options options_of_run() const { return try_options_of_run().value(); }
     nm_counts counts() const { return try_counts().value(); }
+    nm_left_out left_out() const { return try_left_out().value(); }
     std::uint32_t dim() const { return counts().dim; }
     table<double> points() const { return try_points().value(); }
     table<std::uint32_t> simplices() const { return try_simplices().value(); }

@@ -38,13 +38,25 @@ pub enum ErrorKind {
 pub struct Error {
     kind: ErrorKind,
     message: Message,
+    is_of_content: bool,
     /// The system's number for the reason, where the system gave one.
     system_code: Option<i32>,
 }
 
 impl Error {
     pub fn new(kind: ErrorKind, message: impl Into<Message>) -> Self {
-        Self { kind, message: message.into(), system_code: None }
+        Self { kind, message: message.into(), is_of_content: false, system_code: None }
+    }
+
+    /// Marks a failure as one of what an input says: it could be read as what it is, and what it
+    /// says cannot be meshed.
+    pub fn of_content(self) -> Self {
+        Self { is_of_content: true, ..self }
+    }
+
+    /// Returns true for a failure that [`Error::of_content`] has marked.
+    pub fn is_of_content(&self) -> bool {
+        self.is_of_content
     }
 
     /// Returns the same error with the system's number for its reason (`errno`).
@@ -64,6 +76,11 @@ impl Error {
     /// Returns the message in the words of Rust.
     pub fn message(&self) -> &str {
         self.message.text()
+    }
+
+    /// Returns the name that the message begins with: what is to blame.
+    pub fn subject(&self) -> Option<Name> {
+        self.message.subject()
     }
 
     /// Returns the message as others say it.

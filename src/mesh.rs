@@ -5,11 +5,13 @@
 pub(crate) mod attribute;
 mod boundary;
 mod boxed;
+mod left_out;
 pub mod sizes;
 
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
 pub use boxed::Boxed;
+pub use left_out::LeftOut;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
@@ -393,6 +395,7 @@ pub struct Mesh {
     /// What the result was made with, where the caller has set others since.
     earlier_segments: Option<Segments>,
     earlier_regions: Option<Vec<Region>>,
+    left_out: LeftOut,
 }
 
 impl Mesh {
@@ -409,7 +412,7 @@ impl Mesh {
 
     /// A mesh whose result has segments with these markers.
     pub fn with_markers(self, markers: Vec<i32>) -> Self {
-        let segments = Segments { inputs: Vec::new(), markers };
+        let segments = Segments { markers, ..Segments::default() };
         Self { earlier_segments: Some(segments), ..self }
     }
 
@@ -423,6 +426,7 @@ impl Mesh {
             given_sizes: GivenSizes::default(),
             earlier_segments: None,
             earlier_regions: None,
+            left_out: LeftOut::default(),
         }
     }
 

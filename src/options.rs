@@ -84,14 +84,19 @@ pub enum Crossings {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Interior {
-    /// All that cannot be reached from outside without crossing a segment.
+    /// [`Interior::Parity`] where the segments are those of a file of polygons (GeoJSON, WKT),
+    /// [`Interior::Seeds`] otherwise. The result says which it was.
     #[default]
-    Seeds = 0,
-    /// Those into which a path from outside crosses an odd number of segments: the even-odd rule.
-    Parity = 1,
+    Auto = 0,
+    /// All that cannot be reached from outside without crossing a segment.
+    Seeds = 1,
+    /// Those into which a path from outside crosses an odd number of segments: the even-odd rule. Of
+    /// a file of polygons only the sides of these count.
+    Parity = 2,
     /// Those whose winding number is not 0: the segments that a path from outside crosses from their
-    /// right to their left, less those from their left to their right.
-    Winding = 2,
+    /// right to their left, less those from their left to their right. Of a file of polygons only
+    /// the sides of these count.
+    Winding = 3,
 }
 
 /// What gives way where `min_dihedral` and `quality_bound` cannot both be had.

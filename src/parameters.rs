@@ -55,7 +55,7 @@ pub struct Parameters {
     /// 0: none.
     pub max_edge: f64,
     pub gives_way: GivesWay,
-    /// Which of the regions between segments are inside.
+    /// Which of the regions between segments are inside; never [`Interior::Auto`].
     pub interior: Interior,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
@@ -97,7 +97,7 @@ impl Parameters {
     }
 
     /// Fills the defaults for `dim` into `options`, for a run without sizes but `max_edge`;
-    /// [`Extent::Auto`] is that of a mesh without segments.
+    /// [`Extent::Auto`] and [`Interior::Auto`] are those of a mesh without segments.
     ///
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
@@ -147,7 +147,7 @@ impl Parameters {
             crossings: options.crossings,
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
-            interior: options.interior,
+            interior: with_interior(options, false).interior,
             inputs_per_partition: INPUTS_PER_PARTITION,
             is_sample: false,
         })
@@ -182,6 +182,18 @@ pub fn with_segments(options: &Options) -> Result<Options> {
         ));
     }
     Ok(Options { criterion: Criterion::RadiusEdge, ..options.clone() })
+}
+
+/// Resolves which regions are inside: those by parity where polygons of a file may be cut out, all
+/// that is not outside otherwise.
+pub fn with_interior(options: &Options, has_polygons: bool) -> Options {
+    let reaches_on = matches!(options.extent, Extent::All | Extent::Hull | Extent::Box);
+    let interior = match options.interior {
+        Interior::Auto if has_polygons && !reaches_on => Interior::Parity,
+        Interior::Auto => Interior::Seeds,
+        given => given,
+    };
+    Options { interior, ..options.clone() }
 }
 
 fn refuse<T>(message: Message) -> Result<T> {
@@ -329,6 +341,22 @@ mod tests {
 
     fn refusal(dim: usize, options: Options) -> String {
         Parameters::resolve(dim, &options).unwrap_err().message().to_owned()
+    }
+
+    #[test]
+    fn what_is_inside_of_polygons_goes_by_parity() {
+        let resolved = |interior, extent, has_polygons| {
+            let options = Options { interior, extent, ..Options::default() };
+            with_interior(&options, has_polygons).interior
+        };
+        assert_eq!(resolved(Interior::Auto, Extent::Boundary, true), Interior::Parity);
+        assert_eq!(resolved(Interior::Auto, Extent::Auto, true), Interior::Parity);
+        assert_eq!(resolved(Interior::Auto, Extent::Boundary, false), Interior::Seeds);
+        assert_eq!(resolved(Interior::Auto, Extent::Auto, false), Interior::Seeds);
+        assert_eq!(resolved(Interior::Auto, Extent::Hull, true), Interior::Seeds);
+        for given in [Interior::Seeds, Interior::Parity, Interior::Winding] {
+            assert_eq!(resolved(given, Extent::Boundary, true), given);
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE, Triangulation};
 use crate::netmesh::{self, Watch};
 use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
-use crate::parameters::check_sized;
+use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
 /// How often segments are led through further points where doubles have no room beside each other.
@@ -36,6 +36,7 @@ impl Mesh {
         size: Option<&SizeFn<'_>>,
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<()> {
+        let options = &with_interior(options, self.segments().has_polygons());
         self.check_sizes(options, size.is_some())?;
         let mut crowded = Vec::new();
         let mut least = -1.0;
@@ -179,7 +180,7 @@ impl Mesh {
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
         let rule = Choice::Interior(interior);
         match extent {
-            _ if interior == Interior::Seeds => Ok(()),
+            _ if matches!(interior, Interior::Auto | Interior::Seeds) => Ok(()),
             Extent::Auto if self.segments().count() == 0 => {
                 refuse(say!(rule, " needs segments; the mesh has none"))
             }

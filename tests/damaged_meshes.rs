@@ -73,6 +73,41 @@ fn gmsh_refuses_damaged_nodes() {
             ("1\n-1 1 2 3\n", Broken, "line 6, column 1: \"-1\" is no node id"),
             ("1\n1 1 2\n", Broken, "line 6: 3 columns where 4 are expected"),
             (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n",
+                Broken,
+                "the file ends after line 8: the number of",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\nx\n",
+                Broken,
+                "line 9, column 1: \"x\" is no number of elements",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n2\n1 15 0 1\n",
+                Broken,
+                "the file ends after line 10: 1 of 2 elements",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n1\n1\n$EndElements\n",
+                Broken,
+                "line 10: an element without a type",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n1\n1 -2 0 1\n$EndElements\n",
+                Broken,
+                "line 10, column 2: \"-2\" is no type of an element",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n1\n1 15 0 1\n2 15 0 1\n$EndElements\n",
+                Broken,
+                "line 11: \"2 15 0 1\" where $EndElements is expected",
+            ),
+            (
+                "1\n1 1 2 3\n$EndNodes\n$Elements\n18446744073709551615\n1 15 0 1\n",
+                Broken,
+                "the file ends after line 10: 1 of 18446744073709551615 elements",
+            ),
+            (
                 "1\n1 1 2 3\n$EndNodes\n$Nodes\n1\n1 1 2 3\n$EndNodes\n",
                 Broken,
                 "line 8: a second section $Nodes",
@@ -104,6 +139,21 @@ fn gmsh_refuses_damaged_nodes() {
             ("1 1 1 1\n2 1 0 1\n1\n1 2\n", Broken, "line 8: 2 columns where 3 are expected"),
             ("1 1 1 1\n2 1 1 1\n1\n1 2 3 4\n", Broken, "line 8: 4 columns where 5 are expected"),
             ("1 1 1 1\n2 1 1 1\n1\n1 2 3 4 x\n", Broken, "line 8, column 5: \"x\" is not a number"),
+        ],
+    );
+    assert_refused(
+        Format::Gmsh,
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 1 1 1\n2 1 0 1\n1\n1 2 3\n$EndNodes\n$Elements\n",
+        &[
+            ("", Broken, "the file ends after line 10: the numbers of blocks and elements"),
+            ("1 1 1\n", Broken, "line 11: 3 columns where 4 are expected"),
+            ("1 1 1 1\n", Broken, "the file ends after line 11: 0 of 1 blocks of elements"),
+            ("1 1 1 1\n4 1 2 1\n", Broken, "line 12: a block of elements begins with: dimension"),
+            ("1 1 1 1\n2 x 2 1\n", Broken, "line 12, column 2: \"x\" is not a number"),
+            ("1 1 1 1\n2 1 2 2\n", Broken, "line 12: 2 elements where 1 of 1 are left"),
+            ("1 2 1 2\n2 1 2 2\n1 1 2 3\n", Broken, "the file ends after line 13: 1 of 2 elements"),
+            ("1 2 1 2\n2 1 2 1\n1 1 2 3\n", Broken, "line 13: the blocks hold 1 of 2 elements"),
+            ("0 0 0 0\n1 2\n", Broken, "line 12: \"1 2\" where $EndElements is expected"),
         ],
     );
 }
@@ -153,6 +203,23 @@ fn medit_refuses_damaged_files() {
                 "line 5: a second field Vertices",
             ),
             ("Dimension 2\nVertices 1\n1 2 0\nEnd\n7\n", Broken, "line 6: more data after End"),
+            ("Edges\n", Broken, "the file ends after line 2: the number of elements is missing"),
+            ("Edges x\n", Broken, "line 2, column 2: \"x\" is no number of elements"),
+            (
+                "Dimension 2\nVertices 1\n1 2 0\nTriangles 2\n1 1 1 0\nEnd\n",
+                Broken,
+                "line 7: the field Triangles has 4 numbers; 2 elements have 4 each",
+            ),
+            (
+                "Edges 1\n1 1\nDimension 2\nVertices 1\n1 2 0\nEnd\n",
+                Broken,
+                "line 4: the field Edges has 2 numbers; 1 elements have 3 each",
+            ),
+            (
+                "Dimension 2\nVertices 1\n1 2 0\nTetrahedra\n18446744073709551615\n1 1 1 1 0\n",
+                Broken,
+                "line 7: the field Tetrahedra has 5 numbers; 18446744073709551615 elements have",
+            ),
         ],
     );
 }
@@ -406,8 +473,9 @@ fn files_cut_off_anywhere_are_refused() {
     let binary_ply = [binary.as_bytes(), &rows, &[1, 0, 0, 0, 0]].concat();
     let data: Vec<u8> = [1f64, 2.0, 3.0, 4.0].iter().flat_map(|x| x.to_le_bytes()).collect();
     let npy = npy("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2)}", &data);
-    // Whole but for its last line end, after the vertices' last reference, after a section's end.
-    let medit_rest = medit.len() - medit.find("\nTriangles").unwrap();
+    // Whole but for its last line end, after a section's end; after the last reference of the
+    // vertices, where the name of the next field is not complete, and after that of the triangles.
+    let medit_rest = "\nTriangle".len() + "\nEnd".len() + 2;
     for (format, bytes, accepted) in [
         (Format::Gmsh, gmsh.as_bytes(), 3),
         (Format::Gmsh, gmsh_2.as_bytes(), 1),

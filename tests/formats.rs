@@ -107,7 +107,8 @@ fn xyz_refuses_damaged_files() {
             (b"0,5;1,5\n", Broken, "line 1, column 2: \"5;1\" is not a number"),
             (b"1;2\n", Broken, "line 1, column 1: \"1;2\" is not a number"),
             (b"x y\n1 2\n", Broken, "line 1, column 1: \"x\" is not a number"),
-            (b"1\n2\n", Dimension, "line 1: points of dimension 1; it must be 2 to 8"),
+            (b"0.5\n2\n", Dimension, "line 1: points of dimension 1; it must be 2 to 8"),
+            (b"1\n2\n", Dimension, "line 2: points of dimension 1; it must be 2 to 8"),
             (b"\n1 2 3 4 5 6 7 8 9\n", Dimension, "line 2: points of dimension 9"),
         ],
     );
@@ -126,10 +127,40 @@ fn csv_refuses_damaged_files() {
             (b"1,2\n3,4,\n", Broken, "line 2: 3 columns; the first line has 2"),
             (b"x,y\n1,\n", Broken, "line 2, column 2: the field is empty"),
             (b"x,y\nx,y\n1,2\n", Broken, "line 2, column 1: \"x\" is not a number"),
-            (b"1 2\n3 4\n", Broken, "line 2, column 1: \"3 4\" is not a number"),
+            (b"1 2\n3 4\n", Broken, "line 1: blanks separate the fields of \"1 2\"; in CSV files"),
             (b"1,2 3\n", Broken, "line 1, column 2: \"2 3\" is not a number"),
             (b"0,5;1,5\n", Broken, "line 1, column 2: \"5;1\" is not a number"),
-            (b"x;y\n0,5;1,5\n", Broken, "line 2: 3 columns; the first line has 1"),
+            (
+                b"x;y\n0,5;1,5\n",
+                Broken,
+                "line 1: semicolons separate the fields of \"x;y\"; in CSV",
+            ),
+            (
+                b"x;y\n0.5;1.5\n",
+                Broken,
+                "line 1: semicolons separate the fields of \"x;y\"; in CSV",
+            ),
+            (b"0;1\n2;3\n", Broken, "line 1: semicolons separate the fields of \"0;1\"; in CSV"),
+            (b"\"a\";\"b\"\n", Broken, "line 1, column 1: \";\\\"b\\\"\" between a quote's end"),
+            (b"sep=;\nx;y\n", Broken, "line 1: semicolons separate the fields of \"sep=;\""),
+            (b"x\ty\n0\t1\n", Broken, "line 1: tabs separate the fields of \"x\\ty\"; in CSV"),
+            (b"x|y\n0|1\n", Broken, "line 1: bars separate the fields of \"x|y\"; in CSV files"),
+            (b"x y\n0 1\n", Broken, "line 1: blanks separate the fields of \"x y\"; in CSV files"),
+            (b"x,y\n0;1,5\n", Broken, "line 2, column 1: \"0;1\" is not a number; semicolons"),
+            // Quotes.
+            (b"x,y\n\"1,2\n", Broken, "line 2, column 1: \"\\\"1,2\" has no quote at its end;"),
+            (
+                b"x,y,n\n1,2,\"a\n\"\n",
+                Broken,
+                "line 2, column 3: \"\\\"a\" has no quote at its end;",
+            ),
+            (b"x,y\n\"1\"2,3\n", Broken, "line 2, column 1: \"2,3\" between a quote's end and the"),
+            (b"x,y\n1,\"2\" 3\n", Broken, "line 2, column 2: \"3\" between a quote's end and the"),
+            (b"x,y\n1,\"\"\n", Broken, "line 2, column 2: the field is empty"),
+            (b"x,y\n1,\"2\"\"\"\n", Broken, "line 2, column 2: \"2\\\"\\\"\" is not a number"),
+            (b"\"1.0\",\"2.o\"\n3,4\n", Broken, "line 1, column 2: \"2.o\" is not a number"),
+            (b"\"a\",1\n3,4\n", Broken, "line 1, column 1: \"a\" is not a number"),
+            (b"\"x\",\"y\",1\n3,4,5\n", Broken, "line 1, column 1: \"x\" is not a number"),
             // A damaged first point is no header.
             (b"1.0,2.o\n3,4\n", Broken, "line 1, column 2: \"2.o\" is not a number"),
             (b",0,1\n0,5,6\n", Broken, "line 1, column 1: the field is empty"),
@@ -282,6 +313,22 @@ proptest! {
 
 #[test]
 fn formats_that_cannot_be_written_say_so() {
+    for name in ["a.poly", "a.geojson", "a.wkt", "a.stl", "a", "a.json"] {
+        let path = Path::new(name);
+        let errors = [
+            write_file(&two_points(), path, Format::Auto).unwrap_err(),
+            netmesh::io::output_paths(path, Format::Auto).unwrap_err(),
+            Format::Auto.resolve_output(path).unwrap_err(),
+        ];
+        for error in errors {
+            assert_eq!(error.kind(), ErrorKind::InvalidArgument, "{error}");
+            assert!(error.message().starts_with(&format!("{name}: ")), "{error}");
+            let offered = [".poly,", ".geojson,", ".wkt,", ".wkt or"];
+            assert!(offered.iter().all(|offered| !error.message().contains(offered)), "{error}");
+        }
+        assert!(!path.exists());
+    }
+    assert_eq!(Format::Off.resolve_output(Path::new("a.poly")), Ok(Format::Off));
     for format in [Format::Poly, Format::GeoJson, Format::Wkt] {
         let error = write(&two_points(), format, &mut Vec::new()).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::InvalidArgument);

@@ -269,6 +269,7 @@ fn the_layouts_are_fixed() {
         "CHECK(gives_way, offsetof(nm_options, gives_way) == 144 + 4 * sizeof(void *));",
         "CHECK(interior, offsetof(nm_options, interior) == 160 + 4 * sizeof(void *));",
         "CHECK(counts, sizeof(nm_counts) == 48 && offsetof(nm_counts, domains) == 40);",
+        "CHECK(left_out, sizeof(nm_left_out) == 32 && offsetof(nm_left_out, edges) == 8);",
         "CHECK(domain, sizeof(nm_domain) == 16 && offsetof(nm_domain, radius) == 8);",
         "CHECK(quality, sizeof(nm_quality) == 112 && offsetof(nm_quality, precision_limited) == 56);",
         "CHECK(stats, sizeof(nm_stats) == 248 && offsetof(nm_stats, seconds) == 96);",

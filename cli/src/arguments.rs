@@ -2,7 +2,7 @@
 
 use crate::choices::{
     AddedValues, AlgorithmName, CriterionName, CrossingsName, ExtentName, FiltrationName,
-    FormatName, GivesWayName, InteriorName, OrderingName, ReadableFormat,
+    GivesWayName, InteriorName, OrderingName, ReadableFormat, WritableFormat,
 };
 use crate::exit_code;
 use crate::whole::whole;
@@ -72,7 +72,7 @@ pub struct Arguments {
 
     /// Format of the output, where the extension does not tell
     #[arg(long, value_name = "FORMAT")]
-    pub output_format: Option<FormatName>,
+    pub output_format: Option<WritableFormat>,
 
     /// Let the output replace the input file; without it that is refused
     #[arg(long)]
@@ -209,7 +209,7 @@ pub struct Meshing {
     pub crossings: CrossingsName,
 
     /// Which regions between segments are inside; seeds may make holes of them
-    #[arg(long, value_enum, default_value_t = InteriorName::Seeds)]
+    #[arg(long, value_enum, default_value_t = InteriorName::Auto)]
     pub interior: InteriorName,
 
     /// Seed of every random choice; the same seed makes the same mesh. Without effect on
@@ -250,7 +250,7 @@ impl Arguments {
     }
 
     pub fn output_format(&self) -> Format {
-        self.output_format.map_or(Format::Auto, FormatName::format)
+        self.output_format.map_or(Format::Auto, |writable| writable.0.format())
     }
 
     /// The columns that are read.

@@ -64,6 +64,8 @@ pub enum CrossingsName {
 /// Which regions between segments are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum InteriorName {
+    /// parity for the polygons of GeoJSON and WKT, seeds otherwise
+    Auto,
     /// All that cannot be reached from outside without crossing a segment
     Seeds,
     /// Where a path from outside crosses an odd number of segments
@@ -140,6 +142,33 @@ impl ValueEnum for ReadableFormat {
     }
 }
 
+/// A format that meshes can be written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WritableFormat(pub FormatName);
+
+impl ValueEnum for WritableFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        const WRITABLE: [WritableFormat; 11] = [
+            WritableFormat(FormatName::Vtu),
+            WritableFormat(FormatName::Tetgen),
+            WritableFormat(FormatName::Gmsh),
+            WritableFormat(FormatName::Medit),
+            WritableFormat(FormatName::Off),
+            WritableFormat(FormatName::Ply),
+            WritableFormat(FormatName::Xyz),
+            WritableFormat(FormatName::Csv),
+            WritableFormat(FormatName::Npy),
+            WritableFormat(FormatName::VoronoiJson),
+            WritableFormat(FormatName::DomainsJson),
+        ];
+        &WRITABLE
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        self.0.to_possible_value()
+    }
+}
+
 impl AlgorithmName {
     pub fn algorithm(self) -> Algorithm {
         match self {
@@ -183,6 +212,7 @@ impl CrossingsName {
 impl InteriorName {
     pub fn interior(self) -> Interior {
         match self {
+            Self::Auto => Interior::Auto,
             Self::Seeds => Interior::Seeds,
             Self::Parity => Interior::Parity,
             Self::Winding => Interior::Winding,

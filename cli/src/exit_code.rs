@@ -2,6 +2,7 @@
 //! the machine's. `docs/command_line.md` and `--help` say the same; values are append only.
 
 use crate::words::{CommandLine, in_options};
+use netmesh::error::Name;
 use netmesh::{Error, ErrorKind};
 
 /// Why the program ended.
@@ -16,7 +17,8 @@ pub enum ExitCode {
     Usage = 2,
     /// The input is missing, unreadable, ragged or not numbers.
     InputUnreadable = 3,
-    /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range.
+    /// The input was read and cannot be meshed: non-finite, degenerate, dimension out of range,
+    /// segments and regions that no mesh has, a surface.
     InputRefused = 4,
     /// A limit was reached: `--max-vertices`, 32-bit ids, memory, the largest double.
     Limit = 5,
@@ -36,7 +38,8 @@ Exit codes:
      output that would replace the input (see --force)
   3  input missing, unreadable or malformed
   4  input refused: non-finite coordinate, fewer than two distinct points,
-     dimension other than 2 to 8, lower affine rank with --algorithm delaunay
+     dimension other than 2 to 8, lower affine rank with --algorithm delaunay,
+     segments or seeds that no mesh can have, a surface, sizes that are none
   5  limit reached: --max-vertices, 32-bit ids, memory, or points so far
      apart (above about 2e307) that the cage around them leaves the doubles
   6  cancelled
@@ -55,18 +58,38 @@ impl Failure {
         Self { code, message: message.into() }
     }
 
-    /// A failure of a run, in the words of what was given.
-    pub fn of_run(error: &Error, words: CommandLine<'_>) -> Self {
-        Self::new(code_of(error.kind()), error.in_words(words).to_string())
+    /// A failure to mesh what `path` holds, in the words of what was given: where no option is to
+    /// blame, the input is.
+    pub fn of_run(path: &str, error: &Error, words: CommandLine<'_>) -> Self {
+        let message = error.in_words(words).to_string();
+        match error.kind() {
+            ErrorKind::InvalidArgument if !error.subject().is_some_and(is_option) => {
+                Self::new(ExitCode::InputRefused, named(path, message))
+            }
+            kind => Self::new(code_of(kind), message),
+        }
     }
 
     /// A failure to read `path`.
     pub fn reading(path: &str, error: &Error) -> Self {
         let code = match error.kind() {
+            ErrorKind::Format | ErrorKind::InvalidArgument if error.is_of_content() => {
+                ExitCode::InputRefused
+            }
             ErrorKind::Io | ErrorKind::Format => ExitCode::InputUnreadable,
             _ => code_of(error.kind()),
         };
         Self::new(code, at_path(path, error))
+    }
+
+    /// A failure to use what `path` holds beside the input: a value that is out of range is one of
+    /// the file.
+    pub fn using(path: &str, error: &Error) -> Self {
+        let reading = Self::reading(path, error);
+        match reading.code {
+            ExitCode::Usage => Self { code: ExitCode::InputRefused, ..reading },
+            _ => reading,
+        }
     }
 
     /// A failure to write `path`.
@@ -85,13 +108,21 @@ impl From<Error> for Failure {
     }
 }
 
-/// Names the file, unless the message does so already.
 fn at_path(path: &str, error: &Error) -> String {
-    let message = in_options(error);
+    named(path, in_options(error))
+}
+
+/// Names the file, unless the message does so already.
+fn named(path: &str, message: String) -> String {
     match message.contains(path) {
         true => message,
         false => format!("{path}: {message}"),
     }
+}
+
+/// Returns true for what is given on the command line, and false for what files say.
+fn is_option(name: Name) -> bool {
+    !matches!(name, Name::Seed(_) | Name::SizeAt(_) | Name::BackgroundSizeAt(_))
 }
 
 fn code_of(kind: ErrorKind) -> ExitCode {

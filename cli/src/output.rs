@@ -69,10 +69,7 @@ pub fn require_attributes(path: &Path, format: Format) -> Result<(), Failure> {
 }
 
 fn resolved(path: &Path, format: Format) -> Result<Format, Failure> {
-    match format {
-        Format::Auto => Format::from_path(path).map_err(|error| failure(path, &error)),
-        named => Ok(named),
-    }
+    format.resolve_output(path).map_err(|error| failure(path, &error))
 }
 
 /// Refuses a format that cannot hold the mesh that is going to be made of `mesh`.

@@ -15,6 +15,11 @@ pub fn json(summary: &Summary<'_>) -> String {
     record.text("version", env!("CARGO_PKG_VERSION"));
     record.text("input", &summary.arguments.input.to_string_lossy());
     record.object("counts", |counts| add_counts(counts, summary));
+    record.object("left_out", |left_out| {
+        left_out.count("edges", summary.left_out.edges);
+        left_out.count("faces", summary.left_out.faces);
+        left_out.count("cells", summary.left_out.cells);
+    });
     let parameters = &summary.triangulation.parameters;
     record.object("options", |options| add_options(options, parameters));
     record.object("quality", |quality| add_quality(quality, summary));
@@ -140,6 +145,7 @@ fn add_options(options: &mut Object, parameters: &Parameters) {
     options.text(
         "interior",
         match parameters.interior {
+            Interior::Auto => "auto",
             Interior::Seeds => "seeds",
             Interior::Parity => "parity",
             Interior::Winding => "winding",

@@ -65,6 +65,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let summary = Summary {
             arguments,
             inputs: mesh.inputs(),
+            left_out: mesh.left_out(),
             attributes: mesh.attributes(),
             triangulation,
             quality: &quality,
@@ -164,8 +165,9 @@ fn make(mesh: &mut Mesh, arguments: &Arguments, display: &Display) -> Result<(),
             true
         }),
     );
+    let name = standard::input_name(&arguments.input);
     let words = CommandLine { regions: mesh.regions(), delaunay: arguments.delaunay_option() };
-    outcome.map_err(|error| Failure::of_run(&error, words))
+    outcome.map_err(|error| Failure::of_run(&name, &error, words))
 }
 
 /// Writes what was asked for.

@@ -1,23 +1,22 @@
 //! Sizes at points, those of the input or of a background, from a file as TetGen's `.mtr`: a line
-//! with the number of points, then a line a point whose first number is the size. `#` begins a
+//! with the number of points and of values each, then a line a point with its size. `#` begins a
 //! comment.
 
 use crate::exit_code::{ExitCode, Failure};
-use crate::words::in_options;
-use netmesh::io::{Choice, Format, PointCloud, read_points, read_table_file};
+use netmesh::io::{self, Choice, Format, PointCloud, read_points, read_table_file};
 use netmesh::{Algorithm, Attribute, Mesh, Options};
 use std::path::Path;
 
 /// Gives `mesh` the sizes in a file.
 pub fn set(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let sizes = read(path, mesh.inputs().count())?;
-    mesh.set_sizes(&sizes).map_err(|error| refusal(path, &in_options(&error)))
+    mesh.set_sizes(&sizes).map_err(|error| using(path, &error))
 }
 
 /// Gives `mesh` sizes on the Delaunay triangulation of the points in a file.
 pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     let (points, sizes) = read_background(path)?;
-    let refuse = |error: netmesh::Error| refusal(path, &in_options(&error));
+    let refuse = |error: netmesh::Error| using(path, &error);
     let PointCloud { dim, coordinates } = &points;
     let mut background = Mesh::new(*dim, sizes.len(), coordinates, 0).map_err(refuse)?;
     let plain = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
@@ -31,58 +30,114 @@ pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
 
 /// Points, and a size for each.
 fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
-    let refuse = |error: netmesh::Error| refusal(path, &in_options(&error));
+    let name = path.display().to_string();
+    let reading = |error: netmesh::Error| Failure::reading(&name, &error);
+    // An unknown format is no fault of the file.
+    io::input_path(path, Format::Auto).map_err(reading)?;
     let beside = path.with_extension("mtr");
     if beside.exists() {
-        let points = read_points(path, Format::Auto).map_err(refuse)?;
+        let points = read_points(path, Format::Auto).map_err(reading)?;
         let sizes = read(&beside, points.coordinates.len() / points.dim)?;
         return Ok((points, sizes));
     }
+    // Attributes of a .node file have no names: there may be one.
     let is_node = matches!(Format::from_path(path), Ok(Format::TetgenNode));
-    let attributes = if is_node { "size=1" } else { "size" }.parse().map_err(refuse)?;
+    let attributes = if is_node { "all" } else { "size" }.parse().map_err(reading)?;
     let choice = Choice { attributes, ..Choice::default() };
-    let mut table = read_table_file(path, Format::Auto, &choice).map_err(refuse)?;
-    match table.attributes.pop() {
-        Some(Attribute { values, .. }) => Ok((table.points, values)),
-        None => Err(refusal(path, "it has no attribute \"size\"")),
+    let table = read_table_file(path, Format::Auto, &choice);
+    let mut table = table.map_err(|error| using(path, &error))?;
+    match (table.attributes.pop(), table.attributes.len()) {
+        (Some(Attribute { values, .. }), 0) => Ok((table.points, values)),
+        (None, _) => Err(refused(path, "it has no attribute \"size\"")),
+        (Some(_), others) => {
+            let message = format!(
+                "{} attributes a point, and no names for them; a size is one, or in a .mtr file beside",
+                others + 1
+            );
+            Err(refused(path, &message))
+        }
     }
 }
 
 /// The sizes in a file, one for each of `count` points.
 fn read(path: &Path, count: usize) -> Result<Vec<f64>, Failure> {
-    let refuse = |message: String| refusal(path, &message);
-    let text = std::fs::read_to_string(path).map_err(|error| refuse(error.to_string()))?;
-    let sizes = parse(&text).map_err(refuse)?;
+    let text = std::fs::read_to_string(path);
+    let text = text.map_err(|error| malformed(path, &error.to_string()))?;
+    let sizes = parse(&text).map_err(|fault| match fault {
+        Fault::Malformed(message) => malformed(path, &message),
+        Fault::Refused(message) => refused(path, &message),
+    })?;
     match sizes.len() == count {
         true => Ok(sizes),
-        false => Err(refuse(format!("{} sizes for {count} points", sizes.len()))),
+        false => Err(refused(path, &format!("{} sizes for {count} points", sizes.len()))),
     }
 }
 
-fn refusal(path: &Path, message: &str) -> Failure {
+fn using(path: &Path, error: &netmesh::Error) -> Failure {
+    Failure::using(&path.display().to_string(), error)
+}
+
+fn malformed(path: &Path, message: &str) -> Failure {
     Failure::new(ExitCode::InputUnreadable, format!("{}: {message}", path.display()))
 }
 
-fn parse(text: &str) -> Result<Vec<f64>, String> {
-    let lines = text.lines().map(|line| line.split('#').next().unwrap_or("").trim());
-    let mut lines = lines.zip(1..).filter(|(line, _)| !line.is_empty());
-    let (head, _) = lines.next().ok_or("it is empty; the first line has the number of points")?;
-    let count: usize = first(head)
-        .parse()
-        .map_err(|_| format!("line 1: {head}; the first number is the number of points"))?;
-    let mut sizes = Vec::new();
-    for (line, number) in lines {
-        let size = first(line).parse();
-        sizes.push(size.map_err(|_| format!("line {number}: {line}; a line begins with a size"))?);
-    }
-    if sizes.len() != count {
-        return Err(format!("it has {} sizes, and its first line says {count}", sizes.len()));
-    }
-    Ok(sizes)
+fn refused(path: &Path, message: &str) -> Failure {
+    Failure::new(ExitCode::InputRefused, format!("{}: {message}", path.display()))
 }
 
-fn first(line: &str) -> &str {
-    line.split_whitespace().next().unwrap_or("")
+/// Why no sizes come of a text.
+#[derive(Debug, PartialEq)]
+enum Fault {
+    /// It is no such file.
+    Malformed(String),
+    /// It is one, of something else than sizes.
+    Refused(String),
+}
+
+fn parse(text: &str) -> Result<Vec<f64>, Fault> {
+    let malformed = |message: String| Fault::Malformed(message);
+    let lines = text.lines().map(|line| line.split('#').next().unwrap_or("").trim());
+    let mut lines = (1..).zip(lines).filter(|(_, line)| !line.is_empty());
+    let empty = "it is empty; the first line has the number of points";
+    let (number, head) = lines.next().ok_or_else(|| malformed(empty.to_owned()))?;
+    let counts: Result<Vec<usize>, _> = head.split_whitespace().map(str::parse).collect();
+    let (count, values) = match counts.as_deref() {
+        Ok([count]) => (*count, 1),
+        Ok([count, values]) => (*count, *values),
+        _ => {
+            let message = format!(
+                "line {number}: {head}; the first line has the number of points, and that of values \
+                 at each, 1"
+            );
+            return Err(malformed(message));
+        }
+    };
+    if values != 1 {
+        let message = format!(
+            "line {number}: {values} values a point, as metric tensors have them; a size is one \
+             number, the length that edges shall have"
+        );
+        return Err(Fault::Refused(message));
+    }
+    let mut sizes = Vec::new();
+    for (number, line) in lines {
+        let mut words = line.split_whitespace();
+        let size = words.next().unwrap_or("").parse();
+        let size =
+            size.map_err(|_| malformed(format!("line {number}: {line}; a size is a number")))?;
+        let others = words.count();
+        if others > 0 {
+            let message =
+                format!("line {number}: {line}; a size is one number, and here are {}", others + 1);
+            return Err(malformed(message));
+        }
+        sizes.push(size);
+    }
+    if sizes.len() != count {
+        let message = format!("it has {} sizes, and its first line says {count}", sizes.len());
+        return Err(malformed(message));
+    }
+    Ok(sizes)
 }
 
 #[cfg(test)]
@@ -99,12 +154,33 @@ mod tests {
     fn what_is_wrong_has_its_line() {
         for (text, words) in [
             ("", "it is empty"),
-            ("x 1\n0.5\n", "line 1: x 1; the first number"),
+            ("x 1\n0.5\n", "line 1: x 1; the first line has the number of points, and that of"),
+            ("1 1 1\n0.5\n", "line 1: 1 1 1; the first line"),
+            ("1 1.0\n0.5\n", "line 1: 1 1.0; the first line"),
+            ("-1 1\n0.5\n", "line 1: -1 1; the first line"),
             ("2 1\n0.5\n", "it has 1 sizes, and its first line says 2"),
-            ("2 1\n0.5\n\nsmall\n", "line 4: small; a line begins with a size"),
+            ("2 1\n0.5\n\nsmall\n", "line 4: small; a size is a number"),
+            ("2 1\n0.5\n1 0.2\n", "line 3: 1 0.2; a size is one number, and here are 2"),
+            ("2\n0.5\n1 0 1\n", "line 3: 1 0 1; a size is one number, and here are 3"),
         ] {
-            let message = parse(text).unwrap_err();
+            let fault = parse(text).unwrap_err();
+            let Fault::Malformed(message) = &fault else { panic!("{text}: {fault:?}") };
             assert!(message.starts_with(words), "{message}");
         }
+    }
+
+    /// Of three values in the plane, or six in space, none is a length.
+    #[test]
+    fn tensors_are_no_sizes() {
+        for (text, words) in [
+            ("2 3\n1 0 1\n4 0 4\n", "line 1: 3 values a point, as metric tensors have them"),
+            ("# in space\n1 6\n1 0 0 1 0 1\n", "line 2: 6 values a point, as metric"),
+            ("2 0\n", "line 1: 0 values a point"),
+        ] {
+            let fault = parse(text).unwrap_err();
+            let Fault::Refused(message) = &fault else { panic!("{text}: {fault:?}") };
+            assert!(message.starts_with(words), "{message}");
+        }
+        assert_eq!(parse("2\n0.5\n0.25\n"), Ok(vec![0.5, 0.25]));
     }
 }

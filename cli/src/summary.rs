@@ -9,8 +9,8 @@ use crate::standard;
 use netmesh::quality::Quality;
 use netmesh::validate::Report;
 use netmesh::{
-    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, NetOrdering, Output, Triangulation,
-    VertexKind,
+    Algorithm, Attribute, Criterion, Extent, GivesWay, Inputs, LeftOut, NetOrdering, Output,
+    Triangulation, VertexKind,
 };
 use std::fmt::Write;
 
@@ -28,6 +28,7 @@ pub struct Times {
 pub struct Summary<'a> {
     pub arguments: &'a Arguments,
     pub inputs: &'a Inputs,
+    pub left_out: LeftOut,
     pub attributes: &'a [Attribute],
     pub triangulation: &'a Triangulation,
     pub quality: &'a Quality,
@@ -41,6 +42,7 @@ impl Summary<'_> {
     pub fn text(&self) -> String {
         let mut lines = Lines::default();
         self.add_input(&mut lines);
+        self.add_left_out(&mut lines);
         self.add_attributes(&mut lines);
         self.add_task(&mut lines);
         self.add_mesh(&mut lines);
@@ -67,6 +69,20 @@ impl Summary<'_> {
                 counted(self.inputs.duplicates() as u64, "duplicate", "duplicates"),
             ),
         );
+    }
+
+    /// Of a mesh or a surface the points alone become something.
+    fn add_left_out(&self, lines: &mut Lines) {
+        let LeftOut { edges, faces, cells } = self.left_out;
+        let parts = [(edges, "edge", "edges"), (faces, "face", "faces"), (cells, "cell", "cells")];
+        let parts = parts.into_iter().filter(|(count, _, _)| *count > 0);
+        let parts: Vec<String> =
+            parts.map(|(count, one, many)| counted(count, one, many)).collect();
+        if !parts.is_empty() {
+            let text =
+                parts.join(", ") + "; of the mesh or surface in the file the points are meshed";
+            lines.add("left out", text);
+        }
     }
 
     fn add_attributes(&self, lines: &mut Lines) {

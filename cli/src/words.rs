@@ -67,6 +67,7 @@ impl CommandLine<'_> {
             Choice::Extent(Extent::Boundary) => "--extent boundary",
             Choice::Crossings(Crossings::Refuse) => "--crossings refuse",
             Choice::Crossings(Crossings::Split) => "--crossings split",
+            Choice::Interior(Interior::Auto) => "--interior auto",
             Choice::Interior(Interior::Seeds) => "--interior seeds",
             Choice::Interior(Interior::Parity) => "--interior parity",
             Choice::Interior(Interior::Winding) => "--interior winding",

@@ -80,14 +80,22 @@ fn every_exit_code_is_in_the_help_and_in_the_document() {
 fn every_format_is_in_the_document() {
     let help = Command::new(env!("CARGO_BIN_EXE_netmesh")).arg("--help").output().expect("it runs");
     let help = String::from_utf8_lossy(&help.stdout).into_owned();
-    let (_, formats) = help.split_once("--output-format <FORMAT>").expect("the option");
-    let names: Vec<&str> = formats
-        .lines()
-        .skip(1)
-        .take_while(|line| !line.trim_start().starts_with("--"))
-        .filter_map(|line| line.trim_start().strip_prefix("- ")?.split(':').next())
-        .collect();
-    assert_eq!(names.len(), 14, "{formats}");
+    // What can be read, and what can be written.
+    let mut names: Vec<&str> = Vec::new();
+    for option in ["--input-format <FORMAT>", "--output-format <FORMAT>"] {
+        let (_, formats) = help.split_once(option).expect("the option");
+        let listed = formats
+            .lines()
+            .skip(1)
+            .take_while(|line| !line.trim_start().starts_with("--"))
+            .filter_map(|line| line.trim_start().strip_prefix("- ")?.split(':').next());
+        let before = names.len();
+        names.extend(listed);
+        assert_eq!(names.len() - before, 11, "{formats}");
+    }
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), 14, "{names:?}");
     let (document, header) = (read("docs/formats.md"), read("include/netmesh.h"));
     for name in names {
         let row = document.lines().find(|line| line.contains(&format!("| `{name}` |")));

@@ -193,3 +193,36 @@ fn too_many_dimensions_hint_at_columns() {
     chosen.assert_failure(2, &["not 4"]);
     assert!(!chosen.stderr.contains("--columns"), "{}", chosen.stderr);
 }
+
+/// A surface is read as its points, and the summary says so.
+#[test]
+fn what_is_left_out_is_told() {
+    let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
+    let bench = bench_with("left_out", "solid.off", off);
+    let outcome = bench.run("solid.off -o solid.msh --json solid.json");
+    outcome.assert_success();
+    let line = "left out    4 faces; of the mesh or surface in the file the points are meshed\n";
+    assert!(outcome.stdout.contains(line), "{}", outcome.stdout);
+    assert!(bench.read("solid.json").contains("\"faces\": 4"), "{}", bench.read("solid.json"));
+    let again = bench.run("solid.msh");
+    assert!(again.stdout.contains("left out    ") && again.stdout.contains(" cells; of the mesh"));
+    bench.run("solid.msh -o again.xyz").assert_success();
+    let points = bench.run("again.xyz").stdout;
+    assert!(!points.contains("left out"), "{points}");
+}
+
+/// A file of points that begins with their number, and one with numbers between quotes.
+#[test]
+fn no_point_is_lost_to_a_header() {
+    let bench = bench_with("headers", "scan.pts", "4\n0 0 0 5\n1 0 0 6\n0 1 0 7\n0 0 1 8\n");
+    bench.write("quoted.csv", "\"0\",\"0\"\n\"1\",\"0\"\n\"0\",\"1\"\n");
+    for (line, words) in [
+        ("scan.pts", "scan.pts: 4 points in 3D"),
+        ("scan.pts --attributes intensity -o scan.vtu", "attributes  intensity"),
+        ("quoted.csv", "quoted.csv: 3 points in 2D"),
+    ] {
+        let outcome = bench.run(line);
+        outcome.assert_success();
+        assert!(outcome.stdout.contains(words), "{}", outcome.stdout);
+    }
+}

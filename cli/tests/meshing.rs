@@ -222,3 +222,35 @@ fn json_takes_the_place_of_the_summary() {
     assert!(both.stdout.contains("deterministic nets"), "{}", both.stdout);
     assert_eq!(bench.files(), ["a.json", "points.xyz"]);
 }
+
+/// The recipe for maps: of a square of area 200 with a lake of area 4 the mesh has 196.
+#[test]
+fn lakes_of_maps_are_outside() {
+    let bench = Workbench::new("lakes");
+    let rings = "[[[0,0],[20,0],[20,10],[0,10],[0,0]],[[5,5],[7,5],[7,7],[5,7],[5,5]]]";
+    let map = format!(
+        r#"{{"type":"FeatureCollection","features":[{{"type":"Feature","properties":{{}},
+            "geometry":{{"type":"Polygon","coordinates":{rings}}}}}]}}"#
+    );
+    bench.write("map.geojson", &map);
+    let recipe =
+        "map.geojson -o map.off --finish --min-angle 25 --extent boundary --crossings split";
+    for (more, area, interior) in [("", 196.0, "parity"), (" --interior seeds", 200.0, "seeds")] {
+        bench.run(&format!("{recipe} -q --validate --json map.json{more}")).assert_success();
+        let json: Value = serde_json::from_str(&bench.read("map.json")).expect("it is JSON");
+        assert_eq!(json["options"]["interior"], interior);
+        let text = bench.read("map.off");
+        let mut numbers = text.split_ascii_whitespace().skip(1).map(|word| word.parse::<f64>());
+        let mut next = || numbers.next().expect("another number").expect("a number");
+        let (vertices, triangles) = (next() as usize, next() as usize);
+        next();
+        let points: Vec<[f64; 2]> = (0..vertices).map(|_| ([next(), next()], next()).0).collect();
+        let double_areas = (0..triangles).map(|_| {
+            next();
+            let [a, b, c] = [next(), next(), next()].map(|id| points[id as usize]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        });
+        let found = double_areas.sum::<f64>() / 2.0;
+        assert!((found - area).abs() < 1e-9, "{found}");
+    }
+}

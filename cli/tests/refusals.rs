@@ -202,8 +202,8 @@ fn messages_name_what_the_command_line_has() {
                   2\n0 0.2 0.2\n1 0.5 0\n1\n0 0.7 0.7 5\n";
     bench.write("holes.poly", domain);
     bench.write("cross.poly", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n2 0\n0 0 2\n1 1 3\n0\n");
-    bench.run("holes.poly").assert_failure(2, &["holes[1] is on segments[0];"]);
-    bench.run("cross.poly").assert_failure(2, &["with --crossings split they are split there"]);
+    bench.run("holes.poly").assert_failure(4, &["holes.poly: holes[1] is on segments[0];"]);
+    bench.run("cross.poly").assert_failure(4, &["with --crossings split they are split there"]);
     for (options, words) in [
         ("--extent boundary", "--extent boundary needs segments"),
         ("--interior parity", "--interior parity needs segments"),
@@ -213,4 +213,78 @@ fn messages_name_what_the_command_line_has() {
     ] {
         bench.run(&format!("points.xyz {options}")).assert_failure(2, &[words]);
     }
+}
+
+/// Formats that are read only are no formats for an output.
+#[test]
+fn only_formats_that_can_be_written_are_offered() {
+    let bench = bench_with("offered", SQUARE);
+    let outcome = bench.run("points.xyz -o - --output-format poly");
+    outcome.assert_failure(2, &["--output-format", "[possible values: vtu, tetgen"]);
+    let outcome = bench.run("points.xyz -o mesh.stl");
+    outcome.assert_failure(2, &["mesh.stl", "names no format that can be written"]);
+    for outcome in [outcome, bench.run("points.xyz -o - --output-format stl")] {
+        for read_only in ["poly", "geojson", "wkt"] {
+            assert!(!outcome.stderr.contains(read_only), "{}", outcome.stderr);
+        }
+    }
+    for name in ["mesh.poly", "mesh.geojson", "mesh.wkt"] {
+        bench.run(&format!("points.xyz -o {name}")).assert_failure(2, &[name, "only read"]);
+    }
+    let attributes = bench.run("points.xyz --columns 1,2 --attributes 1 -o mesh.what");
+    attributes.assert_failure(2, &["names no format that can be written"]);
+    assert_eq!(bench.files(), ["points.xyz"]);
+}
+
+/// What a file says and no mesh can have is refused (4); what is no such file is malformed (3); an
+/// option that does not fit is wrong usage (2).
+#[test]
+fn the_code_says_whether_the_file_or_its_content_is_wrong() {
+    let bench = Workbench::new("content");
+    let points = "4 2\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n";
+    let sides = "4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n";
+    for (code, rest, more, words) in [
+        (4, "1 0\n1 1 9\n0\n", "", "line 7: point id 9; ids are 1 to 4"),
+        (4, "1 0\n1 2 2\n0\n", "", "line 7: the segment has one point as both ends"),
+        (4, "1 1\n1 1 2 0.5\n0\n", "", "line 7, column 4: 0.5 is no marker"),
+        (4, "2 0\n1 1 3\n2 2 4\n0\n", "", "a.poly: segments[0] and segments[1] cross near"),
+        (0, "2 0\n1 1 3\n2 2 4\n0\n", "--crossings split", ""),
+        (4, &format!("{sides}1\n1 0.5 0\n"), "--extent boundary", "a.poly: regions[0] is on"),
+        (4, "3 0\n1 1 2\n2 2 3\n3 3 4\n0\n", "--extent boundary", "a.poly: segments enclose"),
+        (3, "1 0\n1 1 x\n0\n", "", "line 7, column 3: \"x\" is no point id"),
+        (3, "2 0\n1 1 2\n", "", "the file ends after line 7: 1 of 2 segments"),
+        (3, "1 0\n1 1\n0\n", "", "line 7: 2 columns where 3 are expected"),
+        (2, "0\n0\n", "--extent boundary", "--extent boundary needs segments"),
+        (2, sides, "--min-angle 50", "--min-angle is 50"),
+    ] {
+        bench.write("a.poly", &format!("{points}{rest}"));
+        let outcome = bench.run(&format!("a.poly -q {more}"));
+        match code {
+            0 => outcome.assert_success(),
+            _ => outcome.assert_failure(code, &["netmesh: ", words]),
+        }
+    }
+    let same = "3 2\n1 0 0\n2 -0.0 0\n3 1 1\n1 0\n1 1 2\n0\n";
+    bench.write("a.poly", same);
+    bench.run("a.poly").assert_failure(4, &["a.poly: segments[0]", "the same point"]);
+    bench.write("a.poly", "4 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n1 0\n");
+    bench.run("a.poly").assert_failure(4, &["a.poly", "TetGen's facets are not"]);
+    bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 1))");
+    bench.run("a.wkt").assert_failure(4, &["a.wkt", "its last position must be its first"]);
+    bench.write("a.wkt", "POLYGON((0 0,1 0,1 1,0 0)");
+    bench.run("a.wkt").assert_failure(3, &["a.wkt: the file ends"]);
+    bench.write("a.geojson", r#"{"type":"LineString","coordinates":[[0,0]]}"#);
+    bench.run("a.geojson").assert_failure(4, &["a line with fewer than 2 positions"]);
+    bench.write("a.off", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 2\n");
+    bench.run("a.off").assert_failure(4, &["a.off: line 5: vertex id 2 of 2 vertices"]);
+    bench.write("a.stl", "solid\nendsolid\n");
+    bench.run("a.stl").assert_failure(4, &["a.stl: an STL file is a surface"]);
+    bench.write("a.obj", "v 0 0 0\n");
+    bench.run("a.obj").assert_failure(4, &["a.obj: an OBJ file is a surface"]);
+    bench.write("a.pts", "version: 1\nn_points: 1\n{\n0 0\n}\n");
+    bench.run("a.pts").assert_failure(3, &["begins a file of landmarks of an image"]);
+    bench.write("a.csv", "x;y\n0;0\n1;1\n");
+    bench.run("a.csv").assert_failure(3, &["a.csv: line 1: semicolons separate the fields"]);
+    bench.write("a.pts", "1\n1 2 3 4 5\n");
+    bench.run("a.pts").assert_failure(4, &["5 columns below a number of points", "--columns"]);
 }

@@ -69,18 +69,31 @@ fn a_background_without_sizes_is_refused() {
     bench.write("zero.csv", "x,y,size\n0,0,1\n1,0,0\n0,1,1\n");
     bench.write("few.xyz", "0 0\n1 0\n0 1\n");
     bench.write("few.mtr", "2 1\n1\n1\n");
-    for (file, word) in [
-        ("plain.csv", "size"),
-        ("flat.csv", "rank"),
-        ("space.csv", "dimensions"),
-        ("zero.csv", "sizes[1] is 0"),
-        ("few.xyz", "2 sizes for 3 points"),
-        ("none.csv", "none.csv"),
+    bench.write("ragged.csv", "x,y,size\n0,0,1\n1,0\n");
+    bench.write("tensors.xyz", "0 0\n1 0\n0 1\n");
+    bench.write("tensors.mtr", "3 3\n1 0 1\n4 0 4\n1 0 1\n");
+    // Which of several attributes is a size the file does not say.
+    bench.write("three.node", "3 2 3 0\n0 0 0 1 0 1\n1 1 0 4 0 4\n2 0 1 1 0 1\n");
+    bench.write("none.node", "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
+    bench.write("surface.stl", "solid\nendsolid\n");
+    for (code, file, word) in [
+        (4, "plain.csv", "size"),
+        (4, "flat.csv", "rank"),
+        (4, "space.csv", "dimensions"),
+        (4, "zero.csv", "sizes[1] is 0"),
+        (4, "few.xyz", "2 sizes for 3 points"),
+        (4, "tensors.xyz", "tensors.mtr: line 1: 3 values a point, as metric tensors have them"),
+        (4, "three.node", "3 attributes a point, and no names for them"),
+        (4, "none.node", "every column of the file is a coordinate"),
+        (4, "surface.stl", "an STL file is a surface"),
+        (3, "ragged.csv", "line 3: 2 columns"),
+        (3, "none.csv", "none.csv"),
+        (2, "points.what", "names no format that can be read"),
     ] {
         let run = bench.run(&format!("points.xyz --finish --background {file}"));
-        run.assert_failure(3, &[word]);
+        run.assert_failure(code, &[word]);
     }
-    bench.run("points.xyz --background few.xyz").assert_failure(3, &["few.mtr"]);
+    bench.run("points.xyz --background few.xyz").assert_failure(4, &["few.mtr"]);
 }
 
 #[test]
@@ -108,7 +121,11 @@ fn what_is_no_size_is_refused() {
         bench.run(&format!("points.xyz {option}")).assert_failure(2, &[words]);
     }
     let sized = |file: &str| bench.run(&format!("points.xyz --finish --sizes {file}"));
-    sized("four.mtr").assert_failure(3, &["four.mtr", "4 sizes for 5 points"]);
-    sized("zero.mtr").assert_failure(3, &["zero.mtr", "sizes[1] is 0"]);
+    sized("four.mtr").assert_failure(4, &["four.mtr", "4 sizes for 5 points"]);
+    sized("zero.mtr").assert_failure(4, &["zero.mtr", "sizes[1] is 0"]);
     sized("none.mtr").assert_failure(3, &["none.mtr"]);
+    bench.write("tensors.mtr", "5 3\n1 0 1\n1 0 1\n1 0 1\n1 0 1\n1 0 1\n");
+    sized("tensors.mtr").assert_failure(4, &["tensors.mtr: line 1: 3 values a point"]);
+    bench.write("wide.mtr", "5 1\n1\n1 0 1\n1\n1\n1\n");
+    sized("wide.mtr").assert_failure(3, &["wide.mtr: line 3: 1 0 1; a size is one number"]);
 }

@@ -58,6 +58,7 @@ void every_getter(const nm_mesh* mesh, nm_status expected, int first) {
     using Getter = nm_status (*)(const nm_mesh*);
     static constexpr Getter getters[] = {
         filled<nm_counts, nm_mesh_counts>,
+        filled<nm_left_out, nm_mesh_left_out>,
         size_of<double, nm_mesh_get_points>,
         size_of<std::uint32_t, nm_mesh_get_simplices>,
         size_of<std::uint32_t, nm_mesh_get_neighbors>,

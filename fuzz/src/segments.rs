@@ -38,7 +38,7 @@ impl Plane {
             |here| self.segments.iter().step_by(2).filter(|&&at| place(at) == here).count();
         let ends = |here| all().filter(|&there| there == here).count();
         all().all(|here| match interior {
-            Interior::Seeds => true,
+            Interior::Auto | Interior::Seeds => true,
             Interior::Parity => ends(here) % 2 == 0,
             Interior::Winding => ends(here) == 2 * starts(here),
         })
@@ -58,7 +58,7 @@ pub fn check(data: &[u8]) {
     let size = (more == 0).then(|| bytes.power_of_two());
     let interior = [Interior::Seeds, Interior::Parity, Interior::Winding].get(more);
     options.interior = interior.copied().unwrap_or_default();
-    let asks_for_curves = options.interior != Interior::Seeds;
+    let asks_for_curves = matches!(options.interior, Interior::Parity | Interior::Winding);
     if asks_for_curves && !bytes.once_in(16) {
         options.extent = Extent::Boundary;
     }
@@ -179,7 +179,8 @@ fn is_documented(error: &Error, plane: &Plane, options: &Options, size: Option<f
             let crosses = message.starts_with("segments[") && message.contains(" cross near ");
             let is_open = message.ends_with("so that all curves are closed");
             (is_open && !plane.is_closed(options.interior))
-                || (options.interior != Interior::Seeds && options.extent != Extent::Boundary)
+                || (matches!(options.interior, Interior::Parity | Interior::Winding)
+                    && options.extent != Extent::Boundary)
                 || (options.crossings == Crossings::Refuse && crosses)
                 || message.contains(".seed is on ")
                 || message.contains(".seed is within a rounding of a segment")

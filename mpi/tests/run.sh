@@ -206,6 +206,8 @@ files_test() {
   done
   refused 3 'line 1202, column 2: "x" is not a number' 4 bad.xyz
   refused 3 'the file holds no points' 4 empty.xyz
+  printf '3\n0 0\n1 0\n0 1\n' >counted.xyz
+  refused 3 'line 1: 3 is a number of points' 4 counted.xyz
   refused 3 'cannot open' 4 absent.npy
   refused 4 'point 3 has the non-finite coordinate 1' 4 nan.npy
   refused 2 '--bound is 1; it must be' 4 in2.npy --bound 1

@@ -62,7 +62,7 @@ def mesh(
     gives_way: str = "angle",
     extent: str = "auto",
     crossings: str = "refuse",
-    interior: str = "seeds",
+    interior: str = "auto",
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
@@ -140,11 +140,11 @@ def mesh(
         'boundary' where segments enclose something, otherwise 'all'.
     crossings : {'refuse', 'split'}
         What becomes of segments that cross where no point is.
-    interior : {'seeds', 'parity', 'winding'}
+    interior : {'auto', 'seeds', 'parity', 'winding'}
         Which regions between segments are inside, with the extents 'boundary' and 'auto': all that
         cannot be reached from outside; those into which a path from outside crosses an odd number of
         segments; or those that curves wind round, by the directions of the segments. `holes` are
-        taken away.
+        taken away. 'auto' is 'seeds' for segments that are given as arrays.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

@@ -276,10 +276,7 @@ pub fn points_of_inputs<'py>(
 
 /// Refuses a format that would leave the attributes out.
 fn require_attributes(py: Python<'_>, path: &Path, format: Format) -> PyResult<()> {
-    let format = match format {
-        Format::Auto => Format::from_path(path).map_err(|error| exception(py, &error))?,
-        named => named,
-    };
+    let format = format.resolve_output(path).map_err(|error| exception(py, &error))?;
     if format.holds_attributes() {
         return Ok(());
     }

@@ -32,8 +32,12 @@ const EXTENTS: [(&str, Extent); 5] = [
 ];
 const CROSSINGS: [(&str, Crossings); 2] =
     [("refuse", Crossings::Refuse), ("split", Crossings::Split)];
-const INTERIORS: [(&str, Interior); 3] =
-    [("seeds", Interior::Seeds), ("parity", Interior::Parity), ("winding", Interior::Winding)];
+const INTERIORS: [(&str, Interior); 4] = [
+    ("auto", Interior::Auto),
+    ("seeds", Interior::Seeds),
+    ("parity", Interior::Parity),
+    ("winding", Interior::Winding),
+];
 const GIVE_WAYS: [(&str, GivesWay); 2] = [("angle", GivesWay::Angle), ("bound", GivesWay::Bound)];
 
 /// The defaults, but for the options that are given.

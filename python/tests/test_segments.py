@@ -67,7 +67,7 @@ def test_curves_tell_what_is_inside():
         "parity": "^input 0 is an end of 1 segments; with interior='parity' that number",
         "winding": "^input 0 is the first end of 1 segments and the second end of 0; with",
         "seeds": "^segments enclose nothing, with extent='boundary' and interior='seeds';",
-        "odd": "^interior is 'odd'; it must be 'seeds' or 'parity' or 'winding'",
+        "odd": "^interior is 'odd'; it must be 'auto' or 'seeds' or 'parity' or 'winding'",
     }
     for interior, message in messages.items():
         with pytest.raises(netmesh.InvalidArgumentError, match=message):

@@ -37,7 +37,7 @@ pub fn encloses(
     // where the balance counts.
     let mut balances = arrangement.subsegments.iter().map(|piece| piece.balance);
     match interior {
-        Interior::Seeds => has_cycle(inputs.distinct(), arrangement),
+        Interior::Auto | Interior::Seeds => has_cycle(inputs.distinct(), arrangement),
         Interior::Parity => Ok(balances.any(|balance| balance % 2 != 0)),
         Interior::Winding => Ok(balances.any(|balance| balance != 0)),
     }
@@ -76,12 +76,12 @@ fn first_open(
     segments: &Segments,
     interior: Interior,
 ) -> Result<Option<(usize, [u32; 2])>> {
-    if interior == Interior::Seeds {
+    if matches!(interior, Interior::Auto | Interior::Seeds) {
         return Ok(None);
     }
     // Vertex -> of how many segments it is the first end, and of how many the second.
     let mut counts = filled(inputs.distinct(), [0u32; 2])?;
-    for ends in &segments.inputs {
+    for (_, ends) in segments.inputs.iter().enumerate().filter(|&(at, _)| segments.encloses(at)) {
         for (which, &end) in ends.iter().enumerate() {
             counts[inputs.vertices()[end as usize] as usize][which] += 1;
         }
@@ -116,12 +116,14 @@ fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: I
 mod tests {
     use super::*;
     use crate::arrangement::{Task, arrange};
+    use crate::options::Crossings;
 
     /// Input 4 equals input 0.
     fn check(segments: &[[u32; 2]], interior: Interior) -> Result<()> {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0]];
         let inputs = Inputs::new(2, 5, points.as_flattened(), 0).unwrap();
-        let segments = Segments { inputs: segments.to_vec(), markers: vec![0; segments.len()] };
+        let (inputs_of, markers) = (segments.to_vec(), vec![0; segments.len()]);
+        let segments = Segments { inputs: inputs_of, markers, ..Segments::default() };
         check_closed(&inputs, &segments, interior)
     }
 
@@ -149,11 +151,12 @@ mod tests {
     fn is_enclosing(segments: &[[u32; 2]], interior: Interior) -> bool {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0], [3.0, 0.0]];
         let inputs = Inputs::new(2, 6, points.as_flattened(), 0).unwrap();
-        let segments = Segments { inputs: segments.to_vec(), markers: vec![0; segments.len()] };
-        let (own, crossings) = (segments.count(), crate::options::Crossings::Split);
+        let (ends, markers) = (segments.to_vec(), vec![0; segments.len()]);
+        let segments = Segments { inputs: ends, markers, ..Segments::default() };
+        let (own, crossings) = (segments.count(), Crossings::Split);
         let task = Task { inputs: &inputs, segments: &segments, own, crowded: &[], crossings };
-        let arrangement = arrange(&task, &mut |_| Ok(()));
-        encloses(&inputs, &segments, &arrangement.unwrap(), interior).unwrap()
+        let arrangement = arrange(&task, &mut |_| Ok(())).unwrap();
+        encloses(&inputs, &segments, &arrangement, interior).unwrap()
     }
 
     #[test]

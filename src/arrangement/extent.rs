@@ -26,7 +26,7 @@ pub fn with_extent(
     poll: Poll<'_>,
 ) -> Result<(Inputs, Segments)> {
     let mut points = collected((0..inputs.count()).flat_map(|input| inputs.point(input)).copied())?;
-    let mut all = Segments { inputs: with_capacity(segments.count())?, markers: Vec::new() };
+    let mut all = Segments { inputs: with_capacity(segments.count())?, ..Segments::default() };
     all.inputs.extend_from_slice(&segments.inputs);
     all.markers.try_extend(&segments.markers)?;
     let curve = match extent {

@@ -83,8 +83,11 @@ pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     points.try_extend(task.crowded)?;
     let ends = |ends: &[u32; 2]| ends.map(|input| task.inputs.vertices()[input as usize]);
     let segments = task.segments.inputs.iter().zip(0u32..);
-    let segments =
-        segments.map(|(inputs, segment)| Subsegment { ends: ends(inputs), segment, balance: 1 });
+    let segments = segments.map(|(inputs, segment)| Subsegment {
+        ends: ends(inputs),
+        segment,
+        balance: i64::from(task.segments.encloses(segment as usize)),
+    });
     let segments = collected(segments)?;
     let straight = |segment: &Subsegment| segment.ends.map(|end| &points[end as usize]);
     let reaches = collected(segments.iter().map(|segment| Reach::of(straight(segment))))?;

@@ -25,7 +25,7 @@ fn arranged(points: &[Point], ends: &[[u32; 2]], crossings: Crossings) -> Result
     let inputs = Inputs::new(2, points.len(), points.as_flattened(), 0)?;
     let differ = |ends: &&[u32; 2]| points[ends[0] as usize] != points[ends[1] as usize];
     let ends: Vec<[u32; 2]> = ends.iter().filter(differ).copied().collect();
-    let segments = Segments { markers: vec![0; ends.len()], inputs: ends };
+    let segments = Segments { markers: vec![0; ends.len()], inputs: ends, ..Segments::default() };
     let own = segments.count();
     let task = Task { inputs: &inputs, segments: &segments, own, crowded: &[], crossings };
     let arrangement = arrange(&task, &mut |_| Ok(()))?;

@@ -21,7 +21,8 @@ impl Case {
             a != b
         };
         let ends: Vec<_> = ends.iter().filter(differ).copied().collect();
-        let segments = Segments { markers: vec![0; ends.len()], inputs: ends };
+        let segments =
+            Segments { markers: vec![0; ends.len()], inputs: ends, ..Segments::default() };
         Some(Self { inputs, segments })
     }
 

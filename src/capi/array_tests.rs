@@ -56,11 +56,11 @@ fn getters_have_the_arrays_of_the_selection() {
     let selections = [
         (select(0, 0, NONE), Selection::default()),
         (
-            select(1, 0, NONE),
+            select(2, 0, NONE),
             Selection { extent: crate::arrays::Extent::Hull, across: false, domain: NONE },
         ),
         (
-            select(2, 1, 0),
+            select(3, 1, 0),
             Selection { extent: crate::arrays::Extent::Box, across: true, domain: 0 },
         ),
         (select(0, 0, 1), Selection { domain: 1, ..Selection::default() }),
@@ -147,7 +147,7 @@ fn exports_have_the_selection() {
         nm_export_write(&handle, from_c(nm_format::NM_FORMAT_VTU as i32), Some(append), to)
     };
     assert_eq!((status, &all), (nm_status::NM_OK, &whole));
-    let hull = select(1, 0, NONE);
+    let hull = select(2, 0, NONE);
     let part = get_all(&handle, &hull, nm_mesh_get_selected).len();
     let text = export(&handle, &hull, nm_format::NM_FORMAT_XYZ);
     let cloud = crate::io::read(&mut text.as_slice(), Format::Xyz).unwrap();
@@ -183,11 +183,11 @@ fn wrong_selections_are_named() {
         assert_eq!((status, needed), (nm_status::NM_INVALID_ARGUMENT, 17));
         assert!(last_message().starts_with(message), "{}", last_message());
     };
-    refused(&select(3, 0, NONE), "selection.extent is 3");
+    refused(&select(4, 0, NONE), "selection.extent is 4");
     refused(&select(0, 0, 999), "selection.domain is 999; the mesh has");
     refused(&select(0, 0, domains), "selection.domain is");
     refused(&nm_selection { struct_size: 6, ..select(0, 0, NONE) }, "selection.struct_size is 6");
-    let short = nm_selection { struct_size: 4, ..select(2, 0, 999) };
+    let short = nm_selection { struct_size: 4, ..select(3, 0, 999) };
     assert_eq!(
         get_all(&handle, &short, nm_mesh_get_volumes),
         get_all(&handle, null(), nm_mesh_get_volumes)

@@ -290,6 +290,46 @@ mod tests {
         assert!(message.contains("format is 77"), "{message}");
     }
 
+    /// The area of the recipe's map: a square of 200 with a lake of 4.
+    #[test]
+    fn holes_of_polygons_in_files_are_outside() {
+        use crate::capi::enums::nm_extent;
+        use crate::capi::getters::{nm_mesh_get_points, nm_mesh_get_simplices};
+        let name = format!("netmesh-{}-lake.wkt", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        let lake = "POLYGON((0 0,20 0,20 10,0 10,0 0),(5 5,7 5,7 7,5 7,5 5))";
+        std::fs::write(&path, lake).unwrap();
+        let text = CString::new(path.to_str().unwrap()).unwrap();
+        let mut mesh = null_mut();
+        let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+        // SAFETY: a C string, and room for a handle.
+        let status = unsafe { nm_mesh_create_from_file(text.as_ptr(), format, &mut mesh) };
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+        let mut options = crate::capi::options::encode(&crate::Options::default());
+        options.extent = MaybeUninit::new(nm_extent::NM_EXTENT_BOUNDARY);
+        // SAFETY: a live handle and whole structs.
+        let status = unsafe { crate::capi::run::nm_run(mesh, &options) };
+        assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+        let (mut points, mut simplices) = ([0.0; 1024], [0; 2048]);
+        let mut needed = 0;
+        // SAFETY: a live handle, and buffers as long as said.
+        let both = unsafe {
+            let points = nm_mesh_get_points(mesh, points.as_mut_ptr(), 1024, null_mut());
+            (points, nm_mesh_get_simplices(mesh, simplices.as_mut_ptr(), 2048, &mut needed))
+        };
+        assert_eq!(both, (nm_status::NM_OK, nm_status::NM_OK));
+        let area = |simplex: &[u32]| {
+            let [[a, b], [c, d], [e, f]] =
+                [0, 1, 2].map(|at| [0, 1].map(|axis| points[2 * simplex[at] as usize + axis]));
+            ((c - a) * (f - b) - (d - b) * (e - a)) / 2.0
+        };
+        let area: f64 = simplices[..needed as usize].chunks_exact(3).map(area).sum();
+        assert!((area - 196.0).abs() < 1e-9, "{area}");
+        // SAFETY: fresh.
+        unsafe { nm_mesh_free(mesh) };
+    }
+
     #[test]
     fn columns_of_a_file_are_coordinates_and_attributes() {
         let name = format!("netmesh-{}-columns.csv", std::process::id());

@@ -81,7 +81,8 @@ pub(super) fn decode_crossings(raw: MaybeUninit<nm_crossings>) -> Result<Crossin
 }
 
 pub(super) fn decode_interior(raw: MaybeUninit<nm_interior>) -> Result<Interior> {
-    decode("options.interior", raw, [Interior::Seeds, Interior::Parity, Interior::Winding])
+    use Interior::{Auto, Parity, Seeds, Winding};
+    decode("options.interior", raw, [Auto, Seeds, Parity, Winding])
 }
 
 /// Whether it is [`nm_filtration::NM_FILTRATION_MESH`].
@@ -155,12 +156,12 @@ mod tests {
             assert_eq!(decode_crossings(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=2 {
-            assert_eq!(decode_interior(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_output(from_c(value)).unwrap() as i32, value);
             assert_eq!(decode_algorithm(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=3 {
             assert_eq!(decode_measure(from_c(value)).unwrap() as i32, value);
+            assert_eq!(decode_interior(from_c(value)).unwrap() as i32, value);
         }
         for value in 0..=4 {
             assert_eq!(decode_run_extent(from_c(value)).unwrap() as i32, value);

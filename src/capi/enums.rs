@@ -254,16 +254,20 @@ pub enum nm_crossings {
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_interior {
+    /// NM_INTERIOR_PARITY where the segments are those of a file of polygons (NM_FORMAT_GEOJSON,
+    /// NM_FORMAT_WKT) that nm_mesh_create_from_file has read, NM_INTERIOR_SEEDS otherwise.
+    NM_INTERIOR_AUTO = 0,
     /// All that cannot be reached from outside without crossing a segment.
-    NM_INTERIOR_SEEDS = 0,
+    NM_INTERIOR_SEEDS = 1,
     /// Those into which a path from outside crosses an odd number of segments (the even-odd rule):
     /// rings within rings are alternately inside and outside. Every input must be an end of an even
-    /// number of segments.
-    NM_INTERIOR_PARITY = 1,
+    /// number of segments. Of a file of polygons only the sides of these count, not its lines.
+    NM_INTERIOR_PARITY = 2,
     /// Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
     /// from outside crosses from their right to their left, less that from their left to their
     /// right. Every input must be the first end of as many segments as it is the second end.
-    NM_INTERIOR_WINDING = 2,
+    /// Of a file of polygons only the sides of these count.
+    NM_INTERIOR_WINDING = 3,
 }
 
 /// Values of the faces of a mesh, which nm_mesh_filtration writes.

@@ -3,9 +3,9 @@
 use super::enums::{nm_status, vertex_kind_byte};
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::{OutStruct, copy_out};
-use super::structs::{nm_counts, nm_domain};
+use super::structs::{nm_counts, nm_domain, nm_left_out};
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Mesh, NONE, Triangulation, VertexKind};
+use crate::mesh::{LeftOut, Mesh, NONE, Triangulation, VertexKind};
 
 /// The result of the last run, or `State`.
 pub(super) fn result(mesh: &Mesh) -> Result<&Triangulation> {
@@ -43,6 +43,33 @@ fn count(mesh: &Mesh) -> nm_counts {
         simplices: triangulation.map_or(0, Triangulation::simplex_count) as u64,
         domains: triangulation.map_or(0, |t| t.domains.len()) as u64,
     }
+}
+
+/// Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
+/// the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
+/// NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
+/// become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
+/// after.
+///
+/// left_out: the caller sets struct_size.
+///
+/// Errors: NM_NULL_ARGUMENT (mesh, left_out), NM_INVALID_ARGUMENT (left_out->struct_size), NM_STATE
+/// (nm_run at work, poisoned).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn nm_mesh_left_out(
+    mesh: *const nm_mesh,
+    left_out: *mut nm_left_out,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        // SAFETY: the caller gave NULL or as many bytes as the `struct_size` says.
+        let out = unsafe { OutStruct::new("left_out", left_out)? };
+        let LeftOut { edges, faces, cells } = mesh.left_out();
+        let struct_size = size_of::<nm_left_out>() as u32;
+        out.write(&nm_left_out { struct_size, reserved: 0, edges, faces, cells });
+        Ok(())
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
 }
 
 /// Writes the vertices' coordinates: vertices x dim doubles, coordinate k of vertex v at
@@ -269,6 +296,43 @@ mod tests {
     use crate::capi::test_support::{last_message, square};
     use crate::options::Options;
     use std::ptr::{null, null_mut};
+
+    #[test]
+    fn what_a_file_has_beside_its_points_is_told() {
+        use crate::capi::create::{nm_mesh_create_from_file, nm_mesh_free};
+        use crate::capi::enums::nm_format;
+        use crate::capi::test_support::from_c;
+        let name = format!("netmesh-{}-left-out.off", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        std::fs::write(&path, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n").unwrap();
+        let text = std::ffi::CString::new(path.to_str().unwrap()).unwrap();
+        let mut mesh = null_mut();
+        let format = from_c(nm_format::NM_FORMAT_AUTO as i32);
+        // SAFETY: a C string, and room for a handle.
+        let status = unsafe { nm_mesh_create_from_file(text.as_ptr(), format, &mut mesh) };
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(status, nm_status::NM_OK, "{}", last_message());
+        let struct_size = size_of::<nm_left_out>() as u32;
+        let asked = nm_left_out { struct_size, reserved: 9, edges: 9, faces: 9, cells: 9 };
+        let get = |mesh: *const nm_mesh| {
+            let mut left_out = asked;
+            // SAFETY: a live handle or NULL, and a whole struct.
+            (unsafe { nm_mesh_left_out(mesh, &mut left_out) }, left_out)
+        };
+        let expected = nm_left_out { struct_size, reserved: 0, edges: 1, faces: 1, cells: 0 };
+        assert_eq!(get(mesh), (nm_status::NM_OK, expected));
+        // SAFETY: a live handle; NULL stands for the defaults.
+        assert_eq!(unsafe { crate::capi::run::nm_run(mesh, null()) }, nm_status::NM_OK);
+        assert_eq!(get(mesh), (nm_status::NM_OK, expected), "after a run, too");
+        // SAFETY: fresh.
+        unsafe { nm_mesh_free(mesh) };
+        let none = nm_left_out { edges: 0, faces: 0, ..expected };
+        assert_eq!(get(&square()), (nm_status::NM_OK, none));
+        assert_eq!(get(null()), (nm_status::NM_NULL_ARGUMENT, asked));
+        // SAFETY: a live handle; NULL is refused.
+        let status = unsafe { nm_mesh_left_out(&square(), null_mut()) };
+        assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "left_out is NULL"));
+    }
 
     type Getter<T> = unsafe extern "C" fn(*const nm_mesh, *mut T, u64, *mut u64) -> nm_status;
 

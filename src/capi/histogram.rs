@@ -129,7 +129,10 @@ mod tests {
             assert!(counts.iter().all(|&count| count == 77));
             last_message()
         };
-        assert_eq!(refuse(call(&mesh, 4, 0, &[0.0])), "measure is 4; it must be one of nm_measure, 0 to 3");
+        assert_eq!(
+            refuse(call(&mesh, 4, 0, &[0.0])),
+            "measure is 4; it must be one of nm_measure, 0 to 3"
+        );
         assert_eq!(refuse(call(&mesh, 0, 2, &[0.0])), "at_hull is 2; it must be 0 or 1");
         assert_eq!(refuse(call(&mesh, 0, 0, &[])), "edges is empty; it must hold at least one");
         let falling = refuse(call(&mesh, 0, 0, &[1.0, 0.0]));

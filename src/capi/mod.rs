@@ -98,6 +98,7 @@ pub use getters::{
     nm_mesh_counts, nm_mesh_get_domains, nm_mesh_get_input_vertices, nm_mesh_get_neighbors,
     nm_mesh_get_points, nm_mesh_get_precision_limited, nm_mesh_get_simplices,
     nm_mesh_get_vertex_domains, nm_mesh_get_vertex_inputs, nm_mesh_get_vertex_kinds,
+    nm_mesh_left_out,
 };
 pub use handle::nm_mesh;
 pub use histogram::nm_mesh_quality_histogram;
@@ -109,8 +110,8 @@ pub use queries::{
 };
 pub use run::nm_run;
 pub use structs::{
-    nm_alpha_shape, nm_counts, nm_domain, nm_options, nm_progress, nm_progress_fn, nm_quality,
-    nm_report, nm_selection, nm_stats,
+    nm_alpha_shape, nm_counts, nm_domain, nm_left_out, nm_options, nm_progress, nm_progress_fn,
+    nm_quality, nm_report, nm_selection, nm_stats,
 };
 pub use topology::{
     nm_export_filtration, nm_mesh_filtration, nm_mesh_filtration_factor, nm_mesh_get_coface_starts,

@@ -305,7 +305,7 @@ mod tests {
             ("ordering", -1, nm_options { ordering: from_c(-1), ..good }),
             ("criterion", 2, nm_options { criterion: from_c(2), ..good }),
             ("gives_way", 2, nm_options { gives_way: from_c(2), ..good }),
-            ("interior", 3, nm_options { interior: from_c(3), ..good }),
+            ("interior", 4, nm_options { interior: from_c(4), ..good }),
         ];
         for (field, value, options) in bad {
             let message = decode(&options).unwrap_err().message().to_owned();

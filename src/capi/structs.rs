@@ -191,8 +191,8 @@ pub struct nm_options {
     /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
     pub crossings: MaybeUninit<nm_crossings>,
     /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
-    /// there are segments, NM_EXTENT_AUTO; otherwise it must be the default. Default
-    /// NM_INTERIOR_SEEDS.
+    /// there are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
+    /// NM_INTERIOR_WINDING. Default NM_INTERIOR_AUTO.
     pub interior: MaybeUninit<nm_interior>,
     /// Zero.
     pub reserved_after_interior: u32,
@@ -253,6 +253,31 @@ unsafe impl Versioned for nm_counts {
 }
 
 const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 5 * 8);
+
+/// What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
+/// has not: numbers of elements. A mesh is made of the points.
+#[allow(non_camel_case_types)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct nm_left_out {
+    /// Set by the caller to sizeof(nm_left_out).
+    pub struct_size: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Elements with two ends.
+    pub edges: u64,
+    /// Triangles and other polygons.
+    pub faces: u64,
+    /// Tetrahedra and other elements of three dimensions or more.
+    pub cells: u64,
+}
+
+// SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
+unsafe impl Versioned for nm_left_out {
+    const TYPE: &'static str = "nm_left_out";
+}
+
+const _: () = assert!(size_of::<nm_left_out>() == 2 * 4 + 3 * 8);
 
 /// A ball of the domain hierarchy; an element of the array that nm_mesh_get_domains fills (fixed in
 /// size for this ABI version).

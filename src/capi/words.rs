@@ -120,6 +120,7 @@ impl From<Crossings> for nm_crossings {
 impl From<Interior> for nm_interior {
     fn from(interior: Interior) -> Self {
         match interior {
+            Interior::Auto => Self::NM_INTERIOR_AUTO,
             Interior::Seeds => Self::NM_INTERIOR_SEEDS,
             Interior::Parity => Self::NM_INTERIOR_PARITY,
             Interior::Winding => Self::NM_INTERIOR_WINDING,

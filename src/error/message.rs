@@ -73,6 +73,11 @@ impl Message {
         within
     }
 
+    /// Returns the name that the message begins with.
+    pub(super) fn subject(&self) -> Option<Name> {
+        self.names.first().filter(|place| place.start == 0).map(|place| place.name)
+    }
+
     /// Returns the message in the words of Rust.
     pub(super) fn text(&self) -> &str {
         &self.text
@@ -154,10 +159,13 @@ mod tests {
         assert_eq!(error.message(), rust);
         let shouted = "EDGE is 0.5; options.max_edge and EXTENT!";
         assert_eq!(error.in_words(Shouted).to_string(), shouted);
+        assert_eq!(error.subject(), Some(Name::MaxEdge));
         let error = error.within(&"file é");
+        assert_eq!(error.subject(), None);
         assert_eq!(error.message(), format!("file é: {rust}"));
         assert_eq!(error.in_words(Shouted).to_string(), format!("file é: {shouted}"));
         let plain = Error::new(ErrorKind::Io, "nothing has a name");
+        assert_eq!(plain.subject(), None);
         assert_eq!(plain.in_words(Shouted).to_string(), plain.message());
     }
 }

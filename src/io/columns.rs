@@ -93,6 +93,14 @@ impl Columns {
         !self.chosen.is_empty()
     }
 
+    /// Returns true if columns are chosen, all by numbers, and these fields of a first line are
+    /// numbers: then it is a point, whatever stands in the other fields.
+    pub(super) fn are_numbers_in(&self, fields: &[&str]) -> bool {
+        let is_number = |column: u64| fields[column as usize].parse::<f64>().is_ok();
+        let indices = self.indices(fields.len() as u64, None);
+        self.are_chosen() && indices.is_ok_and(|columns| columns.into_iter().all(is_number))
+    }
+
     /// Refuses columns of a format that says itself which numbers are coordinates.
     pub(super) fn require_none(&self, format: &str) -> Result<()> {
         match self.are_chosen() {
@@ -258,6 +266,8 @@ mod tests {
             ("1,a,3\n5,,7\n", Format::Xyz, "3,1"),
             ("1,2,3\n5,,7\n", Format::Csv, "3,1"),
             ("u,label,v\n1,a,3\n5,,7\n", Format::Csv, "3,1"),
+            ("1,a,3\n5,,7\n", Format::Csv, "3,1"),
+            ("\"1\",\"a, 2\",3\n5,,7\n", Format::Csv, "3,1"),
             ("u,label,\"v\"\n1,a,3\n5,,7\n", Format::Csv, "V,u"),
         ] {
             assert_eq!(read(text, format, columns).unwrap(), expected, "{text:?} {columns}");

@@ -3,8 +3,9 @@
 
 use super::attributes::Scalar;
 use super::choice::others;
+use super::columns::named_coordinates;
 use super::layout::Layout;
-use super::text::{Line, Lines, write_number, write_point};
+use super::text::{Line, Lines, quoted, write_number, write_point};
 use super::xyz::for_each_vertex;
 use super::{Choice, Table};
 use crate::error::{ErrorKind, Result};
@@ -18,36 +19,65 @@ const KIND: &str = "kind";
 pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
     let mut layout: Option<Layout> = None;
     while let Some(line) = lines.next()? {
+        check_quotes(&line)?;
         if let Some(layout) = layout.as_mut() {
-            layout.add(&line, fields(&line))?;
+            layout.add(&line, texts(&line))?;
             continue;
         }
-        let header = header_of(&line)?;
+        let header = match choice.coordinates.are_numbers_in(&collected(texts(&line))?) {
+            true => None,
+            false => header_of(&line)?,
+        };
         let layout = layout.insert(layout_of(&line, header.as_deref(), choice)?);
         if header.is_none() {
-            layout.add(&line, fields(&line))?;
+            layout.add(&line, texts(&line))?;
         }
     }
     Layout::finish(layout)
 }
 
-/// The names in the first line; none if it is a point. A header holds no number at all: a line with
-/// some is a damaged point or a header that does not fit, and neither may be skipped in silence.
+/// The names in the first line; none if it is a point, between quotes or not. A header holds no
+/// number, but for one between quotes beside the names `x` and `y`: any other line with some is a
+/// damaged point or a header that does not fit, and neither may be skipped in silence.
 fn header_of<'a>(line: &Line<'a>) -> Result<Option<Vec<&'a str>>> {
-    let is_number = |field: &str| field.parse::<f64>().is_ok();
+    let is_number = |field: &Field<'_>| field.text.parse::<f64>().is_ok();
     let Some((column, word)) = fields(line).enumerate().find(|(_, field)| !is_number(field)) else {
         return Ok(None);
     };
-    if fields(line).any(is_number) {
-        return Err(line.not_a_number(column, word));
-    }
+    refuse_other_separators(line)?;
     // Programs that pass a table on like to put its names in quotes.
-    let names = fields(line).map(|name| name.trim_matches('"').trim_ascii());
-    Ok(Some(collected(names)?))
+    let names = collected(texts(line))?;
+    let mut numbers = fields(line).filter(is_number).peekable();
+    let has_coordinates = || matches!(named_coordinates(&names), Ok(Some(_)) | Err(_));
+    if numbers.peek().is_some() && !(numbers.all(|field| field.is_quoted) && has_coordinates()) {
+        return Err(line.not_a_number(column, word.text));
+    }
+    Ok(Some(names))
+}
+
+/// Refuses a first line without a comma in which something else stands between fields: one column
+/// is no point.
+fn refuse_other_separators(line: &Line<'_>) -> Result<()> {
+    if fields(line).nth(1).is_some() {
+        return Ok(());
+    }
+    let separators = [(';', "semicolons"), ('\t', "tabs"), ('|', "bars"), (' ', "blanks")];
+    match separators.into_iter().find(|(separator, _)| line.text.contains(*separator)) {
+        None => Ok(()),
+        Some((_, name)) => {
+            let more = if name == "blanks" { "; such files are .xyz, not .csv" } else { "" };
+            let message = format!(
+                "{name} separate the fields of {}; in CSV files commas do, and the decimal sign is \
+                 a point{more}",
+                quoted(line.text)
+            );
+            Err(line.error(message))
+        }
+    }
 }
 
 fn layout_of(line: &Line<'_>, names: Option<&[&str]>, choice: &Choice) -> Result<Layout> {
-    let all = fields(line).count();
+    let all = texts(line).count();
     // All, without a last one called `kind`.
     let otherwise = |listed: &[u64]| {
         let with_kind = names.is_some_and(|names| names.last() == Some(&KIND));
@@ -61,8 +91,82 @@ fn layout_of(line: &Line<'_>, names: Option<&[&str]>, choice: &Choice) -> Result
     Layout::new(line, all, coordinates, values)
 }
 
-fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
-    line.text.split(',').map(str::trim_ascii)
+/// A field, without the quotes around it.
+struct Field<'a> {
+    text: &'a str,
+    is_quoted: bool,
+}
+
+/// The fields of a line whose quotes are right.
+struct Fields<'a> {
+    rest: Option<&'a str>,
+}
+
+fn fields<'a>(line: &Line<'a>) -> Fields<'a> {
+    Fields { rest: Some(line.text) }
+}
+
+fn texts<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
+    fields(line).map(|field| field.text)
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = Field<'a>;
+
+    fn next(&mut self) -> Option<Field<'a>> {
+        let rest = self.rest.take()?;
+        let opened = rest.trim_ascii_start().strip_prefix('"');
+        let quoted = opened.and_then(|after| Some((after, closing_quote(after)?)));
+        let (text, after) = match quoted {
+            Some((after, end)) => (&after[..end], &after[end + 1..]),
+            None => (rest, rest),
+        };
+        let is_quoted = quoted.is_some();
+        let (head, tail) = after.split_once(',').map_or((after, None), |(h, t)| (h, Some(t)));
+        self.rest = tail;
+        let text = if is_quoted { text } else { head };
+        Some(Field { text: text.trim_ascii(), is_quoted })
+    }
+}
+
+/// Where the quote is that ends a field; two of them stand for one in it.
+fn closing_quote(text: &str) -> Option<usize> {
+    let mut from = 0;
+    loop {
+        let at = from + text[from..].find('"')?;
+        if !text[at + 1..].starts_with('"') {
+            return Some(at);
+        }
+        from = at + 2;
+    }
+}
+
+/// Refuses a quote without an end in its line, and text between a quote's end and the next comma.
+fn check_quotes(line: &Line<'_>) -> Result<()> {
+    let mut rest = if line.text.contains('"') { Some(line.text) } else { None };
+    let mut column = 0;
+    while let Some(text) = rest {
+        let refuse = |message: String| Err(line.field_error(ErrorKind::Format, column, message));
+        rest = match text.trim_ascii_start().strip_prefix('"') {
+            None => text.split_once(',').map(|(_, rest)| rest),
+            Some(after) => {
+                let Some(end) = closing_quote(after) else {
+                    return refuse(format!(
+                        "{} has no quote at its end; a field may not go on in the next line",
+                        quoted(text.trim_ascii_start())
+                    ));
+                };
+                let after = after[end + 1..].trim_ascii_start();
+                if !after.is_empty() && !after.starts_with(',') {
+                    let shown = quoted(after);
+                    return refuse(format!("{shown} between a quote's end and the next comma"));
+                }
+                after.strip_prefix(',')
+            }
+        };
+        column += 1;
+    }
+    Ok(())
 }
 
 pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) -> io::Result<()> {

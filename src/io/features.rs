@@ -53,7 +53,7 @@ impl Features {
         }
         let first = self.points.count();
         self.add_points(positions)?;
-        self.connect(positions, first)
+        self.connect(positions, first, false)
     }
 
     /// A line that ends where it begins; that point becomes one input. Maps that were made coarser
@@ -74,12 +74,13 @@ impl Features {
         }
         let begin = self.points.count();
         self.add_points(&positions[..positions.len() - 1])?;
-        self.connect(positions, begin)
+        self.connect(positions, begin, true)
     }
 
     /// Segments between each position and the next, the first of which is the input `first`; none
-    /// where the two are equal. A last position that is no input is the first again.
-    fn connect(&mut self, positions: &[[f64; 2]], first: usize) -> Result<()> {
+    /// where the two are equal. A last position that is no input is the first again. `is_side`: the
+    /// segments are sides of a polygon.
+    fn connect(&mut self, positions: &[[f64; 2]], first: usize, is_side: bool) -> Result<()> {
         let added = self.points.count() - first;
         for (at, ends) in positions.windows(2).enumerate() {
             if ends[0] != ends[1] {
@@ -87,13 +88,14 @@ impl Features {
                 let id = |at: usize| u32::try_from(first + at % added).unwrap_or(u32::MAX);
                 self.outline.segments.try_push([id(at), id(at + 1)])?;
                 self.outline.markers.try_push(self.number)?;
+                self.outline.sides.try_push(is_side)?;
             }
         }
         Ok(())
     }
 
     fn refused(&self, place: Place, rule: &dyn fmt::Display) -> Error {
-        place.error(format_args!("{} {}: {rule}", self.noun, self.number))
+        place.error(format_args!("{} {}: {rule}", self.noun, self.number)).of_content()
     }
 
     pub fn finish(self) -> Result<Table> {

@@ -44,7 +44,7 @@ pub enum Format {
     /// counts, the vertices, then the simplices as cells of d + 1 indices; tetrahedra are not
     /// polygons, and an `OFF` that lists them as such would be read wrongly.
     ///
-    /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and dropped.
+    /// Read: the vertices of `OFF` and `nOFF`, one per line; faces are checked and left out.
     Off = 5,
     /// Stanford's `.ply`, little-endian binary with doubles: the vertices with `kind` and `domain`,
     /// and triangles. In the plane these are the mesh (z = 0); in dimension 3 they are the mesh's
@@ -55,13 +55,15 @@ pub enum Format {
     /// not asked for is checked as far as its size goes and dropped.
     Ply = 6,
     /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
-    /// decimal comma would read so). The first point's number of columns is the dimension.
+    /// decimal comma would read so). The first point's number of columns is the dimension. A first
+    /// line may be the number of points, as in `.pts` files; there columns beyond three are intensity
+    /// and colour.
     Xyz = 7,
     /// Comma-separated points. A first line without any number is a header. Where it names the
     /// columns `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise
     /// `x0`, `x1` and so on, as [`crate::io::write()`] names them; otherwise all columns, without a
-    /// last one called `kind`. Other columns may hold anything. Quotes have no meaning but around a
-    /// name.
+    /// last one called `kind`. Other columns may hold anything. A field may stand between quotes,
+    /// with commas in it; a quote in it is written twice.
     Csv = 8,
     /// NumPy's `.npy`, an array of shape (points, dim). Written as version 1.0, `<f8`, C order;
     /// with attributes as a structured array of the fields `points`, `kind` and the attributes.
@@ -163,9 +165,41 @@ impl Format {
         if self == Self::Auto { Self::from_path(path) } else { Ok(self) }
     }
 
+    /// Returns this format, or that of the extension, if it is one that can be written.
+    ///
+    /// # Errors
+    /// `InvalidArgument`; the message lists the extensions of formats that can be written.
+    pub fn resolve_output(self, path: &Path) -> Result<Self> {
+        let resolved = self.resolve(path).map_err(|_| {
+            let message = message!(
+                "{}: the extension names no format that can be written; name the format, or use .vtu, \
+                 .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
+                 .voronoi.json or .domains.json",
+                path.display()
+            );
+            Error::new(ErrorKind::InvalidArgument, message)
+        })?;
+        match resolved {
+            Self::Poly | Self::GeoJson | Self::Wkt => {
+                Err(resolved.read_only().within(&path.display()))
+            }
+            _ => Ok(resolved),
+        }
+    }
+
+    /// The refusal of a format that is read only.
+    pub(super) fn read_only(self) -> Error {
+        let message =
+            message!("{} cannot be written, only read; write TetGen or Gmsh", self.name());
+        Error::new(ErrorKind::InvalidArgument, message)
+    }
+
     /// As [`Format::resolve`]; an unknown extension is answered with those that can be read.
     pub(super) fn resolve_input(self, path: &Path) -> Result<Self> {
         self.resolve(path).map_err(|_| {
+            if let Some(refusal) = surface_at(path) {
+                return refusal;
+            }
             let message = message!(
                 "{}: the extension names no format that can be read; name the format, or use .node, \
                  .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson \
@@ -207,6 +241,29 @@ impl Format {
         }
     }
 }
+
+/// The refusal of a file whose extension says that it is a surface. What it holds is refused, not
+/// the name of a format.
+fn surface_at(path: &Path) -> Option<Error> {
+    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+    let (_, name) = SURFACES.iter().find(|(known, _)| *known == extension)?;
+    let message = message!(
+        "{}: {name} is a surface, and facets in space are not meshed yet; for its points alone \
+         convert it to .off, .ply or .xyz",
+        path.display()
+    );
+    Some(Error::new(ErrorKind::InvalidArgument, message).of_content())
+}
+
+/// Extensions of files of surfaces, and what messages call such a file.
+const SURFACES: [(&str, &str); 6] = [
+    ("stl", "an STL file"),
+    ("obj", "an OBJ file"),
+    ("smesh", "a file of TetGen's facets"),
+    ("3mf", "a 3MF file"),
+    ("gltf", "a glTF file"),
+    ("glb", "a glTF file"),
+];
 
 /// The part after the last dot in lower case; of names that end with `.json` the part before, too.
 fn extension(path: &Path) -> Option<String> {

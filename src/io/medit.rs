@@ -1,21 +1,33 @@
 //! Medit's `.mesh`, as text.
 
-use super::PointCloud;
+use super::Table;
+use super::columns::OrRule;
 use super::text::{Line, Lines, Points, write_point};
 use crate::arrays::domains::simplices;
 use crate::error::{Error, ErrorKind, Result};
-use crate::mesh::{Boundary, Triangulation};
+use crate::mesh::{Boundary, LeftOut, Triangulation};
 use std::io::{self, Write};
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
     let first = lines.require(|| "a Medit file begins with MeshVersionFormatted".into())?;
     if first.words().next().map(|(_, word)| word) != Some("MeshVersionFormatted") {
         return Err(first.error("the file does not begin with MeshVersionFormatted"));
     }
     let mut dim = None;
     let mut points = None;
+    let mut left_out = LeftOut::default();
+    let mut elements: Option<Elements> = None;
     while let Some(line) = lines.next()? {
-        match keyword(&line) {
+        let keyword = keyword(&line);
+        if keyword.is_empty() {
+            // Numbers of elements, or of a field that says nothing here.
+            elements.iter_mut().for_each(|elements| elements.words += line.word_count() as u64);
+            continue;
+        }
+        if let Some(elements) = elements.take() {
+            elements.leave_out(&mut left_out).map_err(|message| line.error(message))?;
+        }
+        match keyword {
             "Dimension" if dim.is_some() => return Err(line.error("a second Dimension")),
             "Dimension" => {
                 let here = number_of(&line, "dimension")?;
@@ -33,15 +45,65 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
                 lines.require_end("End")?;
                 break;
             }
-            // Another field, or its numbers.
-            _ => {}
+            name => {
+                let Some(field) = FIELDS.iter().find(|field| field.name == name) else { continue };
+                let what = "number of elements";
+                let here = number_of(&line, what)?;
+                let count = number_after(&mut lines, here, what)?;
+                elements = Some(Elements { field, count, words: 0 });
+            }
         }
     }
+    if let Some(elements) = elements {
+        let left = elements.leave_out(&mut left_out);
+        left.map_err(|message| lines.error(ErrorKind::Format, &message))?;
+    }
     let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no field Vertices"))?;
-    points.finish()
+    Ok(Table { left_out, ..Table::new(points.finish()?, Vec::new()) })
 }
 
 const COUNT: &str = "number of vertices";
+
+/// A field of elements.
+struct Field {
+    name: &'static str,
+    dimension: u64,
+    /// Numbers of an element: its vertices and its reference.
+    numbers: u64,
+}
+
+const FIELDS: [Field; 8] = [
+    Field { name: "Edges", dimension: 1, numbers: 3 },
+    Field { name: "Triangles", dimension: 2, numbers: 4 },
+    Field { name: "Quadrilaterals", dimension: 2, numbers: 5 },
+    Field { name: "Tetrahedra", dimension: 3, numbers: 5 },
+    Field { name: "Pyramids", dimension: 3, numbers: 6 },
+    Field { name: "Prisms", dimension: 3, numbers: 7 },
+    Field { name: "Pentahedra", dimension: 3, numbers: 7 },
+    Field { name: "Hexahedra", dimension: 3, numbers: 9 },
+];
+
+/// Elements that are left out, and what was seen of them.
+struct Elements {
+    field: &'static Field,
+    count: u64,
+    /// Words that have followed.
+    words: u64,
+}
+
+impl Elements {
+    /// Adds the elements, if all of them were there; the rule otherwise.
+    fn leave_out(self, left_out: &mut LeftOut) -> OrRule<()> {
+        let Self { field: Field { name, dimension, numbers }, count, words } = self;
+        if count.checked_mul(*numbers) != Some(words) {
+            return Err(format!(
+                "the field {name} has {words} numbers; {count} elements have {numbers} each"
+            ));
+        }
+        left_out.add(*dimension, count);
+        Ok(())
+    }
+}
 
 /// The first word of a line that begins with a letter, "" for numbers.
 fn keyword<'a>(line: &Line<'a>) -> &'a str {
@@ -127,8 +189,7 @@ pub(super) fn write(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
-    use super::*;
+    use super::super::{Format, PointCloud, read, samples, write};
 
     #[test]
     fn vertices_are_read_and_other_fields_skipped() {

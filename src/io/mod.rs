@@ -97,7 +97,8 @@ impl PointCloud {
 ///
 /// # Errors
 /// - `Io`: no such file, a directory, or reading fails;
-/// - `InvalidArgument`: a format that cannot be read, or an extension that names none;
+/// - `InvalidArgument`: a format that cannot be read, or an extension that names none or a format of
+///   surfaces (STL, OBJ, ...);
 /// - `Format`: not a number, a number too large for a double, rows of differing length, no points,
 ///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a line
 ///   over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
@@ -116,8 +117,14 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
 /// a format without columns to choose, a name that no attribute can have.
 pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<Table> {
     let format = format.resolve_input(path)?;
-    let path = input_path(path, format)?;
-    in_file(&path, |input| read_named(input, format, choice, Some(&path)))
+    let points = input_path(path, format)?;
+    let mut table = in_file(&points, |input| read_named(input, format, choice, Some(&points)))?;
+    // An `.ele` file by whose name the points are found has more to say, where it is.
+    if points != path && path.exists() {
+        let left_out = &mut table.left_out;
+        in_file(path, |input| tetgen::leave_out(text::Lines::new(input), left_out))?;
+    }
+    Ok(table)
 }
 
 /// What `read` makes of a file, whose name it gives to errors.
@@ -145,7 +152,7 @@ pub fn input_path(path: &Path, format: Format) -> Result<PathBuf> {
 /// # Errors
 /// `InvalidArgument`: an extension that names no format.
 pub fn output_paths(path: &Path, format: Format) -> Result<Vec<PathBuf>> {
-    match format.resolve(path)? {
+    match format.resolve_output(path)? {
         Format::TetgenNode => {
             let ((node, ele), (edge, poly)) =
                 (tetgen::paths(path), tetgen::paths_of_segments(path));
@@ -224,23 +231,20 @@ fn read_named(
     if has_points_alone || matches!(format, Format::GeoJson | Format::Wkt) {
         choice.attributes.require_none(format.name())?;
     }
-    let points = match format {
-        Format::Xyz => return xyz::read(text::Lines::new(input), choice),
-        Format::Csv => return csv::read(text::Lines::new(input), choice),
-        Format::Npy => return npy::read(input, choice),
-        Format::Ply => return ply::read(input, &choice.attributes),
-        Format::TetgenNode => return tetgen::read(text::Lines::new(input), &choice.attributes),
-        Format::Poly => {
-            return poly::read(text::Lines::new(input), &choice.attributes, path);
-        }
-        Format::GeoJson => return geojson::read(input),
-        Format::Wkt => return wkt::read(input),
-        Format::Gmsh => gmsh::read(text::Lines::new(input))?,
-        Format::Medit => medit::read(text::Lines::new(input))?,
-        Format::Off => off::read(text::Lines::new(input))?,
-        _ => return Err(auto_without_path()),
-    };
-    Ok(Table::new(points, Vec::new()))
+    match format {
+        Format::Xyz => xyz::read(text::Lines::new(input), choice, path),
+        Format::Csv => csv::read(text::Lines::with_quotes(input), choice),
+        Format::Npy => npy::read(input, choice),
+        Format::Ply => ply::read(input, &choice.attributes),
+        Format::TetgenNode => tetgen::read(text::Lines::new(input), &choice.attributes),
+        Format::Poly => poly::read(text::Lines::new(input), &choice.attributes, path),
+        Format::GeoJson => geojson::read(input),
+        Format::Wkt => wkt::read(input),
+        Format::Gmsh => gmsh::read(text::Lines::new(input)),
+        Format::Medit => medit::read(text::Lines::new(input)),
+        Format::Off => off::read(text::Lines::new(input)),
+        _ => Err(auto_without_path()),
+    }
 }
 
 /// Writes `mesh` to `path`, all or nothing: to a new file beside it that is flushed, synchronised
@@ -272,7 +276,7 @@ pub fn write_file_with(
     path: &Path,
     format: Format,
 ) -> Result<()> {
-    let format = format.resolve(path)?;
+    let format = format.resolve_output(path)?;
     let content = Content::of(mesh, attributes, format)?;
     if let Some(mut stream) = replace::open_stream(path)? {
         return content.write(&mut stream);
@@ -376,13 +380,7 @@ impl<'a> Content<'a> {
             Format::Npy => Ok(Self::Npy(mesh, attributes)),
             Format::VoronoiJson => Ok(Self::Voronoi(mesh, triangulation()?)),
             Format::DomainsJson => triangulation().map(Self::Domains),
-            Format::Poly | Format::GeoJson | Format::Wkt => {
-                let message = message!(
-                    "{} cannot be written, only read; write TetGen or Gmsh",
-                    format.name()
-                );
-                Err(Error::new(ErrorKind::InvalidArgument, message))
-            }
+            Format::Poly | Format::GeoJson | Format::Wkt => Err(format.read_only()),
         }
     }
 

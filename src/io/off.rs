@@ -1,28 +1,32 @@
 //! Geomview's OFF (three coordinates, polygons) and nOFF (any dimension).
 
-use super::PointCloud;
+use super::Table;
 use super::text::{Line, Lines, Points, write_point};
 use crate::error::Result;
-use crate::mesh::Triangulation;
+use crate::mesh::{LeftOut, Triangulation};
 use std::io::{self, Write};
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
     let header = Header::read(&mut lines)?;
     let mut points = Points::of_dimension(header.dim);
     for index in 0..header.vertices {
         let line = lines.require(|| format!("{index} of {} vertices", header.vertices))?;
         points.add(&line, line.words())?;
     }
+    let mut left_out = LeftOut::default();
     for index in 0..header.faces {
         let line = lines.require(|| format!("{index} of {} faces", header.faces))?;
-        check_face(&line, header.vertices)?;
+        let corners = checked_face(&line, header.vertices)?;
+        left_out.add(header.dimension_of(corners), 1);
     }
     let promised = format!("the {} vertices and {} faces", header.vertices, header.faces);
     lines.require_end(&promised)?;
-    points.finish()
+    Ok(Table { left_out, ..Table::new(points.finish()?, Vec::new()) })
 }
 
 struct Header {
+    /// True where the file lists cells (nOFF above the plane), false where it lists polygons.
+    has_cells: bool,
     dim: usize,
     vertices: u64,
     faces: u64,
@@ -52,7 +56,18 @@ impl Header {
             }
         }
         let first = usize::from(names[0] == DIMENSION);
-        Ok(Self { dim, vertices: values[first], faces: values[first + 1] })
+        let has_cells = first == 1 && dim > 2;
+        Ok(Self { has_cells, dim, vertices: values[first], faces: values[first + 1] })
+    }
+
+    /// Returns the dimension of a face with so many corners.
+    fn dimension_of(&self, corners: u64) -> u64 {
+        match corners {
+            0 | 1 => 0,
+            2 | 3 => corners - 1,
+            _ if self.has_cells => 3,
+            _ => 2,
+        }
     }
 }
 
@@ -70,13 +85,14 @@ fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]
     }
 }
 
-/// A face: the number of its vertices, their ids, and any colour.
-fn check_face(line: &Line<'_>, vertices: u64) -> Result<()> {
+/// Checks a face (the number of its vertices, their ids, and any colour) and returns that number.
+fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
     let mut words = line.words();
-    let mut missing = 0;
+    let mut corners = 0;
     if let Some((column, word)) = words.next() {
-        missing = line.integer(column, word, "number of vertices")?;
+        corners = line.integer(column, word, "number of vertices")?;
     }
+    let mut missing = corners;
     for (column, word) in words {
         if missing == 0 {
             line.skip_number(column, word)?;
@@ -84,12 +100,13 @@ fn check_face(line: &Line<'_>, vertices: u64) -> Result<()> {
         }
         let vertex = line.integer(column, word, "vertex id")?;
         if vertex >= vertices {
-            return Err(line.error(format!("vertex id {vertex} of {vertices} vertices")));
+            let message = format!("vertex id {vertex} of {vertices} vertices");
+            return Err(line.error(message).of_content());
         }
         missing -= 1;
     }
     match missing {
-        0 => Ok(()),
+        0 => Ok(corners),
         _ => Err(line.error(format!("the face ends before its last {missing} vertices"))),
     }
 }
@@ -118,8 +135,7 @@ pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::R
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Format, read, samples, write};
-    use super::*;
+    use super::super::{Format, PointCloud, read, samples, write};
 
     #[test]
     fn reads_headers_however_they_are_spread() {

@@ -86,7 +86,7 @@ fn read_segments(
                     if !ids.contains(&id) {
                         let message =
                             format!("point id {id}; ids are {} to {}", ids.start, ids.end - 1);
-                        return Err(line.error(message));
+                        return Err(line.error(message).of_content());
                     }
                     // There are fewer points than ids of 32 bits, or the mesh will refuse them.
                     ends[column - 1] = u32::try_from(id - ids.start).unwrap_or(u32::MAX);
@@ -95,7 +95,7 @@ fn read_segments(
             }
         }
         if ends[0] == ends[1] {
-            return Err(line.error("the segment has one point as both ends"));
+            return Err(line.error("the segment has one point as both ends").of_content());
         }
         outline.segments.try_push(ends)?;
         if markers == 0 {
@@ -166,7 +166,7 @@ fn whole(line: &Line<'_>, column: usize, word: &str, what: &str) -> Result<i32> 
     let value = line.coordinate(column, word)?;
     if value != value.trunc() || value.abs() > f64::from(i32::MAX) {
         let message = format!("{word} is no {what}: a whole number of 32 bits");
-        return Err(line.field_error(ErrorKind::Format, column, message));
+        return Err(line.field_error(ErrorKind::Format, column, message).of_content());
     }
     Ok(value as i32)
 }
@@ -191,7 +191,7 @@ mod tests {
         let table = read(&text).unwrap();
         let coordinates = vec![0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
         assert_eq!(table.points, PointCloud { dim: 2, coordinates });
-        let Outline { segments, markers, regions } = table.outline;
+        let Outline { segments, markers, regions, .. } = table.outline;
         assert_eq!(segments, [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]);
         assert_eq!(markers, [10, -1, 2, 0, 7]);
         let hole = Region { seed: [0.25, 0.75], is_hole: true, ..Region::default() };
@@ -258,6 +258,9 @@ mod tests {
         for (text, message) in cases {
             let error = read(&(SQUARE.to_owned() + text)).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::Format);
+            let is_of_content = ["point id", "as both ends", "whole number"];
+            let is_of_content = is_of_content.iter().any(|words| message.contains(words));
+            assert_eq!(error.is_of_content(), is_of_content, "{message}");
             assert!(error.message().starts_with(message), "{text:?}: {}", error.message());
         }
         let error = read("2 3\n1 0 0 0\n2 1 0 0\n0\n0\n").unwrap_err();

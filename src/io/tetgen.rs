@@ -6,7 +6,7 @@ use super::text::{Line, Lines, Points, write_number, write_point};
 use super::values::Values;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::collected;
-use crate::mesh::{Attribute, Region, Triangulation};
+use crate::mesh::{Attribute, LeftOut, Region, Triangulation};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -39,6 +39,27 @@ pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Resul
         Some((table, _)) => Ok(table),
         None => Err(Error::new(ErrorKind::Format, "the file holds no points")),
     }
+}
+
+/// Counts the elements of an `.ele` file, which are left out.
+pub(super) fn leave_out(mut lines: Lines<'_>, left_out: &mut LeftOut) -> Result<()> {
+    let header = lines.require(|| "an .ele file begins with its counts".into())?;
+    let mut counts = [0; 2];
+    for (column, word) in header.words().take(2) {
+        counts[column] = header.integer(column, word, ["number of elements", "size"][column])?;
+    }
+    let [elements, corners] = counts;
+    for index in 0..elements {
+        let line = lines.require(|| format!("{index} of {elements} elements"))?;
+        if (line.word_count() as u64) <= corners {
+            let message = format!("an element of {corners} points has its id before them");
+            return Err(line.error(message));
+        }
+    }
+    lines.require_end(&format!("the {elements} elements of the header"))?;
+    // Triangles of second order have six points.
+    left_out.add(if matches!(corners, 3 | 6) { 2 } else { 3 }, elements);
+    Ok(())
 }
 
 /// As [`read_points`], with nothing after the points.

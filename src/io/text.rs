@@ -15,6 +15,8 @@ pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     buffer: Vec<u8>,
     number: u64,
+    /// A `#` between quotes begins no comment.
+    has_quotes: bool,
 }
 
 /// A line, without comment and surrounding blanks; never empty.
@@ -27,7 +29,12 @@ pub(super) struct Line<'a> {
 
 impl<'a> Lines<'a> {
     pub fn new(input: &'a mut dyn BufRead) -> Self {
-        Self { input, buffer: Vec::new(), number: 0 }
+        Self { input, buffer: Vec::new(), number: 0, has_quotes: false }
+    }
+
+    /// Lines of a format in which fields may stand between quotes.
+    pub fn with_quotes(input: &'a mut dyn BufRead) -> Self {
+        Self { has_quotes: true, ..Self::new(input) }
     }
 
     /// The next line that says something.
@@ -63,7 +70,7 @@ impl<'a> Lines<'a> {
     }
 
     fn current(&self) -> Result<Line<'_>> {
-        Ok(Line { number: self.number, text: content(self.decoded()?) })
+        Ok(Line { number: self.number, text: content(self.decoded()?, self.has_quotes) })
     }
 
     /// Reads one line, whatever is in it; false at the end of the file.
@@ -163,8 +170,17 @@ fn cannot_read_on(line: u64, error: &io::Error) -> Error {
 }
 
 /// The part before the comment, without blanks around it.
-fn content(line: &str) -> &str {
-    line.split('#').next().unwrap_or_default().trim_ascii()
+fn content(line: &str, has_quotes: bool) -> &str {
+    let mut is_between = false;
+    let begins_comment = |c: char| {
+        is_between ^= has_quotes && c == '"';
+        c == '#' && !is_between
+    };
+    let end = match has_quotes && line.contains('"') {
+        true => line.find(begins_comment),
+        false => line.find('#'),
+    };
+    line[..end.unwrap_or(line.len())].trim_ascii()
 }
 
 impl<'a> Line<'a> {
@@ -260,6 +276,11 @@ impl<'a> Line<'a> {
     pub fn not_a_number(&self, column: usize, field: &str) -> Error {
         let message = match field {
             "" => "the field is empty".to_string(),
+            _ if field.contains(';') => format!(
+                "{} is not a number; semicolons separate no numbers here, and the decimal sign is a \
+                 point",
+                quoted(field)
+            ),
             _ => format!("{} is not a number", quoted(field)),
         };
         self.field_error(ErrorKind::Format, column, message)

@@ -4,7 +4,7 @@ use super::PointCloud;
 use super::text::Line;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::TryGrow;
-use crate::mesh::{Attribute, Mesh, Region};
+use crate::mesh::{Attribute, LeftOut, Mesh, Region};
 
 /// What was read: points, and values of attributes at them.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Table {
     /// Of one component each, in the order of the choice.
     pub attributes: Vec<Attribute>,
     pub outline: Outline,
+    /// What the file has beside.
+    pub left_out: LeftOut,
 }
 
 /// Segments between the points, and regions: none in most formats.
@@ -22,12 +24,14 @@ pub struct Outline {
     pub segments: Vec<[u32; 2]>,
     /// One a segment.
     pub markers: Vec<i32>,
+    /// Tells for each segment whether it is a side of a polygon; empty in formats without polygons.
+    pub sides: Vec<bool>,
     pub regions: Vec<Region>,
 }
 
 impl Table {
     pub(super) fn new(points: PointCloud, attributes: Vec<Attribute>) -> Self {
-        Self { points, attributes, outline: Outline::default() }
+        Self { points, attributes, outline: Outline::default(), left_out: LeftOut::default() }
     }
 
     /// A mesh of the points with their attributes, segments and regions. `is_extended`: as
@@ -35,20 +39,25 @@ impl Table {
     ///
     /// # Errors
     /// Those of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`] and
-    /// [`Mesh::set_regions`].
+    /// [`Mesh::set_regions`]; those of the last two are [of the content](Error::of_content).
     pub fn mesh(&self, is_extended: bool) -> Result<Mesh> {
         let PointCloud { dim, coordinates } = &self.points;
         let mut mesh = Mesh::new(*dim, self.points.count(), coordinates, 0)?;
         for Attribute { name, components, values, .. } in &self.attributes {
             mesh.set_attribute(name, *components, values, is_extended)?;
         }
-        let Outline { segments, markers, regions } = &self.outline;
+        let Outline { segments, markers, sides, regions } = &self.outline;
         if !segments.is_empty() {
-            mesh.set_segments(segments.as_flattened(), Some(markers))?;
+            let set = mesh.set_segments(segments.as_flattened(), Some(markers));
+            set.map_err(Error::of_content)?;
+            if !sides.is_empty() {
+                mesh.set_sides(sides)?;
+            }
         }
         if !regions.is_empty() {
-            mesh.set_regions(regions)?;
+            mesh.set_regions(regions).map_err(Error::of_content)?;
         }
+        mesh.set_left_out(self.left_out);
         Ok(mesh)
     }
 }

@@ -1,43 +1,124 @@
-//! XYZ: one point per line, nothing else.
+//! XYZ: one point per line. A first line may be the number of points, as `.pts` files have it, which
+//! scanners write: x y z, perhaps intensity, perhaps colour.
 
 use super::choice::others;
 use super::layout::Layout;
-use super::text::{Line, Lines, Points, write_point};
+use super::text::{Line, Lines, Points, quoted, write_point};
 use super::{Choice, Table};
 use crate::error::{ErrorKind, Result};
 use crate::mesh::Mesh;
 use std::io::{self, Write};
+use std::path::Path;
 
-pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
-    if *choice != Choice::default() {
-        return read_chosen(lines, choice);
-    }
-    let mut points = Points::default();
-    while let Some(line) = lines.next()? {
-        refuse_decimal_commas(&line)?;
-        points.add(&line, fields(&line).enumerate())?;
-    }
-    Ok(Table::new(points.finish()?, Vec::new()))
-}
+/// What the columns of a `.pts` file are, by their number.
+const COLUMNS: [&[&str]; 5] = [
+    &["x", "y"],
+    &["x", "y", "z"],
+    &["x", "y", "z", "intensity"],
+    &["x", "y", "z", "r", "g", "b"],
+    &["x", "y", "z", "intensity", "r", "g", "b"],
+];
 
-fn read_chosen(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
-    let mut layout: Option<Layout> = None;
-    while let Some(line) = lines.next()? {
-        refuse_decimal_commas(&line)?;
-        let layout = match layout.as_mut() {
-            Some(layout) => layout,
-            None => layout.insert(layout_of(&line, choice)?),
+/// `path` is that of the file, if it has one.
+pub(super) fn read(mut lines: Lines<'_>, choice: &Choice, path: Option<&Path>) -> Result<Table> {
+    let mut rows = Rows { choice, points: Points::default(), layout: None, is_scan: false };
+    let (mut index, mut count) = (0, None);
+    loop {
+        let line = match count {
+            None => lines.next()?,
+            Some(count) if index < count => {
+                Some(lines.require(|| format!("{index} of {count} points"))?)
+            }
+            Some(count) => {
+                lines.require_end(&format!("the {count} points of the first line"))?;
+                None
+            }
         };
-        layout.add(&line, fields(&line))?;
+        let Some(line) = line else { return rows.finish() };
+        if index == 0 && count.is_none() {
+            refuse_annotations(&line)?;
+            count = count_in(&line);
+            if count.is_some() {
+                rows.is_scan = path.and_then(Path::extension).is_some_and(is_pts);
+                continue;
+            }
+        }
+        refuse_decimal_commas(&line)?;
+        rows.add(&line, index == 0, count.is_some())?;
+        index += 1;
     }
-    Layout::finish(layout)
 }
 
-fn layout_of(line: &Line<'_>, choice: &Choice) -> Result<Layout> {
-    let all = fields(line).count();
-    let otherwise = |listed: &[u64]| Ok(others(all as u64, listed));
-    let (coordinates, values) = choice.of_table(all as u64, None, otherwise)?;
-    Layout::new(line, all, coordinates, values)
+fn is_pts(extension: &std::ffi::OsStr) -> bool {
+    extension.eq_ignore_ascii_case("pts")
+}
+
+/// The number in a line that holds nothing else: no point has one coordinate.
+fn count_in(line: &Line<'_>) -> Option<u64> {
+    let is_count = line.text.bytes().all(|byte| byte.is_ascii_digit());
+    if is_count { line.text.parse().ok() } else { None }
+}
+
+/// Refuses by name what else has the extension `.pts`.
+fn refuse_annotations(line: &Line<'_>) -> Result<()> {
+    let kind = match line.text.split([':', ' ', '\t']).next() {
+        Some("version") => "landmarks of an image (version, n_points, points between braces)",
+        Some("point" | "index") if line.word_count() == 1 => "points of elastix",
+        _ => return Ok(()),
+    };
+    let shown = quoted(line.text);
+    Err(line.error(format!("{shown} begins a file of {kind}; leave the points alone, one a line")))
+}
+
+/// What was read of the points.
+struct Rows<'c> {
+    choice: &'c Choice,
+    /// The points where all columns are coordinates.
+    points: Points,
+    /// The points where not all are.
+    layout: Option<Layout>,
+    /// The columns are those of [`COLUMNS`].
+    is_scan: bool,
+}
+
+impl Rows<'_> {
+    fn add(&mut self, line: &Line<'_>, is_first: bool, is_counted: bool) -> Result<()> {
+        if is_first {
+            self.layout = self.layout_of(line, is_counted)?;
+        }
+        match &mut self.layout {
+            Some(layout) => layout.add(line, fields(line)),
+            None => self.points.add(line, fields(line).enumerate()),
+        }
+    }
+
+    /// Where in the lines the coordinates and attributes stand, from the first; none where all
+    /// columns are coordinates.
+    fn layout_of(&self, line: &Line<'_>, is_counted: bool) -> Result<Option<Layout>> {
+        let is_chosen = *self.choice != Choice::default();
+        let all = fields(line).count();
+        if !is_chosen && (!is_counted || all <= 3) {
+            return Ok(None);
+        }
+        let names = COLUMNS.into_iter().find(|names| self.is_scan && names.len() == all);
+        if !is_chosen && names.is_none() {
+            let message = format!(
+                "{all} columns below a number of points; .pts files have x y z, and perhaps \
+                 intensity and r g b"
+            );
+            return Err(line.error_of_kind(ErrorKind::Dimension, message));
+        }
+        let otherwise = |listed: &[u64]| Ok(others(all as u64, listed));
+        let (coordinates, values) = self.choice.of_table(all as u64, names, otherwise)?;
+        Layout::new(line, all, coordinates, values).map(Some)
+    }
+
+    fn finish(self) -> Result<Table> {
+        match self.layout {
+            Some(layout) => Layout::finish(Some(layout)),
+            None => Ok(Table::new(self.points.finish()?, Vec::new())),
+        }
+    }
 }
 
 /// The fields of a line: between commas (and blanks around them), or between blanks where there is

@@ -1,7 +1,7 @@
 //! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
 //! crossings.
 
-use super::{Boxed, Inputs, Triangulation};
+use super::{Boxed, Inputs, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 
@@ -15,6 +15,9 @@ pub struct Segments {
     pub inputs: Vec<[u32; 2]>,
     /// A number of the caller's for each segment.
     pub markers: Vec<i32>,
+    /// Tells for each segment of a file of polygons whether it is a side of one; empty for all
+    /// other segments.
+    pub sides: Vec<bool>,
 }
 
 /// What a point of the plane says of the region around it, which has no other one.
@@ -48,7 +51,8 @@ pub struct Subsegment {
     /// The segment that it is a piece of: the first, where several overlap;
     /// [`NONE`](super::NONE) for an edge of a hull or box.
     pub segment: u32,
-    /// How many segments run along it, less those that run against it.
+    /// How many segments run along it, less those that run against it. Segments that enclose
+    /// nothing do not count.
     pub balance: i64,
 }
 
@@ -180,6 +184,17 @@ impl Segments {
         self.inputs.len()
     }
 
+    /// Returns true if the segments are those of a file of polygons.
+    pub fn has_polygons(&self) -> bool {
+        !self.sides.is_empty()
+    }
+
+    /// Returns true if a segment may enclose something: a side of a polygon does, a line of the
+    /// same file does not. Where there are no polygons all may.
+    pub fn encloses(&self, segment: usize) -> bool {
+        self.sides.get(segment).is_none_or(|is_side| *is_side)
+    }
+
     /// `ends` are two inputs a segment; without `markers` every segment has 0.
     pub(super) fn new(inputs: &Inputs, ends: &[u32], markers: Option<&[i32]>) -> Result<Self> {
         check_plane(inputs, "segments")?;
@@ -212,7 +227,18 @@ impl Segments {
             Some(markers) => own_markers.extend_from_slice(markers),
             None => own_markers.resize(count, 0),
         }
-        Ok(Self { inputs: own, markers: own_markers })
+        Ok(Self { inputs: own, markers: own_markers, sides: Vec::new() })
+    }
+}
+
+impl Mesh {
+    /// Says which of the segments are sides of polygons; of none that are, nothing. There is one
+    /// value for each segment.
+    pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
+        debug_assert_eq!(sides.len(), self.segments.count());
+        let any = sides.contains(&true);
+        self.segments.sides = if any { copied(sides)? } else { Vec::new() };
+        Ok(())
     }
 }
 
@@ -288,12 +314,14 @@ mod tests {
         let mut mesh = mesh();
         assert_eq!(mesh.segments().count(), 0);
         mesh.set_segments(&[0, 1, 3, 2], Some(&[7, -7])).unwrap();
-        let kept = Segments { inputs: vec![[0, 1], [3, 2]], markers: vec![7, -7] };
+        let kept =
+            Segments { inputs: vec![[0, 1], [3, 2]], markers: vec![7, -7], sides: Vec::new() };
         assert_eq!(*mesh.segments(), kept);
         mesh.set_segments(&[1, 9], None).unwrap_err();
         assert_eq!(*mesh.segments(), kept);
         mesh.set_segments(&[1, 2], None).unwrap();
-        assert_eq!(*mesh.segments(), Segments { inputs: vec![[1, 2]], markers: vec![0] });
+        let unmarked = Segments { inputs: vec![[1, 2]], markers: vec![0], ..Segments::default() };
+        assert_eq!(*mesh.segments(), unmarked);
     }
 
     #[test]

@@ -97,6 +97,7 @@ static void test_run() {
     mesh.run(options);
     CHECK(reports > 0);
     nm_counts counts = mesh.counts();
+    CHECK(mesh.left_out().edges + mesh.left_out().faces + mesh.left_out().cells == 0);
     CHECK(mesh.simplices().size() == counts.simplices && counts.simplices > 0);
     CHECK(mesh.neighbors().size() == counts.simplices && mesh.neighbors().width() == 4);
     CHECK(mesh.points().size() == counts.vertices && mesh.points().width() == 3);

@@ -5,8 +5,9 @@ use super::arguments::{ROOM, Room, from_c, struct_size};
 use super::expect;
 use super::handle::Handle;
 use netmesh::capi::{
-    nm_counts, nm_mesh, nm_mesh_counts, nm_mesh_quality, nm_mesh_quality_histogram, nm_mesh_stats,
-    nm_mesh_validate, nm_quality, nm_report, nm_stats, nm_status,
+    nm_counts, nm_left_out, nm_mesh, nm_mesh_counts, nm_mesh_left_out, nm_mesh_quality,
+    nm_mesh_quality_histogram, nm_mesh_stats, nm_mesh_validate, nm_quality, nm_report, nm_stats,
+    nm_status,
 };
 use std::ptr::{null, null_mut};
 
@@ -18,6 +19,8 @@ pub fn measure(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     match call.bytes.below(4) {
         0 => {
             call.needs_result = false;
+            // SAFETY: as below.
+            call.check(true, |mesh, out: *mut nm_left_out| unsafe { nm_mesh_left_out(mesh, out) });
             // SAFETY: `check` passes what the function asks for.
             call.check(true, |mesh, out: *mut nm_counts| unsafe { nm_mesh_counts(mesh, out) });
         }

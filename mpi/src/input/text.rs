@@ -11,12 +11,31 @@ pub fn read(mut file: File, rank: u64, ranks: u64) -> Result<Share> {
     let mut place = |rank| line_start(&mut file, start_of(rank, ranks, length), length);
     let (start, end) = (place(rank)?, place(rank + 1)?);
     let mut input = at(&mut file, start)?.take(end - start);
-    match netmesh::io::read(&mut input, Format::Xyz) {
+    let read = match refuse_count(&mut input) {
+        Ok(()) => netmesh::io::read(&mut input, Format::Xyz),
+        Err(error) => Err(error),
+    };
+    match read {
         Ok(cloud) => Ok(Share { dim: cloud.dim, points: cloud.coordinates }),
         // Blank lines and comments only.
         Err(error) if error.message() == "the file holds no points" => Ok(Share::default()),
         Err(error) => Err(from_first_line(&mut file, start, error)),
     }
+}
+
+/// Refuses a first line with one whole number: the number of points of a file, which the core would
+/// expect to be that of a rank's share.
+fn refuse_count(input: &mut impl BufRead) -> Result<()> {
+    let bytes = input.fill_buf().map_err(|error| io_error("cannot read", &error))?;
+    let line = bytes.split(|byte| *byte == b'\n').next().unwrap_or_default().trim_ascii();
+    if line.is_empty() || !line.iter().all(u8::is_ascii_digit) {
+        return Ok(());
+    }
+    let message = format!(
+        "line 1: {} is a number of points; ranks read files of points without it",
+        line.escape_ascii()
+    );
+    Err(Error::new(ErrorKind::Format, message))
 }
 
 fn at(file: &mut File, offset: u64) -> Result<BufReader<&mut File>> {

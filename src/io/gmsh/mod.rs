@@ -1,17 +1,20 @@
 //! Gmsh's `.msh`: version 4.1 is written; the nodes of versions 4.1 and 2 are read. As text: Gmsh
 //! saves so if not told otherwise, and programs beside Gmsh often read nothing else.
 
+mod elements;
 mod groups;
 mod write;
 
-use super::PointCloud;
 use super::text::{Line, Lines, Points, quoted};
+use super::{PointCloud, Table};
 use crate::error::{Error, ErrorKind, Result};
+use crate::mesh::LeftOut;
 pub(super) use write::write;
 
-pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
+pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
     let mut version = None;
     let mut points = None;
+    let mut left_out = LeftOut::default();
     while let Some(line) = lines.next()? {
         let section = match line.text.strip_prefix('$') {
             Some(section) if !section.starts_with("End") => section,
@@ -26,6 +29,9 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
                 }
                 points = Some(read_nodes(&mut lines, version)?);
             }
+            ("Elements", Some(version)) => {
+                elements::leave_out(&mut lines, version, &mut left_out)?;
+            }
             _ => {
                 let section = section.to_string();
                 skip_section(&mut lines, &section)?;
@@ -33,7 +39,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<PointCloud> {
         }
     }
     let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no section $Nodes"))?;
-    Ok(in_the_plane(points.finish()?))
+    Ok(Table { left_out, ..Table::new(in_the_plane(points.finish()?), Vec::new()) })
 }
 
 #[derive(Clone, Copy)]

@@ -4,6 +4,7 @@ use super::super::choice::AttributeColumns;
 use super::super::text::{Line, Lines, quoted};
 use super::super::values::Values;
 use crate::error::{Error, ErrorKind, Name, Result, say};
+use crate::mesh::LeftOut;
 
 /// The most elements and properties that are read: a header is kept in memory.
 const MAX_DECLARATIONS: usize = 1000;
@@ -103,6 +104,16 @@ impl Header {
         Ok(Self { encoding, elements, dim })
     }
 
+    /// Counts the elements that a mesh or a surface is made of.
+    pub fn left_out(&self) -> LeftOut {
+        let mut left_out = LeftOut::default();
+        for element in &self.elements {
+            let dimension = ELEMENTS.iter().find(|(name, _)| *name == element.name);
+            left_out.add(dimension.map_or(0, |(_, dimension)| *dimension), element.count);
+        }
+        left_out
+    }
+
     /// Those properties of vertices that are wanted as attributes. Coordinates and lists are not
     /// among all of them.
     pub fn values(&self, wanted: &AttributeColumns) -> Result<Values> {
@@ -130,6 +141,11 @@ impl Header {
 }
 
 const VERTEX: &str = "vertex";
+
+/// The names of elements of a mesh, and their dimensions. A strip of triangles is one element.
+const ELEMENTS: [(&str, u64); 6] =
+    [("edge", 1), ("face", 2), ("tristrips", 2), ("cell", 3), ("tetra", 3), ("tetrahedron", 3)];
+
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 fn split_word(text: &str) -> (&str, &str) {

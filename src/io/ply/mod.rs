@@ -25,7 +25,8 @@ pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Re
             body::read_binary(&header, input, big_endian, &mut rows)?;
         }
     }
-    Ok(Table::new(rows.points.finish()?, rows.values.finish()))
+    let left_out = header.left_out();
+    Ok(Table { left_out, ..Table::new(rows.points.finish()?, rows.values.finish()) })
 }
 
 /// What was read of the vertices.

@@ -17,7 +17,9 @@ impl<const D: usize> State<D> {
             return filled(regions.len(), true);
         }
         match self.parameters.interior {
-            Interior::Seeds => collected((0..regions.len()).map(|region| region as u32 != OUTSIDE)),
+            Interior::Auto | Interior::Seeds => {
+                collected((0..regions.len()).map(|region| region as u32 != OUTSIDE))
+            }
             Interior::Parity => are_not_zero(&winding_numbers(regions, lines, |x| x & 1)?),
             Interior::Winding => are_not_zero(&winding_numbers(regions, lines, |x| x)?),
         }

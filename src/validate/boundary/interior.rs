@@ -23,7 +23,7 @@ pub(super) fn judge(
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let interior = view.mesh.parameters.interior;
-    if interior == Interior::Seeds {
+    if matches!(interior, Interior::Auto | Interior::Seeds) {
         return Ok(());
     }
     let mut steps = steps(inputs, segments, view, edges)?;
@@ -44,7 +44,7 @@ fn steps(
 ) -> AllocResult<Vec<i64>> {
     let mut steps = filled(edges.sides.len(), 0i64)?;
     let mut chains = Chains::new(inputs.distinct(), view, edges)?;
-    for segment in 0..segments.count() {
+    for segment in (0..segments.count()).filter(|&segment| segments.encloses(segment)) {
         if chains.follow(Way::of(inputs, segments, segment))?.is_err() {
             continue;
         }

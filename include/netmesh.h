@@ -1860,17 +1860,16 @@ nm_status nm_mesh_options(const struct nm_mesh *mesh,
  * Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (an option; the message names the field,
  * its value and the range; with segments also two that cross, an input where curves do not close,
  * segments that enclose nothing; a seed on a segment, in no region or in that of another),
- * NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box without
- * area), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which doubles have no
- * room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh, or it is poisoned).
+ * NM_DEGENERATE_INPUT (NM_ALGORITHM_DELAUNAY, the message names the affine rank; a hull or box
+ * without area), NM_LIMIT (too many vertices, or coordinates above 3e306; segments for which
+ * doubles have no room), NM_CANCELLED, NM_OUT_OF_MEMORY, NM_STATE (another call is using the mesh,
+ * or it is poisoned).
  *
  * O(n log n) expected time and O(n) memory for NM_OUTPUT_HIERARCHICAL, the constants growing
  * exponentially with the dimension; for NM_OUTPUT_WELL_SPACED plus the size of the result. Any
  * thread; different meshes may be run at the same time.
  */
-NM_NODISCARD NM_API
-nm_status nm_run(struct nm_mesh *mesh,
-                 const struct nm_options *options);
+NM_NODISCARD NM_API nm_status nm_run(struct nm_mesh *mesh, const struct nm_options *options);
 
 /**
  * Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and
@@ -2792,9 +2791,9 @@ nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
  * them. The result of a run stays as it is until the next.
  *
  * regions: copied. nm_run refuses seeds that name no region, and two in one region, by their
- * numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a seed
- * must be in the hull, in the box, or in what segments enclose. Where a rule of nm_options.interior
- * leaves a region out, it may have the seed of a hole.
+ * numbers. With NM_EXTENT_ALL what surrounds all segments is a region, too; with other extents a
+ * seed must be in the hull, in the box, or in what segments enclose. Where a rule of
+ * nm_options.interior leaves a region out, it may have the seed of a hole.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
  * message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
@@ -2809,8 +2808,8 @@ nm_status nm_mesh_set_regions(struct nm_mesh *mesh,
 
 /**
  * Writes the edges that segments have become: two vertex ids an edge, in the direction of the
- * segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none of
- * what is outside of the domain. None without segments.
+ * segment; by segments, and along each. Each is an edge of a simplex of the mesh: there are none
+ * of what is outside of the domain. None without segments.
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_CAPACITY,
  * NM_INVALID_ARGUMENT (buf not aligned), NM_STATE (before nm_run, nm_run at work, poisoned).

@@ -10,7 +10,7 @@ use netmesh::ErrorKind;
 use netmesh::options::{Crossings, Extent, Options, Output};
 use netmesh::validate::validate_mesh;
 
-const ANGLES: [f64; 8] = [0.0, 15.0, 20.7, 25.0, 27.615, 30.0, 32.0, 33.5];
+const ANGLES: [f64; 8] = [0.0, 15.0, 20.7, 25.0, 27.615, 30.0, 32.0, 33.0];
 const EXTENTS: [Extent; 4] = [Extent::All, Extent::Hull, Extent::Box, Extent::Boundary];
 
 fn options(extent: Extent, min_angle: f64) -> Options {

@@ -103,11 +103,12 @@ pub fn stoppable<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(Stop<'_>) -> Result<T> + Send,
 ) -> PyResult<T> {
-    let (switch, (sender, receiver)) = (AtomicBool::new(false), mpsc::channel());
+    let switch = &AtomicBool::new(false);
     let mut signal = Ok(());
     let done = py.detach(|| {
+        let (sender, receiver) = mpsc::channel();
         thread::scope(|scope| {
-            let worker = || drop(sender.send(caught(|| work(Stop::new(&switch)))));
+            let worker = move || drop(sender.send(caught(|| work(Stop::new(switch)))));
             thread::Builder::new().spawn_scoped(scope, worker).map_err(|_| no_thread())?;
             loop {
                 match receiver.recv_timeout(PATIENCE) {

@@ -403,7 +403,7 @@ def test_sizes_that_cannot_be():
         (-1, "size is -1"),
         (float("nan"), "size is NaN"),
         ([0.1] * 3, r"size has shape \(3,\); it must have one value for each of 24 points"),
-        ([0.1] * 23 + [0.0], r"values\[23\] is 0"),
+        ([0.1] * 23 + [0.0], r"^size\[23\] is 0"),
         (lambda x: 0.0, "size answers 0 at"),
     ]:
         with pytest.raises(netmesh.InvalidArgumentError, match=words):

@@ -147,7 +147,8 @@ def fixed(made: np.ndarray) -> np.ndarray:
         base.flags.writeable = False
         if base.base is None:
             # The owner of its memory would let itself be made writable again.
-            return np.asarray(memoryview(made))
+            owner: Any = made
+            return np.asarray(memoryview(owner))
         base = base.base
     return made
 
@@ -177,7 +178,7 @@ def _refuse_rounded(values: Any, given: np.ndarray, found: np.ndarray, name: str
         size = np.abs(given.reshape(-1)).astype(np.uint64)
         # A whole number is a double if no more than 53 bits are left without its last zeros.
         odd = size // np.maximum(size & (~size + np.uint64(1)), np.uint64(1))
-        places = np.argwhere((odd > _LARGEST_EXACT).reshape(given.shape))
+        places = list(np.argwhere((odd > _LARGEST_EXACT).reshape(given.shape)))
     elif isinstance(values, np.ndarray) and given.dtype.kind in "bf":
         return
     else:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 import os
 from typing import Any, Union
 
 import numpy as np
 
-from ._arrays import number
+from ._arrays import fixed, number
 from ._errors import InvalidArgumentError
 from ._netmesh import FiltrationCore
 from ._results import CSR
@@ -54,20 +55,20 @@ class Filtration:
         """
         return self._core.factor
 
-    @property
+    @functools.cached_property
     def points(self) -> np.ndarray:
         """The points that faces are made of, float64, shape (points, dim).
 
         Of kind 'alpha' the caller's points, duplicates included; of kind 'mesh' the vertices.
         """
-        return self._core.points
+        return fixed(self._core.points)
 
     def faces(self, k: int) -> np.ndarray:
         """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted.
 
         Numbers are those of rows of `points`.
         """
-        return self._core.faces(k)
+        return fixed(self._core.faces(k))
 
     def values(self, k: int) -> np.ndarray:
         """Return the values of the faces of dimension k: float64, shape (faces,)."""

@@ -28,10 +28,11 @@ def histogram(
 def _edges(
     core: Core, measure: str, bins: Any, extent: Optional[tuple[float, float]], hull: bool
 ) -> np.ndarray:
-    edges = doubles(bins, "bins")
+    edges = doubles(0 if isinstance(bins, str) else bins, "bins")
     if edges.ndim > 0:
         if edges.ndim != 1 or len(edges) < 2:
             raise InvalidArgumentError(f"bins has shape {edges.shape}; it must be (bins + 1,)")
+        _check_edges(edges.tolist())
         return edges
     if extent is None:
         extent = _RANGES.get(measure) or _extremes(core, measure, hull)
@@ -39,6 +40,15 @@ def _edges(
         extent = _checked_range(extent)
     # NumPy widens a range of no width.
     return np.histogram_bin_edges([], bins=_checked_count(bins), range=extent)
+
+
+def _check_edges(edges: list) -> None:
+    for at, edge in enumerate(edges):
+        if math.isnan(edge):
+            raise InvalidArgumentError(f"bins[{at}] is {edge}; it must be a number")
+        if at > 0 and edge <= edges[at - 1]:
+            rule = f"it must be above bins[{at - 1}], {edges[at - 1]}"
+            raise InvalidArgumentError(f"bins[{at}] is {edge}; {rule}")
 
 
 def _checked_count(bins: Any) -> int:

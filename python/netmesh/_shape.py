@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import enum
+import functools
 import os
 from typing import Optional, Union
 
 import numpy as np
 
+from ._arrays import fixed
 from ._netmesh import FiltrationCore
 
 
@@ -69,10 +71,10 @@ class AlphaShape:
         """The simplices of the shape: int32, their places in ``Mesh.simplices``, ascending."""
         return self._core.shape_simplices(self.alpha)
 
-    @property
+    @functools.cached_property
     def points(self) -> np.ndarray:
         """The caller's points, duplicates included: float64, shape (n, dim)."""
-        return self._core.points
+        return fixed(self._core.points)
 
     @property
     def boundary(self) -> np.ndarray:

@@ -2,10 +2,10 @@
 //! the vertices of another mesh.
 
 use crate::core::Core;
-use crate::errors::{OfPython, exception, in_default_environment, invalid};
-use crate::options::wrong_type;
-use netmesh::Mesh;
+use crate::errors::{OfPython, exception, in_default_environment, invalid, raised, wrong_type};
+use crate::options;
 use netmesh::options::SizeFn;
+use netmesh::{Error, Mesh};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat};
@@ -52,7 +52,8 @@ impl Sizes {
         }
         let values = values_of("size", &size, mesh.inputs().count(), "points")?;
         let values = values.as_slice()?;
-        in_default_environment(|| mesh.set_sizes(values)).map_err(|error| exception(py, &error))?;
+        in_default_environment(|| mesh.set_sizes(values))
+            .map_err(|error| named("size", py, &error))?;
         Ok(Self::Given)
     }
 
@@ -84,13 +85,21 @@ fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()
     let Some((core, values)) = pair.and_then(|(other, values)| Some((core(&other)?, values)))
     else {
         let wanted = "a Mesh and values at its vertices, as a pair";
-        return Err(wrong_type("background", background, wanted));
+        return Err(options::wrong_type("background", background, wanted));
     };
     let other = core.get().triangulation();
     let values = values_of("background", &values, other.vertex_count(), "vertices of it")?;
     let values = values.as_slice()?;
     let set = in_default_environment(|| mesh.set_background(Some((other, values))));
-    set.map_err(|error| exception(py, &error))
+    set.map_err(|error| named("background", py, &error))
+}
+
+/// The exception for an error that the library says of `values`, by Python's name for them.
+fn named(name: &str, py: Python<'_>, error: &Error) -> PyErr {
+    match error.message().strip_prefix("values") {
+        Some(rest) => raised(py, error.kind(), format!("{name}{rest}")),
+        None => exception(py, error),
+    }
 }
 
 /// An array with `count` doubles, one after the other.
@@ -123,7 +132,7 @@ fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> Py
         }
     }
     let message = format!("size answered {} at {x}; it must be a number", answer.repr()?);
-    Err(invalid(answer.py(), message))
+    Err(wrong_type(answer.py(), message))
 }
 
 impl Function {

@@ -181,7 +181,8 @@ def test_whole_numbers_that_are_doubles_are_taken():
 def test_arrays_stay_read_only():
     m = netmesh.mesh(np.random.default_rng(1).random((30, 3)))
     part = m.part("hull")
-    alpha = netmesh.mesh(m.points, algorithm="delaunay").filtration()
+    twice = np.concatenate([m.points, m.points[:3]])
+    alpha = netmesh.mesh(twice, algorithm="delaunay").filtration()
     arrays = {name: getattr(m, name) for name in dir(type(m)) if name[0] != "_"}
     arrays.update({f"part.{name}": getattr(part, name) for name in dir(part) if name[0] != "_"})
     arrays.update({"faces": alpha.faces(1), "values": alpha.values(1), "points of alpha": alpha.points})

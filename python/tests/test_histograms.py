@@ -77,9 +77,9 @@ def test_bad_arguments(random):
     m = netmesh.mesh(random.random((20, 2)))
     with pytest.raises(netmesh.InvalidArgumentError, match="measure is 'angle'; it must be"):
         m.quality_histogram("angle")
-    with pytest.raises(netmesh.InvalidArgumentError, match=r"edges\[1\] is 1; it must be above"):
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^bins\[1\] is 1.0; it must be above"):
         m.quality_histogram(bins=[2, 1])
-    with pytest.raises(netmesh.InvalidArgumentError, match=r"edges\[0\] is NaN"):
+    with pytest.raises(netmesh.InvalidArgumentError, match=r"^bins\[0\] is nan"):
         m.quality_histogram(bins=[np.nan, 1])
     with pytest.raises(netmesh.InvalidArgumentError, match=r"bins has shape \(1,\)"):
         m.quality_histogram(bins=[1])

@@ -68,12 +68,10 @@ def test_delaunay_with_duplicates_is_scipys(random):
 def gudhis(points):
     """The alpha complex of GUDHI, with the first of equal points for each vertex."""
     gudhi = pytest.importorskip("gudhi")
-    complex = gudhi.AlphaComplex(points=points, precision="exact")
+    tree = gudhi.AlphaComplex(points=points, precision="exact").create_simplex_tree()
     first = firsts(points)
-    return {
-        tuple(sorted(first[face].tolist())): value
-        for face, value in complex.create_simplex_tree().get_simplices()
-    }
+    # The tree must live as long as what it answers.
+    return {tuple(sorted(first[face].tolist())): value for face, value in tree.get_simplices()}
 
 
 @pytest.mark.parametrize("dim", [2, 3])
@@ -87,7 +85,8 @@ def test_an_alpha_filtration_is_gudhis_of_the_callers_points(dim, random, tmp_pa
         for k in range(dim + 1)
         for face, value in zip(alpha.faces(k).tolist(), alpha.values(k).tolist())
     }
-    of_tree = {tuple(sorted(face)): value for face, value in alpha.to_gudhi().get_simplices()}
+    tree = alpha.to_gudhi()
+    of_tree = {tuple(sorted(face)): value for face, value in tree.get_simplices()}
     alpha.export(tmp_path / "a.filtration")
     lines = [line.split() for line in (tmp_path / "a.filtration").read_text().splitlines()]
     of_file = {tuple(sorted(map(int, line[1:-1]))): float(line[-1]) for line in lines}

@@ -74,6 +74,10 @@ impl<'a, const D: usize> Locator<'a, D> {
         scratch: &mut Scratch,
         mut take: impl FnMut(&mut Self, &mut Scratch, usize, Place) -> AllocResult<()>,
     ) -> AllocResult<()> {
+        // To sort all that is left would take as long as many answers.
+        if self.stop.is_set() {
+            return Ok(());
+        }
         sort_by_leaf::<D>(&self.index.all, points, &mut scratch.keys)?;
         for k in 0..scratch.keys.len() {
             if self.stop.is_set() {

@@ -198,6 +198,10 @@ fn nearest_in<const D: usize>(
     let out = vertices.chunks_mut(piece).zip(distances.chunks_mut(piece));
     let pieces = points.chunks(piece * D).zip(out);
     on_threads(threads, pieces, |keys: &mut Vec<u64>, (points, (vertices, distances))| {
+        // As in `Locator::each`.
+        if work.stop.is_set() {
+            return Ok(());
+        }
         sort_by_leaf::<D>(tree, points, keys)?;
         for key in keys.iter().take_while(|_| !work.stop.is_set()) {
             let (at, stop) = (*key as u32 as usize, work.stop);

@@ -49,10 +49,10 @@ pub(super) fn cells<const D: usize>(
             }
         };
         let last = dot(&to_center, &normal) / square;
-        for i in 0..3 {
+        for (i, squared) in squares.into_iter().enumerate() {
             let (next, previous) = ((i + 1) % 3, (i + 2) % 3);
             // One of the edges runs to the vertex, the other one from it.
-            let chain = -0.25 * squares[i] * dot(&edges[next], &edges[previous]) * last;
+            let chain = -0.25 * squared * dot(&edges[next], &edges[previous]) * last;
             cells[face[next]] += chain;
             cells[face[previous]] += chain;
         }

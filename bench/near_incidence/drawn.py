@@ -19,15 +19,18 @@ def slanted(random, digits=1, reach=10):
 
 def between(random, a, b, share):
     """Returns the point at `share` of the way from a to b as one of several programs computes it."""
-    way = random.randrange(4)
+    way = random.randrange(3)
     if way == 0:
         return tuple(p + (q - p) * share for p, q in zip(a, b))
     if way == 1:
         return tuple(p * (1 - share) + q * share for p, q in zip(a, b))
-    if way == 2:
-        return tuple(q - (q - p) * (1 - share) for p, q in zip(a, b))
-    # A file of decimals.
-    return tuple(round(p + (q - p) * share, 12) for p, q in zip(a, b))
+    return tuple(q - (q - p) * (1 - share) for p, q in zip(a, b))
+
+
+def written(random, a, b, share):
+    """Returns the same point as a file of 12 digits has it: hundreds of units in the last place beside the
+    segment, a gap that stays."""
+    return tuple(round(x, 12) for x in between(random, a, b, share))
 
 
 def nudged(random, point, most=3):
@@ -157,14 +160,14 @@ def junctions(random):
     return drawing.done()
 
 
-def overlaps(random):
+def overlaps(random, place=between):
     """Segments on one slanted line, whose ends are computed, and which overlap but for rounding."""
     drawing = Drawing()
     a, b = slanted(random)
     drawing.segment(a, b)
     for _ in range(random.randrange(1, 5)):
         shares = sorted(random.choice((random.random(), random.randrange(-5, 16) / 10)) for _ in range(2))
-        drawing.segment(*(between(random, a, b, share) for share in shares))
+        drawing.segment(*(place(random, a, b, share) for share in shares))
     return drawing.done()
 
 
@@ -217,4 +220,5 @@ ROWS = {
     "overlaps": overlaps,
     "stars": star,
     "grids": grid,
+    "overlaps of 12 digits": lambda random: overlaps(random, written),
 }

@@ -125,11 +125,11 @@ pub struct Stats {
     pub simplices_created: u64,
     /// Points inserted on segments, where they are split or cross.
     pub segment_points: u64,
-    /// How often an input that is not on a straight segment, or the boundary of an extent, is taken as
-    /// on it, since it is nearer than rounding explains.
+    /// How often an input that is not on a straight segment, or the boundary of an extent, is
+    /// taken as on it, since it is nearer than rounding explains.
     pub near_inputs: u64,
-    /// How far the farthest of these is from the straight segment, in units in the last place of the
-    /// segment's larger coordinates.
+    /// How far the farthest of these is from the straight segment, in units in the last place of
+    /// the segment's larger coordinates.
     pub farthest_near_input: f64,
 }
 

@@ -90,12 +90,12 @@ pub enum Interior {
     Auto = 0,
     /// All that cannot be reached from outside without crossing a segment.
     Seeds = 1,
-    /// Those into which a path from outside crosses an odd number of segments: the even-odd rule. Of
-    /// a file of polygons only the sides of these count.
+    /// Those into which a path from outside crosses an odd number of segments: the even-odd rule.
+    /// Of a file of polygons only the sides of these count.
     Parity = 2,
-    /// Those whose winding number is not 0: the segments that a path from outside crosses from their
-    /// right to their left, less those from their left to their right. Of a file of polygons only
-    /// the sides of these count.
+    /// Those whose winding number is not 0: the segments that a path from outside crosses from
+    /// their right to their left, less those from their left to their right. Of a file of polygons
+    /// only the sides of these count.
     Winding = 3,
 }
 
@@ -103,7 +103,8 @@ pub enum Interior {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum GivesWay {
-    /// The dihedral angle: some simplices stay below it, [`crate::Triangulation::below_min_dihedral`].
+    /// The dihedral angle: some simplices stay below it,
+    /// [`crate::Triangulation::below_min_dihedral`].
     #[default]
     Angle = 0,
     /// The bound: some cells or simplices go beyond it, [`crate::Triangulation::beyond_bound`].

@@ -43,8 +43,8 @@ pub struct Parameters {
     pub instruments: bool,
     /// 0: none.
     pub distance_ratio: f64,
-    /// In 2D with [`Criterion::RadiusEdge`], the angle in degrees that no angle of a triangle within
-    /// the bound B is below: `asin(1 / (2 B))`. Otherwise 0.
+    /// In 2D with [`Criterion::RadiusEdge`], the angle in degrees that no angle of a triangle
+    /// within the bound B is below: `asin(1 / (2 B))`. Otherwise 0.
     pub min_angle: f64,
     /// In degrees; 0 = none.
     pub min_dihedral: f64,

@@ -25,8 +25,8 @@ impl Mesh {
         self.run_sized(options, None, progress)
     }
 
-    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`] and the sizes that
-    /// the mesh was given by values: the least counts.
+    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`] and the sizes
+    /// that the mesh was given by values: the least counts.
     ///
     /// # Errors
     /// As those of [`Mesh::run`]; `InvalidArgument` (an answer of `size` that is no size).
@@ -136,8 +136,8 @@ impl Mesh {
         Ok((options, Some(arrangement)))
     }
 
-    /// Fails where the options do not go with the sizes that the mesh was given, and with a function
-    /// if there is one.
+    /// Fails where the options do not go with the sizes that the mesh was given, and with a
+    /// function if there is one.
     fn check_sizes(&self, options: &Options, has_function: bool) -> Result<()> {
         let given = self.given_sizes();
         let sources = [

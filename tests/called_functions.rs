@@ -1,5 +1,5 @@
-//! Each function of `netmesh.h`, and each of the class in `netmesh.hpp`, is called by a test in C or
-//! C++: these alone go the way that a caller's program goes.
+//! Each function of `netmesh.h`, and each of the class in `netmesh.hpp`, is called by a test in C
+//! or C++: these alone go the way that a caller's program goes.
 
 use crate::compiler::root;
 use std::collections::BTreeSet;

@@ -1,5 +1,5 @@
-//! Files of polygons: holes are outside unless the caller says otherwise, and lines between polygons
-//! enclose nothing.
+//! Files of polygons: holes are outside unless the caller says otherwise, and lines between
+//! polygons enclose nothing.
 
 use netmesh::io::{Choice, Format, read_table};
 use netmesh::validate::validate_mesh;

@@ -46,8 +46,9 @@ pub struct Arguments {
     pub columns: Option<Columns>,
 
     /// Columns of the input that the output gets as attributes of the points: names (of a CSV
-    /// header or of PLY's properties), numbers from 1, ranges, NAME=COLUMN for another name, or all.
-    /// From TetGen, PLY, XYZ, CSV and NumPy files to VTU, TetGen, Gmsh, PLY, CSV and NumPy files
+    /// header or of PLY's properties), numbers from 1, ranges, NAME=COLUMN for another name, or
+    /// all. From TetGen, PLY, XYZ, CSV and NumPy files to VTU, TetGen, Gmsh, PLY, CSV and NumPy
+    /// files
     #[arg(long, value_name = "LIST", value_parser = parse_attributes, requires = "output")]
     pub attributes: Option<AttributeColumns>,
 
@@ -78,8 +79,9 @@ pub struct Arguments {
     #[arg(long)]
     pub force: bool,
 
-    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An angle,
-    /// a size, --distance-ratio and an extent other than all do; otherwise the mesh is hierarchical
+    /// Make a well-spaced mesh of one domain (FINISHMESH), also where nothing asks for one. An
+    /// angle, a size, --distance-ratio and an extent other than all do; otherwise the mesh is
+    /// hierarchical
     #[arg(long)]
     pub finish: bool,
 
@@ -199,8 +201,8 @@ pub struct Meshing {
     #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
     pub gives_way: GivesWayName,
 
-    /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or to
-    /// the boundary that segments are
+    /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or
+    /// to the boundary that segments are
     #[arg(long, value_enum, default_value_t = ExtentName::Auto)]
     pub extent: ExtentName,
 

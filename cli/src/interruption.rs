@@ -3,9 +3,9 @@
 
 use std::path::PathBuf;
 
-/// Makes every signal that asks the program to end remove what is unfinished of `outputs` first; then
-/// it ends the program as it does by default, so that a shell sees the signal. A signal that the caller
-/// has the program ignore (`nohup`, a job in the background of a script) stays ignored.
+/// Makes every signal that asks the program to end remove what is unfinished of `outputs` first;
+/// then it ends the program as it does by default, so that a shell sees the signal. A signal that
+/// the caller has the program ignore (`nohup`, a job in the background of a script) stays ignored.
 #[cfg(unix)]
 pub fn clean_up_after(outputs: Vec<PathBuf>) {
     use signal_hook::consts::SIGXFSZ;

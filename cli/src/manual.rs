@@ -1,6 +1,7 @@
-//! The man page `cli/netmesh.1.in`, and in the same way `mpi/netmesh-mpi.1.in`, made of the definition of the command line. It is checked in,
-//! so that who builds the program needs neither clap_mangen nor to run it (the build may be for
-//! another machine); the build puts the version in. After a change of the options,
+//! The man page `cli/netmesh.1.in`, and in the same way `mpi/netmesh-mpi.1.in`, made of the
+//! definition of the command line. It is checked in, so that who builds the program needs neither
+//! clap_mangen nor to run it (the build may be for another machine); the build puts the version
+//! in. After a change of the options,
 //!
 //!     NETMESH_WRITE_MANUAL=1 cargo test --package netmesh-cli manual
 //!     NETMESH_WRITE_MANUAL=1 cargo test --manifest-path mpi/Cargo.toml manual

@@ -23,8 +23,8 @@ fn bench_with_sample(test: &str) -> Workbench {
 
 const LINE: &str = "points.xyz -q -o a.voronoi.json";
 
-/// Starts a program in the directory and sends it `signal` as soon as a file is under way; its status,
-/// and false if the program was faster.
+/// Starts a program in the directory and sends it `signal` as soon as a file is under way; its
+/// status, and false if the program was faster.
 fn signal_while_writing(
     bench: &Workbench,
     mut command: Command,

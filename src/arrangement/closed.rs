@@ -43,8 +43,8 @@ pub fn encloses(
     }
 }
 
-/// Returns true if the pieces of the arrangement have a cycle: they meet only at their ends, so that
-/// the plane falls apart by one cycle of them, and by nothing else.
+/// Returns true if the pieces of the arrangement have a cycle: they meet only at their ends, so
+/// that the plane falls apart by one cycle of them, and by nothing else.
 fn has_cycle(distinct_inputs: usize, arrangement: &Arrangement) -> Result<bool> {
     let vertices = distinct_inputs + arrangement.crossings.len();
     // A forest with a tree for each connected part: vertex -> a vertex nearer to the root.

@@ -1,5 +1,6 @@
-//! Which crossings become vertices. Of lines through nearly one point each pair crosses some roundings
-//! from it, the farther the smaller their angle is. Bent through one vertex they no longer cross.
+//! Which crossings become vertices. Of lines through nearly one point each pair crosses some
+//! roundings from it, the farther the smaller their angle is. Bent through one vertex they no
+//! longer cross.
 
 use super::near::Near;
 use super::places::{key, key_along};
@@ -16,9 +17,9 @@ pub(super) struct Straight<'a> {
     pub reach: &'a Reach<2>,
 }
 
-/// Returns which crossings become vertices. Those at large angles come first; the others only where
-/// no such vertex is so near that both lines will go through it, nor one on either line that is near
-/// the other.
+/// Returns which crossings become vertices. Those at large angles come first; the others only
+/// where no such vertex is so near that both lines will go through it, nor one on either line that
+/// is near the other.
 ///
 /// O(k log k) for k crossings, unless very many are close to each other.
 pub(super) fn accept<'a>(
@@ -70,8 +71,8 @@ pub(super) fn accept<'a>(
     Ok(is_accepted)
 }
 
-/// Withdraws those of the `accepted` crossings that an earlier one is so near to that their lines go
-/// through that one.
+/// Withdraws those of the `accepted` crossings that an earlier one is so near to that their lines
+/// go through that one.
 fn keep_apart<'a>(
     found: &[Found],
     accepted: &[u32],

@@ -1,5 +1,5 @@
-//! The boundary of an extent beside the vertices near it. It goes through them as segments do, but at
-//! a corner: a vertex near both edges there would leave the corner outside.
+//! The boundary of an extent beside the vertices near it. It goes through them as segments do, but
+//! at a corner: a vertex near both edges there would leave the corner outside.
 
 use super::reach::Reach;
 use crate::memory::{AllocResult, filled};
@@ -32,10 +32,10 @@ impl<'a> Frame<'a> {
         Ok(Self { segments, reaches, own: own as u32, starting })
     }
 
-    /// Returns true if a piece of the boundary, or one of the caller's between the same ends, leaves a
-    /// vertex near it inside. One that is near the next edge as well, at a corner, is on one of them
-    /// at most: on the piece if it would be outside, or if a segment of the caller's leads to it
-    /// along there.
+    /// Returns true if a piece of the boundary, or one of the caller's between the same ends,
+    /// leaves a vertex near it inside. One that is near the next edge as well, at a corner, is on
+    /// one of them at most: on the piece if it would be outside, or if a segment of the caller's
+    /// leads to it along there.
     pub fn passes(&self, points: &[[f64; 2]], part: &Subsegment, vertex: u32) -> bool {
         let Some(edge) = self.edge_of(part) else { return false };
         let point = |vertex: u32| &points[vertex as usize];

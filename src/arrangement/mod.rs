@@ -11,8 +11,8 @@
 //! - [`straighten`] removes those that are no crossings any more.
 //!
 //! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
-//! bends them: the pieces may pass other vertices than before, and cross others. So all are bent and
-//! swept again, until a sweep finds no crossing; it proves by that that there is none.
+//! bends them: the pieces may pass other vertices than before, and cross others. So all are bent
+//! and swept again, until a sweep finds no crossing; it proves by that that there is none.
 
 mod bend;
 mod closed;
@@ -72,7 +72,8 @@ pub struct Task<'a> {
 /// one, the first segment's, with the balance of all.
 ///
 /// Expected O((n + k) log n) for n inputs and segments and k crossings, where segments do not pass
-/// between many inputs. `poll` is told of each piece of work how long it was, and may end all of it.
+/// between many inputs. `poll` is told of each piece of work how long it was, and may end all of
+/// it.
 ///
 /// # Errors
 /// `InvalidArgument` (the caller's segments cross, where `crossings` refuses that), `Limit`,

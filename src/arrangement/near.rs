@@ -1,6 +1,6 @@
 //! The vertices near a piece of a segment, by a k-d tree of them with a box for each node. A piece
-//! meets few boxes that hold no vertex near it, unless it passes between many vertices; then the mesh
-//! has as many edges along it.
+//! meets few boxes that hold no vertex near it, unless it passes between many vertices; then the
+//! mesh has as many edges along it.
 
 use super::reach::Reach;
 use crate::memory::{AllocResult, TryGrow, filled};
@@ -66,8 +66,8 @@ impl<const D: usize> Near<D> {
         Ok(false)
     }
 
-    /// Appends to `found` the vertices that may be near the piece between two points, among them all
-    /// that are.
+    /// Appends to `found` the vertices that may be near the piece between two points, among them
+    /// all that are.
     pub fn collect(
         &mut self,
         reach: &Reach<D>,

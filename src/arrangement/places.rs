@@ -51,9 +51,9 @@ impl Places {
     }
 }
 
-/// The order of points along a segment that falls in the axes that are so marked: by x, where that is
-/// equal by y. Rounding keeps the order of points on a segment in each coordinate, so that rounded
-/// points are in order too.
+/// The order of points along a segment that falls in the axes that are so marked: by x, where that
+/// is equal by y. Rounding keeps the order of points on a segment in each coordinate, so that
+/// rounded points are in order too.
 pub(super) fn key_along(point: &[f64; 2], falls: [bool; 2]) -> Key {
     let key = key(point);
     [0, 1].map(|axis| if falls[axis] { !key[axis] } else { key[axis] })

@@ -1,16 +1,17 @@
 //! Near incidence: which vertices count as on a segment, and their order along it.
 //!
-//! Points that programs compute on a slanted segment are some units in the last place off it. A mesh
-//! of the gap would need edges as short as that, for which doubles have no room. So a vertex that is
-//! nearer to a segment than rounding explains is on it, and the segment bends through it. That is
-//! the idea of iterated snap rounding (D. Halperin and E. Packer, "Iterated snap rounding", 2002),
-//! with rectangles about vertices whose size is in units of the segment's own coordinates.
+//! Points that programs compute on a slanted segment are some units in the last place off it. A
+//! mesh of the gap would need edges as short as that, for which doubles have no room. So a vertex
+//! that is nearer to a segment than rounding explains is on it, and the segment bends through it.
+//! That is the idea of iterated snap rounding (D. Halperin and E. Packer, "Iterated snap
+//! rounding", 2002), with rectangles about vertices whose size is in units of the segment's own
+//! coordinates.
 
 use super::places::ordered_bits;
 use crate::numerics::{crossing, offset_from_line, orientation};
 
-/// A vertex is on a segment if a rectangle about it, that reaches so many units in the last place of
-/// the segment's larger coordinates along each axis, meets the segment.
+/// A vertex is on a segment if a rectangle about it, that reaches so many units in the last place
+/// of the segment's larger coordinates along each axis, meets the segment.
 pub(super) const NEAR: f64 = 3.0;
 
 /// A bent segment goes through no vertex that is farther from the straight one, in the same units.
@@ -50,8 +51,8 @@ impl<const D: usize> Reach<D> {
         }
     }
 
-    /// Returns the order of a point along the segment: by the axis on which it is longest, where that
-    /// is equal by the others.
+    /// Returns the order of a point along the segment: by the axis on which it is longest, where
+    /// that is equal by the others.
     pub fn place(&self, x: &[f64; D]) -> Place<D> {
         let bits = |k: usize| match self.falls[k] {
             true => !ordered_bits(x[k]),
@@ -80,7 +81,8 @@ impl<const D: usize> Reach<D> {
         self.is_long && self.offset(piece, x) <= NEAR && self.offset_from_segment(x) <= FARTHEST
     }
 
-    /// Returns true if the segment, which goes through one of two points, goes through the other too.
+    /// Returns true if the segment, which goes through one of two points, goes through the other
+    /// too.
     pub fn are_close(&self, x: &[f64; D], y: &[f64; D]) -> bool {
         self.is_long && (0..D).all(|k| (x[k] - y[k]).abs() <= NEAR * self.units[k])
     }
@@ -112,8 +114,8 @@ impl<const D: usize> Reach<D> {
         offset
     }
 
-    /// Returns half the widths of a rectangle about a vertex: where another vertex is in it, doubles
-    /// are finer there than the segment's roundings, which explain nothing then.
+    /// Returns half the widths of a rectangle about a vertex: where another vertex is in it,
+    /// doubles are finer there than the segment's roundings, which explain nothing then.
     pub fn grain(&self) -> [f64; D] {
         self.units.map(|unit| unit * f64::from_bits((1023 - 20) << 52))
     }
@@ -136,8 +138,8 @@ impl Reach<2> {
         (u[0] * v[1] - u[1] * v[0]).abs()
     }
 
-    /// Returns where two straight segments cross, each coordinate the nearest double; `None` where they
-    /// do not in the interior of both.
+    /// Returns where two straight segments cross, each coordinate the nearest double; `None` where
+    /// they do not in the interior of both.
     pub fn crossing(&self, other: &Self) -> Option<[f64; 2]> {
         let parts = |one: &Self, other: &Self| {
             let [a, b] = &one.ends;

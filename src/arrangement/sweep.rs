@@ -2,8 +2,8 @@
 //! Bentley and Ottmann, 1979): cuts them at the vertices that they pass, exactly, and finds where
 //! they cross.
 //!
-//! Vertices and crossings come in their exact order, so that the order of the lines in the status is
-//! exact. Of lines that cross, two are neighbours before, which finds the crossing.
+//! Vertices and crossings come in their exact order, so that the order of the lines in the status
+//! is exact. Of lines that cross, two are neighbours before, which finds the crossing.
 
 use super::Poll;
 use super::places::{Key, Places, key};
@@ -53,8 +53,8 @@ pub(super) struct Handling<'a> {
     pub snaps: &'a dyn Fn([u32; 2]) -> bool,
 }
 
-/// What a sweep makes of pieces: parts with no vertex in their interior, none of them twice, and the
-/// crossings of the parts.
+/// What a sweep makes of pieces: parts with no vertex in their interior, none of them twice, and
+/// the crossings of the parts.
 #[derive(Default)]
 pub(super) struct Swept {
     pub parts: Vec<Part>,
@@ -439,8 +439,8 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Lets a line go through those ends of another that are the doubles nearest to it at their x or
-    /// at their y. Returns false if there is none.
+    /// Lets a line go through those ends of another that are the doubles nearest to it at their x
+    /// or at their y. Returns false if there is none.
     fn snap(&mut self, line: u32, ends: [[f64; 2]; 2], others: [[f64; 2]; 2]) -> AllocResult<bool> {
         let mut is_snapped = false;
         for other in others {

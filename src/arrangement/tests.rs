@@ -146,7 +146,8 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
     check_balances(case, arrangement, vertices.len());
 }
 
-/// As many segments leave each vertex, less those that reach it, as begin there less those that end.
+/// As many segments leave each vertex, less those that reach it, as begin there less those that
+/// end.
 fn check_balances(case: &Case, arrangement: &Arrangement, vertices: usize) {
     let mut left = vec![0; vertices];
     for &Subsegment { ends: [from, to], balance, .. } in &arrangement.subsegments {

@@ -19,11 +19,11 @@ use std::mem::MaybeUninit;
 /// (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at
 /// work, poisoned).
 ///
-/// The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their hull,
-/// and tests the simplices along the hull: little for points in a volume, about as long as nm_run
-/// where most inputs are on the hull, as on a sphere. If the inputs lie in a hyperplane, it tests all
-/// simplices that are not beyond a side of their box. A byte per simplex is kept until the next
-/// nm_run.
+/// The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their
+/// hull, and tests the simplices along the hull: little for points in a volume, about as long as
+/// nm_run where most inputs are on the hull, as on a sphere. If the inputs lie in a hyperplane, it
+/// tests all simplices that are not beyond a side of their box. A byte per simplex is kept until
+/// the next nm_run.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_placements(
     mesh: *const nm_mesh,

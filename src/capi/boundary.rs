@@ -50,9 +50,11 @@ const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 3 * 8 + 2 * 4);
 /// known of each piece. Both are copied.
 ///
 /// Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
-/// on them, exactly; where they overlap the first counts. What becomes of those that cross
-/// elsewhere, nm_options.crossings says. Those that are closed curves can tell what is inside of them
-/// (nm_options.interior); there segments that overlap count each, in their directions.
+/// on them, and at those within 3 units in the last place of the segment's larger coordinates,
+/// by axis, which rounding explains (nm_stats.near_inputs). Where segments overlap the first
+/// counts. What becomes of those that cross elsewhere, nm_options.crossings says. Those that are
+/// closed curves can tell what is inside of them (nm_options.interior); there segments that
+/// overlap count each, in their directions.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
 /// is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
@@ -88,8 +90,8 @@ pub unsafe extern "C" fn nm_mesh_set_segments(
 /// seed must be in the hull, in the box, or in what segments enclose. Where a rule of
 /// nm_options.interior leaves a region out, it may have the seed of a hole.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
-/// message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
+/// Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field;
+/// the message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
 /// (another call is using the mesh, or it is poisoned).
 ///
 /// O(count). Before nm_run and after.

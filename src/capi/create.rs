@@ -48,8 +48,8 @@ pub unsafe extern "C" fn nm_mesh_create(
 }
 
 /// Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
-/// NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments and
-/// nm_mesh_set_regions.
+/// NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
+/// and nm_mesh_set_regions.
 ///
 /// path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
 /// the file's.

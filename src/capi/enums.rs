@@ -75,8 +75,8 @@ impl From<ErrorKind> for nm_status {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_output {
     /// NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
-    /// min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the max_edge
-    /// of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
+    /// min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the
+    /// max_edge of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
     /// NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
     NM_OUTPUT_AUTO = 0,
     /// A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
@@ -137,8 +137,8 @@ pub enum nm_criterion {
 pub enum nm_gives_way {
     /// The dihedral angle: the bound holds, and some simplices stay below the angle.
     NM_GIVES_WAY_ANGLE = 0,
-    /// The bound: fewer simplices stay below the angle, and some cells (NM_CRITERION_VORONOI_ASPECT)
-    /// or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
+    /// The bound: fewer simplices stay below the angle, and some cells
+    /// (NM_CRITERION_VORONOI_ASPECT) or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
     NM_GIVES_WAY_BOUND = 1,
 }
 
@@ -349,8 +349,8 @@ pub enum nm_format {
     NM_FORMAT_VORONOI_JSON = 10,
     /// The hierarchy of domains with their cages as JSON (.domains.json).
     NM_FORMAT_DOMAINS_JSON = 11,
-    /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points may
-    /// be in the .node file beside.
+    /// Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
+    /// may be in the .node file beside.
     NM_FORMAT_POLY = 12,
     /// GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
     /// rings are segments; their marker is the number of the feature, from 1. A third coordinate

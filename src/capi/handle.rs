@@ -1,5 +1,5 @@
-//! The handle: a mesh, a lock that never waits, and the barrier round every entry, which no panic and
-//! no floating-point environment passes.
+//! The handle: a mesh, a lock that never waits, and the barrier round every entry, which no panic
+//! and no floating-point environment passes.
 
 use super::enums::nm_status;
 use super::environment::Environment;
@@ -68,8 +68,8 @@ fn poisoned() -> Error {
     Error::new(ErrorKind::State, message)
 }
 
-/// Runs `body` in the default floating-point environment, so that no panic leaves it, and answers its
-/// status. The caller's environment is restored.
+/// Runs `body` in the default floating-point environment, so that no panic leaves it, and answers
+/// its status. The caller's environment is restored.
 pub fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
     match Environment::DEFAULT.run(|| catch_unwind(AssertUnwindSafe(body))) {
         Ok(Ok(())) => nm_status::NM_OK,

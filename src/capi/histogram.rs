@@ -19,9 +19,9 @@ use std::mem::MaybeUninit;
 /// degrees for angles, otherwise without unit.
 ///
 /// counts: room for edge_count + 1 numbers. counts[0] receives how many values are below edges[0],
-/// counts[i] how many are in [edges[i - 1], edges[i]) for 0 < i < edge_count, counts[edge_count] how
-/// many are above the last edge. Of two edges and more the last bin includes the last edge. One edge
-/// makes no bin: counts[0] is what is below it, counts[1] the rest.
+/// counts[i] how many are in [edges[i - 1], edges[i]) for 0 < i < edge_count, counts[edge_count]
+/// how many are above the last edge. Of two edges and more the last bin includes the last edge.
+/// One edge makes no bin: counts[0] is what is below it, counts[1] the rest.
 ///
 /// extremes: room for 2 numbers, the least and the largest value; infinity and minus infinity if
 /// there is none. May be NULL.

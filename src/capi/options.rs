@@ -33,15 +33,16 @@ pub unsafe extern "C" fn nm_options_init(options: *mut nm_options, struct_size: 
 }
 
 /// Writes the options that the last run had, with every default filled in: output and extent are
-/// what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and interior is
-/// NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with NM_CRITERION_RADIUS_EDGE
-/// min_angle and quality_bound are both set, as one says what the other does; segments make that the
-/// criterion. progress, size and what is handed to them are NULL. O(1).
+/// what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and
+/// interior is NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with
+/// NM_CRITERION_RADIUS_EDGE min_angle and quality_bound are both set, as one says what the other
+/// does; segments make that the criterion. progress, size and what is handed to them are NULL.
+/// O(1).
 ///
 /// options: the caller sets struct_size.
 ///
-/// Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE (no
-/// result yet, nm_run at work, poisoned).
+/// Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE
+/// (no result yet, nm_run at work, poisoned).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_options(
     mesh: *const nm_mesh,

@@ -102,12 +102,12 @@ pub unsafe extern "C" fn nm_mesh_nearest(
 }
 
 /// Finds the input nearest to each of count points: its number among the caller's points, of equal
-/// ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact distance
-/// the least.
+/// ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact
+/// distance the least.
 ///
-/// points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives count
-/// distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
-/// NULL unless count is 0; they must not overlap.
+/// points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives
+/// count distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array
+/// may be NULL unless count is 0; they must not overlap.
 ///
 /// Errors: as nm_mesh_nearest, with inputs in place of vertices.
 #[unsafe(no_mangle)]

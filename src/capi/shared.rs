@@ -1,5 +1,5 @@
-//! What other boundaries of netmesh's, the C ABI on MPI and the Python package, have in common with this
-//! one. Not for C, and no promise.
+//! What other boundaries of netmesh's, the C ABI on MPI and the Python package, have in common
+//! with this one. Not for C, and no promise.
 
 pub use super::environment::Environment;
 pub use super::error::null_argument;

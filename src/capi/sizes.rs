@@ -37,12 +37,12 @@ pub unsafe extern "C" fn nm_mesh_set_sizes(
 /// background they are those of its nearest vertex.
 ///
 /// background: a mesh with a result, or NULL, which removes the sizes; what is needed of it is
-/// copied. It may be mesh itself: then the next run adapts the result of the last. count: the number of
-/// its vertices. values: count numbers above 0, infinite for no bound, which are copied.
+/// copied. It may be mesh itself: then the next run adapts the result of the last. count: the
+/// number of its vertices. values: count numbers above 0, infinite for no bound, which are copied.
 ///
 /// Errors: NM_NULL_ARGUMENT (mesh, values), NM_INVALID_ARGUMENT (count, a value, values not
-/// aligned), NM_DIMENSION (the background has another one), NM_OUT_OF_MEMORY, NM_STATE (background has no
-/// result; another call is using one of the meshes, or it is poisoned).
+/// aligned), NM_DIMENSION (the background has another one), NM_OUT_OF_MEMORY, NM_STATE (background
+/// has no result; another call is using one of the meshes, or it is poisoned).
 ///
 /// O(simplices of the background). Before nm_run and after.
 #[unsafe(no_mangle)]

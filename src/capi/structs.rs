@@ -67,14 +67,14 @@ pub struct nm_progress {
 pub type nm_progress_fn =
     Option<unsafe extern "C" fn(progress: *const nm_progress, user_data: *mut c_void) -> i32>;
 
-/// The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
-/// bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
-/// largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
-/// thread that called nm_run, at most once a vertex, with nm_options.min_dihedral also at places that
-/// are tried for vertices, in an order that depends on the inputs and the options alone. Any other
-/// answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that has the point and the
-/// answer. During a call any use of the mesh being run answers NM_STATE; other meshes may be used,
-/// and this one must not be freed.
+/// The size that is asked for at a point: the length of an edge, above 0, infinite where there is
+/// no bound. x: dim doubles, valid during the call, in the box of the inputs (between the least
+/// and the largest of their coordinates on each axis). user_data: nm_options.size_user_data.
+/// Called on the thread that called nm_run, at most once a vertex, with nm_options.min_dihedral
+/// also at places that are tried for vertices, in an order that depends on the inputs and the
+/// options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message
+/// that has the point and the answer. During a call any use of the mesh being run answers
+/// NM_STATE; other meshes may be used, and this one must not be freed.
 #[allow(non_camel_case_types)]
 pub type nm_size_fn = Option<unsafe extern "C" fn(x: *const f64, user_data: *mut c_void) -> f64>;
 
@@ -146,29 +146,30 @@ pub struct nm_options {
     pub reserved: u32,
     /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
     /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
-    /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
-    /// (1 + distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
-    /// NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no matter
-    /// how far.
+    /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
+    /// distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+    /// NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no
+    /// matter how far.
     pub distance_ratio: f64,
     /// 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
     /// criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
     /// With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
-    /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
-    /// too; a few cells at the root's cage may then be given up (precision-limited). With
-    /// NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
+    /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set
+    /// max_vertices, too; a few cells at the root's cage may then be given up (precision-limited).
+    /// With NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
     /// nm_quality.below_min_angle counts the others.
     pub min_angle: f64,
-    /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
-    /// points move and further ones come until none is smaller. Where quality_bound cannot be had
-    /// too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound count
-    /// what is left. In 3D only, without distance_ratio, and without effect with
-    /// NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
+    /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain:
+    /// Steiner points move and further ones come until none is smaller. Where quality_bound cannot
+    /// be had too, gives_way says which of them holds; nm_quality.below_min_dihedral and
+    /// beyond_bound count what is left. In 3D only, without distance_ratio, and without effect
+    /// with NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
     pub min_dihedral: f64,
     /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
-    /// largest of their coordinates on each axis); their circumradius is at most that of the regular
-    /// simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-    /// NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
+    /// largest of their coordinates on each axis); their circumradius is at most that of the
+    /// regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
+    /// allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0:
+    /// none.
     pub max_edge: f64,
     /// The size at each point, on the same conditions: no simplex that meets the box of the inputs
     /// has a larger circumradius than the regular simplex whose edges have the least of the sizes
@@ -376,8 +377,8 @@ pub struct nm_quality {
     /// Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
     /// simplices with a larger ratio. The figures above have them.
     pub beyond_bound: u64,
-    /// Triangles beyond the bound that a small angle between segments forces; nothing can mend them,
-    /// and worst_radius_edge and min_angle_degrees leave them out.
+    /// Triangles beyond the bound that a small angle between segments forces; nothing can mend
+    /// them, and worst_radius_edge and min_angle_degrees leave them out.
     pub forced: u64,
     /// Smallest angle of these, in degrees; 0 if there are none.
     pub least_forced_angle_degrees: f64,
@@ -430,9 +431,9 @@ pub struct nm_stats {
     /// Wall-clock time of the run, in seconds, without what nm_options.instruments takes. The only
     /// field that differs between equal runs.
     pub seconds: f64,
-    /// Nets or samples taken in these rounds. A round takes one, and another each time that the last
-    /// one has not halved every conflict list. (The conflict list of a simplex holds the inputs
-    /// assigned to it that are no vertices yet.)
+    /// Nets or samples taken in these rounds. A round takes one, and another each time that the
+    /// last one has not halved every conflict list. (The conflict list of a simplex holds the
+    /// inputs assigned to it that are no vertices yet.)
     pub passes: u64,
     /// The length of the longest conflict list after a round over that before the round, largest
     /// over all rounds. At most 1/2; 0 without rounds (NM_ALGORITHM_SVR).
@@ -477,9 +478,9 @@ pub struct nm_stats {
     /// to included. While a domain has no other vertex than its centre, the input that its cage is
     /// made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_cage: f64,
-    /// How often an input that is not on a straight segment, or on the boundary of an extent, counts
-    /// as on it: it is within 3 units in the last place of the segment's larger coordinates, by axis.
-    /// Measured always.
+    /// How often an input that is not on a straight segment, or on the boundary of an extent,
+    /// counts as on it: it is within 3 units in the last place of the segment's larger
+    /// coordinates, by axis. Measured always.
     pub near_inputs: u64,
     /// The distance of the farthest of these, in the same units. Measured always.
     pub farthest_near_input: f64,

@@ -50,11 +50,11 @@ unsafe fn copy_ids(
     }
 }
 
-/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices, not
-/// of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
-/// lexicographic order. The id of a face is its place there.
-/// k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
-/// another one than that of nm_mesh_get_simplices).
+/// Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices,
+/// not of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
+/// lexicographic order. The id of a face is its place there. k: 0 (all vertices, so that ids are
+/// those of vertices) to dim (the simplices, in this order another one than that of
+/// nm_mesh_get_simplices).
 ///
 /// Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (k,
 /// buf not aligned), NM_LIMIT (more faces, or facets of faces, of one dimension than 32-bit ids can

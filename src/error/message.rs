@@ -15,8 +15,8 @@ pub trait Words {
     fn write(&self, name: Name, f: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// A sentence, in the words of Rust, with the places where it names something. Where memory runs out
-/// it ends early.
+/// A sentence, in the words of Rust, with the places where it names something. Where memory runs
+/// out it ends early.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Message {
     text: Cow<'static, str>,
@@ -110,8 +110,8 @@ impl<W: Words> Display for InWords<'_, W> {
     }
 }
 
-/// A [`Message`] of parts, separated by commas: literals are texts with format arguments in them, all
-/// else are names.
+/// A [`Message`] of parts, separated by commas: literals are texts with format arguments in them,
+/// all else are names.
 macro_rules! say {
     (@ $message:ident) => {};
     (@ $message:ident $text:literal $(, $($rest:tt)*)?) => {

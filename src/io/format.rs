@@ -54,10 +54,10 @@ pub enum Format {
     /// back as points of dimension 3), from text and binary of either byte order; all else that is
     /// not asked for is checked as far as its size goes and dropped.
     Ply = 6,
-    /// Text points, one per line, separated by whitespace or commas, but not by both in one line (a
-    /// decimal comma would read so). The first point's number of columns is the dimension. A first
-    /// line may be the number of points, as in `.pts` files; there columns beyond three are intensity
-    /// and colour.
+    /// Text points, one per line, separated by whitespace or commas, but not by both in one line
+    /// (a decimal comma would read so). The first point's number of columns is the dimension. A
+    /// first line may be the number of points, as in `.pts` files; there columns beyond three are
+    /// intensity and colour.
     Xyz = 7,
     /// Comma-separated points. A first line without any number is a header. Where it names the
     /// columns `x` and `y` (in either case), these and a column `z` are the coordinates; otherwise

@@ -154,7 +154,8 @@ fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points
     Ok(points)
 }
 
-/// With segments, edges have their markers as references, and triangles the labels of their regions.
+/// With segments, edges have their markers as references, and triangles the labels of their
+/// regions.
 pub(super) fn write(
     triangulation: &Triangulation,
     markers: &[i32],

@@ -113,8 +113,8 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
 /// with those that become attributes of the points.
 ///
 /// # Errors
-/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file that has none,
-/// a format without columns to choose, a name that no attribute can have.
+/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file that has
+/// none, a format without columns to choose, a name that no attribute can have.
 pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<Table> {
     let format = format.resolve_input(path)?;
     let points = input_path(path, format)?;
@@ -168,10 +168,10 @@ pub fn unfinished_files(path: &Path) -> Vec<PathBuf> {
     replace::temporary_files(path)
 }
 
-/// Refuses a path that [`write_file`] could not write to, at once and before there is a mesh: a missing
-/// directory or one that takes no files, a directory, a read-only file, a name that is too long. Makes
-/// a file under a temporary name beside it, and removes it. A disk may still fill up until the mesh
-/// is there; a device or a pipe is not opened.
+/// Refuses a path that [`write_file`] could not write to, at once and before there is a mesh: a
+/// missing directory or one that takes no files, a directory, a read-only file, a name that is too
+/// long. Makes a file under a temporary name beside it, and removes it. A disk may still fill up
+/// until the mesh is there; a device or a pipe is not opened.
 ///
 /// # Errors
 /// `Io`, as [`write_file`] has it.
@@ -187,8 +187,8 @@ pub fn follow_links(path: &Path) -> Result<PathBuf> {
     replace::follow_links(path)
 }
 
-/// Writes text to a file as [`write_file`] does a mesh: all or nothing, links followed, a device or a
-/// pipe written into.
+/// Writes text to a file as [`write_file`] does a mesh: all or nothing, links followed, a device
+/// or a pipe written into.
 ///
 /// # Errors
 /// `Io`.
@@ -252,11 +252,12 @@ fn read_named(
 /// old file is untouched and nothing is left beside it.
 ///
 /// `TetgenNode` writes two files. `a.node` and `a.ele` both stand for the pair; any other name `b`
-/// is that of the `.node` part and the other is `b.ele`. With segments there are an `.edge` part and a
+/// is that of the `.node` part and the other is `b.ele`. With segments there are an `.edge` part
+/// and a
 /// `.poly` part too. All are complete before any is renamed.
 ///
-/// A symbolic link is followed, also to where no file is yet; a read-only file is refused; a device or a pipe, which cannot be
-/// replaced, is written as by [`write()`].
+/// A symbolic link is followed, also to where no file is yet; a read-only file is refused; a
+/// device or a pipe, which cannot be replaced, is written as by [`write()`].
 ///
 /// # Errors
 /// `Io`, and as [`write()`]; `InvalidArgument` for an extension that names no format.

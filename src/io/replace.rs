@@ -112,8 +112,8 @@ fn temporary_prefix() -> String {
 
 const SUFFIX: &str = ".tmp";
 
-/// The numbers that Unix systems have for what is refused before they are asked: EISDIR, EACCES, EPERM,
-/// ENXIO and ELOOP.
+/// The numbers that Unix systems have for what is refused before they are asked: EISDIR, EACCES,
+/// EPERM, ENXIO and ELOOP.
 const IS_A_DIRECTORY: i32 = 21;
 const PERMISSION_DENIED: i32 = 13;
 const NOT_PERMITTED: i32 = 1;

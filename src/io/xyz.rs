@@ -1,5 +1,5 @@
-//! XYZ: one point per line. A first line may be the number of points, as `.pts` files have it, which
-//! scanners write: x y z, perhaps intensity, perhaps colour.
+//! XYZ: one point per line. A first line may be the number of points, as `.pts` files have it,
+//! which scanners write: x y z, perhaps intensity, perhaps colour.
 
 use super::choice::others;
 use super::layout::Layout;

@@ -33,8 +33,8 @@ pub struct Region {
 }
 
 impl Region {
-    /// Returns true if region `number` is a hole, and how many of that kind come before it: for those
-    /// who give holes apart from other regions. A number of none is that of a region.
+    /// Returns true if region `number` is a hole, and how many of that kind come before it: for
+    /// those who give holes apart from other regions. A number of none is that of a region.
     pub fn number_among_its_kind(regions: &[Self], number: usize) -> (bool, usize) {
         let Some(region) = regions.get(number) else { return (false, number) };
         let before = regions[..number].iter().filter(|other| other.is_hole == region.is_hole);
@@ -67,14 +67,14 @@ pub struct Arrangement {
     pub regions: Vec<Region>,
     /// Segments without a piece of their own: duplicates, and those that others cover.
     pub covered_segments: u64,
-    /// Points that a run could not make vertices of, since another is there: segments must go through
-    /// it together.
+    /// Points that a run could not make vertices of, since another is there: segments must go
+    /// through it together.
     pub crowded: Vec<[f64; 2]>,
-    /// How often an input that is not on a straight segment is taken as on it, since it is nearer than
-    /// rounding explains.
+    /// How often an input that is not on a straight segment is taken as on it, since it is nearer
+    /// than rounding explains.
     pub near_inputs: u64,
-    /// How far the farthest of these is from the straight segment, in units in the last place of the
-    /// segment's larger coordinates.
+    /// How far the farthest of these is from the straight segment, in units in the last place of
+    /// the segment's larger coordinates.
     pub farthest_near_input: f64,
 }
 

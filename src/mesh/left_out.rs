@@ -2,8 +2,8 @@
 
 use super::Mesh;
 
-/// Numbers of elements of a mesh or a surface that a file has beside its points, and that nothing is
-/// made of.
+/// Numbers of elements of a mesh or a surface that a file has beside its points, and that nothing
+/// is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
     /// Elements with two ends.

@@ -1,5 +1,5 @@
-//! The point of a tree nearest to another: a search of a k-d tree. Lengths in doubles with a bound of their
-//! error decide nearly all, exact signs the rest.
+//! The point of a tree nearest to another: a search of a k-d tree. Lengths in doubles with a bound
+//! of their error decide nearly all, exact signs the rest.
 
 use super::tree::{Node, Tree};
 use crate::mesh::NONE;

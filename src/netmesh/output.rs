@@ -248,7 +248,8 @@ struct Vertices {
     limited: Array<bool>,
 }
 
-/// Splits new memory for `array`, which is empty: `reserves` has the number of values for each share.
+/// Splits new memory for `array`, which is empty: `reserves` has the number of values for each
+/// share.
 fn shares<T: Copy>(array: &mut Array<T>, reserves: &[usize]) -> AllocResult<Vec<Array<T>>> {
     array.reserve(reserves.iter().sum())?;
     array.split_reserve(reserves).ok_or(AllocError::Memory)

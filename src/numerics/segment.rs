@@ -107,8 +107,8 @@ fn rounded(parts: [f64; 5]) -> f64 {
             break;
         }
     }
-    // The rest is less than any bit of these two: it tells only where the sum was a tie, which went to
-    // the even double.
+    // The rest is less than any bit of these two: it tells only where the sum was a tie, which
+    // went to the even double.
     let below = from_largest.find(|&part| part != 0.0).unwrap_or(0.0);
     let next = sum + 2.0 * lacking;
     let is_tie = next - sum == 2.0 * lacking;
@@ -224,8 +224,8 @@ mod tests {
         }
     }
 
-    /// The largest part of the sum is a tie, which goes to the even double unless what is below says
-    /// otherwise: products of fractions that are rounded nearly are powers of two.
+    /// The largest part of the sum is a tie, which goes to the even double unless what is below
+    /// says otherwise: products of fractions that are rounded nearly are powers of two.
     #[test]
     fn a_tie_is_no_tie_if_there_is_more() {
         let third = 2f64.powi(-52) / 3.0;

@@ -71,9 +71,9 @@ pub struct Quality {
     pub forced: u64,
     /// Smallest angle of these, in degrees.
     pub least_forced_angle_degrees: f64,
-    /// Number of triangles with an angle below [`crate::Parameters::min_angle`] that nothing forces,
-    /// wherever they are. Cages break the angle: between a cage and what is around it are triangles
-    /// with vertices of several domains.
+    /// Number of triangles with an angle below [`crate::Parameters::min_angle`] that nothing
+    /// forces, wherever they are. Cages break the angle: between a cage and what is around it are
+    /// triangles with vertices of several domains.
     pub below_min_angle: u64,
 }
 
@@ -126,8 +126,8 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones; and over
-/// those.
+/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones; and
+/// over those.
 #[derive(Default)]
 struct SimplexMeasures {
     radius_edge: f64,

@@ -19,7 +19,8 @@ impl Index {
     ///
     /// # Errors
     /// `InvalidArgument` (a length; a mesh other than that of the index), `NonFinite` (names point
-    /// and coordinate), `Cancelled` (by what stops the work), `OutOfMemory`. What `simplices` holds then is unspecified.
+    /// and coordinate), `Cancelled` (by what stops the work), `OutOfMemory`. What `simplices`
+    /// holds then is unspecified.
     pub fn locate<'a>(
         &self,
         mesh: &Triangulation,

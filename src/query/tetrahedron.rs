@@ -5,8 +5,8 @@
 //! The step from the middle of an edge e to the circumcentre of a face is half of e times the
 //! cotangent of the face's angle opposite to e. With N, the normal of the face, twice its area
 //! long, and edges a and b from the vertex opposite to e, the cotangent is a.b / |N|, and the last
-//! step, to the circumcentre c of the tetrahedron, is (c - p).N / |N| for a vertex p of the face. So
-//! a chain is |e|^2 / 4 a.b (c - p).N / |N|^2, the same for both ends of e.
+//! step, to the circumcentre c of the tetrahedron, is (c - p).N / |N| for a vertex p of the face.
+//! So a chain is |e|^2 / 4 a.b (c - p).N / |N|^2, the same for both ends of e.
 
 use super::dual::{Center, dot};
 use super::unit::{Unit, scaled};

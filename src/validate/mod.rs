@@ -16,12 +16,12 @@
 //! cell counts the corners within `min(0.85, 1 - delta^2 / 2) * cage_scale * r` of the domain's
 //! centre. The union cell of a cage counts as cells of its parent do; [`crate::quality`] has the
 //! measures. A vertex marked as precision-limited is exempt, and so is a cage whose centre or one
-//! of whose vertices is. What is marked as beyond the bound is exempt, where the
-//! bound may give way to the dihedral angle. With the criterion `RadiusEdge` the bound holds for each simplex without
-//! an exempt vertex whose vertices are all of one such domain; otherwise for each whose vertices
-//! are in no cage and whose corner counts in the domain of each; union cells are not bounded then.
-//! With segments, this is asked only of simplices in the domain that no small angle between segments
-//! forces.
+//! of whose vertices is. What is marked as beyond the bound is exempt, where the bound may give
+//! way to the dihedral angle. With the criterion `RadiusEdge` the bound holds for each simplex
+//! without an exempt vertex whose vertices are all of one such domain; otherwise for each whose
+//! vertices are in no cage and whose corner counts in the domain of each; union cells are not
+//! bounded then. With segments, this is asked only of simplices in the domain that no small angle
+//! between segments forces.
 
 mod angles;
 mod arrays;

@@ -150,8 +150,8 @@ fn domains_hold() {
     assert!(!star().case.mesh.boundary.forced.is_empty());
 }
 
-/// The centre of a small cross is where its segments cross, which is no input. It keeps its place when
-/// vertices get new numbers, those of the outer cage before it among them.
+/// The centre of a small cross is where its segments cross, which is no input. It keeps its place
+/// when vertices get new numbers, those of the outer cage before it among them.
 #[test]
 fn domains_in_a_cut_hierarchy_have_their_centres() {
     const SMALL: f64 = 1e-9;

@@ -1,5 +1,5 @@
-//! What closed curves enclose, by parity and by winding number: each triangle is inside or not as a ray
-//! from a point of it says, by integers.
+//! What closed curves enclose, by parity and by winding number: each triangle is inside or not as
+//! a ray from a point of it says, by integers.
 
 use super::exact::{Point, turn};
 use super::shapes::{Domain, circle, square};

@@ -128,8 +128,8 @@ fn points_that_nearly_miss_their_extent() {
     }
 }
 
-/// Vertices on slanted sides are rounded to either side of them. Of the triangles there, flatter than
-/// the mesh is fine, some have no conflict with the next vertex.
+/// Vertices on slanted sides are rounded to either side of them. Of the triangles there, flatter
+/// than the mesh is fine, some have no conflict with the next vertex.
 #[test]
 fn points_near_slanted_sides() {
     for exponent in [4, 6, 14, 20, 28] {

@@ -1,5 +1,5 @@
-//! Points that other programs compute on slanted segments, some units in the last place beside them:
-//! each input ends in a mesh that keeps its certificate, and no gap of roundings is refined.
+//! Points that other programs compute on slanted segments, some units in the last place beside
+//! them: each input ends in a mesh that keeps its certificate, and no gap of roundings is refined.
 
 use netmesh::options::{Crossings, Extent, Options};
 use netmesh::validate::validate_mesh;

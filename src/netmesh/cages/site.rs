@@ -183,8 +183,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
     /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
-    /// soon be released and leave their vertices behind. In the mesh of a sample, whose other inputs
-    /// nobody knows, it is a larger one.
+    /// soon be released and leave their vertices behind. In the mesh of a sample, whose other
+    /// inputs nobody knows, it is a larger one.
     fn lasting_radius(
         &mut self,
         center: &Member<D>,

@@ -2,13 +2,13 @@
 //! for. Outside the box sizes grow as fast as the quality bound allows.
 //!
 //! A size is the length of an edge. It is asked for once at each vertex; for a vertex outside the
-//! box the nearest point of the box counts, so that the caller knows where questions come from. The
-//! least size of its vertices bounds a simplex: its circumradius is at most that of the regular
-//! simplex with edges of that length. With `max_edge` no edge is longer than that, too. What a field
-//! does between the vertices is not seen. But all points of a simplex are within the diameter of its
-//! D-ball from its vertices: where a field changes by at most L times the distance, its bound
-//! is kept at all points up to the factor 1 / (1 - 2 L c), where c is the circumradius of the
-//! regular simplex with edges of length 1.
+//! box the nearest point of the box counts, so that the caller knows where questions come from.
+//! The least size of its vertices bounds a simplex: its circumradius is at most that of the
+//! regular simplex with edges of that length. With `max_edge` no edge is longer than that, too.
+//! What a field does between the vertices is not seen. But all points of a simplex are within the
+//! diameter of its D-ball from its vertices: where a field changes by at most L times the
+//! distance, its bound is kept at all points up to the factor 1 / (1 - 2 L c), where c is the
+//! circumradius of the regular simplex with edges of length 1.
 //!
 //! It ends: a corner goes in that is farther from all vertices than half the size asked for, and
 //! the caller answers finitely many sizes at vertices that are as far apart. Where doubles are too

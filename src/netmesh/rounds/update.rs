@@ -128,7 +128,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Returns the uninserted input nearest to `x` within `max_distance`, among the conflict lists of
+    /// Returns the uninserted input nearest to `x` within `max_distance`, among the conflict lists
+    /// of
     /// `cavity`, which is that of `x`. An input at `x` itself is within any distance, also one that
     /// has become zero among subnormal numbers: no other vertex may take its place.
     pub(in crate::netmesh) fn input_near(

@@ -323,8 +323,8 @@ impl Chains {
         enqueue(&mut self.waiting, subsegment)
     }
 
-    /// Has a look at `subsegment` in its turn, and lets it be split although doubles are coarse there:
-    /// it is no edge any more.
+    /// Has a look at `subsegment` in its turn, and lets it be split although doubles are coarse
+    /// there: it is no edge any more.
     pub fn wait_although_limited(&mut self, subsegment: u32) -> AllocResult<()> {
         self.subsegments[subsegment as usize].is_limited = false;
         self.wait(subsegment)

@@ -82,8 +82,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Fails where regions meet without a segment between them. Vertices on segments are rounded, and
-    /// where others are as near to a segment as that, they may come to its other side.
+    /// Fails where regions meet without a segment between them. Vertices on segments are rounded,
+    /// and where others are as near to a segment as that, they may come to its other side.
     fn check_regions(&mut self) -> Result<()> {
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;

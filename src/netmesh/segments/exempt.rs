@@ -14,8 +14,8 @@ use crate::numerics::{distance, shortest_distance};
 /// to the larger.
 const SAME_SHELL: f64 = 1e-3;
 
-/// A ball of a smaller radius, in units in the last place of its centre, has no room for a vertex of
-/// its own: roundings take more from the distances of vertices than refinement gives.
+/// A ball of a smaller radius, in units in the last place of its centre, has no room for a vertex
+/// of its own: roundings take more from the distances of vertices than refinement gives.
 const SMALLEST_BALL: f64 = 32.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -67,8 +67,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(regions.max_edges[region as usize])
     }
 
-    /// Whether the shortest edge of a live simplex is between two lines that meet at a sharp end, on
-    /// one shell about that.
+    /// Whether the shortest edge of a live simplex is between two lines that meet at a sharp end,
+    /// on one shell about that.
     pub(in crate::netmesh) fn is_forced(&self, simplex: SimplexId) -> bool {
         let vertices = self.state.delaunay.complex().vertices(simplex);
         let chains = &self.state.segments.chains;

@@ -59,7 +59,8 @@ pub(in crate::netmesh) struct Segments {
     seeds: Vec<Seed>,
     /// The subsegments that a point would encroach.
     encroached: Vec<u32>,
-    /// Those of them that would be no edges any more, although doubles are too coarse to split them.
+    /// Those of them that would be no edges any more, although doubles are too coarse to split
+    /// them.
     crossed: Vec<u32>,
     /// Where segments have no room beside each other.
     pub crowded: Vec<Crowded>,
@@ -79,6 +80,8 @@ struct Seed {
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Crowded {
     segment: u32,
+    /// The segment that has a vertex there, if one does.
+    beside: Option<u32>,
     pub x: [f64; 2],
 }
 

@@ -50,8 +50,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.limit_subsegment(subsegment, is_edge)?)
     }
 
-    /// Returns true if doubles are too coarse for vertices on `subsegment`: their roundings would be
-    /// as large as the distances of segments at the same end.
+    /// Returns true if doubles are too coarse for vertices on `subsegment`: their roundings would
+    /// be as large as the distances of segments at the same end.
     fn is_short(&self, subsegment: u32) -> bool {
         let [a, b] = self.state.segments.chains.get(subsegment).ends;
         let [a, b] = [a, b].map(|end| self.state.delaunay.point(end));
@@ -85,16 +85,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the mesh,
-    /// it must go through a vertex beside it.
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
+    /// mesh, it must go through a vertex beside it.
     fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
         let ends = self.state.segments.chains.get(subsegment).ends;
         if !is_edge {
             let Subsegment { line, .. } = *self.state.segments.chains.get(subsegment);
             let place = self.splitting_place(self.state.segments.chains.get(subsegment));
             let x = self.point_at(line, place);
-            let segment = self.state.segments.chains.lines[line as usize].segment;
-            let crowded = Crowded { segment, x: [0, 1].map(|axis| x[axis]) };
+            let State { delaunay, segments: Segments { chains, .. }, .. } = &self.state;
+            let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
+            let beside = vertex.and_then(|vertex| chains.line_at(vertex));
+            let segment_of = |line: u32| chains.lines[line as usize].segment;
+            let (segment, beside) = (segment_of(line), beside.map(segment_of));
+            let crowded = Crowded { segment, beside, x: [0, 1].map(|axis| x[axis]) };
             self.state.segments.crowded.try_push(crowded)?;
         }
         self.state.segments.chains.limit(subsegment);
@@ -102,11 +106,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn crowded_error(&self, &Crowded { segment, x: [x, y] }: &Crowded) -> Error {
+    fn crowded_error(&self, &Crowded { segment, beside, x: [x, y] }: &Crowded) -> Error {
         let name = name_of(segment);
+        let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
         let message = message!(
-            "{name} passes a point or another segment so closely near ({x:?}, {y:?}) that doubles have \
-             no room for its subsegments"
+            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
+             subsegments"
         );
         Error::new(ErrorKind::Limit, message)
     }
@@ -217,10 +222,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         regions.note_insertion(cavity, is_split)
     }
 
-    /// Whether no segment passes through a simplex of `cavity`, but for the one that `vertex` is on and
-    /// has split: where another waits, it may be no edge. A vertex that is rounded to one side of its
-    /// edge may have no conflict on the other; then a simplex on the edge, which leaves `cavity`, is
-    /// beyond the two edges that replace it.
+    /// Whether no segment passes through a simplex of `cavity`, but for the one that `vertex` is
+    /// on and has split: where another waits, it may be no edge. A vertex that is rounded to one
+    /// side of its edge may have no conflict on the other; then a simplex on the edge, which
+    /// leaves `cavity`, is beyond the two edges that replace it.
     fn is_within_regions(&self, vertex: VertexId, cavity: &Cavity) -> bool {
         let chains = &self.state.segments.chains;
         let Some(ends) = chains.neighbors_on_line(vertex) else {
@@ -234,8 +239,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             && cavity.simplices.iter().filter(|simplex| has_edge(simplex)).count() == 2
     }
 
-    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False if
-    /// there is none.
+    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False
+    /// if there is none.
     pub(in crate::netmesh) fn split_encroached(
         &mut self,
         x: &[f64; D],

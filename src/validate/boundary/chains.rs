@@ -29,7 +29,8 @@ pub(super) struct Chains<'a> {
     waiting: Vec<u32>,
 }
 
-/// A segment between two vertices, or with [`NONE`] a side of the extent, which has all subsegments.
+/// A segment between two vertices, or with [`NONE`] a side of the extent, which has all
+/// subsegments.
 #[derive(Clone, Copy)]
 pub(super) struct Way {
     pub segment: u32,
@@ -85,7 +86,8 @@ impl<'a> Chains<'a> {
         &self.path
     }
 
-    /// Fills `path` with the vertices from end to end, along any subsegments; whether there are some.
+    /// Fills `path` with the vertices from end to end, along any subsegments; whether there are
+    /// some.
     pub fn lead(&mut self, way: Way) -> AllocResult<bool> {
         let [from, to] = way.ends;
         self.path.clear();
@@ -119,8 +121,8 @@ impl<'a> Chains<'a> {
         Ok(if self.cross_gap(way, last, way.ends[1])? { Ok(()) } else { Err(last) })
     }
 
-    /// Returns true if `b` comes after `a` along the segment: on the axis on which its ends are most
-    /// units in the last place apart, or on the other one if they are level there.
+    /// Returns true if `b` comes after `a` along the segment: on the axis on which its ends are
+    /// most units in the last place apart, or on the other one if they are level there.
     fn advances(&self, way: Way, a: u32, b: u32) -> bool {
         let [from, to] = way.ends.map(|end| self.view.point(end));
         let [a, b] = [a, b].map(|vertex| self.view.point(vertex));

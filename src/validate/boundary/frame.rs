@@ -1,5 +1,5 @@
-//! Level 2: the boundary of a hull or box that the mesh is cut to goes round the inputs, from corner
-//! to corner, and no other subsegment belongs to no segment.
+//! Level 2: the boundary of a hull or box that the mesh is cut to goes round the inputs, from
+//! corner to corner, and no other subsegment belongs to no segment.
 
 use super::chains::{Chains, Way};
 use super::edges::Edges;

@@ -1,7 +1,7 @@
-//! Level 3: where closed curves tell what is inside, each part has a winding number. It is found by
-//! the chains of the caller's segments, each followed from end to end: it differs on both sides of a
-//! subsegment by how many segments run along that, less those that run against it, and is 0 where the
-//! mesh ends. For parity it counts whether the number is odd.
+//! Level 3: where closed curves tell what is inside, each part has a winding number. It is found
+//! by the chains of the caller's segments, each followed from end to end: it differs on both sides
+//! of a subsegment by how many segments run along that, less those that run against it, and is 0
+//! where the mesh ends. For parity it counts whether the number is odd.
 
 use super::chains::{Chains, Way};
 use super::edges::Edges;

@@ -115,7 +115,8 @@ pub(super) fn check_regions<const D: usize>(
     forced::check(view, &edges, &lines, inputs.distinct(), findings)
 }
 
-/// Simplex -> the largest edge that the seed of its region asks for, or infinity; empty if none does.
+/// Simplex -> the largest edge that the seed of its region asks for, or infinity; empty if none
+/// does.
 pub(super) fn largest_edges<const D: usize>(
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,

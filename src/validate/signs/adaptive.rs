@@ -3,8 +3,8 @@
 //! 1997), which the package `robust` has.
 //!
 //! Its in-sphere test is not used: the last stage of it takes 181 KB of stack, which threads of
-//! small stacks do not have. A determinant in doubles with a bound of its error takes its place, and
-//! leaves what that does not tell to others.
+//! small stacks do not have. A determinant in doubles with a bound of its error takes its place,
+//! and leaves what that does not tell to others.
 
 use robust::{Coord, Coord3D, incircle, orient2d, orient3d};
 use std::cmp::Ordering;
@@ -15,9 +15,9 @@ use std::cmp::Ordering;
 /// is still normal.
 const SMALLEST: f64 = f64::from_bits((1023 - 142) << 52);
 
-/// The largest magnitude within the window. An in-sphere determinant, the longest of all, would be a
-/// sum of 72 products of five differences below 2^202: less than 2^1017, and 2^7 times that is still
-/// finite.
+/// The largest magnitude within the window. An in-sphere determinant, the longest of all, would be
+/// a sum of 72 products of five differences below 2^202: less than 2^1017, and 2^7 times that is
+/// still finite.
 const LARGEST: f64 = f64::from_bits((1023 + 201) << 52);
 
 /// A source of signs in two and three dimensions; `None` where it has none.

@@ -1,7 +1,7 @@
-//! Exact signs of determinants of points, by other methods than the builder's: in two dimensions, and
-//! for orientations in three, the adaptive expansions of the package `robust`, where they are exact;
-//! for spheres a determinant in doubles, where its error leaves no doubt; all others by elimination in
-//! intervals, and in integers where intervals do not decide.
+//! Exact signs of determinants of points, by other methods than the builder's: in two dimensions,
+//! and for orientations in three, the adaptive expansions of the package `robust`, where they are
+//! exact; for spheres a determinant in doubles, where its error leaves no doubt; all others by
+//! elimination in intervals, and in integers where intervals do not decide.
 //!
 //! No sign takes more than some KiB of stack: callers may have threads of small stacks.
 

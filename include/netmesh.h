@@ -385,8 +385,8 @@ enum nm_format
      */
     NM_FORMAT_DOMAINS_JSON = 11,
     /**
-     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points may
-     * be in the .node file beside.
+     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
+     * may be in the .node file beside.
      */
     NM_FORMAT_POLY = 12,
     /**
@@ -418,8 +418,8 @@ enum nm_gives_way
      */
     NM_GIVES_WAY_ANGLE = 0,
     /**
-     * The bound: fewer simplices stay below the angle, and some cells (NM_CRITERION_VORONOI_ASPECT)
-     * or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
+     * The bound: fewer simplices stay below the angle, and some cells
+     * (NM_CRITERION_VORONOI_ASPECT) or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
      */
     NM_GIVES_WAY_BOUND = 1,
 };
@@ -571,8 +571,8 @@ enum nm_output
  {
     /**
      * NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
-     * min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the max_edge
-     * of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
+     * min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the
+     * max_edge of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
      * NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
      */
     NM_OUTPUT_AUTO = 0,
@@ -1049,14 +1049,14 @@ typedef struct nm_progress {
 typedef int32_t (*nm_progress_fn)(const struct nm_progress *progress, void *user_data);
 
 /**
- * The size that is asked for at a point: the length of an edge, above 0, infinite where there is no
- * bound. x: dim doubles, valid during the call, in the box of the inputs (between the least and the
- * largest of their coordinates on each axis). user_data: nm_options.size_user_data. Called on the
- * thread that called nm_run, at most once a vertex, with nm_options.min_dihedral also at places that
- * are tried for vertices, in an order that depends on the inputs and the options alone. Any other
- * answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message that has the point and the
- * answer. During a call any use of the mesh being run answers NM_STATE; other meshes may be used,
- * and this one must not be freed.
+ * The size that is asked for at a point: the length of an edge, above 0, infinite where there is
+ * no bound. x: dim doubles, valid during the call, in the box of the inputs (between the least
+ * and the largest of their coordinates on each axis). user_data: nm_options.size_user_data.
+ * Called on the thread that called nm_run, at most once a vertex, with nm_options.min_dihedral
+ * also at places that are tried for vertices, in an order that depends on the inputs and the
+ * options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message
+ * that has the point and the answer. During a call any use of the mesh being run answers
+ * NM_STATE; other meshes may be used, and this one must not be freed.
  */
 typedef double (*nm_size_fn)(const double *x, void *user_data);
 
@@ -1168,35 +1168,36 @@ typedef struct nm_options {
     /**
      * How far the cell of a vertex may reach, relative to the distance from the vertex to the
      * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
-     * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of
-     * (1 + distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
-     * NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no matter
-     * how far.
+     * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
+     * distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+     * NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no
+     * matter how far.
      */
     double distance_ratio;
     /**
      * 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
      * criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
      * With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
-     * (criterion and quality_bound count). Above 30 degrees the run usually ends, set max_vertices,
-     * too; a few cells at the root's cage may then be given up (precision-limited). With
-     * NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
+     * (criterion and quality_bound count). Above 30 degrees the run usually ends, set
+     * max_vertices, too; a few cells at the root's cage may then be given up (precision-limited).
+     * With NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
      * nm_quality.below_min_angle counts the others.
      */
     double min_angle;
     /**
-     * The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
-     * points move and further ones come until none is smaller. Where quality_bound cannot be had
-     * too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound count
-     * what is left. In 3D only, without distance_ratio, and without effect with
-     * NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
+     * The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain:
+     * Steiner points move and further ones come until none is smaller. Where quality_bound cannot
+     * be had too, gives_way says which of them holds; nm_quality.below_min_dihedral and
+     * beyond_bound count what is left. In 3D only, without distance_ratio, and without effect
+     * with NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
      */
     double min_dihedral;
     /**
      * The length that no edge exceeds of simplices that meet the box of the inputs (the least and
-     * largest of their coordinates on each axis); their circumradius is at most that of the regular
-     * simplex with such edges. Outside the box simplices grow as fast as quality_bound allows. For
-     * NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
+     * largest of their coordinates on each axis); their circumradius is at most that of the
+     * regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
+     * allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0:
+     * none.
      */
     double max_edge;
     /**
@@ -1494,8 +1495,8 @@ typedef struct nm_quality {
      */
     uint64_t beyond_bound;
     /**
-     * Triangles beyond the bound that a small angle between segments forces; nothing can mend them,
-     * and worst_radius_edge and min_angle_degrees leave them out.
+     * Triangles beyond the bound that a small angle between segments forces; nothing can mend
+     * them, and worst_radius_edge and min_angle_degrees leave them out.
      */
     uint64_t forced;
     /**
@@ -1574,9 +1575,9 @@ typedef struct nm_stats {
      */
     double seconds;
     /**
-     * Nets or samples taken in these rounds. A round takes one, and another each time that the last
-     * one has not halved every conflict list. (The conflict list of a simplex holds the inputs
-     * assigned to it that are no vertices yet.)
+     * Nets or samples taken in these rounds. A round takes one, and another each time that the
+     * last one has not halved every conflict list. (The conflict list of a simplex holds the
+     * inputs assigned to it that are no vertices yet.)
      */
     uint64_t passes;
     /**
@@ -1652,6 +1653,16 @@ typedef struct nm_stats {
      * made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_cage;
+    /**
+     * How often an input that is not on a straight segment, or on the boundary of an extent,
+     * counts as on it: it is within 3 units in the last place of the segment's larger
+     * coordinates, by axis. Measured always.
+     */
+    uint64_t near_inputs;
+    /**
+     * The distance of the farthest of these, in the same units. Measured always.
+     */
+    double farthest_near_input;
 } nm_stats;
 
 /**
@@ -1770,8 +1781,8 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments and
- * nm_mesh_set_regions.
+ * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
+ * and nm_mesh_set_regions.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -1833,15 +1844,16 @@ NM_NODISCARD NM_API nm_status nm_options_init(struct nm_options *options, uint32
 
 /**
  * Writes the options that the last run had, with every default filled in: output and extent are
- * what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and interior is
- * NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with NM_CRITERION_RADIUS_EDGE
- * min_angle and quality_bound are both set, as one says what the other does; segments make that the
- * criterion. progress, size and what is handed to them are NULL. O(1).
+ * what the run made of NM_OUTPUT_AUTO and NM_EXTENT_AUTO, never these two themselves, and
+ * interior is NM_INTERIOR_SEEDS where the extent became NM_EXTENT_ALL. In 2D with
+ * NM_CRITERION_RADIUS_EDGE min_angle and quality_bound are both set, as one says what the other
+ * does; segments make that the criterion. progress, size and what is handed to them are NULL.
+ * O(1).
  *
  * options: the caller sets struct_size.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE (no
- * result yet, nm_run at work, poisoned).
+ * Errors: NM_NULL_ARGUMENT (mesh, options), NM_INVALID_ARGUMENT (options->struct_size), NM_STATE
+ * (no result yet, nm_run at work, poisoned).
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_options(const struct nm_mesh *mesh,
@@ -1898,12 +1910,12 @@ nm_status nm_mesh_set_sizes(struct nm_mesh *mesh,
  * background they are those of its nearest vertex.
  *
  * background: a mesh with a result, or NULL, which removes the sizes; what is needed of it is
- * copied. It may be mesh itself: then the next run adapts the result of the last. count: the number of
- * its vertices. values: count numbers above 0, infinite for no bound, which are copied.
+ * copied. It may be mesh itself: then the next run adapts the result of the last. count: the
+ * number of its vertices. values: count numbers above 0, infinite for no bound, which are copied.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, values), NM_INVALID_ARGUMENT (count, a value, values not
- * aligned), NM_DIMENSION (the background has another one), NM_OUT_OF_MEMORY, NM_STATE (background has no
- * result; another call is using one of the meshes, or it is poisoned).
+ * aligned), NM_DIMENSION (the background has another one), NM_OUT_OF_MEMORY, NM_STATE (background
+ * has no result; another call is using one of the meshes, or it is poisoned).
  *
  * O(simplices of the background). Before nm_run and after.
  */
@@ -2131,12 +2143,12 @@ nm_status nm_mesh_nearest(const struct nm_mesh *mesh,
 
 /**
  * Finds the input nearest to each of count points: its number among the caller's points, of equal
- * ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact distance
- * the least.
+ * ones the first (nm_mesh_get_input_vertices has the vertex); of several at the same exact
+ * distance the least.
  *
- * points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives count
- * distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array may be
- * NULL unless count is 0; they must not overlap.
+ * points, threads: as for nm_mesh_locate. inputs: receives count numbers. distances: receives
+ * count distances, each within dim + 4 units of 2^-53, infinite only beyond the doubles. No array
+ * may be NULL unless count is 0; they must not overlap.
  *
  * Errors: as nm_mesh_nearest, with inputs in place of vertices.
  */
@@ -2200,11 +2212,11 @@ nm_status nm_mesh_extend_values(const struct nm_mesh *mesh,
  * (extent, buf not aligned), NM_CAPACITY, NM_OUT_OF_MEMORY, NM_STATE (no result yet, nm_run at
  * work, poisoned).
  *
- * The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their hull,
- * and tests the simplices along the hull: little for points in a volume, about as long as nm_run
- * where most inputs are on the hull, as on a sphere. If the inputs lie in a hyperplane, it tests all
- * simplices that are not beyond a side of their box. A byte per simplex is kept until the next
- * nm_run.
+ * The first call for NM_EXTENT_HULL of a result triangulates the inputs that may be on their
+ * hull, and tests the simplices along the hull: little for points in a volume, about as long as
+ * nm_run where most inputs are on the hull, as on a sphere. If the inputs lie in a hyperplane, it
+ * tests all simplices that are not beyond a side of their box. A byte per simplex is kept until
+ * the next nm_run.
  */
 NM_NODISCARD NM_API
 nm_status nm_mesh_get_placements(const struct nm_mesh *mesh,
@@ -2482,11 +2494,11 @@ nm_status nm_mesh_get_ridge_bounded(const struct nm_mesh *mesh,
                                     uint64_t *needed);
 
 /**
- * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices, not
- * of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
- * lexicographic order. The id of a face is its place there.
- * k: 0 (all vertices, so that ids are those of vertices) to dim (the simplices, in this order
- * another one than that of nm_mesh_get_simplices).
+ * Writes the faces of dimension k of all simplices, each once: faces x (k + 1) ids of vertices,
+ * not of inputs (nm_mesh_get_vertex_inputs has those), ascending within a face; the faces in
+ * lexicographic order. The id of a face is its place there. k: 0 (all vertices, so that ids are
+ * those of vertices) to dim (the simplices, in this order another one than that of
+ * nm_mesh_get_simplices).
  *
  * Array getter, see the top of this file. Errors: NM_NULL_ARGUMENT (mesh), NM_INVALID_ARGUMENT (k,
  * buf not aligned), NM_LIMIT (more faces, or facets of faces, of one dimension than 32-bit ids can
@@ -2769,9 +2781,11 @@ nm_status nm_mesh_get_attributes(const struct nm_mesh *mesh,
  * known of each piece. Both are copied.
  *
  * Segments may share ends and overlap, and inputs may lie on them: nm_run cuts them at the inputs
- * on them, exactly; where they overlap the first counts. What becomes of those that cross
- * elsewhere, nm_options.crossings says. Those that are closed curves can tell what is inside of them
- * (nm_options.interior); there segments that overlap count each, in their directions.
+ * on them, and at those within 3 units in the last place of the segment's larger coordinates,
+ * by axis, which rounding explains (nm_stats.near_inputs). Where segments overlap the first
+ * counts. What becomes of those that cross elsewhere, nm_options.crossings says. Those that are
+ * closed curves can tell what is inside of them (nm_options.interior); there segments that
+ * overlap count each, in their directions.
  *
  * Errors: NM_NULL_ARGUMENT (mesh, inputs), NM_INVALID_ARGUMENT (a mesh that is not 2D, an end that
  * is no input, a segment of length 0, an array that is not aligned), NM_CAPACITY (count),
@@ -2795,8 +2809,8 @@ nm_status nm_mesh_set_segments(struct nm_mesh *mesh,
  * seed must be in the hull, in the box, or in what segments enclose. Where a rule of
  * nm_options.interior leaves a region out, it may have the seed of a hole.
  *
- * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field; the
- * message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
+ * Errors: NM_NULL_ARGUMENT (mesh, regions), NM_INVALID_ARGUMENT (a mesh that is not 2D, a field;
+ * the message names region, field and rule), NM_NON_FINITE (a seed), NM_OUT_OF_MEMORY, NM_STATE
  * (another call is using the mesh, or it is poisoned).
  *
  * O(count). Before nm_run and after.
@@ -2906,9 +2920,9 @@ nm_status nm_mesh_validate(const struct nm_mesh *mesh,
  * degrees for angles, otherwise without unit.
  *
  * counts: room for edge_count + 1 numbers. counts[0] receives how many values are below edges[0],
- * counts[i] how many are in [edges[i - 1], edges[i]) for 0 < i < edge_count, counts[edge_count] how
- * many are above the last edge. Of two edges and more the last bin includes the last edge. One edge
- * makes no bin: counts[0] is what is below it, counts[1] the rest.
+ * counts[i] how many are in [edges[i - 1], edges[i]) for 0 < i < edge_count, counts[edge_count]
+ * how many are above the last edge. Of two edges and more the last bin includes the last edge.
+ * One edge makes no bin: counts[0] is what is below it, counts[1] the rest.
  *
  * extremes: room for 2 numbers, the least and the largest value; infinity and minus infinity if
  * there is none. May be NULL.

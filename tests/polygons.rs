@@ -122,6 +122,9 @@ fn other_extents_have_no_inside() {
         mesh.run(&Options { extent, ..options(Interior::Auto) }, None).unwrap();
         assert_eq!(mesh.result().unwrap().parameters.interior, Interior::Seeds);
         let error = mesh.run(&Options { extent, ..options(Interior::Parity) }, None).unwrap_err();
-        assert!(error.message().starts_with("options.interior is parity"), "{error}");
+        assert!(
+            error.message().starts_with("options.interior = Interior::Parity does not go"),
+            "{error}"
+        );
     }
 }

@@ -429,7 +429,8 @@ fn segments_cross_at_the_nearest_double() {
     let third: f64 = 1.0 / 3.0;
     assert_eq!(kind(third), None);
     assert_eq!(kind(third + 3.0 * f64::EPSILON), None);
-    assert_eq!(kind(third + 20.0 * f64::EPSILON), Some(Kind::SegmentLine));
+    assert_eq!(kind(third + 15.0 * f64::EPSILON), None);
+    assert_eq!(kind(third + 40.0 * f64::EPSILON), Some(Kind::SegmentLine));
 }
 
 #[test]
@@ -452,8 +453,10 @@ fn an_input_off_a_segment() {
         let parts = [[0, 2, 0], [2, 1, 0]];
         kind_by_hand(&by_hand(&points(y), 5, &[[0, 1]], &parts))
     };
-    assert_eq!(kind(0.5), None);
-    assert_eq!(kind(0.5f64.next_up()), Some(Kind::SegmentLine));
+    // A unit in the last place of the segment is one of 0.5.
+    let beside = |units: u32| (0..units).fold(0.5f64, |y, _| y.next_up());
+    assert_eq!([0, 1, 16].map(|units| kind(beside(units))), [None; 3]);
+    assert_eq!(kind(beside(17)), Some(Kind::SegmentLine));
 }
 
 #[test]

@@ -118,17 +118,19 @@ impl Checked<'_> {
     fn goes_on(&self, ends: [u32; 2], vertex: u32, next: u32) -> bool {
         let [from, to] = ends.map(|end| self.point(end));
         let (at, x) = (self.point(vertex), self.point(next));
-        let advances = (0..2).all(|axis| match from[axis] <= to[axis] {
+        // On the axis on which the segment is most units long; level there, any way that is left.
+        let half = [0, 1].map(|axis| half_gap(from[axis].abs().max(to[axis].abs())));
+        let steps = [0, 1].map(|axis| (to[axis] - from[axis]).abs() / half[axis]);
+        let axis = usize::from(steps[1] > steps[0]);
+        let advances = match from[axis] <= to[axis] {
             true => at[axis] <= x[axis] && x[axis] <= to[axis],
             false => at[axis] >= x[axis] && x[axis] >= to[axis],
-        });
-        let is_near = match (next as usize) < self.mesh.inputs().distinct() {
-            true if !self.has_crossings => turn(from, to, x) == 0,
-            _ if self.has_crossings => {
-                let reach = |axis: usize| 8.0 * half_gap(from[axis].abs().max(to[axis].abs()));
-                meets(from, to, x, [reach(0), reach(1)])
-            }
-            _ => meets(from, to, x, x.map(half_gap)),
+        };
+        let is_input = (next as usize) < self.mesh.inputs().distinct();
+        let is_near = match is_input || self.has_crossings {
+            // Sixteen units.
+            true => meets(from, to, x, half.map(|half| 32.0 * half)),
+            false => meets(from, to, x, x.map(half_gap)),
         };
         advances && is_near
     }

@@ -72,8 +72,8 @@ fn assert_refused(domain: &Domain, options: &Options, start: &str) {
 fn a_seed_outside_is_refused() {
     for (options, place) in [
         (with(Extent::Boundary), "outside of all that segments enclose;"),
-        (with(Extent::Hull), "outside of the hull of the inputs;"),
-        (with(Extent::Box), "outside of the box of the inputs;"),
+        (with(Extent::Hull), "beyond the boundary, with options.extent = Extent::Hull;"),
+        (with(Extent::Box), "beyond the boundary, with options.extent = Extent::Box;"),
     ] {
         for (at, seed) in [[2.5, 0.25], [-1e300, 0.0], [0.0, 6.0]].into_iter().enumerate() {
             let mut domain = frame();
@@ -131,7 +131,7 @@ fn two_seeds_in_a_region_are_refused() {
 /// By parity the inner square is out already. A hole says the same, a label would be lost.
 #[test]
 fn seeds_where_curves_leave_the_domain_out() {
-    for (interior, word) in [(Interior::Parity, "parity"), (Interior::Winding, "winding")] {
+    for (interior, word) in [(Interior::Parity, "Parity"), (Interior::Winding, "Winding")] {
         let mut inner = square(1.0);
         inner.reverse();
         let mut domain = Domain::default().around(&square(2.0)).within(&inner);
@@ -141,7 +141,7 @@ fn seeds_where_curves_leave_the_domain_out() {
         let same = sound(&domain, &options);
         assert_eq!(same.result().unwrap().simplices, alone.result().unwrap().simplices);
         domain.regions = vec![label([0.0, 1.5], 1), label([0.25, 0.5], 2)];
-        let place = format!("where options.interior {word} leaves the domain out");
+        let place = format!("which options.interior = Interior::{word} leaves out");
         let message = format!("regions[1].seed is (0.25, 0.5), {place}");
         assert_refused(&domain, &options, &message);
         domain.regions = vec![hole([0.0, 3.0])];

@@ -59,7 +59,7 @@ pub(super) fn is_anchor(mesh: &Triangulation, inputs: usize, edges: &Edges, vert
         [first, second] => {
             (vertex as usize) < inputs
                 || parent(first) != parent(second)
-                || (parent(first) == NONE && is_corner(mesh, [first, second]))
+                || is_corner(mesh, [first, second], parent(first) != NONE)
         }
         _ => true,
     }
@@ -67,15 +67,19 @@ pub(super) fn is_anchor(mesh: &Triangulation, inputs: usize, edges: &Edges, vert
 
 /// Returns true if two subsegments of the boundary of an extent may be of two sides of a box, which
 /// meet in a corner. A side may pass through inputs next to it, so that pieces of it are not quite
-/// along an axis; but they are flatter than a diagonal, or steeper. Sides of a hull meet at inputs
-/// only.
-fn is_corner(mesh: &Triangulation, subsegments: [u32; 2]) -> bool {
-    let [first, second] = subsegments.map(|subsegment| {
+/// along an axis; but they are flatter than a diagonal, or steeper. Where a segment runs along both
+/// and so has them, one is along an axis. Sides of a hull meet at inputs only.
+fn is_corner(mesh: &Triangulation, subsegments: [u32; 2], is_of_segment: bool) -> bool {
+    let ways = subsegments.map(|subsegment| {
         let [a, b] = mesh.boundary.subsegments[subsegment as usize].map(|end| mesh.point(end));
-        let [x, y] = [0, 1].map(|axis| (0.5 * b[axis] - 0.5 * a[axis]).abs());
-        x.total_cmp(&y)
+        [0, 1].map(|axis| (0.5 * b[axis] - 0.5 * a[axis]).abs())
     });
-    mesh.parameters.extent == Extent::Box && (first.is_eq() || first != second)
+    let [first, second] = ways.map(|[x, y]| x.total_cmp(&y));
+    let may_be = match is_of_segment {
+        true => first != second && ways.as_flattened().contains(&0.0),
+        false => first.is_eq() || first != second,
+    };
+    mesh.parameters.extent == Extent::Box && may_be
 }
 
 /// Whether the way from `a` to `b` goes nowhere against that from `from` to `to`, on either axis.

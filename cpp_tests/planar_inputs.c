@@ -71,10 +71,13 @@ static nm_mesh *drawing(void) {
     REQUIRE(nm_mesh_get_simplex_regions(mesh, NULL, 0, &needed) == NM_STATE);
     REQUIRE(needed == 7);
     REQUIRE(nm_options_init(&options, sizeof options) == NM_OK);
-    options.extent = NM_EXTENT_BOUNDARY;
-    options.output = NM_OUTPUT_WELL_SPACED;
     options.min_angle = 25;
+    REQUIRE(nm_mesh_options(mesh, &options) == NM_STATE);
     REQUIRE(nm_run(mesh, &options) == NM_OK);
+    /* What auto has become: segments enclose something, and an angle is asked for. */
+    REQUIRE(nm_mesh_options(mesh, &options) == NM_OK);
+    REQUIRE(options.extent == NM_EXTENT_BOUNDARY && options.output == NM_OUTPUT_WELL_SPACED);
+    REQUIRE(options.interior == NM_INTERIOR_SEEDS && options.min_angle == 25);
     return mesh;
 }
 

@@ -149,7 +149,7 @@
 /** The initial value of an nm_stats. */
 #define NM_STATS_INIT                                                                              \
     { sizeof(nm_stats), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-      0, 0, 0, 0 }
+      0, 0, 0, 0, 0, 0 }
 /** The initial value of an nm_alpha_shape. */
 #define NM_ALPHA_SHAPE_INIT { sizeof(nm_alpha_shape), 0, 0, 0, 0, 0, { 0 }, { 0 } }
 /** The initial value of an nm_region. */

@@ -303,7 +303,7 @@ pub(crate) fn check_sized(options: &Options, given: Name) -> Result<()> {
 /// The same for sizes of regions.
 pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
     match cages_or_other(options) {
-        Some(other) => refuse(say!("regions have largest edges, which do not go with ", other)),
+        Some(other) => refuse(say!(other, " does not go with the largest edges of regions")),
         None => Ok(()),
     }
 }

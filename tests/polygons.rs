@@ -3,7 +3,7 @@
 
 use netmesh::io::{Choice, Format, read_table};
 use netmesh::validate::validate_mesh;
-use netmesh::{ErrorKind, Extent, Interior, Mesh, Options, Output, Region, Result};
+use netmesh::{Crossings, ErrorKind, Extent, Interior, Mesh, Options, Output, Region, Result};
 
 /// A square of area 200 with a lake of area 4.
 const WKT: &str = "POLYGON((0 0,20 0,20 10,0 10,0 0),(5 5,7 5,7 7,5 7,5 5))";
@@ -22,7 +22,11 @@ fn options(interior: Interior) -> Options {
 
 /// The area that a run covers, with a clean certificate, and the rule that it went by.
 fn run(mesh: &mut Mesh, interior: Interior) -> Result<(f64, Interior)> {
-    mesh.run(&options(interior), None)?;
+    run_by(mesh, &options(interior)).map(|(area, parameters)| (area, parameters.interior))
+}
+
+fn run_by(mesh: &mut Mesh, options: &Options) -> Result<(f64, Options)> {
+    mesh.run(options, None)?;
     let report = validate_mesh(mesh, 3).unwrap();
     assert_eq!((report.level, report.violations), (3, 0), "{:?}", report.first);
     let result = mesh.result().unwrap();
@@ -31,7 +35,7 @@ fn run(mesh: &mut Mesh, interior: Interior) -> Result<(f64, Interior)> {
         ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2.0
     };
     let area: f64 = (0..result.simplex_count()).map(area).sum();
-    Ok(((area * 1e6).round() / 1e6, result.parameters.interior))
+    Ok(((area * 1e6).round() / 1e6, result.parameters.options()))
 }
 
 #[test]
@@ -122,9 +126,30 @@ fn other_extents_have_no_inside() {
         mesh.run(&Options { extent, ..options(Interior::Auto) }, None).unwrap();
         assert_eq!(mesh.result().unwrap().parameters.interior, Interior::Seeds);
         let error = mesh.run(&Options { extent, ..options(Interior::Parity) }, None).unwrap_err();
-        assert!(
-            error.message().starts_with("options.interior = Interior::Parity does not go"),
-            "{error}"
-        );
+        assert!(error.message().starts_with("options.interior = Interior::Parity does"), "{error}");
+    }
+}
+
+/// Where neither extent nor interior is named the input tells both, and the result says what they
+/// are: a file of polygons is cut to these, without their lakes.
+#[test]
+fn extent_and_interior_follow_the_file() {
+    let line = "LINESTRING(-1 -1,8 8)";
+    let ring = "LINESTRING(0 0,20 0,20 10,0 10,0 0)";
+    let (all, boundary) = (Extent::All, Extent::Boundary);
+    let (seeds, parity) = (Interior::Seeds, Interior::Parity);
+    for (text, extent, interior, area) in [
+        (WKT.to_owned(), boundary, parity, Some(196.0)),
+        (format!("{WKT} {line}"), boundary, parity, Some(196.0)),
+        (ring.to_owned(), boundary, seeds, Some(200.0)),
+        (line.to_owned(), all, seeds, None),
+        // The even-odd rule leaves nothing of a polygon that is there twice.
+        (format!("{WKT} {WKT}"), all, seeds, None),
+    ] {
+        let mut mesh = mesh_of(&text, Format::Wkt);
+        let options = Options { crossings: Crossings::Split, ..Options::default() };
+        let (found, parameters) = run_by(&mut mesh, &options).unwrap();
+        assert_eq!((parameters.extent, parameters.interior), (extent, interior), "{text}");
+        assert!(area.is_none_or(|area| area == found), "{text}: {found}");
     }
 }

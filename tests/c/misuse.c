@@ -242,7 +242,7 @@ static void test_options(void)
     REFUSED(size, answer_nothing, "options.size answers NaN");
     REFUSED(gives_way, 2, "options.gives_way is 2");
     REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
-    REFUSED(interior, 3, "options.interior is 3");
+    REFUSED(interior, 4, "options.interior is 4");
     REFUSED(interior, NM_INTERIOR_WINDING, 
             "options.interior = NM_INTERIOR_WINDING needs segments; the mesh has none");
     options.output = NM_OUTPUT_HIERARCHICAL;

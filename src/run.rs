@@ -49,7 +49,8 @@ impl Mesh {
             let arranged = arrangement.as_mut();
             let made = self.meshed(&options, arranged, size, progress.as_deref_mut());
             let known = crowded.len();
-            if let (Err(_), Some(arrangement)) = (&made, arrangement) {
+            let lacks_room = made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
+            if let Some(arrangement) = arrangement.filter(|_| lacks_room) {
                 self.note_crowded(&mut crowded, &arrangement)?;
             }
             if crowded.len() == known || tries == MOST_TRIES {

@@ -488,5 +488,9 @@ fn regions_have_sizes_of_their_own() {
     mesh.set_regions(&domain.regions).unwrap();
     let hierarchical = Options { output: Output::Hierarchical, ..inside(20.0) };
     let error = mesh.run(&hierarchical, None).unwrap_err();
-    assert!(error.message().ends_with("does not go with the largest edges of regions"), "{}", error.message());
+    assert!(
+        error.message().ends_with("does not go with the largest edges of regions"),
+        "{}",
+        error.message()
+    );
 }

@@ -2,7 +2,7 @@
 
 use super::Sign;
 use super::exact::{Edges, crossing, scalar_product_exact};
-use super::filters::determinant_filtered;
+use super::filters::{determinant_filtered, orientation};
 use super::power::{biased_exponent, scale_by_power};
 
 /// Terms between these are products of differences that neither overflowed nor lost bits.
@@ -59,6 +59,10 @@ const ACCEPTED: f64 = 1e-13;
 /// half the widths `units` about `x` must grow to meet the line. Relative error at most 1e-12;
 /// infinite beyond `f64::MAX`. The units are positive, `a` and `b` differ.
 pub fn offset_from_line(a: &[f64; 2], b: &[f64; 2], x: &[f64; 2], units: [f64; 2]) -> f64 {
+    // Inputs often are on a line exactly, and a sign is cheap.
+    if orientation(&[a, b, x]) == Sign::Zero {
+        return 0.0;
+    }
     let (area, exponent) = determinant_filtered(&[a, b, x], ACCEPTED)
         .unwrap_or_else(|| Edges::new(a, [b, x].into_iter()).determinant_of_components());
     let products = [0, 1].map(|axis| {

@@ -249,7 +249,7 @@ fn the_code_says_whether_the_file_or_its_content_is_wrong() {
         (4, "1 1\n1 1 2 0.5\n0\n", "", "line 7, column 4: 0.5 is no marker"),
         (4, "2 0\n1 1 3\n2 2 4\n0\n", "", "a.poly: segments[0] and segments[1] cross near"),
         (0, "2 0\n1 1 3\n2 2 4\n0\n", "--crossings split", ""),
-        (4, &format!("{sides}1\n1 0.5 0\n"), "--extent boundary", "a.poly: regions[0] is on"),
+        (4, &format!("{sides}1\n1 0.5 0\n"), "--extent boundary", "a.poly: holes[0] is on"),
         (4, "3 0\n1 1 2\n2 2 3\n3 3 4\n0\n", "--extent boundary", "a.poly: segments enclose"),
         (3, "1 0\n1 1 x\n0\n", "", "line 7, column 3: \"x\" is no point id"),
         (3, "2 0\n1 1 2\n", "", "the file ends after line 7: 1 of 2 segments"),

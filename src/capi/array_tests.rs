@@ -107,7 +107,7 @@ fn getters_have_the_arrays_of_the_selection() {
     let capacity = bytes.len() as u64;
     // SAFETY: a live handle; the buffer has room for `capacity`.
     let status = unsafe {
-        nm_mesh_get_placements(&handle, from_c(1), bytes.as_mut_ptr(), capacity, null_mut())
+        nm_mesh_get_placements(&handle, from_c(2), bytes.as_mut_ptr(), capacity, null_mut())
     };
     assert_eq!(status, nm_status::NM_OK);
     let expected = prepared.placements(&mesh, crate::arrays::Extent::Hull).unwrap();

@@ -224,7 +224,7 @@ fn forwards<'a>(
 ) -> impl FnMut(&Progress) -> bool + 'a {
     move |now| {
         *least = least.max(now.fraction);
-        progress(&Progress { fraction: *least, ..now.clone() })
+        progress(&Progress { fraction: *least, ..*now })
     }
 }
 

@@ -154,7 +154,7 @@ def test_options_reach_the_library(name):
     value, range_ = OPTIONS[name]
     others = {"output": "well_spaced"} if name in ("distance_ratio", "max_edge") else {}
     if name == "gives_way":
-        others = {"min_dihedral": 22, "quality_bound": 3}
+        others = {"min_dihedral": 22, "quality_bound": 3, "output": "hierarchical"}
     default, other = netmesh.mesh(points, **others), netmesh.mesh(points, **others, **{name: value})
     differs = default.points.shape != other.points.shape or (default.points != other.points).any()
     if name == "instruments":
@@ -408,8 +408,9 @@ def test_sizes_that_cannot_be():
     ]:
         with pytest.raises(netmesh.InvalidArgumentError, match=words):
             netmesh.mesh(points, size=size, **finished)
-    with pytest.raises(netmesh.InvalidArgumentError, match="size is set"):
-        netmesh.mesh(points, size=0.1)
+    words = "^size is given; it does not go with output='hierarchical'"
+    with pytest.raises(netmesh.InvalidArgumentError, match=words):
+        netmesh.mesh(points, size=0.1, output="hierarchical")
 
     def fails(x):
         raise KeyError("no size")

@@ -36,7 +36,7 @@ def test_without_segments_there_is_nothing():
 
 
 def test_a_copy_by_pickle_has_the_segments():
-    mesh = netmesh.mesh(SQUARE, SIDES, holes=[[9, 9]])
+    mesh = netmesh.mesh(SQUARE, SIDES, holes=[[9, 9]], extent="all")
     assert area(mesh) == pytest.approx(1)
     again = pickle.loads(pickle.dumps(mesh))
     assert (again.segments == mesh.segments).all() and (again.points == mesh.points).all()
@@ -104,7 +104,11 @@ def test_forced_triangles_are_counted_apart():
             "crossings='split' they are split there",
         ),
         (
-            {"segments": SIDES, "regions": [(0.5, 0.5, 1)], "holes": [(0.2, 0.2), (0.5, 0)]},
+            {
+                "segments": SIDES + [[0, 2]],
+                "regions": [(0.75, 0.25, 1)],
+                "holes": [(0.2, 0.7), (0.5, 0)],
+            },
             "holes[1] is on segments[0]; it must be in the interior of a region",
         ),
         ({"segments": SIDES, "algorithm": "svr"}, "algorithm='svr' goes neither with segments"),

@@ -163,7 +163,8 @@ mod tests {
     fn what_encloses_something_depends_on_the_rule() {
         let ring = [[0, 1], [1, 2], [2, 3], [3, 4]];
         let turned = ring.map(|[from, to]| [to, from]);
-        let cases: [(&str, Vec<[u32; 2]>, [bool; 3]); 8] = [
+        type Case = (&'static str, Vec<[u32; 2]>, [bool; 3]);
+        let cases: [Case; 8] = [
             ("a ring", ring.to_vec(), [true; 3]),
             (
                 "a ring of no one direction",

@@ -64,7 +64,7 @@ fn lower_levels_check_less() {
     }
     threads::run(3, |comm| {
         let error = validate(comm, &parts[comm.rank()], 1 + comm.rank() as u32 % 2).unwrap_err();
-        assert!(error.message().starts_with("level and dim are [1, 2] on one rank"), "{error}");
+        assert!(error.message().starts_with("level is 2, on rank 0 it is 1;"), "{error}");
     });
     threads::run(2, |comm| {
         let error = validate(comm, &parts[comm.rank()], 1).unwrap_err();

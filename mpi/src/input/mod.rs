@@ -85,6 +85,8 @@ fn fingerprint(file: &mut File) -> Result<Arguments> {
         file.seek(SeekFrom::Start(start)).map_err(failed)?;
         Read::take(&mut *file, BLOCK).read_to_end(&mut blocks).map_err(failed)?;
     }
+    // Readers begin where the file does.
+    file.rewind().map_err(failed)?;
     let content = format!("{:016x}", digest([&blocks[..]]));
     let own = Arguments::of_call("reading").and("the file's length in bytes", length);
     Ok(own.and("a digest of the file's content", content))

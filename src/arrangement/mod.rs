@@ -55,7 +55,7 @@ pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 /// The most sweeps. All but inputs that are made for it need two or three.
 const MOST_SWEEPS: usize = 100;
 
-/// What is arranged.
+/// Segments to arrange, and what is asked of them.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub inputs: &'a Inputs,

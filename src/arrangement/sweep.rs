@@ -43,13 +43,13 @@ pub(super) struct OnLine {
     pub point: [f64; 2],
 }
 
-/// What is done where lines cross.
+/// Rules for lines that cross.
 #[derive(Clone, Copy)]
 pub(super) struct Handling<'a> {
-    /// Where two segments cross that may not.
+    /// Returns the place where two segments cross that may not; `None` for two that may.
     pub refuses: &'a dyn Fn([u32; 2]) -> Option<[f64; 2]>,
-    /// Whether a line that passes an end of the other within a rounding goes through that end
-    /// instead of a new vertex, by their segments.
+    /// Returns true if a line that passes an end of the other within a rounding goes through that end
+    /// instead of a new vertex; asked by their segments.
     pub snaps: &'a dyn Fn([u32; 2]) -> bool,
 }
 

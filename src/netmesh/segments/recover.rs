@@ -88,10 +88,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
     /// mesh, it must go through a vertex beside it.
     fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
-        let ends = self.state.segments.chains.get(subsegment).ends;
+        let own = *self.state.segments.chains.get(subsegment);
+        let Subsegment { ends, line, .. } = own;
         if !is_edge {
-            let Subsegment { line, .. } = *self.state.segments.chains.get(subsegment);
-            let place = self.splitting_place(self.state.segments.chains.get(subsegment));
+            let place = self.splitting_place(&own);
             let x = self.point_at(line, place);
             let State { delaunay, segments: Segments { chains, .. }, .. } = &self.state;
             let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);

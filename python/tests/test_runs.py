@@ -148,47 +148,70 @@ def long_queries(random):
     yield "extend_values", lambda: mesh.extend_values(np.zeros((100_000, 30)))
 
 
-def test_a_signal_ends_every_query_within_a_third_of_a_second(random):
-    before = signal.signal(signal.SIGALRM, fail)
+def seconds_until_alarm(call, delay):
+    """Returns how long after the alarm the call goes on, or None if it ends before it."""
+    signal.setitimer(signal.ITIMER_REAL, delay)
+    start = time.monotonic()
     try:
-        for name, call in long_queries(random):
-            needed = []
-            # The best of some: others may have the processor now and then.
-            while min(needed, default=1) >= 0.3 and len(needed) < 4:
-                start = time.monotonic()
-                signal.setitimer(signal.ITIMER_REAL, 0.3)
-                with pytest.raises(Alarm):
-                    call()
-                needed.append(time.monotonic() - start - 0.3)
-            assert min(needed) < 0.3, (name, needed)
+        call()
+    except Alarm:
+        return max(0, time.monotonic() - start - delay)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+    return None
 
 
-def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random):
-    points, x = random.random((400_000, 2)), random.random((1000, 2))
-    whole, m = (netmesh.mesh(points, algorithm="delaunay") for _ in range(2))
+@pytest.fixture
+def alarm():
     before = signal.signal(signal.SIGALRM, fail)
-    try:
-        for call in [
-            lambda m: m.locate(x),
-            lambda m: m.quality(),
-            lambda m: m.validate(1),
-            lambda m: m.circumcenters,
-        ]:
-            start = time.monotonic()
-            call(whole)
-            needed = time.monotonic() - start
-            signal.setitimer(signal.ITIMER_REAL, needed / 10)
-            start = time.monotonic()
-            with pytest.raises(Alarm):
-                call(m)
-            # A wait that goes on takes as long as the call; one that ends has a thread to begin.
-            assert time.monotonic() - start < 0.75 * needed
-    finally:
-        signal.signal(signal.SIGALRM, before)
+    yield
+    signal.setitimer(signal.ITIMER_REAL, 0)
+    signal.signal(signal.SIGALRM, before)
+
+
+def test_a_signal_ends_every_query_within_a_third_of_a_second(random, alarm):
+    for name, call in long_queries(random):
+        # The first call makes the index, and a fast machine answers some within this time.
+        delay, needed = 0.3, []
+        # The best of some: others may have the processor now and then.
+        while min(needed, default=1) >= 0.3 and len(needed) < 4:
+            seconds = seconds_until_alarm(call, delay)
+            if seconds is None:
+                delay /= 3
+                assert delay > 0.01, name
+            else:
+                needed.append(seconds)
+        assert min(needed) < 0.3, (name, needed)
+
+
+def test_a_signal_ends_the_wait_for_what_the_library_cannot_stop(random, alarm):
+    points, x = random.random((400_000, 2)), random.random((1000, 2))
+
+    def mesh():
+        return netmesh.mesh(points, algorithm="delaunay")
+
+    whole = mesh()
+    for call in [
+        lambda m: m.locate(x),
+        lambda m: m.quality(),
+        lambda m: m.validate(1),
+        lambda m: m.circumcenters,
+    ]:
+        start = time.monotonic()
+        call(whole)
+        whole_seconds = time.monotonic() - start
+        # A wait that goes on takes as long as the call; one that ends has a thread to begin.
+        # The best of some: others may have the processor now and then.
+        for _ in range(5):
+            m = mesh()
+            seconds = seconds_until_alarm(lambda: call(m), whole_seconds / 10)
+            if seconds is not None and seconds < 0.6 * whole_seconds:
+                break
+        else:
+            pytest.fail(f"{seconds} of {whole_seconds} seconds")
     # What another thread had begun is there.
+    m = mesh()
+    seconds_until_alarm(lambda: m.locate(x), 0.001)
     assert (m.locate(x) == whole.locate(x)).all()
 
 

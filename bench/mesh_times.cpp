@@ -1,6 +1,6 @@
 // Seconds from points to a mesh within one bound, against the number of points: netmesh beside TetGen
 // (3D), CGAL's Mesh_2 (2D) and, as what any of them costs at least, CGAL's plain Delaunay triangulation
-// of netmesh's vertices. One thread each. Prints rows for python/benchmarks/draw_times.py.
+// of netmesh's vertices. One thread each. Prints rows for bench/plots/draw.py.
 //
 //   cmake --build <build> --target mesh_times, then
 //   <build>/bench/mesh_times [<most points> [<turns>]]     (1,000,000 and 3)

@@ -5,8 +5,8 @@
 #
 #   bench/experiments/run.sh [--write] [--quick | --from-csv] [names...]
 #
-# --from-csv runs nothing: it makes verdicts and plots again from the tables that are there.
-# --write puts tables and plots into docs/reports/ and the document into docs/reports/experiments.md;
+# --from-csv runs nothing: it makes verdicts and pictures again from the tables that are there.
+# --write puts tables and pictures into docs/reports/ and the document into docs/reports/experiments.md;
 # without it they are left under target/experiments. names: spread, growth, finishing, skew_lines,
 # sizes, dimensions, cage_cells, slivers. NETMESH_BUILD is where CMake builds (target/cmake), NETMESH_JOBS how
 # many runs go on at a time where nothing is timed (2).
@@ -30,9 +30,9 @@ has_triangle() {
   [ -x "$venv/bin/python" ] && "$venv/bin/python" -c 'import triangle' 2>/dev/null
 }
 
-install_triangle() {
+install_package() {
   has python3 && python3 -m venv "$venv" &&
-    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check triangle
+    "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@"
 }
 
 build_peers() {
@@ -55,14 +55,20 @@ else
 fi
 if [[ " $* " == *" --from-csv "* ]]; then
   :
-elif has_triangle || { install_triangle && has_triangle; } >&2; then
+elif has_triangle || { install_package triangle && has_triangle; } >&2; then
   options+=(--triangle "$venv/bin/python" "$here/peers/refine_with_triangle.py")
 else
   echo "Triangle is left out: no python3 that can have the PyPI module triangle" >&2
 fi
 if [ "$write" = yes ]; then
-  options+=(--output "$root/docs/reports" --document "$root/docs/reports/experiments.md")
+  output="$root/docs/reports" document="$root/docs/reports/experiments.md"
 else
-  options+=(--output "$work/results" --document "$work/results.md")
+  output="$work/results" document="$work/results.md"
 fi
-"$target/release/experiments" "${options[@]}" "$@"
+"$target/release/experiments" "${options[@]}" --output "$output" --document "$document" "$@"
+
+if "$venv/bin/python" -c 'import matplotlib' 2>/dev/null || install_package matplotlib; then
+  "$venv/bin/python" "$root/bench/plots/draw.py" experiments "$output"
+else
+  echo "Pictures are left out: no python3 that can have Matplotlib" >&2
+fi

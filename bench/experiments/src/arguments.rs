@@ -14,9 +14,9 @@ Runs the experiments (all, without names) and prints their tables' verdicts.
   --peers FILE        the program of CMake's target experiment_peers
   --triangle PY FILE  a Python with the module triangle, and refine_with_triangle.py
   --scratch FOLDER    where peers read and write (the system's folder for temporary files)
-  --output FOLDER     where tables (.csv) and plots (.svg) go
-  --document FILE     where the sections go; OUTPUT's name is the link to tables and plots
-  --from-csv          runs nothing: verdicts and plots again from the tables in OUTPUT";
+  --output FOLDER     where tables (.csv) go
+  --document FILE     where the sections go; OUTPUT's name is the link to tables and pictures
+  --from-csv          runs nothing: verdicts again from the tables in OUTPUT";
 
 #[derive(Debug, PartialEq)]
 pub struct Arguments {

@@ -7,7 +7,6 @@ mod experiments;
 mod inputs;
 mod instruments;
 mod peers;
-mod plot;
 mod random;
 mod report;
 mod runner;
@@ -16,7 +15,7 @@ mod table;
 mod verdict;
 
 use arguments::Arguments;
-use experiments::{ALL, Again, Context, Scale};
+use experiments::{ALL, Context, Scale};
 use report::{Report, Sections};
 use std::path::Path;
 use std::process::ExitCode;
@@ -76,7 +75,7 @@ fn run(arguments: &Arguments) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Verdicts and plots from the tables that are there.
+/// Makes verdicts again from the tables that are there.
 fn make_again(arguments: &Arguments) -> std::io::Result<()> {
     let Some(output) = &arguments.output else { return Ok(()) };
     for name in &arguments.names {
@@ -85,12 +84,8 @@ fn make_again(arguments: &Arguments) -> std::io::Result<()> {
         let rows = Rows::parse(&std::fs::read_to_string(&path)?).ok_or_else(|| {
             std::io::Error::other(format!("{}: the rows differ in length", path.display()))
         })?;
-        match experiment.again {
-            Again::Report(report) => write(arguments, &report(&rows))?,
-            Again::Plots(plots) => {
-                Report { plots: plots(&rows), ..Report::default() }.write_files(output)?;
-            }
-            Again::Nothing => {}
+        if let Some(report) = experiment.again {
+            write(arguments, &report(&rows))?;
         }
     }
     Ok(())
@@ -129,7 +124,7 @@ fn write(arguments: &Arguments, report: &Report) -> std::io::Result<()> {
     std::fs::write(document, sections.document(&introduction(arguments.scale), &names))
 }
 
-/// The path from the document to the folder of tables and plots, which is the document's own folder
+/// The path from the document to the folder of tables and pictures, which is the document's own folder
 /// or one beside it.
 fn link(output: &Path, document: &Path) -> String {
     if document.parent() == Some(output) {

@@ -2,7 +2,6 @@
 //! they crash, hang and exit.
 
 use crate::inputs::Points;
-use crate::plot::Tool;
 use crate::simplicial::Simplicial;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -27,14 +26,6 @@ impl Peer {
             Peer::Mesh2 => "CGAL Mesh_2",
             Peer::Triangle => "Triangle",
             Peer::CgalDelaunay => "CGAL Delaunay",
-        }
-    }
-
-    pub fn tool(self) -> Tool {
-        match self {
-            Peer::TetGen => Tool::TetGen,
-            Peer::Mesh2 | Peer::CgalDelaunay => Tool::Cgal,
-            Peer::Triangle => Tool::Triangle,
         }
     }
 

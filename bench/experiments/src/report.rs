@@ -1,6 +1,5 @@
 //! What an experiment says, as files and as a section of docs/reports/experiments.md.
 
-use crate::plot::Plot;
 use crate::table::Table;
 use crate::verdict::{Answer, Verdict};
 use std::fmt::Write;
@@ -17,11 +16,24 @@ pub struct Report {
     pub text: String,
     pub verdicts: Vec<Verdict>,
     pub tables: Vec<Table>,
-    pub plots: Vec<Plot>,
+    pub pictures: Vec<Picture>,
+}
+
+/// Picture that bench/plots/draw.py draws of the experiment's table.
+pub struct Picture {
+    /// Name of the file without its extension.
+    pub name: String,
+    pub title: String,
+}
+
+impl Picture {
+    pub fn new(name: &str, title: &str) -> Self {
+        Self { name: name.to_string(), title: title.to_string() }
+    }
 }
 
 impl Report {
-    /// `links` is the path from the section's file to the tables and plots.
+    /// `links` is the path from the section's file to the tables and pictures.
     pub fn section(&self, links: &str) -> String {
         let mut out = format!("## {}\n\n{}\n\n", self.title, self.text.trim());
         if !self.verdicts.is_empty() {
@@ -31,8 +43,8 @@ impl Report {
             let Verdict { claim, target, measured, answer } = verdict;
             let _ = writeln!(out, "| {claim} | {target} | {measured} | {} |", word(*answer));
         }
-        for plot in &self.plots {
-            let _ = writeln!(out, "\n![{}]({links}/{}.svg)", plot.title, plot.name);
+        for picture in &self.pictures {
+            let _ = writeln!(out, "\n![{}]({links}/{}.svg)", picture.title, picture.name);
         }
         for table in &self.tables {
             let link = format!("[{name}.csv]({links}/{name}.csv)", name = table.name);
@@ -45,13 +57,10 @@ impl Report {
         out
     }
 
-    /// Writes the tables and plots into `folder`.
+    /// Writes the tables into `folder`.
     pub fn write_files(&self, folder: &Path) -> std::io::Result<()> {
         for table in &self.tables {
             std::fs::write(folder.join(format!("{}.csv", table.name)), table.csv())?;
-        }
-        for plot in &self.plots {
-            std::fs::write(folder.join(format!("{}.svg", plot.name)), plot.svg())?;
         }
         Ok(())
     }

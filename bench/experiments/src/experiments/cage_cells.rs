@@ -40,7 +40,7 @@ pub fn run(context: &Context) -> Report {
         text: text(),
         verdicts: entries.iter().map(verdict).collect(),
         tables: vec![table(&entries)],
-        plots: Vec::new(),
+        pictures: Vec::new(),
     }
 }
 

@@ -51,7 +51,7 @@ pub fn run(context: &Context) -> Report {
         text: text(),
         verdicts: verdicts(&entries),
         tables: vec![table(&entries)],
-        plots: Vec::new(),
+        pictures: Vec::new(),
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::Context;
 use crate::inputs::{self, Points};
-use crate::plot::{Axis, Panel, Plot, Series, Tool};
-use crate::report::Report;
+use crate::report::{Picture, Report};
 use crate::row;
 use crate::runner::{self, least_seconds};
 use crate::table::{Row, Rows, Table, number, number_or_dash};
@@ -115,7 +114,7 @@ fn report(entries: &[Entry]) -> Report {
         text: text(),
         verdicts: curves().flat_map(|(family, dim)| verdicts(entries, family, dim)).collect(),
         tables: vec![table(entries)],
-        plots: vec![plot(entries)],
+        pictures: vec![Picture::new(NAME, "Simplices made per vertex while m grows")],
     }
 }
 
@@ -269,34 +268,4 @@ fn verdicts(entries: &[Entry], family: Family, dim: usize) -> Vec<Verdict> {
 
 fn of_curve(entries: &[Entry], family: Family, dim: usize) -> impl Iterator<Item = &Entry> {
     entries.iter().filter(move |e| (e.family, e.dim) == (family, dim))
-}
-
-fn plot(entries: &[Entry]) -> Plot {
-    let panel = |dim: usize| {
-        let series = Family::ALL.iter().enumerate().flat_map(|(number, &family)| {
-            let of = || of_curve(entries, family, dim);
-            let whole = of().map(|e| (e.finished.vertices, e.whole()));
-            let whole = whole.filter(|(_, figure)| !figure.is_nan()).collect();
-            let added = of().filter(|e| e.is_finishing());
-            let added = added.map(|e| (e.finished.vertices, e.adding()));
-            let added = added.filter(|(_, figure)| *figure > 0.0).collect();
-            let name = |what: &str| format!("{}, {what}", family.name());
-            let curve = |what: &str, points| Series::new(name(what), Tool::Netmesh, points);
-            [
-                curve("both phases, per vertex", whole).variant(2 * number),
-                curve("FINISHMESH, per vertex added", added).variant(2 * number + 1),
-            ]
-        });
-        Panel {
-            caption: format!("{dim}D"),
-            x: Axis::log("vertices of the finished mesh"),
-            y: Axis::log("simplices made / vertex"),
-            series: series.collect(),
-        }
-    };
-    Plot {
-        name: "finishing".to_string(),
-        title: "Simplices made per vertex while m grows".to_string(),
-        panels: DIMS.map(panel).to_vec(),
-    }
 }

@@ -4,8 +4,7 @@ use super::Context;
 use crate::degrees::Degrees;
 use crate::inputs::{self, Points};
 use crate::instruments::Instruments;
-use crate::plot::{Axis, Panel, Plot, Series, Tool};
-use crate::report::Report;
+use crate::report::{Picture, Report};
 use crate::row;
 use crate::runner::{self, Outcome, least_seconds};
 use crate::table::{Row, Rows, Table, number, number_or_dash};
@@ -83,10 +82,10 @@ fn report(entries: &[Entry]) -> Report {
         text: text(),
         verdicts: verdicts(entries),
         tables: vec![table(entries)],
-        plots: vec![
-            plot(entries, "growth_touches", "touches / (n log2 n)", |e| e.touches),
-            plot(entries, "growth_time", "ns / (n log2 n + m)", |e| e.time()),
-            plot(entries, "growth_degree", "largest degree", |e| e.degrees.max),
+        pictures: vec![
+            Picture::new("growth_touches", "Against n: touches / (n log2 n)"),
+            Picture::new("growth_time", "Against n: ns / (n log2 n + m)"),
+            Picture::new("growth_degree", "Against n: largest degree"),
         ],
     }
 }
@@ -347,29 +346,4 @@ fn ordering_verdicts(entries: &[Entry]) -> Vec<Verdict> {
         }
     }
     verdicts
-}
-
-fn plot(entries: &[Entry], name: &str, y: &str, value: impl Fn(&Entry) -> f64) -> Plot {
-    let panel = |dim: usize| Panel {
-        caption: format!("{dim}D"),
-        x: Axis::log("n"),
-        y: Axis::log(y),
-        series: curves(entries)
-            .into_iter()
-            .filter(|(curve, _)| curve.dim == dim)
-            .map(|(curve, found)| {
-                let all = found.iter().map(|e| (e.n as f64, value(e)));
-                let points = all.filter(|(_, value)| !value.is_nan()).collect();
-                let name = format!("{}, {}", curve.input, ordering_name(curve.ordering));
-                let variant = usize::from(curve.input != INPUTS[0]) * 2
-                    + usize::from(curve.ordering != ORDERINGS[0]);
-                Series::new(name, Tool::Netmesh, points).variant(variant)
-            })
-            .collect(),
-    };
-    Plot {
-        name: name.to_string(),
-        title: format!("Against n: {y}"),
-        panels: DIMS.map(panel).to_vec(),
-    }
 }

@@ -12,7 +12,6 @@ mod spread;
 pub use dimensions::added_memory;
 
 use crate::peers::Peers;
-use crate::plot::Plot;
 use crate::report::Report;
 use crate::table::Rows;
 
@@ -44,32 +43,18 @@ impl Context {
 pub struct Experiment {
     pub name: &'static str,
     pub run: fn(&Context) -> Report,
-    pub again: Again,
-}
-
-/// What can be made again from the experiment's table, without a run.
-pub enum Again {
-    Report(fn(&Rows) -> Report),
-    Plots(fn(&Rows) -> Vec<Plot>),
-    Nothing,
+    /// Function that makes the verdicts again from the experiment's table, without a run.
+    pub again: Option<fn(&Rows) -> Report>,
 }
 
 /// In the order of the document.
 pub const ALL: [Experiment; 8] = [
-    Experiment { name: spread::NAME, run: spread::run, again: Again::Plots(spread::plots_again) },
-    Experiment { name: growth::NAME, run: growth::run, again: Again::Report(growth::again) },
-    Experiment {
-        name: finishing::NAME,
-        run: finishing::run,
-        again: Again::Report(finishing::again),
-    },
-    Experiment {
-        name: skew_lines::NAME,
-        run: skew_lines::run,
-        again: Again::Plots(skew_lines::plots_again),
-    },
-    Experiment { name: sizes::NAME, run: sizes::run, again: Again::Plots(sizes::plots_again) },
-    Experiment { name: dimensions::NAME, run: dimensions::run, again: Again::Nothing },
-    Experiment { name: cage_cells::NAME, run: cage_cells::run, again: Again::Nothing },
-    Experiment { name: slivers::NAME, run: slivers::run, again: Again::Nothing },
+    Experiment { name: spread::NAME, run: spread::run, again: None },
+    Experiment { name: growth::NAME, run: growth::run, again: Some(growth::again) },
+    Experiment { name: finishing::NAME, run: finishing::run, again: Some(finishing::again) },
+    Experiment { name: skew_lines::NAME, run: skew_lines::run, again: None },
+    Experiment { name: sizes::NAME, run: sizes::run, again: None },
+    Experiment { name: dimensions::NAME, run: dimensions::run, again: None },
+    Experiment { name: cage_cells::NAME, run: cage_cells::run, again: None },
+    Experiment { name: slivers::NAME, run: slivers::run, again: None },
 ];

@@ -3,12 +3,11 @@
 use super::Context;
 use crate::inputs::{self, Points};
 use crate::peers::{self, Peer, PeerOutcome};
-use crate::plot::{Axis, Missing, Panel, Plot, Series, Tool};
-use crate::report::Report;
+use crate::report::{Picture, Report};
 use crate::row;
 use crate::runner::{self, in_parallel};
 use crate::simplicial::{Figures, Simplicial};
-use crate::table::{Row, Rows, Table, number};
+use crate::table::{Table, number};
 use crate::verdict::Verdict;
 use netmesh::{Criterion, Options, Output};
 use std::f64::consts::SQRT_2;
@@ -45,13 +44,6 @@ impl Mesher {
             Mesher::Peer(peer) => peer.name(),
         }
     }
-
-    fn tool(self) -> Tool {
-        match self {
-            Mesher::Netmesh => Tool::Netmesh,
-            Mesher::Peer(peer) => peer.tool(),
-        }
-    }
 }
 
 impl Case {
@@ -86,7 +78,10 @@ pub fn run(context: &Context) -> Report {
         text: text(),
         verdicts,
         tables: vec![table(&entries)],
-        plots: vec![plot(&entries.iter().map(Shown::of).collect::<Vec<_>>())],
+        pictures: vec![Picture {
+            name: NAME.to_string(),
+            title: format!("Vertices per input of finished meshes, n = {}", largest(&entries)),
+        }],
     }
 }
 
@@ -248,84 +243,6 @@ fn hierarchical_verdicts(context: &Context) -> Vec<Verdict> {
     })
 }
 
-/// m/n of a mesher, or why there is none: what the plot shows of an entry.
-struct Shown {
-    input: &'static str,
-    dim: usize,
-    n: usize,
-    bound: String,
-    name: &'static str,
-    tool: Tool,
-    size: Result<f64, String>,
-}
-
-impl Shown {
-    fn of(entry: &Entry) -> Self {
-        let Entry { case, mesher, result } = entry;
-        let size = result.as_ref().map(|(figures, _)| figures.vertices as f64 / case.n as f64);
-        Self {
-            input: case.input,
-            dim: case.dim,
-            n: case.n,
-            bound: case.bound_name().to_string(),
-            name: mesher.name(),
-            tool: mesher.tool(),
-            size: size.map_err(Clone::clone),
-        }
-    }
-
-    /// Of the row that [`table`] made of an entry.
-    fn read(row: Row) -> Option<Self> {
-        let peers = [Peer::Mesh2, Peer::Triangle, Peer::TetGen].map(Mesher::Peer);
-        let mut meshers = std::iter::once(Mesher::Netmesh).chain(peers);
-        let mesher = meshers.find(|mesher| mesher.name() == row.word("mesher"))?;
-        let size = row.number("m/n");
-        Some(Self {
-            input: inputs::NAMES.into_iter().find(|&name| name == row.word("input"))?,
-            dim: row.count("dim"),
-            n: row.count("n"),
-            bound: row.word("bound").to_string(),
-            name: mesher.name(),
-            tool: mesher.tool(),
-            size: if size.is_nan() { Err(row.word("note").to_string()) } else { Ok(size) },
-        })
-    }
-}
-
-/// The plots of what an earlier run has measured.
-pub fn plots_again(rows: &Rows) -> Vec<Plot> {
-    vec![plot(&rows.iter().filter_map(Shown::read).collect::<Vec<_>>())]
-}
-
-/// m/n of each mesher at the largest n, input by input.
-fn plot(entries: &[Shown]) -> Plot {
-    let largest = entries.iter().map(|entry| entry.n).max().unwrap_or(0);
-    let panel = |dim: usize, bound: &str| {
-        let mut series: Vec<Series> = Vec::new();
-        let is_in = |e: &&Shown| (e.dim, e.bound.as_str(), e.n) == (dim, bound, largest);
-        for entry in entries.iter().filter(is_in) {
-            let at = inputs::NAMES.iter().position(|&name| name == entry.input).unwrap_or(0);
-            let at = (at + 1) as f64;
-            let place = series.iter().position(|series| series.name == entry.name);
-            let place = place.unwrap_or_else(|| {
-                series.push(Series::new(entry.name, entry.tool, Vec::new()));
-                series.len() - 1
-            });
-            match &entry.size {
-                Ok(size) => series[place].points.push((at, *size)),
-                Err(why) => series[place].missing.extend(Missing::of(why).map(|why| (at, why))),
-            }
-        }
-        Panel {
-            caption: format!("{dim}D, radius-edge {bound}"),
-            x: Axis::named(&inputs::NAMES),
-            y: Axis::linear("m / n"),
-            series,
-        }
-    };
-    Plot {
-        name: "sizes".to_string(),
-        title: format!("Vertices per input of finished meshes, n = {largest}"),
-        panels: vec![panel(2, "1.414"), panel(3, "2.0"), panel(3, "1.414")],
-    }
+fn largest(entries: &[Entry]) -> usize {
+    entries.iter().map(|entry| entry.case.n).max().unwrap_or(0)
 }

@@ -3,11 +3,10 @@
 use super::Context;
 use crate::inputs;
 use crate::peers::{Peer, PeerOutcome};
-use crate::plot::{Axis, Missing, Panel, Plot, Series, Tool};
-use crate::report::Report;
+use crate::report::{Picture, Report};
 use crate::row;
 use crate::runner::{self, Outcome, in_parallel};
-use crate::table::{Row, Rows, Table, number};
+use crate::table::{Table, number};
 use crate::verdict::{Verdict, exponent};
 use netmesh::{Algorithm, Options};
 use std::time::Duration;
@@ -38,10 +37,6 @@ impl Method {
             Method::Cgal => "plain Delaunay, CGAL",
         }
     }
-
-    fn tool(self) -> Tool {
-        if self == Method::Cgal { Tool::Cgal } else { Tool::Netmesh }
-    }
 }
 
 pub fn run(context: &Context) -> Report {
@@ -59,24 +54,8 @@ pub fn run(context: &Context) -> Report {
         text: text(context),
         verdicts: verdicts(&entries),
         tables: vec![table(&entries)],
-        plots: vec![plot(&entries)],
+        pictures: vec![Picture::new(NAME, "n points on two skew lines")],
     }
-}
-
-/// The plots of what an earlier run has measured.
-pub fn plots_again(rows: &Rows) -> Vec<Plot> {
-    vec![plot(&rows.iter().filter_map(read).collect::<Vec<_>>())]
-}
-
-/// The entry that [`table`] made this row of.
-fn read(row: Row) -> Option<Entry> {
-    let figures = (row.count("vertices"), row.count("tetrahedra"), row.number("seconds"));
-    let is_measured = row.word("vertices") != "-";
-    Some(Entry {
-        method: Method::ALL.into_iter().find(|method| method.name() == row.word("method"))?,
-        n: row.count("n"),
-        result: if is_measured { Ok(figures) } else { Err(row.word("tetrahedra").to_string()) },
-    })
 }
 
 fn text(context: &Context) -> String {
@@ -179,34 +158,4 @@ fn verdicts(entries: &[Entry]) -> Vec<Verdict> {
             exact && !plain.is_empty(),
         ),
     ]
-}
-
-fn plot(entries: &[Entry]) -> Plot {
-    let panel = |caption: &str, y: &str, figure: &dyn Fn(&(usize, usize, f64)) -> f64| Panel {
-        caption: caption.to_string(),
-        x: Axis::log("n"),
-        y: Axis::log(y),
-        series: Method::ALL
-            .iter()
-            .map(|&method| {
-                let of = || entries.iter().filter(|entry| entry.method == method);
-                let points =
-                    of().filter_map(|e| e.result.as_ref().ok().map(|r| (e.n as f64, figure(r))));
-                let missing =
-                    of().filter_map(|e| Some((e.n as f64, Missing::of(e.result.as_ref().err()?)?)));
-                Series::new(method.name(), method.tool(), points.collect())
-                    .variant(usize::from(method == Method::Delaunay))
-                    .missing(missing.collect())
-            })
-            .filter(|series| !series.points.is_empty())
-            .collect(),
-    };
-    Plot {
-        name: "skew_lines".to_string(),
-        title: "n points on two skew lines".to_string(),
-        panels: vec![
-            panel("size", "tetrahedra", &|r| r.1 as f64),
-            panel("time", "seconds", &|r| r.2.max(1e-6)),
-        ],
-    }
 }

@@ -41,7 +41,7 @@ pub fn run(context: &Context) -> Report {
         text: text(),
         verdicts: entries.iter().flat_map(verdicts).collect(),
         tables: vec![table(&entries)],
-        plots: Vec::new(),
+        pictures: Vec::new(),
     }
 }
 

@@ -6,11 +6,10 @@ mod verdicts;
 use super::Context;
 use crate::inputs::Points;
 use crate::peers::{self, Peer, PeerOutcome};
-use crate::plot::{Axis, Missing, Panel, Plot, Series, Tool};
-use crate::report::Report;
+use crate::report::{Picture, Report};
 use crate::row;
 use crate::runner::{self, Outcome, in_parallel};
-use crate::table::{Row, Rows, Table, number};
+use crate::table::{Table, number};
 use crate::verdict::mean;
 use netmesh::{Options, Triangulation};
 use settings::{Kind, Setting};
@@ -64,14 +63,6 @@ impl Method {
             Method::Peer(peer) => peer.name(),
         }
     }
-
-    fn tool(self) -> Tool {
-        match self {
-            Method::Netmesh { .. } => Tool::Netmesh,
-            Method::Svr => Tool::Svr,
-            Method::Peer(peer) => peer.tool(),
-        }
-    }
 }
 
 pub fn run(context: &Context) -> Report {
@@ -100,7 +91,6 @@ pub fn run(context: &Context) -> Report {
         ],
     );
     for kind in Kind::ALL {
-        let mut panels = [Vec::new(), Vec::new()];
         for dim in DIMS {
             let n = inputs_of(context, kind, dim, Method::Netmesh { seed: 1 });
             let settings: Vec<Setting> = kind
@@ -111,77 +101,16 @@ pub fn run(context: &Context) -> Report {
             let averaged = average(&curves, kind, dim);
             add_rows(&mut table, context, kind, dim, &settings, &averaged);
             report.verdicts.extend(verdicts::verdicts(kind, dim, &settings, &averaged));
-            for (panels, touches) in panels.iter_mut().zip([false, true]) {
-                panels.push(panel(kind, dim, &settings, &averaged, touches));
-            }
         }
-        report.plots.extend(plots(kind, panels));
+        for (figure, words) in [("size", "vertices per input"), ("touches", "touches per input")] {
+            report.pictures.push(Picture {
+                name: format!("spread_{}_{figure}", kind.name()),
+                title: format!("{}: {words}", kind.title()),
+            });
+        }
     }
     report.tables.push(table);
     report
-}
-
-/// The plots of what an earlier run has measured.
-pub fn plots_again(rows: &Rows) -> Vec<Plot> {
-    let mut all = Vec::new();
-    for kind in Kind::ALL {
-        let mut panels = [Vec::new(), Vec::new()];
-        for dim in DIMS {
-            let of_this: Vec<Row> = rows
-                .iter()
-                .filter(|row| row.word("input") == kind.name() && row.count("dim") == dim)
-                .collect();
-            let (settings, averaged) = read(kind, &of_this);
-            for (panels, touches) in panels.iter_mut().zip([false, true]) {
-                panels.push(panel(kind, dim, &settings, &averaged, touches));
-            }
-        }
-        all.extend(plots(kind, panels));
-    }
-    all
-}
-
-/// The curves that [`add_rows`] made these rows of: each has a row for each setting.
-fn read(kind: Kind, rows: &[Row]) -> (Vec<Setting>, Vec<Averaged>) {
-    let peers = [Peer::Mesh2, Peer::Triangle, Peer::TetGen].map(Method::Peer);
-    let methods = [Method::Netmesh { seed: 1 }, Method::Svr].into_iter().chain(peers);
-    let averaged: Vec<Averaged> = methods
-        .map(|method| Averaged {
-            name: method.name(),
-            method,
-            runs: 1,
-            cells: rows
-                .iter()
-                .filter(|row| row.word("method") == method.name())
-                .map(cell_of)
-                .collect(),
-        })
-        .filter(|curve| !curve.cells.is_empty())
-        .collect();
-    let first = averaged.first().map_or("", |curve| curve.name);
-    let setting = |row: &Row| Setting {
-        exponent: row.number("log2 exponent"),
-        log_gap: (kind != Kind::Chain).then(|| row.number("log2 gap")),
-        log_spread: row.number("log2 spread"),
-    };
-    (rows.iter().filter(|row| row.word("method") == first).map(setting).collect(), averaged)
-}
-
-fn cell_of(row: &Row) -> Cell {
-    let touches = row.number("touches/n");
-    match row.number("m/n") {
-        size if size.is_nan() => Cell::Note(row.word("m/n").to_string()),
-        per_input => Cell::Size { per_input, touches: (!touches.is_nan()).then_some(touches) },
-    }
-}
-
-fn plots(kind: Kind, [sizes, touches]: [Vec<Panel>; 2]) -> [Plot; 2] {
-    let plot = |what: &str, words: &str, panels| Plot {
-        name: format!("spread_{}_{what}", kind.name()),
-        title: format!("{}: {words}", kind.title()),
-        panels,
-    };
-    [plot("size", "vertices per input", sizes), plot("touches", "touches per input", touches)]
 }
 
 fn text(context: &Context) -> String {
@@ -376,38 +305,6 @@ fn add_rows(
                 touches,
             ]);
         }
-    }
-}
-
-fn panel(
-    kind: Kind,
-    dim: usize,
-    settings: &[Setting],
-    averaged: &[Averaged],
-    touches: bool,
-) -> Panel {
-    let y_label = if touches { "touches / n" } else { "m / n" };
-    let series = averaged.iter().filter_map(|curve| {
-        let x = |setting: &Setting| match kind {
-            Kind::Clusters => setting.log_spread,
-            _ => setting.exponent,
-        };
-        let points: Vec<(f64, f64)> =
-            values(settings, curve, touches).map(|(s, y)| (x(s), y)).collect();
-        let missing = settings.iter().zip(&curve.cells).filter_map(|(setting, cell)| match cell {
-            Cell::Note(note) => Some((x(setting), Missing::of(note)?)),
-            Cell::Size { .. } => None,
-        });
-        (!points.is_empty()).then(|| {
-            let series = Series::new(curve.name, curve.method.tool(), points);
-            series.missing(missing.collect())
-        })
-    });
-    Panel {
-        caption: format!("{dim}D"),
-        x: kind.axis(),
-        y: if kind == Kind::Chain { Axis::linear(y_label) } else { Axis::log(y_label) },
-        series: series.collect(),
     }
 }
 

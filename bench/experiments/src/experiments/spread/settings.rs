@@ -2,7 +2,6 @@
 
 use crate::experiments::Context;
 use crate::inputs::{self, Points};
-use crate::plot::Axis;
 
 const LEVELS: usize = 20;
 
@@ -40,14 +39,6 @@ impl Kind {
             Kind::Clusters => "20 nested clusters of 50 points",
             Kind::Pairs => "500 close pairs",
             Kind::Chain => "One point a level",
-        }
-    }
-
-    pub fn axis(self) -> Axis {
-        match self {
-            Kind::Clusters => Axis::log("log2 of the spread"),
-            Kind::Pairs => Axis::log("log2 of 1 / the pairs' distance"),
-            Kind::Chain => Axis::linear("log2 of the pacing"),
         }
     }
 

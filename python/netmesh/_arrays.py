@@ -20,7 +20,7 @@ _LARGEST_EXACT = 2**53
 
 
 def array(values: Any, name: str) -> np.ndarray:
-    """Any array, as it stands; no masked elements, no ragged rows."""
+    """Make an array of `values` as they stand; refuse masked elements and ragged rows."""
     # What is under a mask is no number of the caller's.
     if _holds_masked(values):
         raise InvalidArgumentError(f"{name} has masked elements; fill or drop them")
@@ -31,7 +31,7 @@ def array(values: Any, name: str) -> np.ndarray:
 
 
 def doubles(values: Any, name: str) -> np.ndarray:
-    """Real numbers of any shape as aligned doubles, copied only where they are none yet."""
+    """Make aligned doubles of real numbers of any shape; copy only what is none yet."""
     given = array(values, name)
     if given.dtype.kind not in "biuf":
         # Objects may be numbers all the same, but complex ones would lose a part, and none is NaN.
@@ -46,7 +46,7 @@ def doubles(values: Any, name: str) -> np.ndarray:
 
 
 def number(value: Any, name: str) -> float:
-    """One real number."""
+    """Make a float of one real number."""
     if value is None or isinstance(value, (str, bytes)):
         kind = type(value).__name__
         raise ArgumentTypeError(f"{name} is of type {kind}; it must be a number")
@@ -57,7 +57,7 @@ def number(value: Any, name: str) -> float:
 
 
 def whole_numbers(values: Any, name: str) -> np.ndarray:
-    """Whole numbers of any shape as contiguous int64."""
+    """Make contiguous int64 of whole numbers of any shape."""
     given = array(values, name)
     if given.size and given.dtype.kind not in "iu":
         raise InvalidArgumentError(f"{name} has dtype {given.dtype}; it must be of whole numbers")
@@ -68,7 +68,7 @@ def whole_numbers(values: Any, name: str) -> np.ndarray:
 
 
 def point_rows(points: Any, name: str = "points") -> np.ndarray:
-    """Doubles of shape (n, dim), copied only where the library cannot read them as they stand."""
+    """Make doubles of shape (n, dim); copy only what the library cannot read as it stands."""
     found = doubles(points, name)
     if found.ndim != 2:
         raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be (n, dim)")
@@ -79,7 +79,7 @@ def point_rows(points: Any, name: str = "points") -> np.ndarray:
 
 
 def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:
-    """Contiguous doubles of shape (..., dim)."""
+    """Make contiguous doubles of shape (..., dim)."""
     found = doubles(points, name)
     if found.ndim == 0 or found.shape[-1] != dim:
         raise InvalidArgumentError(f"{name} has shape {found.shape}; it must be (..., {dim})")
@@ -87,7 +87,7 @@ def query_points(points: Any, dim: int, name: str = "points") -> np.ndarray:
 
 
 def coordinates(args: tuple, name: str, dim: Optional[int] = None) -> np.ndarray:
-    """Doubles of shape (..., dim), of one array or of one for each axis, as SciPy takes them."""
+    """Make doubles of shape (..., dim) of one array or, as SciPy takes them, of one for each axis."""
     if len(args) == 1 and isinstance(args[0], tuple):
         args = args[0]
     if len(args) == 1:
@@ -108,7 +108,7 @@ def coordinates(args: tuple, name: str, dim: Optional[int] = None) -> np.ndarray
 
 
 def vertex_columns(values: Any, core: Core, name: str = "values") -> np.ndarray:
-    """As `value_columns`, of the vertices of a mesh."""
+    """Make columns, as `value_columns` does, of values at the vertices of a mesh."""
     given = array(values, name)
     things = "vertex"
     if given.ndim and given.shape[0] == len(core.input_vertices) != len(core.kinds):
@@ -117,7 +117,7 @@ def vertex_columns(values: Any, core: Core, name: str = "values") -> np.ndarray:
 
 
 def value_columns(values: Any, count: int, things: str, name: str = "values") -> np.ndarray:
-    """Values as contiguous doubles of shape (count, components); a complex one is two."""
+    """Make contiguous doubles of shape (count, components); a complex component becomes two."""
     given = array(values, name)
     found = given.astype(np.complex128, copy=False) if given.dtype.kind == "c" else doubles(values, name)
     _require_one_each(found, count, things, name)
@@ -126,7 +126,7 @@ def value_columns(values: Any, count: int, things: str, name: str = "values") ->
 
 
 def shaped_values(columns: np.ndarray, values: Any, places: tuple) -> np.ndarray:
-    """Columns that were made of those of `value_columns(values)`, for places of that shape."""
+    """Give columns for `places` the type of `values`, and the shape of one of its elements."""
     given = np.asarray(values)
     if given.dtype.kind == "c":
         columns = columns.view(np.complex128)
@@ -134,14 +134,14 @@ def shaped_values(columns: np.ndarray, values: Any, places: tuple) -> np.ndarray
 
 
 def data(values: Any, count: int, things: str, name: str) -> np.ndarray:
-    """An array of any type with an element or a row for each of `count` things."""
+    """Make an array of any type with an element or a row for each of `count` things."""
     given = array(values, name)
     _require_one_each(given, count, things, name)
     return given
 
 
 def fixed(made: np.ndarray) -> np.ndarray:
-    """The same array, read-only for good: not even its owner can be made writable."""
+    """Return the array read-only for good: not even its owner can be made writable."""
     base: Any = made
     while isinstance(base, np.ndarray):
         base.flags.writeable = False
@@ -171,7 +171,7 @@ def _holds_masked(values: Any) -> bool:
 
 
 def _refuse_rounded(values: Any, given: np.ndarray, found: np.ndarray, name: str) -> None:
-    """Refuses whole numbers that are not those doubles that have been made of them."""
+    """Refuse whole numbers that differ from the doubles made of them."""
     if given.dtype.kind in "iu":
         if given.dtype.itemsize < 8 or not given.size:
             return

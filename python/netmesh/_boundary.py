@@ -1,4 +1,4 @@
-"""Segments and regions, as the library takes them."""
+"""Segments and regions in the form that the library takes."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 from ._arrays import doubles, whole_numbers
 from ._errors import InvalidArgumentError
 
-#: What a region is.
+#: Rule that a refused region breaks.
 _REGION = "it must be (x, y, label) or (x, y, label, max_edge)"
 
 
 def boundary_of(segments: Any, markers: Any, regions: Any, holes: Any) -> tuple:
-    """Ends and markers of segments; seeds, labels, largest edges and holes of regions."""
+    """Return ends and markers of segments, and regions as (seed, label, largest edge, hole or not)."""
     ends = whole_numbers(() if segments is None else segments, "segments")
     if ends.size == 0:
         ends = ends.reshape(0, 2)

@@ -27,12 +27,12 @@ class Delaunay:
     furthest_site : bool
         Only False is supported.
     incremental : bool
-        Whether `add_points` may be called, which triangulates all points anew.
+        Allow `add_points`, which triangulates all points anew.
     qhull_options : str, optional
         Without effect: options that tell Qhull how to deal with rounding errors are accepted, others
         refused.
     threads : int
-        For the queries; 0 for all cores.
+        Number of threads for queries; 0 for all cores.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Delaunay:
     equations : ndarray of float64, shape (nsimplex, ndim + 2)
         Normals and offsets of the hyperplanes through the lifted simplices.
     paraboloid_scale, paraboloid_shift : float
-        Of the paraboloid that points are lifted to.
+        Scale and shift of the paraboloid that points are lifted to.
     transform : ndarray of float64, shape (nsimplex, ndim + 1, ndim)
         ``transform[i, :ndim] @ (x - transform[i, ndim])`` are the first ndim barycentric coordinates
         of x in simplex i. NaN where the simplex is too flat for doubles.
@@ -132,7 +132,7 @@ class Delaunay:
 
     @property
     def _first_inputs(self) -> np.ndarray:
-        """Vertex of the mesh -> the first point that it is."""
+        """Array from each vertex of the mesh to the first of the points that it is."""
         return self.mesh.vertex_inputs
 
     @functools.cached_property
@@ -185,7 +185,7 @@ class Delaunay:
 
     @functools.cached_property
     def _paraboloid(self) -> tuple[float, float]:
-        """Scale and shift that bring squares to the range of the coordinates, as Qhull's Qbb."""
+        """Scale and shift that bring squares to the range of the coordinates, as Qhull's Qbb does."""
         squares = np.einsum("ij,ij->i", self.points, self.points)
         # Qhull's point at infinity, which its Qz adds, is lifted a tenth higher than the others.
         low, high = squares.min(), 1.1 * squares.max()
@@ -210,15 +210,29 @@ class Delaunay:
         return equations / np.linalg.norm(equations[:, :-1], axis=1, keepdims=True)
 
     def lift_points(self, x: Any) -> np.ndarray:
-        """Lift points to the paraboloid: shape (..., ndim) to (..., ndim + 1)."""
+        """Lift points to the paraboloid: shape (..., ndim) to (..., ndim + 1).
+
+        Examples
+        --------
+        >>> from netmesh import Delaunay
+        >>> Delaunay([[0, 0], [1, 0], [0, 1]]).lift_points([[0.5, 0.5]]).shape
+        (1, 3)
+        """
         x = query_points(x, self.ndim, "x")
         heights = self.paraboloid_scale * np.einsum("...i,...i->...", x, x) + self.paraboloid_shift
         return np.concatenate([x, heights[..., None]], axis=-1)
 
     def plane_distance(self, xi: Any) -> np.ndarray:
-        """Distances of lifted points to the hyperplanes of all simplices.
+        """Measure how far lifted points are from the hyperplanes of all simplices.
 
         Shape (..., ndim) to (..., nsimplex). Positive where the simplex's circumball holds the point.
+
+        Examples
+        --------
+        >>> from netmesh import Delaunay
+        >>> Delaunay([[0, 0], [1, 0], [0, 1]]).plane_distance([[0.5, 0.5], [2, 2]]) > 0
+        array([[ True],
+               [False]])
         """
         return self.lift_points(xi) @ self.equations[:, :-1].T + self.equations[:, -1]
 
@@ -238,6 +252,12 @@ class Delaunay:
         -------
         ndarray of int32, shape (...)
             -1 outside the hull. On a face that several simplices share, the least of them.
+
+        Examples
+        --------
+        >>> from netmesh import Delaunay
+        >>> Delaunay([[0, 0], [1, 0], [0, 1]]).find_simplex([[0.5, 0.5], [2, 2]])
+        array([ 0, -1], dtype=int32)
         """
         xi = query_points(xi, self.ndim, "xi")
         try:
@@ -254,6 +274,14 @@ class Delaunay:
         Parameters
         ----------
         points : array_like of float, shape (n, ndim)
+
+        Examples
+        --------
+        >>> from netmesh import Delaunay
+        >>> tri = Delaunay([[0, 0], [1, 0], [0, 1]], incremental=True)
+        >>> tri.add_points([[0.3, 0.3]])
+        >>> tri.npoints, tri.nsimplex
+        (4, 3)
         """
         if not self._is_open:
             raise StateError("points can be added with incremental=True, until close()")
@@ -267,12 +295,12 @@ class Delaunay:
                 self.__dict__.pop(name, None)
 
     def close(self) -> None:
-        """Accept no more points."""
+        """Accept no more points: `add_points` raises `StateError` from now on."""
         self._is_open = False
 
 
 def _inverses(matrices: np.ndarray) -> np.ndarray:
-    """Of each matrix; NaN where rounding errors would exceed about a thousandth."""
+    """Return the inverse of each matrix; NaN where rounding errors would exceed a thousandth."""
     try:
         inverses = np.linalg.inv(matrices)
     except np.linalg.LinAlgError:

@@ -1,4 +1,4 @@
-"""The exceptions: all are `Error`, and what Python calls such an error besides."""
+"""Exceptions. Each is an `Error`, and also the exception that Python has for such an error."""
 
 
 class Error(Exception):
@@ -26,7 +26,7 @@ class CapacityError(InvalidArgumentError):
 
 
 class DegenerateInputError(InvalidArgumentError):
-    """Fewer than two distinct points or, for a Delaunay triangulation, points in a hyperplane."""
+    """Points have fewer than two distinct ones or, for a Delaunay triangulation, lie in a hyperplane."""
 
 
 class LimitError(Error, RuntimeError):

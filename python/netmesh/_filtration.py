@@ -18,8 +18,8 @@ from ._shape import AlphaShape
 class Filtration:
     """The faces of a mesh, each with a value. `Mesh.filtration` makes it; nothing changes it.
 
-    Vertices are numbered as `points` are: those of kind 'alpha' as the caller's points, of equal
-    ones the first; those of kind 'mesh', of which some are no inputs, as the vertices of the mesh.
+    Vertices are numbered as `points` are: for the kind 'alpha' as the caller's points, of equal ones
+    the first; for the kind 'mesh', where some are no inputs, as the vertices of the mesh.
     A face is named by its dimension and its place in `faces`.
 
     Examples
@@ -42,12 +42,12 @@ class Filtration:
 
     @property
     def dim(self) -> int:
-        """The dimension of the simplices."""
+        """Dimension of the simplices."""
         return self._core.dim
 
     @property
     def factor(self) -> float:
-        """How near the diagrams are to those of the balls round the inputs, at least 1.
+        """Factor, at least 1, between these diagrams and those of the balls round the inputs.
 
         A feature of either, from birth to death (both lengths: the roots of the values of 'alpha'),
         with ``death / birth > factor**2`` has its own in the other, and births and deaths differ by
@@ -57,9 +57,10 @@ class Filtration:
 
     @functools.cached_property
     def points(self) -> np.ndarray:
-        """The points that faces are made of, float64, shape (points, dim).
+        """Points that faces are made of, float64, shape (points, dim).
 
-        Of kind 'alpha' the caller's points, duplicates included; of kind 'mesh' the vertices.
+        They are the caller's points, duplicates included, for the kind 'alpha', and the vertices for
+        the kind 'mesh'.
         """
         return fixed(self._core.points)
 
@@ -67,11 +68,26 @@ class Filtration:
         """Return the faces of dimension k: int32, shape (faces, k + 1), ascending, sorted.
 
         Numbers are those of rows of `points`.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> m.filtration("alpha").faces(2)
+        array([[0, 1, 2]], dtype=int32)
         """
         return fixed(self._core.faces(k))
 
     def values(self, k: int) -> np.ndarray:
-        """Return the values of the faces of dimension k: float64, shape (faces,)."""
+        """Return the values of the faces of dimension k: float64, shape (faces,).
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> m.filtration("alpha").values(0)
+        array([0., 0., 0.])
+        """
         return self._core.values(k)
 
     def facets(self, k: int) -> np.ndarray:
@@ -79,11 +95,27 @@ class Filtration:
 
         int32, shape (faces, k + 1): entry i is the face of dimension k - 1 without vertex i, whose
         sign in the boundary is ``(-1)**i``.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> m.filtration("alpha").facets(2)
+        array([[2, 1, 0]], dtype=int32)
         """
         return self._core.facets(k)
 
     def cofaces(self, k: int) -> CSR:
-        """Return for each face of dimension k those of dimension k + 1 that have it as a facet."""
+        """Return for each face of dimension k those of dimension k + 1 that have it as a facet.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> indptr, indices = m.filtration("alpha").cofaces(0)
+        >>> indices[indptr[2]:indptr[3]]
+        array([1, 2], dtype=int32)
+        """
         return CSR(*self._core.cofaces(k))
 
     def export(self, path: Union[str, os.PathLike]) -> None:
@@ -94,6 +126,15 @@ class Filtration:
         path : str or path
             ``.filtration``: text as GUDHI's simplex trees write and read it, with the numbers of
             `faces`. ``.dipha``: DIPHA's binary boundary matrix with weights.
+
+        Examples
+        --------
+        >>> import os, tempfile, netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     m.filtration("alpha").export(os.path.join(folder, "three.filtration"))
+        ...     os.listdir(folder)
+        ['three.filtration']
         """
         self._core.export(os.fspath(path))
 
@@ -108,12 +149,19 @@ class Filtration:
             shape, whose simplices, connected across facets, make at most `components` pieces: CGAL's
             optimal alpha.
         components : int
-            For 'optimal'.
+            Largest number of pieces of an 'optimal' shape.
 
         Raises
         ------
         Error
             `InvalidArgumentError` (another kind of filtration; alpha; components).
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> m.filtration("alpha").shape(5).face_counts
+        (3, 2, 0)
         """
         if self.kind != "alpha":
             raise InvalidArgumentError(
@@ -132,7 +180,14 @@ class Filtration:
     def to_gudhi(self) -> Any:
         """Return a ``gudhi.SimplexTree`` of the faces and values. Needs the package gudhi.
 
-        Its vertices are numbered as in `faces`: of kind 'alpha' as the caller's points.
+        Its vertices are numbered as in `faces`: for the kind 'alpha' as the caller's points.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], algorithm="delaunay")
+        >>> m.filtration("alpha").to_gudhi().num_simplices()
+        7
         """
         import gudhi
 

@@ -19,7 +19,7 @@ _RANGES = {"dihedral_angle": (0.0, 180.0), "smallest_angle": (0.0, 90.0)}
 def histogram(
     core: Core, measure: str, bins: Any, extent: Optional[tuple[float, float]], hull: bool
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What `Mesh.quality_histogram` answers."""
+    """Return the counts and the edges that `Mesh.quality_histogram` answers with."""
     edges = _edges(core, measure, 18 if bins is None else bins, extent, hull)
     counts, _, _ = core.quality_histogram(measure, hull, edges.tolist())
     return counts[1:-1], edges

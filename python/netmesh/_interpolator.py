@@ -20,7 +20,7 @@ class LinearNDInterpolator:
     values : array_like of float or complex, shape (npoints, ...)
         Of points that are equal the first one's count.
     fill_value : float
-        What points outside the hull get.
+        Value of points outside the hull.
     rescale : bool
         Bring the points to the unit cube first, for axes whose units have nothing to do with each
         other.
@@ -31,7 +31,7 @@ class LinearNDInterpolator:
     ----------
     tri : Delaunay
     points : ndarray of float64, shape (npoints, ndim)
-        As they were triangulated.
+        Points as they were triangulated: scaled, if `rescale` is given.
     values : ndarray of float64 or complex128, shape (npoints, components)
 
     Examples

@@ -229,12 +229,12 @@ class Mesh(Arrays):
 
     @property
     def options(self) -> dict:
-        """The options by name, as they were given."""
+        """Options by name, as they were given."""
         return dict(self._options)
 
     @property
     def parameters(self) -> dict:
-        """The options by name, as the run had them: every default filled in, and no 'auto'.
+        """Options by name, as the run had them: every default filled in, and no 'auto'.
 
         In 2D with the criterion 'radius_edge', which segments take, `min_angle` and `quality_bound` say
         the same. `size` and `background` are not among them.
@@ -250,7 +250,7 @@ class Mesh(Arrays):
 
     @property
     def dim(self) -> int:
-        """The dimension."""
+        """Dimension of the points, 2 to 8."""
         return self.points.shape[1]
 
     @property
@@ -273,17 +273,17 @@ class Mesh(Arrays):
 
     @property
     def kinds(self) -> np.ndarray:
-        """Where vertices come from, uint8, shape (vertices,): `VertexKind`."""
+        """Origin of each vertex, uint8, shape (vertices,): values of `VertexKind`."""
         return self._core.kinds
 
     @property
     def vertex_domains(self) -> np.ndarray:
-        """The innermost domain of vertices, int32, shape (vertices,); -1 without domains."""
+        """Innermost domain of each vertex, int32, shape (vertices,); -1 without domains."""
         return self._core.vertex_domains
 
     @property
     def precision_limited(self) -> np.ndarray:
-        """Whether doubles are too coarse for the bound at vertices, bool, shape (vertices,)."""
+        """True for vertices where doubles are too coarse for the bound, bool, shape (vertices,)."""
         return self._core.precision_limited
 
     @property
@@ -295,7 +295,8 @@ class Mesh(Arrays):
     def vertex_inputs(self) -> np.ndarray:
         """Inputs of vertices, int32, shape (vertices,); -1 for vertices that are no inputs.
 
-        Of equal inputs the first. This is the inverse of `input_vertices`, but for duplicates.
+        It is the first of inputs that are equal. So the array is the inverse of `input_vertices`, but
+        for duplicates.
 
         Examples
         --------
@@ -308,32 +309,47 @@ class Mesh(Arrays):
 
     @property
     def segments(self) -> np.ndarray:
-        """The edges that segments have become, int32, shape (edges, 2), in their directions."""
+        """Edges that segments have become, int32, shape (edges, 2), in their directions.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [4, 0], [0, 3]], [[0, 1], [1, 2], [2, 0]])
+        >>> bool((m.segment_parents[m.segments[:, 0] == 0] == 0).all()), len(m.segments) >= 3
+        (True, True)
+        """
         return self._core.segments
 
     @property
     def segment_parents(self) -> np.ndarray:
-        """The segments that these edges are parts of, int32, shape (edges,)."""
+        """Segment that each edge of `segments` is a part of, int32, shape (edges,)."""
         return self._core.segment_parents
 
     @property
     def simplex_regions(self) -> np.ndarray:
-        """Labels of simplices' regions, int32, shape (simplices,); empty without segments."""
+        """Label of each simplex' region, int32, shape (simplices,); empty without segments."""
         return self._core.simplex_regions
 
     @property
     def sizes(self) -> np.ndarray:
-        """The sizes that were asked for at vertices, float64, shape (vertices,); empty without.
+        """Sizes that were asked for at vertices, float64, shape (vertices,); empty without.
 
-        Those of `size` and `background`, infinite where there is no bound and where none was needed.
+        They come of `size` and `background`, infinite where there is no bound and where none was needed.
         """
         return self._core.sizes
 
     @property
     def domains(self) -> np.ndarray:
-        """The balls of the hierarchy, fields center, parent (-1 for the root's) and radius.
+        """Balls of the hierarchy, fields center (a vertex), parent (-1 for the root's) and radius.
 
         The root is the first, every parent stands before its children. Empty for 'delaunay'.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1], [1e-9, 0]])
+        >>> m.domains["parent"].tolist()
+        [-1, 0]
         """
         centers, parents, radii = self._core.domains
         domains = np.empty(len(radii), DOMAIN)
@@ -341,7 +357,7 @@ class Mesh(Arrays):
         return domains
 
     def placements(self, extent: str = "hull") -> np.ndarray:
-        """Where simplices lie with respect to the inputs' hull or box, exactly.
+        """Tell of each simplex whether it is inside the inputs' hull or box, exactly.
 
         Parameters
         ----------
@@ -351,23 +367,31 @@ class Mesh(Arrays):
         Returns
         -------
         ndarray of uint8, shape (simplices,)
-            `Placement`.
+            Values of `Placement`: inside, across the boundary or outside.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> is_inside = m.placements("hull") == netmesh.Placement.INSIDE
+        >>> round(float(m.volumes[is_inside].sum()), 12)
+        0.5
         """
         return self._core.placements(extent)
 
     def part(
         self, extent: str = "all", *, across: bool = False, domain: Optional[int] = None
     ) -> Part:
-        """Some of the simplices.
+        """Pick some of the simplices.
 
         Parameters
         ----------
         extent : {'all', 'hull', 'box'}
-            Those inside the inputs' convex hull, or inside their box.
+            Simplices inside the inputs' convex hull, or inside their box, are picked.
         across : bool
-            Those that are partly inside, too.
+            Simplices that are partly inside are picked, too.
         domain : int, optional
-            Those of this domain and of the domains in it.
+            Simplices of this domain and of the domains in it are picked, no others.
 
         Examples
         --------
@@ -384,12 +408,12 @@ class Mesh(Arrays):
         Parameters
         ----------
         kind : {'alpha', 'mesh'}
-            'alpha': alpha values, for a mesh made with ``algorithm='delaunay'``. Of each face the
-            squared radius of its smallest circumscribing ball if no vertex is strictly in that, else
-            the least value of the faces that have it as a facet. Each is the double nearest to the
-            exact one. 'mesh': for a mesh with other vertices, best with ``output='well_spaced'``:
-            when its Voronoi cells come near the inputs, as radii. `Filtration.factor` says how near
-            the two are.
+            'alpha': alpha values, for a mesh made with ``algorithm='delaunay'``. The value of a face is
+            the squared radius of its smallest circumscribing ball if no vertex is strictly in that,
+            else the least value of the faces that have it as a facet. Each is the double nearest to
+            the exact one. 'mesh': for a mesh with other vertices, best with
+            ``output='well_spaced'``: radii at which its Voronoi cells come near the inputs.
+            `Filtration.factor` says how near the two are.
         threads : int
             0 for all cores. No value depends on it.
 
@@ -415,11 +439,26 @@ class Mesh(Arrays):
 
     @property
     def stats(self) -> Stats:
-        """What the run did."""
+        """Figures of what the run did.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> stats = netmesh.mesh([[0, 0], [1, 0], [0, 1]]).stats
+        >>> stats.input_vertices, stats.cage_vertices > 0
+        (3, True)
+        """
         return Stats(**self._core.stats())
 
     def quality(self) -> Quality:
-        """Measure the quality. O(vertices + simplices)."""
+        """Measure the quality. O(vertices + simplices).
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> netmesh.mesh([[0, 0], [1, 0], [0, 1]]).quality().worst_aspect_anywhere <= 3
+        True
+        """
         return Quality(**self._core.quality())
 
     def quality_histogram(
@@ -506,6 +545,15 @@ class Mesh(Arrays):
             Values at the vertices by name, for 'vtu', 'tetgen_node', 'gmsh', 'ply', 'csv' and 'npy',
             where they make a structured array; `extend_values` makes them of values at the inputs.
             Names have 1 to 64 ASCII letters, digits, and ``_-.``.
+
+        Examples
+        --------
+        >>> import os, tempfile, netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     m.export(os.path.join(folder, "mesh.vtu"), attributes={"heat": m.points[:, 0]})
+        ...     os.listdir(folder)
+        ['mesh.vtu']
         """
         self._export(path, format, attributes)
 
@@ -517,7 +565,7 @@ class Mesh(Arrays):
         points : array_like of float, shape (..., dim)
             In any order.
         threads : int
-            0 for all cores. The answer does not depend on it.
+            Number of threads, 0 for all cores. The answer does not depend on it.
 
         Returns
         -------
@@ -584,7 +632,7 @@ class Mesh(Arrays):
         interpolation : {'linear', 'sibson', 'laplace'}
             Linear in each simplex, or by natural neighbours.
         outside : {'nan', 'nearest'}
-            What points outside the hull get: NaN, or the values of the nearest vertex.
+            Values of points outside the hull: NaN, or those of the nearest vertex.
         threads : int
             0 for all cores.
 
@@ -616,7 +664,7 @@ class Mesh(Arrays):
         Parameters
         ----------
         values : array_like of float or complex, shape (n, ...)
-            Of inputs that are equal the first one's count.
+            Values of the inputs; the first one's count where inputs are equal.
 
         Returns
         -------
@@ -638,22 +686,36 @@ class Mesh(Arrays):
         return shaped_values(found, values, found.shape[:1])
 
     def to_meshio(self, point_data: Any = None, cell_data: Any = None) -> Any:
-        """The mesh as a `meshio.Mesh`, in 2D and 3D.
+        """Convert the mesh to a `meshio.Mesh`, in 2D and 3D.
 
         Parameters
         ----------
         point_data, cell_data : dict of str to array, optional
             Values of vertices and of simplices, beside the kinds and domains of vertices.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> m.to_meshio({"x": m.points[:, 0]}).cells_dict["triangle"].shape
+        (1, 3)
         """
         return _views.to_meshio(self, point_data, cell_data)
 
     def to_pyvista(self, point_data: Any = None, cell_data: Any = None) -> Any:
-        """The mesh as a `pyvista.UnstructuredGrid`, in 2D and 3D.
+        """Convert the mesh to a `pyvista.UnstructuredGrid`, in 2D and 3D.
 
         Parameters
         ----------
         point_data, cell_data : dict of str to array, optional
-            As those of `to_meshio`.
+            Values of vertices and of simplices, beside the kinds and domains of vertices.
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> m.to_pyvista({"x": m.points[:, 0]}).n_cells
+        1
         """
         return _views.to_pyvista(self, point_data, cell_data)
 
@@ -663,12 +725,19 @@ class Mesh(Arrays):
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            The current one if it is not given.
+            Axes to draw on; the current ones if none are given.
         **arguments
-            Of `matplotlib.axes.Axes.triplot`.
+            Arguments of `matplotlib.axes.Axes.triplot`.
 
         Returns
         -------
         matplotlib.axes.Axes
+
+        Examples
+        --------
+        >>> import matplotlib, netmesh
+        >>> matplotlib.use("agg")
+        >>> netmesh.mesh([[0, 0], [1, 0], [0, 1]]).plot(linewidth=1).get_aspect()
+        1.0
         """
         return _views.plot(self, ax, arguments)

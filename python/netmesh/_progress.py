@@ -1,4 +1,4 @@
-"""How a run tells its progress."""
+"""Progress of a run, told to the caller."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ._netmesh import Progress
 
 
 def reporter(progress: Any) -> Optional[Callable[[Progress], Any]]:
-    """A function of a `Progress`: the caller's, or one that moves the caller's bar."""
+    """Return a function of a `Progress`: the caller's, or one that moves the caller's bar."""
     if progress is None or callable(progress):
         return progress
     if not all(hasattr(progress, name) for name in ("update", "n", "total")):

@@ -1,4 +1,4 @@
-"""What a mesh tells of itself: tuples with names, and the values that its arrays have."""
+"""Named tuples that a mesh answers with, and the values that its arrays have."""
 
 import enum
 from typing import NamedTuple, Optional
@@ -7,7 +7,15 @@ import numpy as np
 
 
 class VertexKind(enum.IntEnum):
-    """Where a vertex comes from: the values of `Mesh.kinds`."""
+    """Origin of a vertex: the values of `Mesh.kinds`.
+
+    Examples
+    --------
+    >>> import netmesh
+    >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]])
+    >>> int((m.kinds == netmesh.VertexKind.INPUT).sum())
+    3
+    """
 
     INPUT = 0
     STEINER = 1
@@ -15,7 +23,7 @@ class VertexKind(enum.IntEnum):
 
 
 class Placement(enum.IntEnum):
-    """Where a simplex lies with respect to a region: the values of `Mesh.placements`."""
+    """Place of a simplex with respect to a hull or box: the values of `Mesh.placements`."""
 
     INSIDE = 0
     ACROSS = 1
@@ -27,44 +35,44 @@ DOMAIN = np.dtype([("center", np.int32), ("parent", np.int32), ("radius", np.flo
 
 
 class CSR(NamedTuple):
-    """A list of ids for each of several things: list i is ``indices[indptr[i]:indptr[i+1]]``."""
+    """Lists of ids, one for each of several things: list i is ``indices[indptr[i]:indptr[i+1]]``."""
 
-    #: int64, one more than there are lists.
+    #: Beginnings of the lists, and the end of the last: int64, one more than there are lists.
     indptr: np.ndarray
-    #: int32.
+    #: Ids of all lists, one list after another: int32.
     indices: np.ndarray
 
 
 class Facets(NamedTuple):
     """Facets with the simplices that have them."""
 
-    #: int32, shape (facets, dim).
+    #: Vertices of each facet: int32, shape (facets, dim).
     vertices: np.ndarray
-    #: int32, shape (facets, 2), -1 for none; of the hull's facets shape (facets,).
+    #: Simplices at each facet: int32, shape (facets, 2), -1 for none; on the hull shape (facets,).
     simplices: np.ndarray
 
 
 class VoronoiCells(NamedTuple):
     """The Voronoi diagram of the vertices. The corner that belongs to a simplex is its circumcentre."""
 
-    #: Of each vertex the simplices whose corners its cell has; in 2D counterclockwise.
+    #: Simplices whose corners the cell of each vertex has; in 2D counterclockwise.
     regions: CSR
-    #: bool, shape (vertices,).
+    #: True for vertices whose cells are bounded: bool, shape (vertices,).
     is_bounded: np.ndarray
-    #: float64, shape (vertices,): of the cells; infinite where they are not bounded.
+    #: Volumes of the cells: float64, shape (vertices,); infinite where they are not bounded.
     volumes: np.ndarray
-    #: float64, shape (vertices,): what cells add to the volume of the mesh, which is their sum.
+    #: Shares of the cells in the volume of the mesh, which is their sum: float64, shape (vertices,).
     shares: np.ndarray
-    #: int32, shape (ridges, 2): the vertices between which each ridge lies. They are the edges.
+    #: Vertices between which each ridge lies: int32, shape (ridges, 2). They are the edges.
     ridges: np.ndarray
-    #: Of each ridge the simplices whose corners it has; in 3D in their order round it.
+    #: Simplices whose corners each ridge has; in 3D in their order round it.
     ridge_corners: CSR
-    #: bool, shape (ridges,).
+    #: True for bounded ridges: bool, shape (ridges,).
     is_ridge_bounded: np.ndarray
 
 
 class Violation(NamedTuple):
-    """A rule that does not hold. Ids are None where the rule concerns none."""
+    """Rule that does not hold, and where. Ids are None where the rule concerns none."""
 
     kind: str
     number: int
@@ -75,7 +83,7 @@ class Violation(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What `Mesh.validate` found. The mesh is right if `violations` is 0."""
+    """Answer of `Mesh.validate`. The mesh is right if `violations` is 0."""
 
     #: The highest level that holds in full, with all below it.
     level: int
@@ -87,7 +95,7 @@ class Report(NamedTuple):
 
 
 class Quality(NamedTuple):
-    """How good a mesh is.
+    """Figures of how good a mesh is: the answer of `Mesh.quality`.
 
     The aspect of a Voronoi cell is the distance from its vertex to its farthest corner over half the
     distance to the nearest other vertex. A figure over no cells at all is 0, infinity stands for
@@ -98,7 +106,7 @@ class Quality(NamedTuple):
     max_degree: int
     #: Worst aspect of the cells of vertices in no cage, off the hull and not precision-limited.
     worst_aspect: float
-    #: As worst_aspect over all corners, with the cells of cages and precision-limited ones.
+    #: Worst aspect over all corners, the cells of cages and precision-limited ones among them.
     worst_aspect_anywhere: float
     #: Mean of the aspects of which worst_aspect is the largest.
     mean_aspect: float
@@ -112,20 +120,20 @@ class Quality(NamedTuple):
     precision_limited: int
     #: Tetrahedra with a smaller dihedral angle than `min_dihedral`, all vertices in one domain.
     below_min_dihedral: int
-    #: Such with vertices of several domains, of which `min_dihedral` says nothing.
+    #: Tetrahedra below it with vertices of several domains, of which `min_dihedral` says nothing.
     below_min_dihedral_between_domains: int
     #: Cells, or simplices, beyond the bound where that gave way to the angle.
     beyond_bound: int
     #: Triangles that a small angle between segments forces; the figures above leave them out.
     forced: int
-    #: Smallest angle of these, in degrees.
+    #: Smallest angle of the forced triangles, in degrees.
     least_forced_angle_degrees: float
     #: Triangles that miss the angle and that nothing forces: beside cages, in hierarchical meshes.
     below_min_angle: int
 
 
 class Stats(NamedTuple):
-    """What a run did. `include/netmesh.h` explains each figure (`nm_stats`)."""
+    """Figures of what a run did. `include/netmesh.h` explains each one (`nm_stats`)."""
 
     rounds: int
     touches: int

@@ -14,7 +14,7 @@ from ._netmesh import FiltrationCore
 
 
 class FaceClass(enum.IntEnum):
-    """How a face lies in an alpha shape: the values of `AlphaShape.classes`."""
+    """Class of a face with respect to an alpha shape: the values of `AlphaShape.classes`."""
 
     #: Not in the shape.
     EXTERIOR = 0
@@ -53,9 +53,9 @@ class AlphaShape:
         self.face_counts: tuple[int, ...] = tuple(measures["face_counts"])
         #: The number of its faces of even dimension less that of those of odd dimension.
         self.euler_characteristic: int = measures["euler_characteristic"]
-        #: How many pieces it has.
+        #: Number of its connected pieces.
         self.components: int = measures["components"]
-        #: How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+        #: Number of bounded pieces that it leaves of space: holes in 2D, cavities in 3D.
         self.voids: int = measures["voids"]
         betti = measures["betti"]
         #: Its Betti numbers from dimension 0 on: components and holes in 2D; components, tunnels
@@ -63,22 +63,31 @@ class AlphaShape:
         self.betti: Optional[tuple[int, ...]] = None if betti is None else tuple(betti)
 
     def classes(self, k: int) -> np.ndarray:
-        """Return a `FaceClass` for each of ``Filtration.faces(k)``: uint8, shape (faces,)."""
+        """Return a `FaceClass` for each of ``Filtration.faces(k)``: uint8, shape (faces,).
+
+        Examples
+        --------
+        >>> import netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> shape = m.filtration("alpha").shape("optimal")
+        >>> shape.classes(2) == netmesh.FaceClass.INTERIOR
+        array([ True])
+        """
         return self._core.shape_classes(self.alpha, k)
 
     @property
     def simplices(self) -> np.ndarray:
-        """The simplices of the shape: int32, their places in ``Mesh.simplices``, ascending."""
+        """Simplices of the shape: int32, their places in ``Mesh.simplices``, ascending."""
         return self._core.shape_simplices(self.alpha)
 
     @functools.cached_property
     def points(self) -> np.ndarray:
-        """The caller's points, duplicates included: float64, shape (n, dim)."""
+        """Points of the caller, duplicates included: float64, shape (n, dim)."""
         return fixed(self._core.points)
 
     @property
     def boundary(self) -> np.ndarray:
-        """The boundary of the simplices: int32, shape (facets, dim), oriented outwards.
+        """Boundary of the simplices: int32, shape (facets, dim), oriented outwards.
 
         Numbers are those of the caller's points, of equal ones the first: rows of `points`.
         """
@@ -88,6 +97,15 @@ class AlphaShape:
         """Write the boundary to a ``.ply`` or ``.off`` file, which appears complete or not at all.
 
         In 3D it consists of triangles, in 2D of edges.
+
+        Examples
+        --------
+        >>> import os, tempfile, netmesh
+        >>> m = netmesh.mesh([[0, 0], [1, 0], [0, 1]], algorithm="delaunay")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     m.filtration("alpha").shape().export(os.path.join(folder, "shape.off"))
+        ...     os.listdir(folder)
+        ['shape.off']
         """
         self._core.export_shape(self.alpha, os.fspath(path))
 

@@ -19,7 +19,7 @@ class Voronoi:
     ----------
     points : array_like of float, shape (npoints, ndim)
     furthest_site, incremental, qhull_options
-        As those of `Delaunay`.
+        Arguments with the meaning that `Delaunay` gives them.
 
     Attributes
     ----------
@@ -94,13 +94,22 @@ class Voronoi:
         return dict(zip(map(tuple, self.ridge_points.tolist()), self.ridge_vertices))
 
     def add_points(self, points: Any, restart: bool = False) -> None:
-        """As `Delaunay.add_points`."""
+        """Add points: the diagram of all is made anew, whatever `restart`.
+
+        Examples
+        --------
+        >>> from netmesh import Voronoi
+        >>> vor = Voronoi([[0, 0], [1, 0], [0, 1]], incremental=True)
+        >>> vor.add_points([[0.3, 0.3]])
+        >>> len(vor.regions)
+        4
+        """
         self._delaunay.add_points(points, restart)
         self.__dict__.pop("ridge_dict", None)
         self._make()
 
     def close(self) -> None:
-        """As `Delaunay.close`."""
+        """Accept no more points: `add_points` raises `StateError` from now on."""
         self._delaunay.close()
 
 

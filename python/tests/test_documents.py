@@ -2,6 +2,7 @@
 
 import ast
 import doctest
+import functools
 import importlib
 import inspect
 import pathlib
@@ -26,6 +27,29 @@ def test_the_examples_of(name):
     module = importlib.import_module(name)
     failed, _ = doctest.testmod(module)
     assert failed == 0
+    runner = doctest.DocTestRunner()
+    for test in kept_array_examples(module):
+        runner.run(test)
+    assert runner.summarize().failed == 0
+
+
+def kept_array_examples(module):
+    """Returns the examples of cached properties, which doctest does not look at."""
+    parser = doctest.DocTestParser()
+    classes = [thing for thing in vars(module).values() if inspect.isclass(thing)]
+    return [
+        parser.get_doctest(kept.__doc__ or "", {}, f"{kind.__name__}.{name}", None, 0)
+        for kind in classes
+        if kind.__module__ == module.__name__
+        for name, kept in vars(kind).items()
+        if isinstance(kept, functools.cached_property)
+    ]
+
+
+def test_examples_of_kept_arrays_are_found():
+    from netmesh import _part
+
+    assert sum(len(test.examples) for test in kept_array_examples(_part)) > 20
 
 
 def test_everything_public_is_described():
@@ -37,6 +61,13 @@ def test_everything_public_is_described():
         )
     for name in ("mesh", "Mesh", "Delaunay", "LinearNDInterpolator"):
         assert ">>>" in getattr(netmesh, name).__doc__
+
+
+def test_every_question_has_an_example():
+    for kind in (netmesh.Mesh, netmesh.Part, netmesh.Filtration, netmesh.AlphaShape):
+        for name, thing in inspect.getmembers(kind, inspect.isfunction):
+            if not name.startswith("_"):
+                assert ">>>" in (thing.__doc__ or ""), f"{kind.__name__}.{name}"
 
 
 def test_the_stub_has_what_the_extension_has():

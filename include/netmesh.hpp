@@ -53,7 +53,7 @@
 
 namespace netmesh {
 
-// The version of the library that is linked, "major.minor.patch".
+// Returns the version of the library that is linked, "major.minor.patch".
 inline std::string version() { return nm_version(); }
 
 // Sees a run's progress on the thread that called run(), about every 30 ms and where a round or a
@@ -96,41 +96,42 @@ struct options {
     nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
 };
 
-// Which simplices: those that fulfil all conditions. The fields are those of nm_selection.
+// Selection of simplices: those that fulfil all conditions. The fields are those of nm_selection.
 struct selection {
     nm_extent extent = NM_EXTENT_ALL;
     bool across = false;
     std::uint32_t domain = NM_NONE;
 };
 
-// What nearest() found, for each of the points.
+// Answer of nearest(), with an element for each of the points.
 struct nearest_vertices {
     std::vector<std::uint32_t> vertices;
     std::vector<double> distances;
 };
 
-// What nearest_input() found, for each of the points: numbers of the caller's points.
+// Answer of nearest_input(), with an element for each of the points: numbers of the caller's
+// points.
 struct nearest_inputs {
     std::vector<std::uint32_t> inputs;
     std::vector<double> distances;
 };
 
-// How many values of a measure there are below the first edge, in each bin and above the last edge,
-// the least value and the largest.
+// Numbers of values of a measure below the first edge, in each bin and above the last edge, and the
+// least value and the largest.
 struct histogram {
     std::vector<std::uint64_t> counts;
     double least = 0;
     double largest = 0;
 };
 
-// Facets: dim vertices each, and the simplices that have them.
+// Facets, with dim vertices each, and the simplices that have them.
 struct facet_tables {
     table<std::uint32_t> vertices;
     table<std::uint32_t> simplices;
 };
 
-// Points, and after run() their mesh. Moves, does not copy; with a moved-from mesh everything but
-// assignment and destruction fails with NM_NULL_ARGUMENT.
+// Points, and after run() their mesh. A mesh moves and does not copy; with a moved-from mesh
+// everything but assignment and destruction fails with NM_NULL_ARGUMENT.
 class mesh {
 public:
     // Takes over a handle of the C interface, and frees it at the end.
@@ -150,11 +151,11 @@ public:
 
     ~mesh() { nm_mesh_free(handle_); }
 
-    // The handle, for the C interface; it stays this object's.
+    // Returns the handle for the C interface; it stays this object's.
     nm_mesh *get() noexcept { return handle_; }
     const nm_mesh *get() const noexcept { return handle_; }
 
-    // The handle, now the caller's to free.
+    // Gives the handle away; it is the caller's to free from now on.
     nm_mesh *release() noexcept { return std::exchange(handle_, nullptr); }
 
     // Copies n points: coordinate k of point i is points[i * stride + k]; stride 0 means dim.
@@ -183,8 +184,9 @@ public:
         return made(status, handle);
     }
 
-    // The same with columns that are coordinates, and columns that become attributes of the points,
-    // chosen as by nm_mesh_create_from_columns; an empty choice is the format's own, or none.
+    // Reads the points of a file from chosen columns, and further columns as attributes of the
+    // points, chosen as by nm_mesh_create_from_columns; an empty choice is the format's own, or
+    // none.
     static result<mesh> try_from_columns(const std::string &path_utf8, const std::string &columns,
                                          const std::string &attributes,
                                          nm_format format = NM_FORMAT_AUTO) {
@@ -212,8 +214,8 @@ public:
         return finished(status, call.thrown ? call.thrown : asked.thrown);
     }
 
-    // The options that the last run had, with every default filled in: what NM_OUTPUT_AUTO and
-    // NM_EXTENT_AUTO have become. Functions are empty.
+    // Returns the options that the last run had, with every default filled in, NM_OUTPUT_AUTO and
+    // NM_EXTENT_AUTO among them. Functions are empty.
     result<options> try_options_of_run() const {
         result<nm_options> found = filled<nm_options>(nm_mesh_options);
         if (!found) {
@@ -226,133 +228,137 @@ public:
 
     result<nm_counts> try_counts() const { return filled<nm_counts>(nm_mesh_counts); }
 
-    // What the file of the points has beside them, edges, faces and cells, and the mesh has not.
+    // Counts the edges, faces and cells that the points' file has and that were left out.
     result<nm_left_out> try_left_out() const { return filled<nm_left_out>(nm_mesh_left_out); }
 
-    // vertices x dim coordinates; the distinct inputs first.
+    // Returns vertices x dim coordinates; the distinct inputs come first.
     result<table<double>> try_points() const { return rows<double>(nm_mesh_get_points, 0); }
 
-    // simplices x (dim + 1) vertex ids, positively oriented.
+    // Returns simplices x (dim + 1) vertex ids, positively oriented.
     result<table<std::uint32_t>> try_simplices() const {
         return rows<std::uint32_t>(nm_mesh_get_simplices, 1);
     }
 
-    // simplices x (dim + 1) simplex ids, the i-th opposite vertex i; NM_NONE on the hull.
+    // Returns simplices x (dim + 1) simplex ids, the i-th opposite vertex i; NM_NONE on the hull.
     result<table<std::uint32_t>> try_neighbors() const {
         return rows<std::uint32_t>(nm_mesh_get_neighbors, 1);
     }
 
-    // An nm_vertex_kind per vertex.
+    // Returns an nm_vertex_kind per vertex.
     result<std::vector<std::uint8_t>> try_vertex_kinds() const {
         return array<std::uint8_t>(nm_mesh_get_vertex_kinds);
     }
 
-    // The innermost domain of each vertex; NM_NONE where there are no domains.
+    // Returns the innermost domain of each vertex; NM_NONE where there are no domains.
     result<std::vector<std::uint32_t>> try_vertex_domains() const {
         return array<std::uint32_t>(nm_mesh_get_vertex_domains);
     }
 
-    // 1 per vertex whose cell doubles are too coarse for, else 0.
+    // Returns 1 for each vertex whose cell doubles are too coarse for, 0 for the others.
     result<std::vector<std::uint8_t>> try_precision_limited() const {
         return array<std::uint8_t>(nm_mesh_get_precision_limited);
     }
 
-    // The vertex of each input; equal inputs share one.
+    // Returns the vertex of each input; equal inputs share one.
     result<std::vector<std::uint32_t>> try_input_vertices() const {
         return array<std::uint32_t>(nm_mesh_get_input_vertices);
     }
 
-    // The input that each vertex is, a number of the caller's points and of equal ones the first;
-    // NM_NONE for vertices that are no inputs.
+    // Returns the input that each vertex is, by its number among the caller's points and of equal
+    // ones the first; NM_NONE for vertices that are no inputs.
     result<std::vector<std::uint32_t>> try_vertex_inputs() const {
         return array<std::uint32_t>(nm_mesh_get_vertex_inputs);
     }
 
-    // The tree of domains, the root first, every parent before its children.
+    // Returns the tree of domains, the root first, every parent before its children.
     result<std::vector<nm_domain>> try_domains() const {
         return array<nm_domain>(nm_mesh_get_domains);
     }
 
-    // Arrays of a selection, which are not stored; ids are those of the whole mesh. First the
-    // ids of its simplices; arrays with a row for each simplex are in this order.
+    // Returns the ids of a selection's simplices; arrays of the selection with a row for each
+    // simplex are in this order. Arrays of a selection are not stored, and have the ids of the
+    // whole mesh.
     result<std::vector<std::uint32_t>> try_selected(const selection &wanted = {}) const {
         return array<std::uint32_t>(nm_mesh_get_selected, wanted);
     }
 
-    // edges x 2 vertex ids, the less first.
+    // Returns edges x 2 vertex ids, the lesser first.
     result<table<std::uint32_t>> try_edges(const selection &wanted = {}) const {
         return detail::in_rows(array<std::uint32_t>(nm_mesh_get_edges, wanted), 2);
     }
 
-    // Facets and the two simplices of each; NM_NONE in place of the second on the hull.
+    // Returns facets and the two simplices of each; NM_NONE in place of the second on the hull.
     result<facet_tables> try_facets(const selection &wanted = {}) const {
         return facets_of(nm_mesh_get_facets, nm_mesh_get_facet_simplices, wanted, 2);
     }
 
-    // The facets on the hull, oriented outwards, and the simplex of each.
+    // Returns the facets on the hull, oriented outwards, and the simplex of each.
     result<facet_tables> try_hull(const selection &wanted = {}) const {
         return facets_of(nm_mesh_get_hull, nm_mesh_get_hull_simplices, wanted, 1);
     }
 
-    // For each vertex the simplices that have it.
+    // Lists for each vertex the simplices that have it.
     result<lists<std::uint32_t>> try_vertex_simplices(const selection &wanted = {}) const {
         return lists_of(nm_mesh_get_vertex_simplices, nm_mesh_get_vertex_simplex_starts, wanted);
     }
 
-    // For each vertex those that share an edge with it.
+    // Lists for each vertex those that share an edge with it.
     result<lists<std::uint32_t>> try_vertex_neighbors(const selection &wanted = {}) const {
         return lists_of(nm_mesh_get_vertex_neighbors, nm_mesh_get_vertex_neighbor_starts, wanted);
     }
 
-    // simplices x dim coordinates.
+    // Returns the centres of the circumscribed balls, simplices x dim coordinates.
     result<table<double>> try_circumcenters(const selection &wanted = {}) const {
         return points_of<double>(nm_mesh_get_circumcenters, wanted);
     }
 
+    // Returns the radii of the circumscribed balls.
     result<std::vector<double>> try_circumradii(const selection &wanted = {}) const {
         return array<double>(nm_mesh_get_circumradii, wanted);
     }
 
+    // Returns the volumes of simplices, in 2D their areas.
     result<std::vector<double>> try_volumes(const selection &wanted = {}) const {
         return array<double>(nm_mesh_get_volumes, wanted);
     }
 
-    // Voronoi cells: for each vertex the simplices whose circumcentres are the corners of its cell.
+    // Lists for each vertex the simplices whose circumcentres are the corners of its Voronoi cell.
     result<lists<std::uint32_t>> try_regions(const selection &wanted = {}) const {
         return lists_of(nm_mesh_get_regions, nm_mesh_get_region_starts, wanted);
     }
 
-    // Volumes of Voronoi cells, infinite where unbounded.
+    // Returns the volumes of Voronoi cells, infinite where a cell is unbounded.
     result<std::vector<double>> try_region_volumes(const selection &wanted = {}) const {
         return array<double>(nm_mesh_get_region_volumes, wanted);
     }
 
-    // What each Voronoi cell adds to the volume of the mesh.
+    // Returns the share of each Voronoi cell in the volume of the mesh.
     result<std::vector<double>> try_region_shares(const selection &wanted = {}) const {
         return array<double>(nm_mesh_get_region_shares, wanted);
     }
 
-    // Facets of Voronoi cells: for each edge the simplices whose circumcentres are the corners.
+    // Lists for each edge the simplices whose circumcentres are the corners of the ridge between
+    // its two Voronoi cells.
     result<lists<std::uint32_t>> try_ridge_corners(const selection &wanted = {}) const {
         return lists_of(nm_mesh_get_ridge_corners, nm_mesh_get_ridge_starts, wanted);
     }
 
-    // 1 for each ridge that is bounded, else 0.
+    // Returns 1 for each ridge that is bounded, 0 for the others.
     result<std::vector<std::uint8_t>> try_ridge_bounded(const selection &wanted = {}) const {
         return array<std::uint8_t>(nm_mesh_get_ridge_bounded, wanted);
     }
 
-    // faces x (k + 1) vertex ids, not inputs: the faces of dimension k, each once.
+    // Returns the faces of dimension k, each once: faces x (k + 1) vertex ids, not inputs.
     result<table<std::uint32_t>> try_faces(std::uint32_t k) const {
         return of_faces(nm_mesh_get_faces, k);
     }
 
-    // faces x (k + 1) faces of dimension k - 1: the boundary of the faces of dimension k.
+    // Returns the boundary of the faces of dimension k: faces x (k + 1) faces of dimension k - 1.
     result<table<std::uint32_t>> try_face_facets(std::uint32_t k) const {
         return of_faces(nm_mesh_get_face_facets, k);
     }
 
-    // For each face of dimension k those of dimension k + 1 that have it as a facet.
+    // Lists for each face of dimension k those of dimension k + 1 that have it as a facet.
     result<lists<std::uint32_t>> try_cofaces(std::uint32_t k) const {
         return lists_of(nm_mesh_get_cofaces, nm_mesh_get_coface_starts, k);
     }
@@ -363,7 +369,7 @@ public:
         return status == NM_OK ? result<void>() : detail::failed(status);
     }
 
-    // The values of the faces of dimension k.
+    // Returns the values of the faces of dimension k.
     result<std::vector<double>> try_filtration(nm_filtration filtration, std::uint32_t k) const {
         return detail::fetched<double>(
             [this, filtration, k](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
@@ -371,22 +377,22 @@ public:
             });
     }
 
-    // To a file that ends with .filtration or .dipha. Numbers in it are those of inputs for
-    // NM_FILTRATION_ALPHA, of vertices for NM_FILTRATION_MESH.
+    // Writes a filtration to a file that ends with .filtration or .dipha. Its numbers are those of
+    // inputs for NM_FILTRATION_ALPHA, of vertices for NM_FILTRATION_MESH.
     result<void> try_save_filtration(const std::string &path_utf8,
                                      nm_filtration filtration) const {
         nm_status status = nm_export_filtration(handle_, filtration, path_utf8.c_str());
         return status == NM_OK ? result<void>() : detail::failed(status);
     }
 
-    // How near a filtration is to the balls round the inputs.
+    // Returns the factor between a filtration and that of the balls round the inputs.
     result<double> try_filtration_factor(nm_filtration filtration) const {
         double factor = 0;
         nm_status status = nm_mesh_filtration_factor(handle_, filtration, &factor);
         return status == NM_OK ? result<double>(factor) : detail::failed(status);
     }
 
-    // An nm_placement per simplex.
+    // Returns an nm_placement per simplex.
     result<std::vector<std::uint8_t>> try_placements(nm_extent extent) const {
         return detail::fetched<std::uint8_t>(
             [this, extent](std::uint8_t *buf, std::uint64_t capacity, std::uint64_t *needed) {
@@ -401,7 +407,7 @@ public:
         return status == NM_OK ? result<std::uint64_t>(bytes) : detail::failed(status);
     }
 
-    // The simplex that holds each of the points, dim coordinates each; NM_NONE outside.
+    // Finds the simplex that holds each of the points, dim coordinates each; NM_NONE outside.
     result<std::vector<std::uint32_t>> try_locate(span<const double> points,
                                                   std::uint32_t threads = 1) const {
         result<std::size_t> count = count_of(points);
@@ -419,20 +425,20 @@ public:
         });
     }
 
-    // The vertex nearest to each of the points, and its distance.
+    // Finds the vertex nearest to each of the points, and its distance.
     result<nearest_vertices> try_nearest(span<const double> points,
                                          std::uint32_t threads = 1) const {
         return nearest_by<nearest_vertices>(nm_mesh_nearest, points, threads);
     }
 
-    // The input nearest to each of the points, by its number among the caller's points and of equal
-    // ones the first, and its distance.
+    // Finds the input nearest to each of the points, by its number among the caller's points and of
+    // equal ones the first, and its distance.
     result<nearest_inputs> try_nearest_input(span<const double> points,
                                              std::uint32_t threads = 1) const {
         return nearest_by<nearest_inputs>(nm_mesh_nearest_input, points, threads);
     }
 
-    // Values at the points, components each, of those at the vertices.
+    // Interpolates values at the points, components each, from those at the vertices.
     result<table<double>> try_interpolate(nm_interpolation interpolation, std::uint32_t components,
                                           span<const double> values, span<const double> points,
                                           std::uint32_t threads = 1) const {
@@ -489,15 +495,15 @@ public:
                                                       values.data()));
     }
 
-    // The size that the last run asked for at each vertex, infinite for none; empty if nothing told
-    // sizes.
+    // Returns the size that the last run asked for at each vertex, infinite for none; the result is
+    // empty if nothing told sizes.
     result<std::vector<double>> try_sizes() const { return array<double>(nm_mesh_get_sizes); }
 
     result<void> try_remove_background() {
         return detail::outcome(nm_mesh_set_background(handle_, nullptr, 0, nullptr));
     }
 
-    // The values of a name at all vertices, as files get them: vertices x components.
+    // Returns the values of a name at all vertices, which files get: vertices x components.
     result<std::vector<double>> try_attributes(const std::string &name) const {
         return detail::fetched<double>(
             [this, &name](double *buf, std::uint64_t capacity, std::uint64_t *needed) {
@@ -505,8 +511,8 @@ public:
             });
     }
 
-    // Segments that run() keeps as chains of edges, in 2D: two numbers of inputs each, and a number
-    // of the caller's for each or none. They replace those before.
+    // Sets the segments that run() keeps as chains of edges, in 2D: two numbers of inputs each, and
+    // a number of the caller's for each or none. They replace those before.
     result<void> try_set_segments(span<const std::uint32_t> inputs,
                                   span<const std::int32_t> markers = {}) {
         const std::size_t count = inputs.size() / 2;
@@ -517,13 +523,13 @@ public:
                                                     markers.empty() ? nullptr : markers.data()));
     }
 
-    // The regions between segments; each is NM_REGION_INIT before its fields are set. They replace
-    // those before.
+    // Sets the regions between segments; each is NM_REGION_INIT before its fields are set. They
+    // replace those before.
     result<void> try_set_regions(span<const nm_region> regions) {
         return detail::outcome(nm_mesh_set_regions(handle_, regions.size(), regions.data()));
     }
 
-    // The edges that segments have become: two vertices each.
+    // Returns the edges that segments have become: two vertices each.
     result<table<std::uint32_t>> try_segments() const {
         result<std::vector<std::uint32_t>> ends = array<std::uint32_t>(nm_mesh_get_segments);
         if (!ends) {
@@ -532,17 +538,17 @@ public:
         return table<std::uint32_t>(std::move(*ends), 2);
     }
 
-    // The segment that each of these edges is a part of.
+    // Returns the segment that each edge of segments() is a part of.
     result<std::vector<std::uint32_t>> try_segment_parents() const {
         return array<std::uint32_t>(nm_mesh_get_segment_parents);
     }
 
-    // The label of each simplex's region; none without segments.
+    // Returns the label of each simplex's region; the result is empty without segments.
     result<std::vector<std::int32_t>> try_simplex_regions() const {
         return array<std::int32_t>(nm_mesh_get_simplex_regions);
     }
 
-    // Values at all vertices, components each, of those at the inputs.
+    // Extends values at the inputs, components each, to all vertices.
     result<table<double>> try_extend_values(std::uint32_t components,
                                             span<const double> input_values) const {
         result<nm_counts> counted = try_counts();
@@ -623,7 +629,8 @@ public:
         });
     }
 
-    // What a file would hold; for NM_FORMAT_TETGEN_NODE the .node part, then the .ele part.
+    // Returns the bytes that a file would hold; for NM_FORMAT_TETGEN_NODE the .node part, then the
+    // .ele part.
     result<std::string> try_to_string(nm_format format) const {
         return detail::allocating("the text", [&]() -> result<std::string> {
             std::string text;
@@ -639,7 +646,7 @@ public:
     }
 
 #if NETMESH_EXCEPTIONS
-    // The same, throwing netmesh::error.
+    // Each function below does what the try_ function of its name does, and throws netmesh::error.
     mesh(std::uint32_t dim, const double *points, std::size_t n, std::size_t stride = 0)
         : mesh(try_create(dim, points, n, stride).value()) {}
     mesh(std::uint32_t dim, span<const double> points) : mesh(try_create(dim, points).value()) {}
@@ -816,7 +823,8 @@ private:
         }
     };
 
-    // What a callback answers to C; an exception must not leave it, and waits in thrown.
+    // Calls a callback and returns its answer to C. An exception must not leave it, and waits in
+    // thrown.
     template <typename Body>
     static std::int32_t answered(std::exception_ptr &thrown, Body body) noexcept {
         return detail::guarded([&body]() -> std::int32_t { return body() ? 0 : 1; },
@@ -826,7 +834,7 @@ private:
                                });
     }
 
-    // The end of a call with a callback: what that threw goes first.
+    // Ends a call with a callback: an exception of the callback's is thrown first.
     static result<void> finished(nm_status status, const std::exception_ptr &thrown) {
         if (thrown) {
             std::rethrow_exception(thrown);
@@ -834,7 +842,7 @@ private:
         return detail::outcome(status);
     }
 
-    // Between options and nm_options, in either direction; all but the functions.
+    // Copies all fields but the functions between options and nm_options, in either direction.
     template <typename From, typename To>
     static void copy(const From &from, To &to) noexcept {
         to.output = from.output;
@@ -919,7 +927,7 @@ private:
         return which;
     }
 
-    // An array in rows of dim + more elements.
+    // Gets an array in rows of dim + more elements.
     template <typename Element>
     result<table<Element>> rows(getter<Element> fetch, std::size_t more) const {
         result<nm_counts> counted = try_counts();
@@ -929,13 +937,13 @@ private:
         return detail::in_rows(array<Element>(fetch), counted->dim + more);
     }
 
-    // An array of the faces of dimension k in rows of k + 1 ids.
+    // Gets an array of the faces of dimension k in rows of k + 1 ids.
     result<table<std::uint32_t>> of_faces(face_getter<std::uint32_t> fetch,
                                           std::uint32_t k) const {
         return detail::in_rows(array<std::uint32_t>(fetch, k), std::size_t{k} + 1);
     }
 
-    // An array of a selection in rows of dim elements.
+    // Gets an array of a selection in rows of dim elements.
     template <typename Element>
     result<table<Element>> points_of(selected_getter<Element> fetch,
                                      const selection &wanted) const {
@@ -961,7 +969,7 @@ private:
         return facet_tables{*std::move(first), *std::move(second)};
     }
 
-    // Lists of a selection, or of the faces of a dimension.
+    // Gets lists of a selection, or of the faces of a dimension.
     template <typename Elements, typename Starts, typename Wanted>
     result<lists<std::uint32_t>> lists_of(Elements elements, Starts starts,
                                           const Wanted &wanted) const {
@@ -983,7 +991,7 @@ private:
                                                 std::to_string(wanted)};
     }
 
-    // How many points coordinates make.
+    // Returns the number of points that coordinates make.
     result<std::size_t> count_of(span<const double> points) const {
         result<nm_counts> counted = try_counts();
         if (!counted) {

@@ -23,37 +23,37 @@
 
 namespace netmesh {
 
-// The least alpha whose shape is connected.
+// Returns the least alpha whose shape is connected.
 inline result<double> try_connecting_alpha(const mesh &of) {
     double alpha = 0;
     nm_status status = nm_mesh_connecting_alpha(of.get(), &alpha);
     return status == NM_OK ? result<double>(alpha) : detail::failed(status);
 }
 
-// The least alpha for which each input is a vertex of a simplex of the shape, whose simplices make at
-// most so many pieces.
+// Returns the least alpha for which each input is a vertex of a simplex of the shape, whose simplices
+// make at most so many pieces.
 inline result<double> try_optimal_alpha(const mesh &of, std::uint64_t components = 1) {
     double alpha = 0;
     nm_status status = nm_mesh_optimal_alpha(of.get(), components, &alpha);
     return status == NM_OK ? result<double>(alpha) : detail::failed(status);
 }
 
-// All faces whose alpha value is at most alpha, a squared radius. It refers to the mesh, which must
-// live and keep its place as long.
+// Alpha shape: all faces whose alpha value is at most alpha, a squared radius. It refers to the
+// mesh, which must live and keep its place as long.
 class alpha_shape {
 public:
     alpha_shape(const mesh &of, double alpha) noexcept : mesh_(&of), alpha_(alpha) {}
 
     double alpha() const noexcept { return alpha_; }
 
-    // Faces, pieces, voids, Betti numbers and volume.
+    // Measures the shape: faces, pieces, voids, Betti numbers and volume.
     result<nm_alpha_shape> try_measures() const {
         nm_alpha_shape shape = detail::sized<nm_alpha_shape>();
         nm_status status = nm_mesh_alpha_shape(mesh_->get(), alpha_, &shape);
         return status == NM_OK ? result<nm_alpha_shape>(shape) : detail::failed(status);
     }
 
-    // An nm_face_class for each face of dimension k, in the order of mesh.faces(k).
+    // Returns an nm_face_class for each face of dimension k, in the order of mesh.faces(k).
     result<std::vector<std::uint8_t>> try_classes(std::uint32_t k) const {
         return detail::fetched<std::uint8_t>(
             [this, k](std::uint8_t *buf, std::uint64_t capacity, std::uint64_t *needed) {
@@ -62,8 +62,8 @@ public:
             });
     }
 
-    // facets x dim inputs, numbers of the caller's points and of equal ones the first: the boundary
-    // of the simplices, oriented outwards.
+    // Returns the boundary of the simplices, oriented outwards: facets x dim inputs, by their
+    // numbers among the caller's points and of equal ones the first.
     result<table<std::uint32_t>> try_boundary() const {
         result<nm_counts> counted = mesh_->try_counts();
         if (!counted) {
@@ -78,7 +78,7 @@ public:
             static_cast<std::size_t>(counted->dim));
     }
 
-    // The boundary, to a file that ends with .ply or .off.
+    // Writes the boundary to a file that ends with .ply or .off.
     result<void> try_save(const std::string &path_utf8) const {
         return detail::outcome(nm_export_alpha_shape(mesh_->get(), alpha_, path_utf8.c_str()));
     }

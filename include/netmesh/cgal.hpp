@@ -45,7 +45,7 @@ namespace netmesh {
 namespace cgal {
 namespace detail {
 
-// What 2D and 3D name differently.
+// Names that CGAL has for 2D and for 3D.
 template <typename Triangulation>
 struct traits {
     static constexpr int dim = 0;  // no triangulation that fill() knows
@@ -69,7 +69,8 @@ struct traits<CGAL::Delaunay_triangulation_2<Gt, Tds>> {
     }
 };
 
-// Without a location policy: Fast_location is a hierarchy of triangulations.
+// Traits of triangulations without a location policy: Fast_location is a hierarchy of
+// triangulations.
 template <typename Gt, typename Tds, typename Lock>
 struct traits<CGAL::Delaunay_triangulation_3<Gt, Tds, CGAL::Default, Lock>> {
     static constexpr int dim = 3;
@@ -139,7 +140,7 @@ void create_cells(typename traits<Triangulation>::data_structure &tds, const clo
     }
 }
 
-// A coordinate that must be a double: exact kernels hold others too.
+// Returns a coordinate that must be a double: exact kernels hold others too.
 template <typename Number>
 double exact_double(const Number &number, std::size_t point, int coordinate) {
     const double value = CGAL::to_double(number);
@@ -154,9 +155,9 @@ inline double exact_double(float number, std::size_t, int) { return static_cast<
 
 }  // namespace detail
 
-// A mesh of the points of a range (forward iterators): CGAL's Point_2 or Point_3 of any Cartesian or
-// homogeneous kernel. A coordinate that is no double, which exact kernels may hold, is an error
-// (NM_INVALID_ARGUMENT); otherwise as mesh(). O(n).
+// Makes a mesh of the points of a range (forward iterators): CGAL's Point_2 or Point_3 of any
+// Cartesian or homogeneous kernel. A coordinate that is no double, which exact kernels may hold, is
+// an error (NM_INVALID_ARGUMENT); the other errors are those of mesh(). O(n).
 template <typename Points>
 mesh make_mesh(const Points &points) {
     using std::begin;
@@ -208,9 +209,9 @@ std::vector<typename Triangulation::Vertex_handle> fill(const mesh &mesh, Triang
     return vertices;
 }
 
-// Whether the Delaunay triangulation of its vertices is the only one: no dim + 2 of them lie on a
-// sphere with none inside. Exact if the kernel's predicates are. Vertices in a plane in space are not
-// looked into: false. O(cells).
+// Returns true if the Delaunay triangulation of its vertices is the only one: no dim + 2 of them
+// lie on a sphere with none inside. Exact if the kernel's predicates are. Vertices in a plane in
+// space are not looked into: false. O(cells).
 template <typename Triangulation>
 bool is_unique(const Triangulation &triangulation) {
     using kind = detail::traits<Triangulation>;

@@ -45,7 +45,7 @@ struct closed_complex {
     }
 
 private:
-    // The places in neighbors that face infinity; the i-th one's infinite simplex is finite + i.
+    // Places in neighbors that face infinity; the i-th one's infinite simplex is finite + i.
     std::vector<std::size_t> hull_;
 
     void add_infinite() {
@@ -62,8 +62,8 @@ private:
         const std::size_t all = finite + hull_.size();
         vertices.reserve(all * vertices_each);
         neighbors.resize(all * vertices_each, NM_NONE);
-        // As the finite simplex, infinity instead of the vertex opposite the facet; two vertices
-        // change places, since infinity is on the facet's other side.
+        // The vertices are those of the finite simplex, with infinity opposite the facet; two of
+        // them change places, since infinity is on the facet's other side.
         for (const std::size_t place : hull_) {
             const std::size_t first = place - place % vertices_each;
             const std::size_t added = vertices.size();
@@ -86,8 +86,8 @@ private:
         }
     }
 
-    // The infinite simplex beyond the hull facet that shares with the one opposite apex the ridge
-    // without the vertices apex and other: the way goes round the ridge through the mesh.
+    // Finds the infinite simplex beyond the hull facet that shares with the one opposite apex the
+    // ridge without the vertices apex and other: the way goes round the ridge through the mesh.
     std::uint32_t across_ridge(std::size_t simplex, std::size_t apex, std::size_t other) const {
         for (;;) {
             const std::uint32_t next = neighbors[simplex * vertices_each + other];

@@ -51,7 +51,7 @@ namespace detail {
 template <typename Derived>
 constexpr bool in_memory = (Eigen::internal::traits<Derived>::Flags & Eigen::DirectAccessBit) != 0;
 
-// The points of a matrix in memory, as they lie there.
+// Describes the points of a matrix in memory as they lie there.
 template <typename Derived>
 strided_points<typename Derived::Scalar> view(const Derived &matrix, bool points_in_rows) {
     const auto row = static_cast<std::ptrdiff_t>(matrix.rowStride());
@@ -74,7 +74,7 @@ mesh mesh_of(const Eigen::DenseBase<Derived> &points, bool points_in_rows) {
     }
 }
 
-// rows x width elements of the library in the memory of a matrix, each row beside the next.
+// Gets rows x width elements of the library into a matrix, each row beside the next.
 template <typename Matrix, typename Getter>
 Matrix fetched(const mesh &mesh, Getter getter, std::size_t more, bool in_rows) {
     const std::size_t width = mesh.dim() + more;
@@ -116,19 +116,19 @@ Matrix converted_matrix(const Ids &ids) {
 
 }  // namespace detail
 
-// A mesh of points, one in each row: n x dim.
+// Makes a mesh of points, one in each row: n x dim.
 template <typename Derived>
 mesh mesh_of_rows(const Eigen::DenseBase<Derived> &points) {
     return detail::mesh_of(points, true);
 }
 
-// A mesh of points, one in each column: dim x n.
+// Makes a mesh of points, one in each column: dim x n.
 template <typename Derived>
 mesh mesh_of_columns(const Eigen::DenseBase<Derived> &points) {
     return detail::mesh_of(points, false);
 }
 
-// The coordinates of the vertices: vertices x dim, and dim x vertices.
+// Return the coordinates of the vertices: vertices x dim, and dim x vertices.
 inline rows<double> points_in_rows(const mesh &mesh) {
     return detail::fetched<rows<double>>(mesh, nm_mesh_get_points, 0, true);
 }
@@ -136,7 +136,7 @@ inline columns<double> points_in_columns(const mesh &mesh) {
     return detail::fetched<columns<double>>(mesh, nm_mesh_get_points, 0, false);
 }
 
-// The vertices of the simplices: simplices x (dim + 1), and (dim + 1) x simplices.
+// Return the vertices of the simplices: simplices x (dim + 1), and (dim + 1) x simplices.
 template <typename Index = std::uint32_t>
 rows<Index> simplices_in_rows(const mesh &mesh) {
     return detail::converted_matrix<rows<Index>>(
@@ -148,7 +148,7 @@ columns<Index> simplices_in_columns(const mesh &mesh) {
         detail::fetched<columns<std::uint32_t>>(mesh, nm_mesh_get_simplices, 1, false));
 }
 
-// The neighbours of the simplices, the i-th opposite vertex i: shaped like the simplices.
+// Return the neighbours of the simplices, the i-th opposite vertex i: shaped like the simplices.
 template <typename Index = std::uint32_t>
 rows<Index> neighbors_in_rows(const mesh &mesh) {
     return detail::converted_matrix<rows<Index>>(

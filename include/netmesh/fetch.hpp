@@ -1,4 +1,4 @@
-// netmesh/fetch.hpp - how netmesh.hpp gets arrays out of the C interface. Included by it.
+// netmesh/fetch.hpp - arrays of the C interface, as netmesh.hpp gets them. Included by it.
 // License: MIT OR Apache-2.0.
 
 #ifndef NETMESH_FETCH_HPP
@@ -16,7 +16,7 @@
 namespace netmesh {
 namespace detail {
 
-// An array by whatever has the last three arguments of a getter: first its length, then itself.
+// Gets an array by a function with the last three arguments of a getter: first the length, then it.
 template <typename Element, typename Fetch>
 result<std::vector<Element>> fetched(Fetch fetch) {
     return allocating("the array", [&]() -> result<std::vector<Element>> {
@@ -33,7 +33,7 @@ result<std::vector<Element>> fetched(Fetch fetch) {
     });
 }
 
-// An array in rows of so many elements.
+// Gets an array in rows of so many elements.
 template <typename Element>
 result<table<Element>> in_rows(result<std::vector<Element>> elements, std::size_t width) {
     if (!elements) {

@@ -23,7 +23,7 @@
 
 namespace netmesh {
 
-// A call that did not answer NM_OK. what() is the library's sentence.
+// Error of a call that did not answer NM_OK. what() is the library's sentence.
 class error : public std::runtime_error {
 public:
     error(nm_status status, const std::string &message)
@@ -31,20 +31,20 @@ public:
 
     nm_status status() const noexcept { return status_; }
 
-    // "NM_CAPACITY" and the like.
+    // Returns the status' name, such as "NM_CAPACITY".
     const char *status_name() const noexcept { return nm_status_name(status_); }
 
 private:
     nm_status status_;
 };
 
-// Why there is no value: never NM_OK, and the library's sentence ("" where memory for it ran out).
+// Status, never NM_OK, and the library's sentence ("" where memory for it ran out).
 struct failure {
     nm_status status;
     std::string message;
 };
 
-// A value, or why there is none. status() is NM_OK and message() "" where there is a value.
+// Value, or the failure in its place. status() is NM_OK and message() "" where there is a value.
 template <typename Value>
 class [[nodiscard]] result {
 public:
@@ -58,7 +58,7 @@ public:
     const char *status_name() const noexcept { return nm_status_name(failure_.status); }
     const std::string &message() const noexcept { return failure_.message; }
 
-    // The value, which must be there.
+    // Returns the value, which must be there.
     Value &operator*() & noexcept { return *value_; }
     const Value &operator*() const & noexcept { return *value_; }
     Value &&operator*() && noexcept { return std::move(*value_); }
@@ -66,7 +66,7 @@ public:
     const Value *operator->() const noexcept { return &*value_; }
 
 #if NETMESH_EXCEPTIONS
-    // The value, or an error is thrown.
+    // Returns the value, or throws an error.
     Value value() && {
         require();
         return std::move(*value_);
@@ -89,7 +89,7 @@ private:
     failure failure_{NM_OK, {}};
 };
 
-// Success, or why not.
+// Success or failure of a call without a value.
 template <>
 class [[nodiscard]] result<void> {
 public:
@@ -118,7 +118,7 @@ private:
 
 namespace detail {
 
-// body(), or rescue() where it throws.
+// Returns body(), or rescue() where that throws.
 template <typename Body, typename Rescue>
 auto guarded(Body body, [[maybe_unused]] Rescue rescue) -> decltype(body()) {
 #if NETMESH_EXCEPTIONS
@@ -132,7 +132,7 @@ auto guarded(Body body, [[maybe_unused]] Rescue rescue) -> decltype(body()) {
 #endif
 }
 
-// status with this thread's message.
+// Returns a failure of that status, with this thread's message.
 inline failure failed(nm_status status) noexcept {
     return guarded(
         [status] {
@@ -148,7 +148,7 @@ inline result<void> outcome(nm_status status) noexcept {
     return status == NM_OK ? result<void>() : result<void>(failed(status));
 }
 
-// make(), which allocates; a failed allocation becomes NM_OUT_OF_MEMORY.
+// Returns make(), which allocates; a failed allocation becomes NM_OUT_OF_MEMORY.
 template <typename Make>
 auto allocating(const char *what, Make make) -> decltype(make()) {
     return guarded(make, [what]() -> decltype(make()) {
@@ -158,7 +158,7 @@ auto allocating(const char *what, Make make) -> decltype(make()) {
     });
 }
 
-// A struct that the library fills, with its struct_size set.
+// Returns a struct for the library to fill, with its struct_size set.
 template <typename Struct>
 Struct sized() noexcept {
     Struct value{};

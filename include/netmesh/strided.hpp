@@ -49,7 +49,7 @@ struct strided_points {
     std::ptrdiff_t point_stride;
     std::ptrdiff_t coordinate_stride;
 
-    // Whether the library reads them where they are.
+    // Returns true if the library reads the points where they are.
     bool direct() const noexcept {
         return std::is_same_v<Number, double> && coordinate_stride == 1 && point_stride > 0 &&
                static_cast<std::size_t>(point_stride) >= dim;
@@ -61,7 +61,8 @@ struct strided_points {
     }
 };
 
-// A vector, array or span of points of a fixed size: std::array<Number, dim> or Number[dim].
+// Describes a vector, array or span of points of a fixed size: std::array<Number, dim> or
+// Number[dim].
 template <typename Points, typename Point = std::remove_cv_t<std::remove_pointer_t<
                                decltype(std::data(std::declval<const Points &>()))>>,
           typename Number = std::decay_t<decltype(std::declval<const Point &>()[0])>>
@@ -74,8 +75,8 @@ strided_points<Number> strided(const Points &points) noexcept {
             static_cast<std::ptrdiff_t>(dim), 1};
 }
 
-// A std::mdspan, or what has its members, of n points by dim coordinates, with any strided layout.
-// Its accessor must be that of an array, such as std::default_accessor.
+// Describes a std::mdspan, or what has its members, of n points by dim coordinates, with any
+// strided layout. Its accessor must be that of an array, such as std::default_accessor.
 template <typename View>
 auto strided_mdspan(const View &view) -> strided_points<std::remove_cv_t<typename View::element_type>> {
     static_assert(View::rank() == 2, "n points by dim coordinates");
@@ -89,7 +90,7 @@ auto strided_mdspan(const View &view) -> strided_points<std::remove_cv_t<typenam
 
 namespace detail {
 
-// A mesh of count points of dim coordinates, which coordinate(i, k) tells.
+// Makes a mesh of count points of dim coordinates, which coordinate(i, k) tells.
 template <typename Coordinate>
 result<mesh> pack(std::size_t count, std::size_t dim, Coordinate coordinate) {
     if (dim < NM_MIN_DIM || dim > NM_MAX_DIM) {
@@ -118,8 +119,8 @@ result<mesh> pack(std::size_t count, std::size_t dim, Coordinate coordinate) {
 
 }  // namespace detail
 
-// Makes a mesh of points. Fails as mesh() does, with NM_NULL_ARGUMENT where points.data is null, and
-// with NM_OUT_OF_MEMORY where there is none for a copy.
+// Makes a mesh of points. Fails where mesh() does, with NM_NULL_ARGUMENT where points.data is null,
+// and with NM_OUT_OF_MEMORY where there is none for a copy.
 template <typename Number>
 result<mesh> try_make_mesh(const strided_points<Number> &points) {
     if constexpr (std::is_same_v<Number, double>) {
@@ -137,7 +138,7 @@ result<mesh> try_make_mesh(const strided_points<Number> &points) {
 }
 
 #if NETMESH_EXCEPTIONS
-// The same, throwing netmesh::error.
+// Makes a mesh of points, and throws netmesh::error where it fails.
 template <typename Number>
 mesh make_mesh(const strided_points<Number> &points) {
     return try_make_mesh(points).value();

@@ -21,7 +21,7 @@
 
 namespace netmesh {
 
-// Elements in a row that belong to somebody else. What std::span does, also before C++20: each
+// Elements in a row that belong to somebody else: std::span, also before C++20. Each
 // converts to the other, so that the types of this library do not depend on the language's version.
 template <typename T>
 class span {
@@ -37,8 +37,8 @@ public:
     constexpr span() noexcept = default;
     constexpr span(T *data, std::size_t size) noexcept : data_(data), size_(size) {}
 
-    // Of an array, std::vector, std::array, std::span or whatever else has data() and size(). Only
-    // constant elements may come from a temporary.
+    // Views an array, std::vector, std::array, std::span or whatever else has data() and size().
+    // Only constant elements may come from a temporary.
     template <typename Container,
               typename Element = std::remove_pointer_t<decltype(std::data(std::declval<Container &>()))>,
               typename = decltype(std::size(std::declval<Container &>())),
@@ -81,10 +81,10 @@ public:
     table(std::vector<T> elements, std::size_t width) noexcept
         : elements_(std::move(elements)), width_(width) {}
 
-    // Rows.
+    // Returns the number of rows.
     std::size_t size() const noexcept { return width_ == 0 ? 0 : elements_.size() / width_; }
     bool empty() const noexcept { return size() == 0; }
-    // Elements in a row.
+    // Returns the number of elements in a row.
     std::size_t width() const noexcept { return width_; }
 
     // Not checked.
@@ -95,7 +95,7 @@ public:
     iterator begin() const noexcept { return {elements_.data(), width_}; }
     iterator end() const noexcept { return {elements_.data() + size() * width_, width_}; }
 
-    // All elements, size() * width() of them; of a temporary they are moved out.
+    // Returns all elements, size() * width() of them; of a temporary they are moved out.
     const T *data() const noexcept { return elements_.data(); }
     const std::vector<T> &flat() const & noexcept { return elements_; }
     std::vector<T> flat() && noexcept { return std::move(elements_); }
@@ -110,7 +110,8 @@ private:
     std::size_t width_ = 0;
 };
 
-// Random access, as C++20 means it; for C++17, where a reference must be one, an input iterator.
+// Iterator with random access, as C++20 means it; for C++17, where a reference must be one, an
+// input iterator.
 template <typename T>
 class table<T>::iterator {
 public:
@@ -121,7 +122,7 @@ public:
     using value_type = span<const T>;
     using difference_type = std::ptrdiff_t;
     using reference = span<const T>;
-    // What -> answers: it holds the row.
+    // Answer of ->, which holds the row.
     class pointer {
     public:
         const span<const T> *operator->() const noexcept { return &row_; }
@@ -184,7 +185,7 @@ public:
     lists(std::vector<std::uint64_t> starts, std::vector<T> elements) noexcept
         : starts_(std::move(starts)), elements_(std::move(elements)) {}
 
-    // Lists.
+    // Returns the number of lists.
     std::size_t size() const noexcept { return starts_.empty() ? 0 : starts_.size() - 1; }
     bool empty() const noexcept { return size() == 0; }
 
@@ -196,7 +197,7 @@ public:
     iterator begin() const noexcept { return {*this, 0}; }
     iterator end() const noexcept { return {*this, size()}; }
 
-    // All elements, and where the lists begin among them; of a temporary they are moved out.
+    // Return all elements, and where the lists begin among them; of a temporary they are moved out.
     const std::vector<T> &flat() const & noexcept { return elements_; }
     std::vector<T> flat() && noexcept { return std::move(elements_); }
     const std::vector<std::uint64_t> &starts() const & noexcept { return starts_; }
@@ -212,7 +213,7 @@ private:
     std::vector<T> elements_;
 };
 
-// Forward.
+// Forward iterator over the lists.
 template <typename T>
 class lists<T>::iterator {
 public:

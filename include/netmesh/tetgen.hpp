@@ -59,7 +59,7 @@
 namespace netmesh {
 namespace tetgen {
 
-// What fill() writes beside points and tetrahedra.
+// Arrays that fill() writes beside points and tetrahedra.
 struct layout {
     int first_number = 0;                // of points and tetrahedra
     bool neighbors = false;              // neighborlist
@@ -67,7 +67,7 @@ struct layout {
     const int *input_markers = nullptr;  // one per input: pointmarkerlist
 };
 
-// The switches that are understood.
+// Switches that are understood.
 struct switches {
     bool quality = false;
     double ratio = 2;
@@ -85,7 +85,7 @@ namespace detail {
     refuse("the switch '" + name + "' is not understood; for point sets there are q n z F B I Q V");
 }
 
-// The digits and points of text from place on; place moves behind them.
+// Reads the digits and points of text from place on; place moves behind them.
 inline std::string number_at(const std::string &text, std::size_t &place) {
     const std::size_t start = place;
     place = text.find_first_not_of("0123456789.", start);
@@ -93,7 +93,7 @@ inline std::string number_at(const std::string &text, std::size_t &place) {
     return text.substr(start, place - start);
 }
 
-// Whatever the locale.
+// Reads a number, whatever the locale.
 inline double number(const std::string &digits) {
     std::istringstream stream(digits);
     stream.imbue(std::locale::classic());
@@ -132,7 +132,7 @@ inline void copy_points(const mesh &mesh, tetgenio &out) {
     }
 }
 
-// Markers of inputs, the first duplicate's; 0 for other vertices.
+// Returns the markers of inputs, the first duplicate's; 0 for other vertices.
 inline void copy_markers(const mesh &mesh, const int *input_markers, tetgenio &out) {
     const auto count = static_cast<std::size_t>(out.numberofpoints);
     out.pointmarkerlist = new int[count]();
@@ -151,7 +151,7 @@ inline int *numbered(const table<std::uint32_t> &ids, int first) {
     return list;
 }
 
-// The facets without a neighbour, each seen from outside.
+// Returns the facets without a neighbour, each seen from outside.
 inline void copy_hull(const table<std::uint32_t> &simplices, const table<std::uint32_t> &neighbors,
                       int first, tetgenio &out) {
     constexpr std::array<std::array<std::size_t, 3>, 4> outward{
@@ -217,7 +217,7 @@ inline switches parse(const char *text) {
     return parsed;
 }
 
-// The same from TetGen's parsed switches, each of which must be understood. Parameters of
+// Reads TetGen's parsed switches, each of which must be understood. Parameters of
 // TetGen's own work (-b, -l, -x, -X, -T, -M) are not looked at, nor is -p beside -q, which TetGen's
 // parser sets itself.
 inline switches parse(const tetgenbehavior &behavior) {
@@ -252,8 +252,8 @@ inline switches parse(const tetgenbehavior &behavior) {
     return parsed;
 }
 
-// Makes a mesh of the points of in, which must hold nothing but points and their markers. Fails as
-// mesh() does.
+// Makes a mesh of the points of in, which must hold nothing but points and their markers. Fails
+// where mesh() does.
 inline mesh make_mesh(const tetgenio &in) {
     if (in.mesh_dim != 3 || in.numberofpoints < 0) {
         detail::refuse("in.mesh_dim = " + std::to_string(in.mesh_dim) + ", in.numberofpoints = " +
@@ -306,7 +306,7 @@ inline void fill(const mesh &mesh, tetgenio &out, const layout &wanted = {}) {
     detail::move_lists(built, out);
 }
 
-// The work of tetrahedralize, for switches that are parsed.
+// Does the work of tetrahedralize, for switches that are parsed.
 inline void tetrahedralize(const switches &wanted, tetgenio *in, tetgenio *out,
                            tetgenio *addin = nullptr, tetgenio *bgmin = nullptr) {
     if (in == nullptr || out == nullptr) {

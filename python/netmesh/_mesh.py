@@ -76,7 +76,7 @@ def mesh(
         At least two distinct points. Arrays of doubles whose rows are contiguous are read where
         they are.
     segments : array_like of int, shape (segments, 2), optional
-        In 2D: pairs of points between which edges shall lie, cut at points on the way.
+        In 2D: pairs of points between which edges shall lie, split at points on the way.
     markers : array_like of int, shape (segments,), optional
         Numbers of the segments, 0 by default; files have them.
     regions : sequence of (x, y, label) or (x, y, label, max_edge), optional

@@ -9,7 +9,7 @@ mod left_out;
 pub mod sizes;
 
 pub use attribute::Attribute;
-pub use boundary::{Arrangement, Boundary, Region, Segments, Subsegment};
+pub use boundary::{Arrangement, Boundary, Crowded, Region, Segments, Subsegment};
 pub use boxed::Boxed;
 pub use left_out::LeftOut;
 

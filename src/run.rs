@@ -1,6 +1,8 @@
 //! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
 
-use crate::arrangement::{Poll, Task, arrange, check_closed, encloses, with_extent};
+use crate::arrangement::{
+    Poll, SharedVertices, Task, arrange, check_closed, encloses, with_extent,
+};
 use crate::error::{Choice, Error, ErrorKind, Name, Result, say};
 use crate::memory::{TryGrow, copied, with_capacity};
 use crate::mesh::{Arrangement, Inputs, Mesh, NONE, Triangulation};
@@ -9,8 +11,8 @@ use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
 use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
-/// How often segments are led through further points where doubles have no room beside each other.
-/// From one to the next the distance from where they meet doubles.
+/// How often segments are led through further vertices where doubles have no room beside each
+/// other.
 const MOST_TRIES: usize = 64;
 
 impl Mesh {
@@ -38,22 +40,22 @@ impl Mesh {
     ) -> Result<()> {
         let options = &with_interior(options, self.segments().has_polygons());
         self.check_sizes(options, size.is_some())?;
-        let mut crowded = Vec::new();
+        let mut shared = SharedVertices::default();
         let mut least = -1.0;
         let mut progress = progress.map(|progress| forwards(&mut least, progress));
         let mut progress = progress.as_mut().map(|progress| progress as &mut ProgressFn<'_>);
         for tries in 1.. {
             let mut watch = Watch::new(progress.as_deref_mut());
             let poll: Poll<'_> = &mut |work| watch.poll_after(work);
-            let (options, mut arrangement) = self.arrangement(options, &crowded, poll)?;
+            let (options, mut arrangement) = self.arrangement(options, &shared.points, poll)?;
             let arranged = arrangement.as_mut();
             let made = self.meshed(&options, arranged, size, progress.as_deref_mut());
-            let known = crowded.len();
+            let known = shared.points.len();
             let lacks_room = made.as_ref().is_err_and(|error| error.kind() == ErrorKind::Limit);
             if let Some(arrangement) = arrangement.filter(|_| lacks_room) {
-                self.note_crowded(&mut crowded, &arrangement)?;
+                self.note_crowded(&mut shared, &arrangement)?;
             }
-            if crowded.len() == known || tries == MOST_TRIES {
+            if shared.points.len() == known || tries == MOST_TRIES {
                 self.set_triangulation(made?);
                 break;
             }
@@ -80,14 +82,12 @@ impl Mesh {
         }
     }
 
-    /// Appends the crowded points of a run that are not known as vertices yet.
-    fn note_crowded(&self, crowded: &mut Vec<[f64; 2]>, arrangement: &Arrangement) -> Result<()> {
+    /// Adds vertices for the crowded points of a run that are not known as vertices yet.
+    fn note_crowded(&self, shared: &mut SharedVertices, arrangement: &Arrangement) -> Result<()> {
         let inputs = (0..self.inputs().distinct()).map(|v| self.inputs().distinct_point(v));
         let known = || arrangement.crossings.iter().map(|x| &x[..]).chain(inputs.clone());
-        for x in &arrangement.crowded {
-            if !crowded.contains(x) && !known().any(|other| other == x) {
-                crowded.try_push(*x)?;
-            }
+        for crowded in &arrangement.crowded {
+            shared.add(crowded, |x| known().any(|other| other == x))?;
         }
         Ok(())
     }
@@ -97,7 +97,7 @@ impl Mesh {
     fn arrangement(
         &self,
         options: &Options,
-        crowded: &[[f64; 2]],
+        shared: &[[f64; 2]],
         poll: Poll<'_>,
     ) -> Result<(Options, Option<Arrangement>)> {
         let Options { extent, crossings, interior, .. } = *options;
@@ -112,7 +112,7 @@ impl Mesh {
             Extent::Auto => {
                 let (inputs, segments) = (self.inputs(), self.segments());
                 let own = segments.count();
-                let task = Task { inputs, segments, own, crowded, crossings };
+                let task = Task { inputs, segments, own, shared, crossings };
                 let arrangement = arrange(&task, poll)?;
                 options = match encloses(inputs, segments, &arrangement, interior)? {
                     true => Options { extent: Extent::Boundary, ..options },
@@ -123,13 +123,13 @@ impl Mesh {
             Extent::All | Extent::Boundary => {
                 let (inputs, segments) = (self.inputs(), self.segments());
                 let own = segments.count();
-                arrange(&Task { inputs, segments, own, crowded, crossings }, poll)?
+                arrange(&Task { inputs, segments, own, shared, crossings }, poll)?
             }
             Extent::Hull | Extent::Box => {
                 let own = (self.inputs(), self.segments());
                 let (inputs, segments) = with_extent(own.0, own.1, extent, poll)?;
                 let own = own.1.count();
-                let task = Task { inputs: &inputs, segments: &segments, own, crowded, crossings };
+                let task = Task { inputs: &inputs, segments: &segments, own, shared, crossings };
                 self.in_own_numbers(arrange(&task, poll)?, &inputs)?
             }
         };

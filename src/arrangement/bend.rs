@@ -7,7 +7,7 @@ use super::Poll;
 use super::near::Near;
 use super::reach::Reach;
 use crate::error::Result;
-use crate::memory::{TryGrow, with_capacity};
+use crate::memory::{Lists, TryGrow, with_capacity};
 use crate::mesh::Subsegment;
 
 /// The work of a piece, as polls count it.
@@ -18,6 +18,8 @@ pub(super) struct Bender<'a, const D: usize> {
     vertices: &'a [[f64; D]],
     reaches: &'a [Reach<D>],
     near: Near<D>,
+    /// Vertex -> the other ends of the pieces that end there.
+    others: Lists,
     /// The vertices near the piece at hand.
     found: Vec<u32>,
     /// Pieces that may have to be bent again, the next one last.
@@ -25,15 +27,21 @@ pub(super) struct Bender<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Bender<'a, D> {
-    /// `reaches` are those of the segments. O(n log n) for n vertices.
-    pub fn new(vertices: &'a [[f64; D]], reaches: &'a [Reach<D>]) -> Result<Self> {
+    /// `reaches` are those of the segments. O(n log n) for n vertices and pieces.
+    pub fn new(
+        vertices: &'a [[f64; D]],
+        reaches: &'a [Reach<D>],
+        pieces: &[Subsegment],
+    ) -> Result<Self> {
         let near = Near::new(vertices)?;
+        let pairs = || pieces.iter().flat_map(|&Subsegment { ends: [a, b], .. }| [(a, b), (b, a)]);
+        let others = Lists::of_pairs(vertices.len(), pairs)?;
         let (found, waiting) = Default::default();
-        Ok(Self { vertices, reaches, near, found, waiting })
+        Ok(Self { vertices, reaches, near, others, found, waiting })
     }
 
     /// Returns the pieces through the vertices near them, in the direction of each, but for the
-    /// vertices that a piece `passes`. `bent` is told of each vertex that a piece now goes through,
+    /// vertices that a piece `passes`. Vertices that `is_shared` attract from farther off. `bent` is told of each vertex that a piece now goes through,
     /// and of the segment.
     ///
     /// # Errors
@@ -42,6 +50,7 @@ impl<'a, const D: usize> Bender<'a, D> {
         &mut self,
         pieces: &[Subsegment],
         poll: Poll<'_>,
+        is_shared: impl Fn(&[f64; D]) -> bool,
         passes: impl Fn(&Subsegment, u32) -> bool,
         mut bent: impl FnMut(u32, u32),
     ) -> Result<Vec<Subsegment>> {
@@ -52,7 +61,7 @@ impl<'a, const D: usize> Bender<'a, D> {
             while let Some(ends) = self.waiting.pop() {
                 poll(WORK)?;
                 let part = Subsegment { ends, ..*piece };
-                self.find(&part)?;
+                self.find(&part, &is_shared)?;
                 self.found.retain(|&vertex| !passes(&part, vertex));
                 if self.found.is_empty() {
                     all.try_push(part)?;
@@ -71,8 +80,8 @@ impl<'a, const D: usize> Bender<'a, D> {
     }
 
     /// Fills `found` with the vertices near a piece, from its first end to its second.
-    fn find(&mut self, part: &Subsegment) -> Result<()> {
-        let Self { vertices, reaches, near, found, .. } = self;
+    fn find(&mut self, part: &Subsegment, is_shared: impl Fn(&[f64; D]) -> bool) -> Result<()> {
+        let Self { vertices, reaches, near, others, found, .. } = self;
         let reach = &reaches[part.segment as usize];
         let point = |vertex: u32| &vertices[vertex as usize];
         let piece = part.ends.map(point);
@@ -80,9 +89,23 @@ impl<'a, const D: usize> Bender<'a, D> {
         let (low, high) = (places[0].min(places[1]), places[0].max(places[1]));
         found.clear();
         near.collect(reach, piece, found)?;
+        let is_between = |x: &[f64; D]| {
+            let place = reach.place(x);
+            low < place && place < high
+        };
+        // Two lines that run so closely beside each other share their vertices: a mesh between
+        // them would have as many as the gap fits into their length.
+        let runs_along = |vertex: u32| {
+            others.of(vertex as usize).iter().any(|&other| {
+                reach.is_parallel(piece, [vertex, other].map(point))
+                    && (part.ends.contains(&other) || is_between(point(other)))
+            })
+        };
         found.retain(|&vertex| {
-            let place = reach.place(point(vertex));
-            low < place && place < high && reach.is_near(piece, point(vertex))
+            let x = point(vertex);
+            is_between(x)
+                && (reach.is_near(piece, x)
+                    || reach.is_beside(piece, x) && (is_shared(x) || runs_along(vertex)))
         });
         let mut kept = 0;
         for at in 0..found.len() {

@@ -154,7 +154,7 @@ mod tests {
         let (ends, markers) = (segments.to_vec(), vec![0; segments.len()]);
         let segments = Segments { inputs: ends, markers, ..Segments::default() };
         let (own, crossings) = (segments.count(), Crossings::Split);
-        let task = Task { inputs: &inputs, segments: &segments, own, crowded: &[], crossings };
+        let task = Task { inputs: &inputs, segments: &segments, own, shared: &[], crossings };
         let arrangement = arrange(&task, &mut |_| Ok(())).unwrap();
         encloses(&inputs, &segments, &arrangement, interior).unwrap()
     }

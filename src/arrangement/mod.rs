@@ -25,6 +25,7 @@ mod near;
 mod near_tests;
 mod places;
 mod reach;
+mod shared;
 mod split;
 mod status;
 mod straighten;
@@ -34,6 +35,7 @@ mod tests;
 
 pub use closed::{check_closed, encloses};
 pub use extent::with_extent;
+pub use shared::SharedVertices;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
@@ -64,7 +66,7 @@ pub struct Task<'a> {
     /// counterclockwise.
     pub own: usize,
     /// Further vertices, as if segments crossed there; none of them is an input.
-    pub crowded: &'a [[f64; 2]],
+    pub shared: &'a [[f64; 2]],
     pub crossings: Crossings,
 }
 
@@ -81,7 +83,7 @@ pub struct Task<'a> {
 pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     let vertices = (0..task.inputs.distinct()).map(|vertex| task.inputs.distinct_point(vertex));
     let mut points = collected(vertices.map(|point| *coordinates::<2>(point, 0)))?;
-    points.try_extend(task.crowded)?;
+    points.try_extend(task.shared)?;
     let ends = |ends: &[u32; 2]| ends.map(|input| task.inputs.vertices()[input as usize]);
     let segments = task.segments.inputs.iter().zip(0u32..);
     let segments = segments.map(|(inputs, segment)| Subsegment {
@@ -131,7 +133,9 @@ fn arrange_within(
                 arrangement.note_offset(reaches[segment as usize].offset_from_segment(point));
             }
         };
-        pieces = Bender::new(&points, reaches)?.bend(&pieces, poll, passes, bent)?;
+        let is_shared = |x: &[f64; 2]| task.shared.contains(x);
+        let mut bender = Bender::new(&points, reaches, &pieces)?;
+        pieces = bender.bend(&pieces, poll, is_shared, passes, bent)?;
         let places = Places::new(&points)?;
         let snaps = |segments: [u32; 2]| {
             has_split && segments.iter().all(|&segment| !reaches[segment as usize].is_long())

@@ -27,7 +27,7 @@ fn arranged(points: &[Point], ends: &[[u32; 2]], crossings: Crossings) -> Result
     let ends: Vec<[u32; 2]> = ends.iter().filter(differ).copied().collect();
     let segments = Segments { markers: vec![0; ends.len()], inputs: ends, ..Segments::default() };
     let own = segments.count();
-    let task = Task { inputs: &inputs, segments: &segments, own, crowded: &[], crossings };
+    let task = Task { inputs: &inputs, segments: &segments, own, shared: &[], crossings };
     let arrangement = arrange(&task, &mut |_| Ok(()))?;
     check(&inputs, &segments, &arrangement);
     Ok(arrangement)

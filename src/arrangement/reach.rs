@@ -17,6 +17,10 @@ pub(super) const NEAR: f64 = 3.0;
 /// A bent segment goes through no vertex that is farther from the straight one, in the same units.
 const FARTHEST: f64 = 12.0;
 
+/// Two lines as far off each other as a segment may be bent share their vertices if they run beside
+/// each other for so many units.
+const PARALLEL: f64 = 65536.0;
+
 /// A segment shorter than so many units is meant as it is: rounding explains no gap beside it.
 const SHORTEST: f64 = 4096.0;
 
@@ -79,6 +83,20 @@ impl<const D: usize> Reach<D> {
     /// order along the segment.
     pub fn is_near(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
         self.is_long && self.offset(piece, x) <= NEAR && self.offset_from_segment(x) <= FARTHEST
+    }
+
+    /// Returns true if a vertex is beside the piece between two points of the bent segment, as far
+    /// off as the segment may be bent.
+    pub fn is_beside(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
+        self.is_long && self.offset(piece, x).max(self.offset_from_segment(x)) <= FARTHEST
+    }
+
+    /// Returns true if a line is beside the piece between two points of the bent segment, and long
+    /// beside the gap between them.
+    pub fn is_parallel(&self, piece: [&[f64; D]; 2], line: [&[f64; D]; 2]) -> bool {
+        let [x, y] = line;
+        let is_long = (0..D).any(|k| (x[k] - y[k]).abs() >= PARALLEL * self.units[k]);
+        is_long && line.iter().all(|end| self.is_beside(piece, end))
     }
 
     /// Returns true if the segment, which goes through one of two points, goes through the other

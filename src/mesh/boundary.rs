@@ -56,6 +56,14 @@ pub struct Subsegment {
     pub balance: i64,
 }
 
+/// A point where doubles have no room for a vertex of a subsegment, since another vertex is there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crowded {
+    pub x: [f64; 2],
+    /// Ends of the subsegment of the arrangement, the nearer to the point first.
+    pub ends: [[f64; 2]; 2],
+}
+
 /// Segments that meet only at their ends: what the caller's segments are cut into.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arrangement {
@@ -69,7 +77,7 @@ pub struct Arrangement {
     pub covered_segments: u64,
     /// Points that a run could not make vertices of, since another is there: segments must go
     /// through it together.
-    pub crowded: Vec<[f64; 2]>,
+    pub crowded: Vec<Crowded>,
     /// How often an input that is not on a straight segment is taken as on it, since it is nearer
     /// than rounding explains.
     pub near_inputs: u64,

@@ -103,7 +103,8 @@ fn mesh<const D: usize>(
     mesher.sizes = sizes;
     let made = mesher.mesh(arrangement.as_deref());
     if let Some(arrangement) = &mut arrangement {
-        arrangement.crowded = collected(mesher.state.segments.crowded.iter().map(|at| at.x))?;
+        arrangement.crowded =
+            collected(mesher.state.segments.crowded.iter().map(|crowded| crowded.at))?;
     }
     made?;
     mesher.into_triangulation(begun)

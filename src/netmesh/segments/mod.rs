@@ -44,7 +44,7 @@ mod tests;
 
 use crate::complex::SimplexId;
 use crate::error::message;
-use crate::mesh::NONE;
+use crate::mesh::{self, NONE};
 use chain::Chains;
 pub(in crate::netmesh) use cut::cut;
 use regions::Regions;
@@ -82,7 +82,7 @@ pub(in crate::netmesh) struct Crowded {
     segment: u32,
     /// The segment that has a vertex there, if one does.
     beside: Option<u32>,
-    pub x: [f64; 2],
+    pub at: mesh::Crowded,
 }
 
 /// What an error calls a segment.

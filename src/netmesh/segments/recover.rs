@@ -6,13 +6,18 @@ use crate::complex::{SimplexId, VertexId, position};
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, TryGrow};
+use crate::mesh;
 use crate::netmesh::cages::domains::{DomainId, ROOT};
 use crate::netmesh::segments::Segments;
 use crate::netmesh::{Mesher, State};
-use crate::numerics::in_diametral_ball;
+use crate::numerics::{distance, in_diametral_ball, offset_from_line};
 
 /// A subsegment that is not so many units in the last place long stays whole where it is an edge.
 const SHORTEST: f64 = 64.0;
+
+/// One that is an edge stays whole, too, where the vertices that encroach it are no farther from it
+/// than so many.
+const NO_ROOM: f64 = 8.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits subsegments until all that wait are recovered.
@@ -41,13 +46,33 @@ impl<const D: usize> Mesher<'_, '_, D> {
             apex.is_valid()
                 && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
         };
-        let is_edge = apexes.is_some();
-        if apexes.is_some_and(|apexes| !apexes.iter().any(encroaches))
-            || !(is_edge && self.is_short(subsegment)) && self.split(subsegment, cavity)?
-        {
+        let has_room = match apexes {
+            None => true,
+            Some(apexes) => {
+                let mut encroaching = apexes.into_iter().filter(encroaches).peekable();
+                if encroaching.peek().is_none() {
+                    return Ok(());
+                }
+                !self.is_short(subsegment) && encroaching.any(|apex| self.is_apart(a, b, apex))
+            }
+        };
+        if has_room && self.split(subsegment, cavity)? {
             return Ok(());
         }
-        Ok(self.limit_subsegment(subsegment, is_edge)?)
+        Ok(self.limit_subsegment(subsegment, apexes.is_some())?)
+    }
+
+    /// Returns true if a vertex is so far from the line from `a` to `b` that doubles tell vertices
+    /// on this line from those on a line through the vertex. In a sharper angle, vertices as far
+    /// from its apex on both lines encroach each other by their roundings, down to the apex.
+    fn is_apart(&self, a: VertexId, b: VertexId, vertex: VertexId) -> bool {
+        let [a, b, x] = [a, b, vertex].map(|vertex| self.state.delaunay.point(vertex));
+        let flat = |x: &[f64; D]| [x[0], x[1]];
+        let units = [0, 1].map(|axis| {
+            let largest = a[axis].abs().max(b[axis].abs());
+            largest - largest.next_down()
+        });
+        offset_from_line(&flat(a), &flat(b), &flat(x), units) > NO_ROOM
     }
 
     /// Returns true if doubles are too coarse for vertices on `subsegment`: their roundings would
@@ -98,7 +123,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let beside = vertex.and_then(|vertex| chains.line_at(vertex));
             let segment_of = |line: u32| chains.lines[line as usize].segment;
             let (segment, beside) = (segment_of(line), beside.map(segment_of));
-            let crowded = Crowded { segment, beside, x: [0, 1].map(|axis| x[axis]) };
+            let crowded = Crowded { segment, beside, at: self.crowded_at(line, &x) };
             self.state.segments.crowded.try_push(crowded)?;
         }
         self.state.segments.chains.limit(subsegment);
@@ -106,7 +131,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn crowded_error(&self, &Crowded { segment, beside, x: [x, y] }: &Crowded) -> Error {
+    /// Returns a point on a line, with the ends of the line.
+    fn crowded_at(&self, line: u32, x: &[f64; D]) -> mesh::Crowded {
+        let flat = |x: &[f64; D]| [0, 1].map(|axis| x[axis]);
+        let ends = self.state.segments.chains.lines[line as usize].ends;
+        let mut ends = ends.map(|end| flat(self.state.delaunay.point(end)));
+        let x = flat(x);
+        if distance(&x, &ends[1]) < distance(&x, &ends[0]) {
+            ends.swap(0, 1);
+        }
+        mesh::Crowded { x, ends }
+    }
+
+    fn crowded_error(&self, &Crowded { segment, beside, at }: &Crowded) -> Error {
+        let [x, y] = at.x;
         let name = name_of(segment);
         let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
         let message = message!(

@@ -1,0 +1,74 @@
+//! Vertices that segments share where doubles have no room for one of each: between two lines from
+//! a common vertex, as long as they are not some units in the last place apart.
+//!
+//! A vertex that two lines share is where they part anew, at the same angle, and the edge to the
+//! last such vertex is a short feature beside it. So the next one is twice as far on: a line needs
+//! no more of them than its length has bits.
+
+use crate::memory::{AllocResult, TryGrow};
+use crate::mesh::Crowded;
+use crate::numerics::distance;
+
+/// Vertices that segments must share, beside inputs and crossings.
+#[derive(Default)]
+pub struct SharedVertices {
+    pub points: Vec<[f64; 2]>,
+    /// Vertex -> how far it is from where its lines parted.
+    steps: Vec<f64>,
+}
+
+impl SharedVertices {
+    /// Adds a vertex for a crowded point, unless it is there or is one of the others that
+    /// `is_known` tells.
+    pub fn add(
+        &mut self,
+        crowded: &Crowded,
+        is_known: impl Fn(&[f64; 2]) -> bool,
+    ) -> AllocResult<()> {
+        let (x, step) = self.place_of(crowded);
+        if !self.points.contains(&x) && !is_known(&x) {
+            self.points.try_push(x)?;
+            self.steps.try_push(step)?;
+        }
+        Ok(())
+    }
+
+    /// Returns the point of a crowded line that is twice as far on as the vertex where it begins
+    /// was, and how far that is; the crowded point itself where that is farther, or where the line
+    /// does not begin at a shared vertex or is too short.
+    fn place_of(&self, &Crowded { x, ends: [from, to] }: &Crowded) -> ([f64; 2], f64) {
+        let own = distance(&from, &x);
+        let last = self.points.iter().position(|point| *point == from);
+        let step = last.map_or(0.0, |last| 2.0 * self.steps[last]);
+        let fraction = step / distance(&from, &to);
+        if !(step > own && 0.0 < fraction && fraction < 0.5) {
+            return (x, own);
+        }
+        ([0, 1].map(|k| from[k] + fraction * (to[k] - from[k])), step)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_next_vertex_is_twice_as_far_on() {
+        let mut shared = SharedVertices::default();
+        let crowded =
+            |from: f64, x: f64| Crowded { x: [x, 0.0], ends: [[from, 0.0], [100.0, 0.0]] };
+        let add = |shared: &mut SharedVertices, from, x| {
+            shared.add(&crowded(from, x), |x| x[0] == 80.0).unwrap();
+            shared.points.iter().map(|x| x[0]).collect::<Vec<_>>()
+        };
+        assert_eq!(add(&mut shared, 0.0, 1.0), [1.0]);
+        assert_eq!(add(&mut shared, 1.0, 1.5), [1.0, 3.0]);
+        assert_eq!(add(&mut shared, 3.0, 4.0), [1.0, 3.0, 7.0]);
+        // There already, an input, and farther than what is asked for.
+        assert_eq!(add(&mut shared, 1.0, 1.25), [1.0, 3.0, 7.0]);
+        assert_eq!(add(&mut shared, 60.0, 80.0), [1.0, 3.0, 7.0]);
+        assert_eq!(add(&mut shared, 3.0, 40.0), [1.0, 3.0, 7.0, 40.0]);
+        // The line is too short for its double.
+        assert_eq!(add(&mut shared, 40.0, 42.0), [1.0, 3.0, 7.0, 40.0, 42.0]);
+    }
+}

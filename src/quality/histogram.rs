@@ -1,4 +1,4 @@
-//! How the measures of a mesh are spread over its simplices and cells: histograms.
+//! Histograms: how the measures of a mesh are spread over its simplices and cells.
 
 use super::angles::{angle, for_each_squared_tangent, smallest_squared_tangent};
 use super::cells::Cells;
@@ -10,7 +10,7 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, Triangulation, in_dimension};
 
-/// What a histogram counts.
+/// Measure of the simplices or cells of a mesh that a histogram counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Measure {
@@ -28,7 +28,7 @@ pub enum Measure {
     SmallestAngle = 3,
 }
 
-/// How many values of a measure lie where.
+/// Number of values of a measure in each of some intervals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
     /// One more than there were edges: the values below the first edge, those in each bin, those

@@ -62,7 +62,8 @@ pub struct Quality {
     /// Number of simplices with a dihedral angle below the one that was asked for and all vertices
     /// in one domain.
     pub below_min_dihedral: u64,
-    /// The same with vertices of several domains.
+    /// Number of simplices with a dihedral angle below the one that was asked for and vertices in
+    /// several domains.
     pub below_min_dihedral_between_domains: u64,
     /// Number of cells or simplices marked as beyond the bound, which gave way to the angle.
     pub beyond_bound: u64,
@@ -147,7 +148,7 @@ impl Default for LeastAngle {
 }
 
 impl LeastAngle {
-    /// Those of the simplex with these vertices.
+    /// Takes the dihedral angles of the simplex with these vertices into account.
     fn add<const D: usize>(&mut self, view: View<'_, D>, vertices: &[u32]) -> AllocResult<()> {
         let points = view.points_of(vertices);
         let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
@@ -155,7 +156,7 @@ impl LeastAngle {
         Ok(())
     }
 
-    /// 0 for none.
+    /// Returns the smallest angle in degrees, or 0 if there was none.
     fn degrees(&self) -> f64 {
         if self.0.is_infinite() { 0.0 } else { angles::angle(self.0).to_degrees() }
     }
@@ -230,8 +231,8 @@ fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> AllocResult<f64> {
     Ok(aspects.fold(0.0, f64::max))
 }
 
-/// Domain -> whether its centre or a vertex of its cage is precision-limited, which exempts the
-/// cage from its bounds. Ids must be in range.
+/// Returns for each domain whether its centre or a vertex of its cage is precision-limited, which
+/// exempts the cage from its bounds. Ids must be in range.
 pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<bool>> {
     let centers = mesh.domains.iter().map(|domain| mesh.precision_limited[domain.center as usize]);
     let mut limited = collected(centers)?;
@@ -243,7 +244,8 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<b
     Ok(limited)
 }
 
-/// Largest number of distinct vertices that share a simplex with one vertex. O(simplices).
+/// Returns the largest number of distinct vertices that share a simplex with one vertex.
+/// O(simplices).
 fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
     let stars = view.stars()?;
     let mut seen_from = filled(view.vertex_count(), NONE)?;
@@ -263,7 +265,7 @@ fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
     Ok(largest)
 }
 
-/// Whether array lengths fit and ids are in range, so that reading cannot go astray.
+/// Returns true if array lengths fit and ids are in range, so that reading cannot go astray.
 fn is_consistent(mesh: &Triangulation) -> bool {
     let vertices = mesh.kinds.len();
     let size = mesh.dim + 1;

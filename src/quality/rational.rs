@@ -8,7 +8,8 @@ use crate::mesh::MAX_DIM;
 /// One gradient for each vertex of a simplex; what follows is zero.
 pub(super) type Gradients<const D: usize> = [Offset<D>; MAX_DIM + 1];
 
-/// The circumcentre of `D + 1` points relative to that at `base`; `None` if the simplex is flat.
+/// Returns the circumcentre of `D + 1` points relative to that at `base`; `None` if the simplex is
+/// flat.
 pub(crate) fn circumcenter<const D: usize>(
     points: &[&[f64; D]],
     base: usize,
@@ -18,8 +19,8 @@ pub(crate) fn circumcenter<const D: usize>(
     Ok(solution.map(|(solution, unit)| quotient(&solution, 0, unit - 1)))
 }
 
-/// The gradients of the barycentric coordinates of the vertices other than that at `base`, then
-/// that of the base, their negated sum; `None` if the simplex is flat.
+/// Returns the gradients of the barycentric coordinates of the vertices other than that at `base`,
+/// then that of the base, their negated sum; `None` if the simplex is flat.
 pub(crate) fn gradients<const D: usize>(
     points: &[&[f64; D]],
     base: usize,
@@ -35,12 +36,12 @@ pub(crate) fn gradients<const D: usize>(
     }))
 }
 
-/// The points but that at `base`.
+/// Returns the points except that at `base`.
 fn others<'a, const D: usize>(points: &[&'a [f64; D]], base: usize) -> [&'a [f64; D]; D] {
     std::array::from_fn(|k| points[k + usize::from(k >= base)])
 }
 
-/// The solution for one of the sides, in units of `2^exponent`.
+/// Returns the solution for one of the sides, in units of `2^exponent`.
 fn quotient<const D: usize>(solution: &Solution, side: usize, exponent: i32) -> Offset<D> {
     let part = |k: usize| ratio(solution.numerator(k, side), solution.denominator());
     let ratios: [(f64, i64); D] = std::array::from_fn(part);

@@ -31,10 +31,10 @@ impl Index {
         self.locate_each(mesh, points, work.into(), simplices, "simplices")
     }
 
-    /// As [`Index::locate`], with the face of the simplex that was hit.
+    /// Locates points as [`Index::locate`] does, and tells the face of the simplex that was hit.
     ///
     /// # Errors
-    /// As those of [`Index::locate`].
+    /// Fails as [`Index::locate`] does.
     pub fn places<'a>(
         &self,
         mesh: &Triangulation,
@@ -69,7 +69,7 @@ impl Index {
     /// of 2^-53, and infinite only beyond the doubles.
     ///
     /// # Errors
-    /// As those of [`Index::locate`].
+    /// Fails as [`Index::locate`] does.
     pub fn nearest<'a>(
         &self,
         mesh: &Triangulation,
@@ -94,7 +94,7 @@ impl Index {
     /// Writes for each of the points (`count x dim`) the values there (`count x components`).
     ///
     /// # Errors
-    /// As those of [`Index::locate`]; `InvalidArgument` if `values` is not `vertices x components`.
+    /// Fails as [`Index::locate`] does; `InvalidArgument` if `values` is not `vertices x components`.
     pub fn interpolate<'a>(
         &self,
         mesh: &Triangulation,

@@ -7,7 +7,7 @@ use crate::memory::{AllocResult, TryGrow, with_capacity};
 use crate::mesh::MAX_DIM;
 use std::cmp::Ordering;
 
-/// What stands beside the components of an edge.
+/// Additional last component of an edge in a lifted determinant.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lift {
     None,
@@ -15,7 +15,7 @@ pub(crate) enum Lift {
     Square,
 }
 
-/// The sign of the determinant of the edges from `origin` to `ends`, each with its `lift`.
+/// Returns the sign of the determinant of the edges from `origin` to `ends`, each with its `lift`.
 pub(crate) fn lifted_determinant_sign<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
@@ -78,13 +78,13 @@ pub(crate) fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
     })
 }
 
-/// The exponent of the largest power of two that divides all coordinates.
+/// Returns the exponent of the largest power of two that divides all coordinates.
 pub(crate) fn unit<const D: usize>(origin: &[f64; D], ends: &[&[f64; D]]) -> i32 {
     let coordinates = ends.iter().copied().chain([origin]).flatten();
     coordinates.filter(|x| **x != 0.0).map(|&x| parts(x).1).min().unwrap_or(0)
 }
 
-/// A double as an odd integer times a power of two; zero as zero.
+/// Splits a double into an odd integer and the exponent of a power of two; zero gives zeros.
 pub(crate) fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let (biased, fraction) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
@@ -124,8 +124,8 @@ pub(crate) struct Matrix<N> {
 }
 
 impl<N: Number> Matrix<N> {
-    /// The products of the edges from `origin` to `ends` with each other, and in a last column with
-    /// themselves, in units of `2^(2 unit)`.
+    /// Returns the products of the edges from `origin` to `ends` with each other, and in a last
+    /// column with themselves, in units of `2^(2 unit)`.
     pub fn products<const D: usize>(
         origin: &[f64; D],
         ends: &[&[f64; D]],
@@ -143,7 +143,8 @@ impl<N: Number> Matrix<N> {
         Ok(Self { entries, height, width })
     }
 
-    /// A row for each of `ends`: its edge in units of `2^unit`, then its `sides`.
+    /// Returns a matrix with a row for each of `ends`: its edge in units of `2^unit`, then its
+    /// `sides`.
     fn edges<const D: usize>(
         origin: &[f64; D],
         ends: &[&[f64; D]],
@@ -213,7 +214,7 @@ impl<N: Number> Matrix<N> {
         Ok(if swapped { sign.reverse() } else { sign })
     }
 
-    /// The entry (i, j) after step k.
+    /// Returns the entry (i, j) after step k of the elimination.
     fn reduced(&self, i: usize, j: usize, k: usize) -> Result<N, Refusal> {
         let kept = self.at(k, k).times(self.at(i, j))?;
         // The pivot's row has a zero left of the pivot, which is not stored there.

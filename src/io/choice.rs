@@ -1,4 +1,4 @@
-//! Which columns of a file are read: the coordinates, and attributes of the points.
+//! Choice of the columns of a file that are read: the coordinates, and attributes of the points.
 
 use super::columns::{Column, Columns, OrRule, named_coordinates, parse_entry};
 use super::text::quoted;
@@ -18,10 +18,10 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The columns of the coordinates, counted from 0, of a table with `count` columns, and its
-    /// attributes, still without values. Unless the coordinates are chosen they are among the
-    /// columns that are no attributes one by one: by the names, where these say nothing as
-    /// `otherwise` has them, without names all.
+    /// Returns the columns of the coordinates, counted from 0, of a table with `count` columns, and
+    /// its attributes, still without values. Unless the coordinates are chosen they are among the
+    /// columns that are no attributes one by one: those whose names say so, those of `otherwise` if
+    /// no name does, and all of them in a table without names.
     ///
     /// # Errors
     /// `InvalidArgument`; `Format`: two columns have the name of a coordinate.
@@ -48,7 +48,7 @@ impl Choice {
     }
 }
 
-/// The first `count` columns but for those listed; one more than there may be, so that the
+/// Returns the first `count` columns but for those listed; one more than there may be, so that the
 /// dimension is refused.
 pub(super) fn others(count: u64, listed: &[u64]) -> Vec<u64> {
     (0..count).filter(|column| !listed.contains(column)).take(MAX_DIM + 1).collect()
@@ -70,10 +70,10 @@ pub struct AttributeColumns {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Entry {
-    /// In place of the file's.
+    /// Name of the attribute in place of the file's.
     name: Option<String>,
     column: Column,
-    /// Of a range.
+    /// Last column, where the entry is a range.
     last: Option<u64>,
 }
 
@@ -126,7 +126,7 @@ struct Taken {
 }
 
 impl AttributeColumns {
-    /// Whether any are wanted.
+    /// Returns true if any attributes are chosen.
     pub fn are_chosen(&self) -> bool {
         self.takes_all || !self.entries.is_empty()
     }
@@ -142,14 +142,14 @@ impl AttributeColumns {
         }
     }
 
-    /// The columns, counted from 0, that are named one by one: without a choice of coordinates
-    /// these are no coordinates.
+    /// Returns the columns, counted from 0, that are named one by one: without a choice of
+    /// coordinates these are no coordinates.
     fn listed(&self, count: u64, names: Option<&[&str]>) -> Result<Vec<u64>> {
         Ok(self.entries_of(count, names)?.into_iter().map(|taken| taken.column).collect())
     }
 
-    /// The attributes of a table with `count` columns, still without values. `all` takes none of
-    /// the columns `left_out`.
+    /// Returns the attributes of a table with `count` columns, still without values. `all` takes
+    /// none of the columns `left_out`.
     pub(super) fn of(
         &self,
         count: u64,
@@ -243,7 +243,7 @@ mod tests {
         read_table(&mut text.as_bytes(), format, &choice)
     }
 
-    /// The first point, and names and values of the attributes there.
+    /// Returns the first point, and names and values of the attributes there.
     fn first(table: &Table) -> (Vec<f64>, Vec<(&str, f64)>) {
         let of_first = table.attributes.iter().map(|a| (a.name.as_str(), a.values[0])).collect();
         (table.points.coordinates[..table.points.dim].to_vec(), of_first)
@@ -318,7 +318,7 @@ mod tests {
         }
     }
 
-    /// A header may promise any number of columns.
+    /// Holds that of the columns that a header promises at most a thousand are taken.
     #[test]
     fn no_more_columns_are_taken_than_a_thousand() {
         let wide = |columns: usize| (0..columns).map(|_| "1").collect::<Vec<_>>().join(" ");

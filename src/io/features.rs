@@ -7,9 +7,9 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
 use std::fmt;
 
-/// What has been read of a file.
+/// Points and segments that have been read of a file.
 pub(super) struct Features {
-    /// What the file's format calls one: a feature, a geometry.
+    /// Word of the file's format for a feature: "feature", "geometry".
     noun: &'static str,
     /// The number of the feature that is read, counted from 1: the marker of its segments.
     number: i32,
@@ -22,7 +22,7 @@ pub(super) struct Features {
 pub(super) struct Ring {
     /// Counted from 1, in its polygon.
     pub number: usize,
-    /// Where it begins.
+    /// Position of its first byte.
     pub place: Place,
 }
 
@@ -32,7 +32,7 @@ impl Features {
         Self { noun, number: 1, points, outline: Outline::default() }
     }
 
-    /// What follows is of the feature of this number, counted from 1.
+    /// Begins the feature of this number, counted from 1.
     pub fn begin(&mut self, number: u64, place: Place) -> Result<()> {
         self.number = i32::try_from(number).map_err(|_| {
             let message = format_args!("more than {} of these; markers have 32 bits", i32::MAX);
@@ -45,7 +45,7 @@ impl Features {
         positions.as_flattened().iter().try_for_each(|coordinate| self.points.push(*coordinate))
     }
 
-    /// An open or a closed line.
+    /// Adds an open or a closed line.
     pub fn add_line(&mut self, positions: &[[f64; 2]], place: Place) -> Result<()> {
         if positions.len() < 2 {
             let rule = "a line with fewer than 2 positions";
@@ -56,8 +56,8 @@ impl Features {
         self.connect(positions, first, false)
     }
 
-    /// A line that ends where it begins; that point becomes one input. Maps that were made coarser
-    /// have rings of one or two distinct points: inputs and segments like others.
+    /// Adds a line that ends where it begins; that point becomes one input. Maps that were made
+    /// coarser have rings of one or two distinct points: inputs and segments like others.
     pub fn add_ring(&mut self, positions: &[[f64; 2]], ring: Ring) -> Result<()> {
         let Ring { number, place } = ring;
         if positions.len() < 4 {

@@ -21,7 +21,7 @@ pub enum FiltrationFormat {
 }
 
 impl FiltrationFormat {
-    /// The format that a path's extension stands for: `.filtration` or `.dipha`.
+    /// Returns the format that a path's extension stands for: `.filtration` or `.dipha`.
     ///
     /// # Errors
     /// `InvalidArgument` for another one.
@@ -56,10 +56,11 @@ pub fn write_filtration(
     written.and_then(|()| buffered.flush()).map_err(|error| io_error("cannot write", &error))
 }
 
-/// The same into a file, which appears complete or not at all. A device or a pipe is written into.
+/// Writes faces and their values into a file, which appears complete or not at all. A device or a
+/// pipe is written into.
 ///
 /// # Errors
-/// As [`write_filtration`].
+/// Fails as [`write_filtration`] does.
 pub fn write_filtration_file(
     inputs: &Inputs,
     faces: &Faces,
@@ -88,7 +89,8 @@ fn write(
     }
 }
 
-/// `numbers`: the number of each vertex, that of the vertex itself without.
+/// Writes faces and their values for GUDHI. `numbers` has the number of each vertex; without them
+/// it is the vertex itself.
 fn write_gudhi(
     numbers: Option<&[u32]>,
     faces: &Faces,
@@ -106,7 +108,7 @@ fn write_gudhi(
     Ok(())
 }
 
-/// Value, dimension and id of each face, in this order.
+/// Returns value, dimension and id of each face, sorted in this order.
 fn by_value(faces: &Faces, filtration: &Filtration) -> AllocResult<Vec<(f64, u32, u32)>> {
     let mut sorted = Vec::new();
     for (k, values) in (0u32..).zip(&filtration.values) {
@@ -119,7 +121,7 @@ fn by_value(faces: &Faces, filtration: &Filtration) -> AllocResult<Vec<(f64, u32
     Ok(sorted)
 }
 
-/// What begins DIPHA's files, and the type of this one.
+/// Number that begins DIPHA's files, and the type of this one.
 const DIPHA: i64 = 8_067_171_840;
 const WEIGHTED_BOUNDARY_MATRIX: i64 = 0;
 
@@ -176,7 +178,7 @@ mod tests {
         out
     }
 
-    /// A mesh of other vertices, too, has the numbers of its own vertices.
+    /// Holds that a mesh of other vertices, too, has the numbers of its own vertices.
     #[test]
     fn files_have_the_numbers_of_inputs_where_all_vertices_are() {
         let [a, b, c] = POINTS;

@@ -74,7 +74,7 @@ impl Header {
 const DIMENSION: &str = "dimension";
 const COUNTS: [&str; 4] = [DIMENSION, "number of vertices", "number of faces", "number of edges"];
 
-/// The numbers that follow the keyword.
+/// Returns the names of the numbers that follow the keyword.
 fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]> {
     match keyword {
         "OFF" => Ok(&COUNTS[1..]),
@@ -111,7 +111,7 @@ fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
     }
 }
 
-/// `OFF` in the plane, `nOFF` above.
+/// Writes `OFF` in the plane, `nOFF` above.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let (dim, vertices) = (triangulation.dim, triangulation.dim + 1);
     match dim {

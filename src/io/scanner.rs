@@ -14,7 +14,7 @@ pub(super) struct Scanner<'a> {
     word: [u8; MAX_WORD],
 }
 
-/// Where a byte stands, both counted from 1.
+/// Line and byte of a position in a text, both counted from 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     line: u64,
@@ -36,7 +36,7 @@ impl Place {
         Error::new(kind, message!("{self}: {message}"))
     }
 
-    /// A coordinate: a decimal number that a double can hold.
+    /// Parses a coordinate: a decimal number that a double can hold.
     ///
     /// # Errors
     /// `Format`: not a number, or too large; `NonFinite`: `nan` or `inf`.
@@ -87,7 +87,7 @@ impl<'a> Scanner<'a> {
         Ok(scanner)
     }
 
-    /// That of the next byte.
+    /// Returns the position of the next byte.
     pub fn place(&self) -> Place {
         self.place
     }
@@ -119,7 +119,7 @@ impl<'a> Scanner<'a> {
         self.pass(belong, |_, _| Ok(()))
     }
 
-    /// The bytes that follow and `belong`, which must be ASCII.
+    /// Reads the bytes that follow and `belong`, which must be ASCII.
     pub fn read_word(&mut self, belong: impl Fn(u8) -> bool) -> Result<&str> {
         let begin = self.place;
         let mut length = 0;
@@ -156,7 +156,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The error of the next byte where something else is expected.
+    /// Returns the error of the next byte where something else is expected.
     pub fn unexpected(&mut self, expected: impl fmt::Display) -> Error {
         let place = self.place;
         match self.ahead() {
@@ -175,7 +175,7 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// The next bytes; none at the end of the file.
+/// Returns the next bytes; none at the end of the file.
 fn buffered(input: &mut dyn BufRead, place: Place) -> Result<&[u8]> {
     // The borrow of a buffer that is returned at once would last for the loop.
     while let Err(error) = input.fill_buf() {

@@ -19,7 +19,7 @@ pub enum SurfaceFormat {
 }
 
 impl SurfaceFormat {
-    /// The format that a path's extension stands for: `.ply` or `.off`.
+    /// Returns the format that a path's extension stands for: `.ply` or `.off`.
     ///
     /// # Errors
     /// `InvalidArgument` for another one.
@@ -55,10 +55,11 @@ pub fn write_surface(
     written.map_err(|error| io_error("cannot write", &error))
 }
 
-/// The same into a file, which appears complete or not at all. A device or a pipe is written into.
+/// Writes facets and their vertices into a file, which appears complete or not at all. A device or
+/// a pipe is written into.
 ///
 /// # Errors
-/// As [`write_surface`].
+/// Fails as [`write_surface`] does.
 pub fn write_surface_file(
     inputs: &Inputs,
     mesh: &Triangulation,
@@ -109,7 +110,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The new numbers of the vertices of each facet.
+    /// Returns the new numbers of the vertices of each facet.
     fn rows(&self) -> impl ExactSizeIterator<Item = impl Iterator<Item = u32> + '_> + '_ {
         let number = |&vertex: &u32| self.numbers[vertex as usize];
         self.facets.chunks_exact(self.mesh.dim).map(move |facet| facet.iter().map(number))

@@ -11,13 +11,13 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The files that there are beside the pair, with segments: `.edge` part, `.poly` part.
+/// Returns the files that there are beside the pair, with segments: `.edge` part, `.poly` part.
 pub(super) fn paths_of_segments(path: &Path) -> (PathBuf, PathBuf) {
     let (_, ele) = paths(path);
     (ele.with_extension("edge"), ele.with_extension("poly"))
 }
 
-/// The files of the pair that `path` names: `.node` part, `.ele` part.
+/// Returns the files of the pair that `path` names: `.node` part, `.ele` part.
 pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
     let has_extension = |expected: &str| {
         path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(expected))
@@ -62,7 +62,7 @@ pub(super) fn leave_out(mut lines: Lines<'_>, left_out: &mut LeftOut) -> Result<
     Ok(())
 }
 
-/// As [`read_points`], with nothing after the points.
+/// Reads points as [`read_points`] does, and requires that nothing follows them.
 pub(super) fn read_alone(
     lines: &mut Lines<'_>,
     attributes: &AttributeColumns,
@@ -73,7 +73,7 @@ pub(super) fn read_alone(
     Ok(read)
 }
 
-/// The points that a header begins, and the id of the first; `None` where it promises none.
+/// Reads the points that a header begins, and the id of the first; `None` where it promises none.
 pub(super) fn read_points(
     lines: &mut Lines<'_>,
     attributes: &AttributeColumns,
@@ -136,7 +136,8 @@ impl Header {
         Ok(Self { points, dim, attributes, markers, columns })
     }
 
-    /// Those of the attributes and the marker that are wanted. The file has no names for them.
+    /// Returns those of the attributes and the marker that are wanted. The file has no names for
+    /// them.
     fn values(&self, line: &Line<'_>, wanted: &AttributeColumns) -> Result<Values> {
         if !wanted.are_chosen() {
             return Ok(Values::default());
@@ -212,7 +213,7 @@ pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> i
     Ok(())
 }
 
-/// The edges that segments have become, with the markers of their segments.
+/// Writes the edges that segments have become, with the markers of their segments.
 pub(super) fn write_edge(
     triangulation: &Triangulation,
     markers: &[i32],
@@ -225,7 +226,8 @@ pub(super) fn write_edge(
     Ok(())
 }
 
-/// As [`write_edge`], as segments between the points of the `.node` part, and the holes.
+/// Writes the edges that segments have become, as segments between the points of the `.node` part,
+/// and the holes.
 pub(super) fn write_poly(
     triangulation: &Triangulation,
     markers: &[i32],

@@ -11,7 +11,7 @@ use std::io::{self, Write};
 const TRIANGLE: u8 = 5;
 const TETRA: u8 = 10;
 
-/// What the arrays are made of.
+/// Data that the arrays are made of.
 struct Source<'a> {
     inputs: &'a Inputs,
     mesh: &'a Triangulation,
@@ -19,7 +19,7 @@ struct Source<'a> {
     measures: Measures,
 }
 
-/// The XML that says where the arrays are, then the arrays.
+/// Writes the XML that says where the arrays are, then the arrays.
 ///
 /// The arrays follow in the reverse of the order in which the XML declares them. meshio (5.3) takes
 /// them one after the other, looks each up by its offset and overwrites that with one of its own,
@@ -83,7 +83,7 @@ pub(super) fn write(
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
-/// The tag of a section; what follows [`Section::Field`] is of the only piece.
+/// Writes the tag of a section; what follows [`Section::Field`] is of the only piece.
 fn write_begin(
     mesh: &Triangulation,
     section: Section,
@@ -101,15 +101,15 @@ fn write_begin(
     )
 }
 
-/// The attributes that are declared in a section.
+/// Returns the attributes that are declared in a section.
 fn of_section(section: Section, attributes: &[Attribute]) -> &[Attribute] {
     if section == Section::Point { attributes } else { &[] }
 }
 
-/// Where the XML declares an array.
+/// Section of the XML that declares an array.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
-    /// Of neither points nor cells.
+    /// Data of neither points nor cells.
     Field,
     Point,
     Cell,
@@ -117,7 +117,7 @@ enum Section {
     Cells,
 }
 
-/// In the order of the XML, with their names there.
+/// Sections in the order of the XML, with their names there.
 const SECTIONS: [(Section, &str); 5] = [
     (Section::Field, "FieldData"),
     (Section::Point, "PointData"),
@@ -142,7 +142,8 @@ impl Array {
         self.scalar_size * self.components * self.tuples as u64
     }
 
-    /// Before each array stands its number of bytes, as the file's `header_type`.
+    /// Returns the number of bytes with the length before them, which is of the file's
+    /// `header_type`.
     fn size_with_length(&self) -> u64 {
         8 + self.bytes()
     }
@@ -154,12 +155,12 @@ impl Array {
     }
 }
 
-/// What the XML says of an array; written in place, without a string between.
+/// Declaration of an array in the XML; written in place, without a string between.
 struct Declaration<'a> {
     name: &'a str,
     scalar: &'static str,
     components: u64,
-    /// Where neither points nor cells say it.
+    /// Number of tuples, where neither points nor cells say it.
     tuples: Option<usize>,
     offset: u64,
 }
@@ -175,7 +176,7 @@ impl fmt::Display for Declaration<'_> {
     }
 }
 
-/// The arrays in the order of the XML, section by section.
+/// Returns the arrays in the order of the XML, section by section.
 fn arrays(mesh: &Triangulation) -> [Array; 16] {
     let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
     let segments = mesh.boundary.subsegments.len();
@@ -271,7 +272,7 @@ fn arrays(mesh: &Triangulation) -> [Array; 16] {
     ]
 }
 
-/// The two points of each edge that segments have become.
+/// Writes the two points of each edge that segments have become.
 fn write_segments(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut ends = source.mesh.boundary.subsegments.as_flattened().iter();
     ends.try_for_each(|end| out.write_all(&end.to_le_bytes()))
@@ -282,7 +283,7 @@ fn write_markers(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
     marked.try_for_each(|(_, marker)| out.write_all(&marker.to_le_bytes()))
 }
 
-/// 1 for each of `count` things that is among the `marked`, which rise, else 0.
+/// Writes 1 for each of `count` things that is among the `marked`, which rise, else 0.
 fn write_marks(marked: &[u32], count: usize, out: &mut dyn Write) -> io::Result<()> {
     let mut marked = marked.iter().peekable();
     (0..count as u32).try_for_each(|id| {
@@ -308,8 +309,8 @@ mod tests {
     use crate::Mesh;
     use crate::error::ErrorKind;
 
-    /// The bytes of the array called `name`, found as a reader finds them; with `CellData/` before
-    /// the name that of the cells.
+    /// Returns the bytes of the array called `name`, found as a reader finds them; with `CellData/`
+    /// before the name that of the cells.
     fn array_of<'a>(file: &'a [u8], name: &str) -> &'a [u8] {
         let end = file.windows(2).position(|pair| pair == b"\n_").unwrap();
         let mut xml = std::str::from_utf8(&file[..end]).unwrap();
@@ -362,8 +363,9 @@ mod tests {
         }
     }
 
-    /// ParaView lists the arrays of points and cells together, and some readers take an array
-    /// without a number of components as one of none.
+    /// Holds that names are unique, since ParaView lists the arrays of points and cells together,
+    /// and that each array has a number of components, since some readers take one without it as
+    /// one of none.
     #[test]
     fn arrays_have_names_of_their_own_and_a_number_of_components() {
         let mut file = Vec::new();
@@ -395,7 +397,7 @@ mod tests {
         }
     }
 
-    /// What goes beyond a bound is data of that which is bounded.
+    /// Holds that what goes beyond a bound is data of that which is bounded.
     #[test]
     fn marks_beyond_the_bound_stand_with_what_is_bounded() {
         let count = |criterion, marked: Vec<u32>| {

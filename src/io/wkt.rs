@@ -7,7 +7,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
 use std::io::BufRead;
 
-/// How many collections may be in each other: reading them is recursive.
+/// Largest number of collections inside each other: reading them is recursive.
 const MAX_DEPTH: u32 = 100;
 
 pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
@@ -27,11 +27,11 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
 
 struct Wkt<'a> {
     text: Scanner<'a>,
-    /// Of the list that was read last.
+    /// Positions of the list that was read last.
     positions: Vec<[f64; 2]>,
 }
 
-/// What a geometry has between its parentheses.
+/// Content of a geometry between its parentheses.
 #[derive(Clone, Copy)]
 enum Content {
     Point,
@@ -53,11 +53,11 @@ const KEYWORDS: [(&str, Content); 7] = [
     ("GEOMETRYCOLLECTION", Content::Geometries),
 ];
 
-/// What follows a keyword where points have more than two coordinates.
+/// Words that follow a keyword where points have more than two coordinates.
 const MORE_COORDINATES: [&str; 3] = ["Z", "M", "ZM"];
 
 impl Wkt<'_> {
-    /// `SRID=4326;`, as PostGIS has it before a geometry.
+    /// Skips `SRID=4326;`, as PostGIS has it before a geometry.
     fn skip_reference_system(&mut self) -> Result<()> {
         if !self.text.ahead()?.is_some_and(|byte| byte.eq_ignore_ascii_case(&b's')) {
             return Ok(());
@@ -77,7 +77,7 @@ impl Wkt<'_> {
         self.require(b';')
     }
 
-    /// `depth`: the number of collections that it is in.
+    /// Reads a geometry that is in `depth` collections.
     fn read_geometry(&mut self, features: &mut Features, depth: u32) -> Result<()> {
         self.next_byte()?;
         let place = self.text.place();
@@ -132,7 +132,7 @@ impl Wkt<'_> {
         }
     }
 
-    /// Each has parentheses of its own, or none has.
+    /// Reads a point of many: each has parentheses of its own, or none has.
     fn read_point_of_many(&mut self, features: &mut Features) -> Result<()> {
         let place = self.text.place();
         match self.text.ahead()? {
@@ -168,7 +168,7 @@ impl Wkt<'_> {
         self.each(|wkt, _, _| wkt.add_position())
     }
 
-    /// Two coordinates.
+    /// Adds a position of two coordinates.
     fn add_position(&mut self) -> Result<()> {
         let mut position = [0.0; 2];
         for coordinate in &mut position {
@@ -186,8 +186,8 @@ impl Wkt<'_> {
         Ok(self.positions.try_push(position)?)
     }
 
-    /// What stands between parentheses and commas: `read` takes each, given its place and its
-    /// number from 1. `EMPTY` stands for none.
+    /// Reads what stands between parentheses and commas: `read` takes each, given its position and
+    /// its number from 1. `EMPTY` stands for none.
     fn each(&mut self, mut read: impl FnMut(&mut Self, Place, usize) -> Result<()>) -> Result<()> {
         if self.next_byte()?.is_some_and(|byte| byte.is_ascii_alphabetic()) {
             let place = self.text.place();
@@ -221,7 +221,7 @@ impl Wkt<'_> {
         self.text.next_is(byte)
     }
 
-    /// The next byte that is neither a blank nor of a comment.
+    /// Returns the next byte that is neither a blank nor of a comment.
     fn next_byte(&mut self) -> Result<Option<u8>> {
         self.text.pass_over(|byte| byte.is_ascii_whitespace())?;
         while self.text.ahead()? == Some(b'#') {

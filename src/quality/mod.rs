@@ -92,7 +92,11 @@ pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
     if !is_consistent(triangulation) {
         return Ok(Quality::default());
     }
-    let quality = in_dimension!(triangulation.dim, D => measure_in::<D>(triangulation), _ => Ok(Quality::default()));
+    let quality = in_dimension!(
+        triangulation.dim,
+        D => measure_in::<D>(triangulation),
+        _ => Ok(Quality::default())
+    );
     Ok(quality?)
 }
 

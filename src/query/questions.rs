@@ -94,7 +94,8 @@ impl Index {
     /// Writes for each of the points (`count x dim`) the values there (`count x components`).
     ///
     /// # Errors
-    /// Fails as [`Index::locate`] does; `InvalidArgument` if `values` is not `vertices x components`.
+    /// Fails as [`Index::locate`] does; `InvalidArgument` if `values` is not `vertices x
+    /// components`.
     pub fn interpolate<'a>(
         &self,
         mesh: &Triangulation,
@@ -107,8 +108,8 @@ impl Index {
         if mesh.boundary.whole.is_some() && method.interpolation != Interpolation::Linear {
             let message = say!(
                 Name::Interpolation,
-                " is by natural neighbours, which a mesh that is cut to its domain lacks; it must be \
-                 linear"
+                " is by natural neighbours, which a mesh that is cut to its domain lacks; it must \
+                 be linear"
             );
             return Err(Error::new(ErrorKind::InvalidArgument, message));
         }

@@ -19,7 +19,7 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
     features.finish()
 }
 
-/// What may stand where an object is.
+/// Kind of object that may stand at a position of the file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
     Whole,
@@ -41,12 +41,12 @@ fn read_object(json: &mut Json<'_>, features: &mut Features, role: Role) -> Resu
     object.finish(features, role)
 }
 
-/// What has been read of an object.
+/// Members that have been read of an object.
 struct Object {
     place: Place,
     /// The value of `type`.
     name: Option<Name>,
-    /// Of [`MEMBERS`].
+    /// True for each of [`MEMBERS`] that the object has.
     is_there: [bool; 4],
     coordinates: Option<Coordinates>,
 }
@@ -86,7 +86,7 @@ impl Object {
         }
     }
 
-    /// When all members are known.
+    /// Takes the object to the features when all members are known.
     fn finish(self, features: &mut Features, role: Role) -> Result<()> {
         let refuse = |message: std::fmt::Arguments<'_>| Err(self.place.error(message));
         let Some(name) = self.name else {
@@ -126,7 +126,7 @@ impl Object {
     }
 }
 
-/// What coordinates are of.
+/// Shape that coordinates are of.
 #[derive(Clone, Copy)]
 struct Shape {
     /// The number of lists around a number.
@@ -163,7 +163,7 @@ struct Coordinates {
     lines: Vec<(Place, usize)>,
     /// The lists of those: the number of lines up to the end of each.
     polygons: Vec<usize>,
-    /// By the number of lists around it, itself included: the first list without elements.
+    /// First list without elements, by the number of lists around it, itself included.
     empty: [Option<Place>; MAX_LEVEL + 1],
 }
 
@@ -181,7 +181,7 @@ impl Coordinates {
         Ok(coordinates)
     }
 
-    /// `level`: the number of lists around an element.
+    /// Reads a list, whose elements have `level` lists around them.
     fn read_list(&mut self, json: &mut Json<'_>, level: usize) -> Result<()> {
         let place = json.place()?;
         if level > MAX_LEVEL {
@@ -260,7 +260,7 @@ impl Coordinates {
     }
 }
 
-/// What has been read of a position.
+/// Coordinates that have been read of a position.
 #[derive(Default)]
 struct Position {
     coordinates: [f64; 2],
@@ -268,7 +268,7 @@ struct Position {
 }
 
 impl Position {
-    /// Two coordinates, and perhaps a height of zero.
+    /// Adds a coordinate: two of them, and perhaps a height of zero.
     fn add(&mut self, json: &mut Json<'_>) -> Result<()> {
         let place = json.place()?;
         let value = json.number()?;
@@ -366,7 +366,8 @@ mod tests {
     #[test]
     fn members_come_in_any_order_and_names_in_any_notation() {
         let text = "\u{feff}{\r\n\"coordinates\" : [ [1.5, -2e0 ] ,[3,\t4]],\"x\":{\
-            \"type\":[\"]\\\"}\",-0.5E+3,true,false,null,NaN,-Infinity,{}]},\"\\u0074ype\":\"Line\\u0053tring\",\
+            \"type\":[\"]\\\"}\",-0.5E+3,true,false,null,NaN,-Infinity,{}]},\
+            \"\\u0074ype\":\"Line\\u0053tring\",\
             \"coordinates_of_another_kind\":\"\\u00e9\\ud83d\\ude00 \\/\\n\" }  \n";
         let table = read(text).unwrap();
         assert_eq!(table.points.coordinates, [1.5, -2.0, 3.0, 4.0]);

@@ -14,7 +14,7 @@ pub(super) struct Header {
     pub row: Row,
 }
 
-/// What the file has of a point: its coordinates, and what else there may be.
+/// Columns that the file has of a point: its coordinates, and what else there may be.
 pub(super) enum Row {
     Numbers { number: Number, count: u64 },
     Fields(Vec<Field>),
@@ -41,7 +41,7 @@ impl Row {
         }
     }
 
-    /// What stands in a column.
+    /// Returns the type of the numbers in a column.
     pub fn number(&self, column: u64) -> Number {
         match self {
             Self::Numbers { number, .. } => *number,
@@ -49,7 +49,7 @@ impl Row {
         }
     }
 
-    /// The names of the columns, if they have any.
+    /// Returns the names of the columns, if they have any.
     pub fn names(&self) -> Option<Vec<&str>> {
         match self {
             Self::Numbers { .. } => None,
@@ -58,7 +58,7 @@ impl Row {
     }
 }
 
-/// What the bytes of a value mean.
+/// Meaning of the bytes of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Number {
     kind: Kind,
@@ -106,12 +106,12 @@ impl Number {
         self.kind != Kind::Other
     }
 
-    /// In bytes.
+    /// Returns the number of bytes.
     pub fn size(self) -> u64 {
         self.size
     }
 
-    /// The next number; NaN in the place of what is none.
+    /// Reads the next number; NaN for a value that is none.
     pub fn read(self, binary: &mut Binary<'_>, lacks: impl FnOnce() -> String) -> Result<f64> {
         let bits = match self.size {
             _ if self.kind == Kind::Other => {
@@ -149,8 +149,8 @@ impl Number {
 }
 
 impl Header {
-    /// From `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`. `is_plain`: every number
-    /// of a point is a coordinate.
+    /// Parses a header such as `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`. With
+    /// `is_plain` every number of a point is a coordinate.
     pub fn parse(text: &[u8], is_plain: bool) -> Result<Self> {
         let mut parser = Parser { rest: text };
         let (mut element, mut fortran_order, mut shape) = (None, None, None);
@@ -238,7 +238,7 @@ impl<'a> Parser<'a> {
         bad(message!("{} where {expected} is expected", quoted(rest.trim_ascii())))
     }
 
-    /// What is quoted once or twice, without escapes.
+    /// Reads what is quoted once or twice, without escapes.
     fn string(&mut self) -> Result<&'a str> {
         let quote = if self.skip("'") {
             b'\''
@@ -274,7 +274,7 @@ impl<'a> Parser<'a> {
         Ok(number)
     }
 
-    /// The type of an element.
+    /// Reads the type of an element.
     fn element(&mut self) -> Result<Element> {
         if self.skip("[") {
             return Ok(Element::Structure(self.fields()?));
@@ -289,7 +289,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What follows `[` in `[('x', '<f8'), ('velocity', '<f4', (3,))]`.
+    /// Reads what follows `[` in `[('x', '<f8'), ('velocity', '<f4', (3,))]`.
     fn fields(&mut self) -> Result<Vec<Field>> {
         let mut fields = Vec::new();
         while !self.skip("]") {

@@ -33,7 +33,7 @@ pub(super) fn read(input: &mut dyn BufRead, choice: &Choice) -> Result<Table> {
     array.finish()
 }
 
-/// The columns of the coordinates, and the attributes.
+/// Returns the columns of the coordinates, and the attributes.
 fn chosen(row: &Row, choice: &Choice) -> Result<(Vec<u64>, Values)> {
     let names = row.names();
     let otherwise = |_: &[u64]| {
@@ -63,7 +63,7 @@ struct Array<'a> {
 }
 
 impl Array<'_> {
-    /// C order.
+    /// Reads an array in C order: point by point.
     fn read_by_point(&mut self) -> Result<()> {
         let mut point = [0.0; MAX_DIM];
         for row in 0..self.header.points {
@@ -126,7 +126,7 @@ impl Array<'_> {
     }
 }
 
-/// `is_plain`: every column is a coordinate.
+/// Reads the header. With `is_plain` every column is a coordinate.
 fn read_header(binary: &mut Binary<'_>, is_plain: bool) -> Result<Header> {
     let lacks = || "the header of an .npy file is not complete".to_string();
     let magic: [u8; 6] = binary.next(lacks)?;
@@ -158,8 +158,8 @@ fn read_header(binary: &mut Binary<'_>, is_plain: bool) -> Result<Header> {
     })
 }
 
-/// The vertices, or before a run the inputs, in C order: without attributes an array of doubles,
-/// with them one of structures.
+/// Writes the vertices, or before a run the inputs, in C order: without attributes an array of
+/// doubles, with them one of structures.
 pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) -> io::Result<()> {
     let dim = mesh.inputs().dim();
     let points = mesh.triangulation().map_or(mesh.inputs().distinct(), |mesh| mesh.vertex_count());
@@ -181,7 +181,7 @@ pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) 
     })
 }
 
-/// The type of a structure with a point, its kind and its attributes.
+/// Returns the type of a structure with a point, its kind and its attributes.
 fn fields(dim: usize, attributes: &[Attribute]) -> String {
     let mut text = format!("[('points', '<f8', ({dim},)), ('kind', '|u1')");
     for Attribute { name, components, .. } in attributes {
@@ -223,7 +223,7 @@ mod tests {
     use super::super::{Format, read, read_table, samples, write};
     use super::*;
 
-    /// A file of version 1.0 with this header.
+    /// Returns a file of version 1.0 with this header.
     fn file(header: &str, data: &[u8]) -> Vec<u8> {
         let length = (header.len() as u16).to_le_bytes();
         [MAGIC, &[1, 0][..], &length, header.as_bytes(), data].concat()
@@ -353,7 +353,7 @@ mod tests {
         assert_eq!(error.message(), "attributes: more than 1000 columns; take fewer");
     }
 
-    /// Every type, padding, fields that are no numbers.
+    /// Reads every type, padding, and fields that are no numbers.
     #[test]
     fn structures_have_names_for_their_columns() {
         let header = "{'descr': [('id', '<U2'), ('y', '>f4'), ('', '|V3'), ('flag', '|b1'), \

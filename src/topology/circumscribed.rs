@@ -40,7 +40,8 @@ const LARGEST_RATIO: f64 = (1 << 24) as f64;
 /// could underflow.
 const SHORTEST_EDGE: f64 = 1e-90;
 
-/// What is known of the smallest circumscribing ball of a face.
+/// Smallest circumscribing ball of a face: its radius and the side of each facet on which its
+/// centre is.
 pub(super) struct Ball {
     /// The barycentric coordinates of the centre that are negative, as bits.
     pub negative: u16,
@@ -48,7 +49,7 @@ pub(super) struct Ball {
     pub radius: f64,
 }
 
-/// What is wanted of the radius.
+/// Form of the radius that a caller wants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Radius {
     Nothing,
@@ -59,8 +60,8 @@ pub(super) enum Radius {
 }
 
 impl Radius {
-    /// From the double nearest to its square, in units of `2^(2 exponent)`; `None` if it is no
-    /// normal number there, and so must be rounded in another unit.
+    /// Returns the radius for the double nearest to its square, in units of `2^(2 exponent)`;
+    /// `None` if it is no normal number there, and so must be rounded in another unit.
     pub fn of_square(self, square: f64, exponent: i32) -> Option<f64> {
         match self {
             Self::Nothing => Some(f64::NAN),
@@ -72,7 +73,7 @@ impl Radius {
     }
 }
 
-/// The ball of the `K + 1` points of a face; `None` if they are not independent.
+/// Computes the ball of the `K + 1` points of a face; `None` if they are not independent.
 pub(super) fn ball<const K: usize, const D: usize>(
     points: &[&[f64; D]],
     wanted: Radius,
@@ -125,7 +126,7 @@ struct Center<const K: usize> {
 }
 
 impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
-    /// `None` if an edge is too long or too short for doubles.
+    /// Computes the products of the edges; `None` if an edge is too long or too short for doubles.
     fn new(points: &'a [&'a [f64; D]]) -> Option<Self> {
         let mut edges = [[0.0; D]; K];
         let mut longest = 0.0f64;
@@ -149,7 +150,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         is_long.then_some(Self { points, products, exponent })
     }
 
-    /// The edge to vertex `j + 1`, exactly.
+    /// Returns the edge to vertex `j + 1`, exactly.
     #[inline]
     fn edge(&self, j: usize) -> [DoubleDouble; D] {
         let (start, end) = (self.points[0], self.points[j + 1]);
@@ -157,7 +158,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         std::array::from_fn(|i| DoubleDouble::difference(end[i], start[i]).scaled(power))
     }
 
-    /// `None` if the face is too flat for doubles.
+    /// Computes the centre; `None` if the face is too flat for doubles.
     fn center(&self) -> Option<Center<K>> {
         let factors = Factors::new(&self.products)?;
         let square = |i: usize| self.products[i][i];
@@ -179,7 +180,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         Some(Center { x, errors, factors, size, growth: root * unit })
     }
 
-    /// `None` if doubles do not tell which one is the nearest.
+    /// Computes the radius; `None` if doubles do not tell which one is the nearest.
     fn radius(&self, center: &Center<K>, wanted: Radius) -> Option<f64> {
         if wanted == Radius::Nothing {
             return Some(f64::NAN);
@@ -209,9 +210,9 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         wanted.of_square(square, self.exponent)
     }
 
-    /// What the error of `x` takes from the squared radius, and a bound of its own error: with
-    /// `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`. `offset` is
-    /// the sum of `x_j e_j` up to `unit` of the center's size.
+    /// Returns the contribution of the error of `x` to the squared radius, and a bound of its own
+    /// error: with `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`.
+    /// `offset` is the sum of `x_j e_j` up to `unit` of the center's size.
     #[cold]
     fn rest(
         &self,
@@ -241,7 +242,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
 const SQUARE_UNIT: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 impl<const K: usize> Factors<K> {
-    /// `None` unless all pivots are positive.
+    /// Factors a matrix of products; `None` unless all pivots are positive.
     fn new(products: &[[f64; K]; K]) -> Option<Self> {
         let (mut lower, mut pivots, mut inverse_pivots) = (*products, [0.0; K], [0.0; K]);
         for j in 0..K {
@@ -287,7 +288,7 @@ impl<const K: usize> Factors<K> {
 }
 
 impl<const K: usize> Center<K> {
-    /// The coordinates that are negative, as bits; `None` if one may be zero.
+    /// Returns the coordinates that are negative, as bits; `None` if one may be zero.
     fn negative(&self) -> Option<u16> {
         let first = 1.0 - self.x.iter().sum::<f64>();
         let magnitudes = self.x.iter().fold(1.0, |sum, x| sum + x.abs());
@@ -303,7 +304,8 @@ impl<const K: usize> Center<K> {
     }
 }
 
-/// The double that is nearest to a number known up to `error`; `None` if it may be either of two.
+/// Returns the double that is nearest to a number known up to `error`; `None` if it may be either
+/// of two.
 fn nearest(number: DoubleDouble, error: f64) -> Option<f64> {
     let ends = [number.low - error, number.low + error].map(|low| number.high + low);
     (ends[0] == ends[1]).then_some(ends[0])

@@ -34,8 +34,8 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The point nearest to `input` of those as far from the origin as from the ends of the edges:
-/// `input` and a combination of the edges.
+/// Returns the point nearest to `input` of those as far from the origin as from the ends of the
+/// edges: `input` and a combination of the edges.
 fn nearest_at_equal_distance(edges: &[Vec<f64>], input: &[f64]) -> Vec<f64> {
     let rows = edges.iter().map(|edge| {
         let mut row: Vec<f64> = edges.iter().map(|other| product(edge, other)).collect();

@@ -71,10 +71,11 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
     check_levels(inputs, None, triangulation, level)
 }
 
-/// As [`validate`], with what the caller of the run gave beside the points.
+/// Checks a triangulation as [`validate`] does, and the segments and regions that the caller of the
+/// run gave beside the points.
 ///
 /// # Errors
-/// As [`validate`].
+/// Fails as [`validate`] does.
 pub fn validate_outlined(
     inputs: &Inputs,
     outline: Outline<'_>,
@@ -84,10 +85,10 @@ pub fn validate_outlined(
     check_levels(inputs, Some(outline), triangulation, level)
 }
 
-/// As [`validate_outlined`], for the result of the last run of `mesh`.
+/// Checks the result of the last run of `mesh` as [`validate_outlined`] does.
 ///
 /// # Errors
-/// As [`validate`], and `State` before a run.
+/// Fails as [`validate`] does, and with `State` before a run.
 pub fn validate_mesh(mesh: &Mesh, level: u32) -> Result<Report> {
     let (segments, regions) = mesh.outline_of_result();
     validate_outlined(mesh.inputs(), Outline { segments, regions }, mesh.result()?, level)
@@ -113,16 +114,16 @@ fn check_levels(
     Ok(report(findings?))
 }
 
-/// What is checked beside the triangulation of all of the hull.
+/// Result and inputs, which are checked beside the triangulation of all of the hull.
 #[derive(Clone, Copy)]
 struct Case<'a> {
     inputs: &'a Inputs,
     outline: Option<Outline<'a>>,
-    /// That triangulation or what is cut from it.
+    /// Triangulation of all of the hull, or what is cropped from it.
     result: &'a Triangulation,
 }
 
-/// The findings of each level that was asked for and could be checked.
+/// Returns the findings of each level that was asked for and could be checked.
 fn check<const D: usize>(
     case: Case<'_>,
     view: View<'_, D>,
@@ -150,7 +151,7 @@ fn check<const D: usize>(
     Ok(levels)
 }
 
-/// Level 2, with `signs` of any source.
+/// Checks level 2, with `signs` of any source.
 fn check_geometry<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     signs: &mut Signs<A>,

@@ -1,4 +1,4 @@
-//! What the checker says: kinds of violations, the first one in words, and counts.
+//! Findings of the checker: kinds of violations, the first one in words, and counts.
 
 use crate::mesh::NONE;
 use std::borrow::Cow;
@@ -136,7 +136,7 @@ pub enum ViolationKind {
 }
 
 impl ViolationKind {
-    /// The level whose rule it is; 0 for `None`.
+    /// Returns the level whose rule it is; 0 for `None`.
     pub fn level(self) -> u32 {
         match self as u32 {
             0 => 0,
@@ -183,7 +183,7 @@ impl Violation {
     }
 }
 
-/// What the certificate checker found.
+/// Findings of the certificate checker.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The highest level that holds in full, with all below it; 0 if level 1 does not. Never above
@@ -218,7 +218,7 @@ impl Findings {
         holds
     }
 
-    /// Whether everything so far held.
+    /// Returns true if everything so far held.
     pub fn clean(&self) -> bool {
         self.violations == 0
     }

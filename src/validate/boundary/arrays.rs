@@ -114,7 +114,7 @@ fn check_forced(result: &Triangulation, whole: &Triangulation, findings: &mut Fi
     });
 }
 
-/// Whether `part` is what comes first of `whole`.
+/// Returns true if `whole` begins with `part`.
 fn begins<T: PartialEq>(part: &[T], whole: &[T]) -> bool {
     whole.starts_with(part)
 }

@@ -35,7 +35,8 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// Subsegment -> by how much the winding number on its left exceeds that on its right.
+/// Returns for each subsegment by how much the winding number on its left exceeds that on its
+/// right.
 fn steps(
     inputs: &Inputs,
     segments: &Segments,
@@ -92,7 +93,7 @@ fn spread(edges: &Edges, steps: &[i64], interior: Interior, parts: &mut Parts) -
     Ok(())
 }
 
-/// The numbers on both sides of each subsegment differ by its step: curves close.
+/// Checks that the numbers on both sides of each subsegment differ by its step: curves close.
 fn check_steps(
     view: View<'_, 2>,
     edges: &Edges,
@@ -110,8 +111,9 @@ fn check_steps(
         findings.check(left == reduced(right + step, interior), || {
             let [a, b] = view.mesh.boundary.subsegments[at];
             let message = message!(
-                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and {right} on \
-                 its sides, and segments run along it {step} times: the curves do not close"
+                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and \
+                 {right} on its sides, and segments run along it {step} times: the curves do \
+                 not close"
             );
             Violation::new(ViolationKind::DomainPlace, message).vertex(a as usize)
         });

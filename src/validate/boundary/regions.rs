@@ -26,7 +26,7 @@ pub(super) struct Part {
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
     is_of_all: bool,
-    /// Where closed curves tell what is inside: its winding number, or whether that is odd.
+    /// Winding number that tells what is inside, or whether it is odd, where curves are closed.
     pub winding: Option<i64>,
     /// The seed in it.
     seed: Option<usize>,
@@ -60,7 +60,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// Simplex -> the largest edge that its region may have.
+/// Returns for each simplex the largest edge that its region may have.
 pub(super) fn largest_edges(
     view: View<'_, 2>,
     edges: &Edges,
@@ -223,9 +223,9 @@ impl Parts {
     }
 }
 
-/// A triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None` outside of
-/// the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity theorem for
-/// cell complexes in d dimensions", 1990); in another it is given up.
+/// Returns a triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None`
+/// outside of the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity
+/// theorem for cell complexes in d dimensions", 1990); in another it is given up.
 fn locate(
     view: View<'_, 2>,
     near: usize,

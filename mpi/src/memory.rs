@@ -1,5 +1,5 @@
-//! Memory that may be refused: what grows with the input grows through this module, since `Vec` ends
-//! the process where the system has no more.
+//! Memory that may be refused: what grows with the input grows through this module, since `Vec`
+//! ends the process where the system has no more.
 
 use netmesh::{Error, ErrorKind, Result};
 
@@ -8,21 +8,21 @@ pub fn out_of_memory() -> Error {
     Error::new(ErrorKind::OutOfMemory, "an allocation failed")
 }
 
-/// An empty vector with a reserve for exactly `capacity` elements.
+/// Returns an empty vector with a reserve for exactly `capacity` elements.
 pub fn with_capacity<T>(capacity: usize) -> Result<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity).map_err(|_| out_of_memory())?;
     Ok(vec)
 }
 
-/// `vec![value; length]`.
+/// Returns `vec![value; length]`.
 pub fn filled<T: Clone>(length: usize, value: T) -> Result<Vec<T>> {
     let mut vec = with_capacity(length)?;
     vec.resize(length, value);
     Ok(vec)
 }
 
-/// `iterator.collect()`; exact where the iterator knows its length.
+/// Returns `iterator.collect()`; exact where the iterator knows its length.
 pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
     let iterator = iterator.into_iter();
     let mut vec = with_capacity(iterator.size_hint().0)?;
@@ -32,7 +32,7 @@ pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> Result<Vec<T>> {
     Ok(vec)
 }
 
-/// A copy of `values`.
+/// Returns a copy of `values`.
 pub fn copied<T: Copy>(values: &[T]) -> Result<Vec<T>> {
     let mut vec = with_capacity(values.len())?;
     vec.extend_from_slice(values);

@@ -1,5 +1,5 @@
-//! What a run takes on a rank, step by step: for [`crate::DistributedMesh::work`], and for the model of
-//! docs/scaling.md.
+//! Costs of a run on a rank, step by step: for [`crate::DistributedMesh::work`], and for the model
+//! of docs/scaling.md.
 
 use crate::comm::Communicator;
 use crate::comm::mpi::processor_seconds;
@@ -17,13 +17,13 @@ pub enum Step {
     Partition { phase: u32, number: u32 },
     /// The seams that a phase has left are cut and go to the ranks of their partitions.
     Seams { phase: u32 },
-    /// What all phases have left is done.
+    /// Step that does what all phases have left.
     Rest,
     /// Ids, ghosts and interfaces.
     Numbers,
 }
 
-/// What a step took on this rank.
+/// Cost of a step on this rank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Work {
     pub step: Step,
@@ -31,7 +31,8 @@ pub struct Work {
     pub inputs: u64,
     /// Simplices that there were when it began.
     pub simplices: u64,
-    /// Processor time of the thread that made it. Where ranks wait for each other, MPI may use some.
+    /// Processor time of the thread that made it. Where ranks wait for each other, MPI may use
+    /// some.
     pub seconds: f64,
     /// Bytes that this rank has sent to others.
     pub sent: u64,
@@ -50,7 +51,7 @@ impl Step {
         }
     }
 
-    /// Whether ranks go through it without a word to each other.
+    /// Returns true if ranks go through the step without a word to each other.
     pub fn is_alone(self) -> bool {
         matches!(self, Self::Partition { .. })
     }
@@ -69,7 +70,7 @@ impl<'a> Notes<'a> {
         Self { comm, seconds: processor_seconds(), sent: comm.bytes_sent(), work: Vec::new() }
     }
 
-    /// A step has ended.
+    /// Notes that a step has ended.
     pub fn end(&mut self, step: Step, inputs: u64, simplices: u64) -> Result<()> {
         let (seconds, sent) = (processor_seconds(), self.comm.bytes_sent());
         let (took, own) = (seconds - self.seconds, sent - self.sent);

@@ -39,7 +39,7 @@ fn the_header_is_what_cbindgen_makes() {
     assert!(header() == made, "include/netmesh_mpi.h has another length than what cbindgen makes");
 }
 
-/// Nothing is declared again by a program that includes the header twice.
+/// Holds that nothing is declared again by a program that includes the header twice.
 #[test]
 fn the_guard_is_around_all_that_is_declared() {
     let header = header();
@@ -49,7 +49,7 @@ fn the_guard_is_around_all_that_is_declared() {
     assert_eq!(after.trim(), "");
 }
 
-/// The compiler wrapper's flags, without the program.
+/// Compiles a program with the compiler wrapper's flags.
 fn compiles(name: &str, language: &[&str], text: &str) {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let source = directory.join(name);
@@ -91,7 +91,8 @@ fn the_header_compiles_as_c99() {
     compiles("header.c", &["-std=c99", "-Wpedantic"], UNIT);
 }
 
-/// Without the bindings for C++ that Open MPI and MPICH have in their headers, with warnings of their own.
+/// Compiles without the bindings for C++ that Open MPI and MPICH have in their headers, with
+/// warnings of their own.
 #[test]
 fn the_header_compiles_as_cpp17() {
     compiles(

@@ -119,7 +119,7 @@ fn check_simplex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     }
 }
 
-/// The index of an own simplex.
+/// Returns the index of an own simplex.
 pub fn own_index(mesh: &DistributedMesh, id: u64) -> Option<usize> {
     let index = id.checked_sub(mesh.first_simplex)?;
     (index < mesh.simplex_count() as u64).then_some(index as usize)
@@ -133,19 +133,19 @@ fn check_corners(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool
         .map(|s| (mesh.first_simplex.wrapping_add(s as u64), mesh.simplex(s), mesh.own_vertices));
     let ghosts =
         (0..mesh.ghosts.len()).map(|g| (mesh.ghosts[g].id, mesh.ghost(g), mesh.vertex_ids.len()));
-    for (id, corners, limit) in own.chain(ghosts) {
-        for (slot, &vertex) in corners.iter().enumerate() {
+    for (id, vertices, limit) in own.chain(ghosts) {
+        for (slot, &vertex) in vertices.iter().enumerate() {
             holds &= findings.check((vertex as usize) < limit, || {
                 let message = format!("simplex {id} names vertex {vertex} of {limit} on the rank");
                 Violation::new(Rule::VertexOutOfRange, mesh.rank, message).simplex(id)
             });
-            holds &= findings.check(!corners[..slot].contains(&vertex), || {
+            holds &= findings.check(!vertices[..slot].contains(&vertex), || {
                 let message = format!("simplex {id} names a vertex twice");
                 Violation::new(Rule::RepeatedVertex, mesh.rank, message).simplex(id)
             });
             used.get_mut(vertex as usize).into_iter().for_each(|used| *used = true);
         }
-        let touches = corners.iter().any(|&vertex| (vertex as usize) < mesh.own_vertices);
+        let touches = vertices.iter().any(|&vertex| (vertex as usize) < mesh.own_vertices);
         findings.check(touches, || {
             let message = format!("ghost {id} shares no vertex with the rank");
             Violation::new(Rule::Ghost, mesh.rank, message).simplex(id)

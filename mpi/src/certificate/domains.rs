@@ -13,7 +13,8 @@ type Record = ([u64; 7], usize);
 
 const ID: usize = 0;
 
-/// Collective: checks that all ranks have the same of each domain, and how many there are.
+/// Checks that all ranks have equal data of each domain, and how many there are. This call is
+/// collective.
 pub fn check(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

@@ -44,17 +44,18 @@ fn check_orientation<const D: usize>(
     Ok(())
 }
 
-/// Two positively oriented simplices lie on different sides of their facet iff replacing the apex of one
-/// by that of the other gives an odd permutation of the other: no coordinates needed.
+/// Checks that two positively oriented simplices lie on different sides of their facet: replacing
+/// the apex of one by that of the other must give an odd permutation of the other. No coordinates
+/// are needed.
 fn check_fold(complex: &Complex<'_>, own: &Facet, other: &Facet, findings: &mut Findings) {
-    let corners = complex.simplex(own.simplex as usize);
-    let replaced: [u32; 4] = std::array::from_fn(|at| match corners.get(at) {
+    let vertices = complex.simplex(own.simplex as usize);
+    let replaced: [u32; 4] = std::array::from_fn(|at| match vertices.get(at) {
         Some(_) if at == own.slot as usize => complex.opposite(other),
-        Some(&corner) => corner,
+        Some(&vertex) => vertex,
         None => u32::MAX,
     });
     let neighbor = complex.simplex(other.simplex as usize);
-    let even = parity(&replaced[..corners.len()]) == parity(neighbor);
+    let even = parity(&replaced[..vertices.len()]) == parity(neighbor);
     findings.check(!even, || {
         let [a, b] = [own, other].map(|facet| complex.id(facet.simplex as usize));
         let message = format!("neighbours {a} and {b} lie on the same side of their facet");
@@ -62,7 +63,7 @@ fn check_fold(complex: &Complex<'_>, own: &Facet, other: &Facet, findings: &mut 
     });
 }
 
-/// Whether the number of inversions is odd.
+/// Returns true if the number of inversions is odd.
 fn parity(ids: &[u32]) -> bool {
     let later = |(i, a): (usize, &u32)| ids[i + 1..].iter().filter(|&b| b < a).count();
     ids.iter().enumerate().map(later).sum::<usize>() % 2 == 1

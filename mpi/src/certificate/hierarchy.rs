@@ -39,19 +39,19 @@ impl<const D: usize> Ball<D> {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The ball of an index that [`Self::labels`] or the tree has.
+    /// Returns the ball of an index that [`Self::labels`] or the tree has.
     pub fn ball(&self, at: u32) -> &Ball<D> {
         &self.balls[at as usize]
     }
 
-    /// Whether the ball at `at` or one in it is the label of the vertex.
+    /// Returns true if the ball at `at` or one in it is the label of the vertex.
     pub fn holds(&self, at: u32, vertex: u32) -> bool {
         self.tree.holds(at, self.labels[vertex as usize])
     }
 }
 
-/// Collective: checks the domains and the labels. Where they hold on all ranks, what is known;
-/// nothing where there are no domains.
+/// Checks the domains and the labels. Returns them where they hold on all ranks, and nothing where
+/// there are no domains. This call is collective.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -75,7 +75,8 @@ pub fn check<const D: usize>(
             let (id, domain) = (mesh.vertex_ids[vertex], ball.id);
             let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
             let message = format!(
-                "vertex {id} is {found:e} from the centre of its domain {domain} of radius {radius:e}"
+                "vertex {id} is {found:e} from the centre of its domain {domain} of radius \
+                 {radius:e}"
             );
             Violation::new(Rule::VertexDomain, mesh.rank, message).vertex(id)
         });
@@ -83,7 +84,7 @@ pub fn check<const D: usize>(
     Ok(findings.clean_everywhere(comm)?.then_some(hierarchy))
 }
 
-/// The domains as a tree, with the labels and cages of all vertices, if they are such.
+/// Returns the domains as a tree, with the labels and cages of all vertices, if they are such.
 fn read<const D: usize>(
     mesh: &DistributedMesh,
     findings: &mut Findings,
@@ -148,8 +149,8 @@ fn check_ball(mesh: &DistributedMesh, domain: &Domain, findings: &mut Findings) 
     });
 }
 
-/// Collective: the vertex at a domain's centre is there, and in the domain. Its owner says so to a
-/// keeper, which the domain's id chooses.
+/// Checks that the vertex at a domain's centre is there, and in the domain. Its owner says so to a
+/// keeper, which the domain's id chooses. This call is collective.
 fn check_centers<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

@@ -1,5 +1,5 @@
-//! Level 3: every distinct input is a vertex with its own bits, whose id is that of the first of the
-//! equal ones. Inputs and vertices meet at a keeper, which their coordinates choose.
+//! Level 3: every distinct input is a vertex with its own bits, whose id is that of the first of
+//! the equal ones. Inputs and vertices meet at a keeper, which their coordinates choose.
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
@@ -15,7 +15,8 @@ const IS_VERTEX: usize = 3;
 const ID: usize = 4;
 const BITS: std::ops::Range<usize> = 5..8;
 
-/// Collective.
+/// Checks that the vertex of each distinct input is there and has that input's bits. This call is
+/// collective.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

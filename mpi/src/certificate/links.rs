@@ -1,4 +1,5 @@
-//! Level 1: the star and the link of every vertex, at its owner, and the Euler characteristic of all.
+//! Level 1: the star and the link of every vertex, at its owner, and the Euler characteristic of
+//! all.
 
 use super::complex::Complex;
 use super::report::{Findings, Rule, Violation};
@@ -7,7 +8,8 @@ use crate::distributed::NO_ID;
 use crate::memory::{TryGrow, collected, filled};
 use netmesh::Result;
 
-/// Collective: facets, ghosts and vertices must hold on all ranks.
+/// Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and vertices must
+/// hold on all ranks. This call is collective.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -24,8 +26,8 @@ pub fn check(
         check_star(complex, vertex, star, &mut around, findings);
         link.clear();
         for &node in star {
-            let corners = complex.simplex(node as usize / (mesh.dim + 1));
-            let others = corners.iter().filter(|&&other| other as usize != vertex);
+            let vertices = complex.simplex(node as usize / (mesh.dim + 1));
+            let others = vertices.iter().filter(|&&other| other as usize != vertex);
             others.copied().try_for_each(|other| link.try_push(other))?;
         }
         link.sort_unstable();
@@ -39,7 +41,8 @@ pub fn check(
     check_euler(comm, complex, edges, open, findings)
 }
 
-/// Vertex -> its places in simplices: simplex x (dim + 1) + slot.
+/// Returns the stars of all vertices: for each its positions in simplices, which are simplex x (dim
+/// + 1) + slot.
 fn stars(complex: &Complex<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
     let mesh = complex.mesh;
     let places = || mesh.simplices.iter().chain(&mesh.ghost_simplices).zip(0u32..);
@@ -59,7 +62,8 @@ fn stars(complex: &Complex<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
     Ok((ends, stars))
 }
 
-/// Disjoint sets of places: those of a vertex in neighbours that share a facet with it are joined.
+/// Returns disjoint sets of positions: those of a vertex in neighbours that share a facet with it
+/// are joined.
 fn join_stars(complex: &Complex<'_>) -> Result<Vec<u32>> {
     let size = complex.mesh.dim + 1;
     let mut parents = collected(0..(complex.count() * size) as u32)?;
@@ -67,8 +71,8 @@ fn join_stars(complex: &Complex<'_>) -> Result<Vec<u32>> {
         let [a, b] = group else { continue };
         for vertex in &a.vertices[..complex.mesh.dim] {
             let [a, b] = [a, b].map(|facet| {
-                let corners = complex.simplex(facet.simplex as usize);
-                let slot = corners.iter().position(|corner| corner == vertex).unwrap_or(0);
+                let vertices = complex.simplex(facet.simplex as usize);
+                let slot = vertices.iter().position(|other| other == vertex).unwrap_or(0);
                 facet.simplex as usize * size + slot
             });
             let (a, b) = (find(&mut parents, a), find(&mut parents, b));
@@ -104,7 +108,7 @@ fn check_star(
     });
 }
 
-/// A link has the Euler characteristic of a sphere, or on the hull of a ball.
+/// Checks that a link has the Euler characteristic of a sphere, or on the hull of a ball.
 fn check_link(
     complex: &Complex<'_>,
     vertex: usize,
@@ -129,7 +133,7 @@ fn check_link(
     });
 }
 
-/// Collective: the alternating sum of the numbers of faces is 1.
+/// Checks that the alternating sum of the numbers of faces is 1. This call is collective.
 fn check_euler(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

@@ -27,8 +27,8 @@ pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
     });
 }
 
-/// The cells of vertices that are in no cage, or the simplices within a domain. `is_limited`: by
-/// vertex, as of [`limits`].
+/// Checks the cells of vertices that are in no cage, or the simplices within a domain. `is_limited`
+/// tells by vertex what [`limits`] found.
 pub fn check_cells<const D: usize>(
     complex: &Complex<'_>,
     is_limited: &[bool],
@@ -43,14 +43,14 @@ pub fn check_cells<const D: usize>(
     let most = bound * (1.0 + SLACK);
     let mut cells = filled(mesh.vertex_ids.len(), Cell::default())?;
     for simplex in 0..complex.count() {
-        let (corners, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
+        let (vertices, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
         let entered = Simplex::new(&points[..=D])?;
-        entered.enter(&mut cells, corners);
+        entered.enter(&mut cells, vertices);
         let domain = |vertex: u32| mesh.vertex_domains[vertex as usize];
         let is_bounded = mesh.promise.criterion == Criterion::RadiusEdge
             && simplex < complex.own
             && !limits::simplex(&points[..=D])
-            && corners.iter().all(|&vertex| domain(vertex) == domain(corners[0]));
+            && vertices.iter().all(|&vertex| domain(vertex) == domain(vertices[0]));
         let ratio = entered.radius_edge();
         findings.check(!is_bounded || ratio <= most, || {
             let id = complex.id(simplex);
@@ -68,7 +68,7 @@ pub fn check_cells<const D: usize>(
     Ok(())
 }
 
-/// The cell of an owned vertex, whose star is complete.
+/// Checks the cell of an owned vertex, whose star is complete.
 fn check_cell(
     complex: &Complex<'_>,
     vertex: usize,

@@ -1,4 +1,4 @@
-//! What the certificate says: the rules, the first violation in words, and counts that all ranks have.
+//! Findings of the certificate: the first violation in words, and counts that all ranks have.
 
 use crate::comm::Communicator;
 use crate::distributed::NO_ID;
@@ -8,9 +8,9 @@ use netmesh::{Error, ErrorKind, Result};
 /// Bytes of a message that fit the C ABI's `char[160]` with its NUL.
 const MESSAGE_BYTES: usize = 159;
 
-/// The rule that a [`Violation`] breaks (values are part of the C ABI: append only). 1 to 99 belong to
-/// level 1, 101 to 199 to level 2, 201 to 299 to level 3. A rule of [`netmesh::validate`] has the value
-/// that it has there; those from 51 on are of what ranks have in common.
+/// The rule that a [`Violation`] breaks (values are part of the C ABI: append only). 1 to 99 belong
+/// to level 1, 101 to 199 to level 2, 201 to 299 to level 3. A rule of [`netmesh::validate`] has
+/// the value that it has there; those from 51 on are of what ranks have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Rule {
@@ -191,17 +191,18 @@ impl Violation {
     }
 }
 
-/// What the certificate found, equal on all ranks.
+/// Findings of the certificate, equal on all ranks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// The highest level that holds in full, with all below it; 0 if level 1 does not. Never above
     /// the level that was asked for.
     pub level: u32,
-    /// Violations that all ranks have found. Checks that would stand on a broken array are not made.
+    /// Violations that all ranks have found. Checks that would stand on a broken array are not
+    /// made.
     pub violations: u64,
     /// Number of single checks made on all ranks.
     pub checked: u64,
-    /// Of the lowest level that does not hold, the first violation of the lowest rank that found one.
+    /// First violation of the lowest level that does not hold, on the lowest rank that found one.
     pub first: Option<Violation>,
 }
 
@@ -226,17 +227,17 @@ impl Findings {
         holds
     }
 
-    /// Whether everything so far held on this rank.
+    /// Returns true if everything so far held on this rank.
     pub fn is_clean(&self) -> bool {
         self.violations == 0
     }
 
-    /// Collective: whether everything so far held on all ranks.
+    /// Returns true if everything so far held on all ranks. This call is collective.
     pub fn clean_everywhere(&self, comm: &dyn Communicator) -> Result<bool> {
         Ok(comm.exclusive_sum(self.violations)?.1 == 0)
     }
 
-    /// Collective: what all ranks have found, as if one had.
+    /// Returns what all ranks have found, as if one had. This call is collective.
     pub fn of_all(self, comm: &dyn Communicator) -> Result<Self> {
         let mut message = Vec::new();
         append(&mut message, &[self.violations, self.checked])?;

@@ -5,7 +5,8 @@ use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Totals};
 use netmesh::Result;
 
-/// Collective: where the ids of this rank begin, and what all ranks must have of the whole.
+/// Checks where the ids of this rank begin, and the totals that all ranks must have of the whole.
+/// This call is collective.
 pub fn check_ids(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -40,7 +41,7 @@ pub fn check_ids(
     Ok(())
 }
 
-/// Collective: the vertices of the whole, of which this rank keeps some.
+/// Checks the vertices of the whole, of which this rank keeps some. This call is collective.
 pub fn check_vertices(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -67,7 +68,7 @@ pub fn check_vertices(
     Ok(())
 }
 
-/// What all ranks have is not what the totals say.
+/// Returns the violation of totals that are not what all ranks have.
 pub fn wrong_total(mesh: &DistributedMesh, what: &str, found: u64, needed: u64) -> Violation {
     let message = format!("totals say {found} {what}, the ranks have {needed}");
     Violation::new(Rule::Totals, mesh.rank, message)

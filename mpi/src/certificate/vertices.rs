@@ -1,5 +1,5 @@
-//! Level 1: what ranks know of a vertex. All tell it to a keeper, which its id alone chooses, and which
-//! compares.
+//! Level 1: what ranks know of a vertex. All tell it to a keeper, which its id alone chooses, and
+//! which compares.
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
@@ -22,8 +22,8 @@ const OWNER: usize = 7;
 const OWN: usize = 8;
 const STAR: usize = 9;
 
-/// Collective: checks that all ranks have the same of each vertex, its owner, and that each rank that has
-/// a simplex there has all of them.
+/// Checks that all ranks have equal data of each vertex, its owner, and that each rank that has a
+/// simplex there has all of them. This call is collective.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

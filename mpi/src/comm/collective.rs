@@ -6,7 +6,7 @@ use crate::memory::{collected, filled};
 use netmesh::{Error, ErrorKind, Result};
 use std::cell::{Cell, RefCell};
 
-/// What of a message is told to other ranks.
+/// Number of bytes of an error's message that other ranks are told.
 const MESSAGE_BYTES: usize = 1024;
 
 /// Ranks that fail together. Not for several threads of a rank at a time.
@@ -15,7 +15,7 @@ pub struct Collective<T> {
     bytes_sent: Cell<u64>,
     /// Says an error in the words of the caller, since ranks tell each other no more than text.
     words: fn(&Error) -> String,
-    /// What all ranks have agreed on.
+    /// Error that all ranks have agreed on.
     failure: RefCell<Option<Error>>,
 }
 
@@ -30,12 +30,12 @@ impl<T: Transport> Collective<T> {
         Self { transport, bytes_sent: Cell::new(0), words, failure: RefCell::new(None) }
     }
 
-    /// For another call: what has failed before is past.
+    /// Returns a communicator for another call: what has failed before is past.
     pub fn again(&self) -> Collective<&T> {
         Collective::in_words(&self.transport, self.words)
     }
 
-    /// What every collective call begins with.
+    /// Begins every collective call: learns whether a rank has failed.
     fn checkpoint(&self, local: Option<&Error>) -> Result<()> {
         if let Some(error) = &*self.failure.borrow() {
             return Err(error.clone());
@@ -53,7 +53,7 @@ impl<T: Transport> Collective<T> {
         Err(error)
     }
 
-    /// The error of a rank, as all ranks tell it.
+    /// Returns the error of a rank, as all ranks tell it.
     fn error_of(&self, rank: usize, local: Option<&Error>) -> Result<Error> {
         let mut packet = [0; 8 + MESSAGE_BYTES];
         if let (Some(error), true) = (local, rank == self.transport.rank()) {
@@ -74,7 +74,8 @@ impl<T: Transport> Collective<T> {
         Ok(Error::new(kind, format!("{message} (rank {rank})")))
     }
 
-    /// Collective: an own failure, such as of an allocation, inside of a call.
+    /// Makes an own failure inside of a call, such as of an allocation, one of all ranks. This call
+    /// is collective.
     fn agree_on<V>(&self, local: Result<V>) -> Result<V> {
         match local {
             Ok(value) => self.checkpoint(None).map(|()| value),
@@ -194,7 +195,7 @@ impl<T: Transport> Communicator for Collective<T> {
     }
 }
 
-/// The longest prefix of `text` of at most `limit` bytes that ends between characters.
+/// Returns the longest prefix of `text` of at most `limit` bytes that ends between characters.
 fn prefix(text: &str, limit: usize) -> &str {
     let mut end = limit.min(text.len());
     while !text.is_char_boundary(end) {

@@ -28,7 +28,7 @@ struct Thread {
     network: Arc<Network>,
 }
 
-/// What the ranks share.
+/// State that the ranks share.
 struct Network {
     size: usize,
     state: Mutex<State>,
@@ -36,13 +36,13 @@ struct Network {
 }
 
 struct State {
-    /// What the ranks have brought to the collective call under way, for each rank.
+    /// Messages that the ranks have brought to the collective call under way, for each rank.
     brought: Vec<Option<Vec<Vec<u8>>>>,
-    /// How many ranks have taken theirs from it.
+    /// Number of ranks that have taken theirs from it.
     taken: usize,
     /// Ranks may take, not bring.
     is_complete: bool,
-    /// By sender, receiver and tag.
+    /// Messages by sender, receiver and tag.
     messages: HashMap<(usize, usize, u16), VecDeque<Vec<u8>>>,
     is_failing: bool,
 }

@@ -15,10 +15,10 @@ const MAX_HEADER: usize = 1 << 16;
 /// Bytes that are read at once.
 const BLOCK: usize = 1 << 20;
 
-/// What the header says.
+/// Header of a NumPy file.
 #[derive(Debug, PartialEq)]
 struct Header {
-    /// Of a number.
+    /// Bytes of a number.
     size: usize,
     is_big_endian: bool,
     points: u64,
@@ -80,7 +80,7 @@ fn read_header(file: &mut File) -> Result<(Header, u64)> {
 }
 
 impl Header {
-    /// From `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`.
+    /// Parses a header such as `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`.
     fn parse(text: &str) -> Result<Self> {
         let value = |key: &str| {
             let rest = text.split_once(&format!("'{key}'")).map(|(_, rest)| rest);

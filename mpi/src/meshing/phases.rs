@@ -9,11 +9,11 @@ use crate::work::Step;
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
 
-/// What is left in the end is taken out with twice so many steps around it, then with four times as
-/// many, and so on: in the end that is all.
+/// Number of rings about what is left at the end, when it is extracted first. Then there are twice
+/// as many, then four times as many, and so on: in the end that is all.
 const FIRST_RINGS: usize = 2;
 
-/// In so many phases there are as many partitions as at first. Then what is left is so little that
+/// Number of phases that have as many partitions as the first. Then what is left is so little that
 /// fewer leave less: those of the next phase are half as many, and so on.
 const WHOLE: u32 = 2;
 
@@ -26,10 +26,11 @@ const WAITING: u64 = 8;
 /// A partition by its number, and the pieces that it is made of.
 type Joined<const D: usize> = (u32, Vec<Piece<D>>);
 
-/// Collective: makes all partitions, and what they leave. Answers the settled pieces of this rank.
+/// Makes all partitions, and what they leave. Returns the settled pieces of this rank. This call is
+/// collective.
 ///
-/// What a phase leaves lies along its planes and those of the phases before, so it gets less and less,
-/// and so do the partitions that it is cut into, until one of them has all.
+/// What a phase leaves lies along its planes and those of the phases before, so it gets less and
+/// less, and so do the partitions that it is cut into, until one of them has all.
 pub fn make<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
@@ -85,8 +86,8 @@ fn make_phase<const D: usize>(
     Ok(own)
 }
 
-/// Collective: the seams that the partitions `made` in a phase leave, and what they want of the pieces
-/// that are settled. Those are then all the others.
+/// Returns the seams that the partitions `made` in a phase leave, with what they want of the pieces
+/// that are settled. Those are then all the others. This call is collective.
 fn leave<const D: usize>(
     comm: &dyn Communicator,
     made: Vec<Piece<D>>,
@@ -114,8 +115,8 @@ fn leave<const D: usize>(
     })
 }
 
-/// Collective: where the seams of all ranks are cut, and into how many partitions. Vertices that their
-/// names choose say where.
+/// Returns the planes by which the seams of all ranks are partitioned, and the number of
+/// partitions. Vertices that their names choose say where. This call is collective.
 fn cut_of<const D: usize>(
     comm: &dyn Communicator,
     seams: &[Piece<D>],
@@ -153,9 +154,10 @@ fn cut_of<const D: usize>(
     Ok((cut, count))
 }
 
-/// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. Those ranks, and
-/// the partitions that this rank makes, with their pieces in the order in which those were made.
-/// `loads`: by rank, how many partitions it has made.
+/// Partitions all seams, and brings the pieces to the ranks of their partitions. Returns those
+/// ranks, and the partitions that this rank makes, with their pieces in the order in which those
+/// were made. `loads` has by rank the number of partitions that it has made. This call is
+/// collective.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Piece<D>>,
@@ -203,9 +205,9 @@ fn exchange<const D: usize>(
     })
 }
 
-/// The rank that makes each partition: one that has much of it, so that little is sent, of those
-/// that have made the fewest until now. `shares`: by rank, how much of each partition it has. The
-/// mesh does not depend on it.
+/// Returns the rank that makes each partition: one that has much of it, so that little is sent, of
+/// those that have made the fewest until now. `shares` has by rank how much of each partition it
+/// has. The mesh does not depend on it.
 fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<u32>> {
     let most = most_load(loads, count);
     let mut wishes = Vec::new();
@@ -225,7 +227,7 @@ fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<
     Ok(owners)
 }
 
-/// The least load of the rank with most, if `count` more partitions are made.
+/// Returns the least load of the rank with most, if `count` more partitions are made.
 fn most_load(loads: &[u32], count: usize) -> u32 {
     let room =
         |most: u32| loads.iter().map(|&load| most.saturating_sub(load) as usize).sum::<usize>();
@@ -236,7 +238,7 @@ fn most_load(loads: &[u32], count: usize) -> u32 {
     most
 }
 
-/// By rank, how many partitions of phase 0 it makes.
+/// Returns by rank how many partitions of phase 0 it makes.
 fn loads_of_all(count: usize, ranks: usize) -> Result<Vec<u32>> {
     let mut loads = filled(ranks, 0)?;
     (0..count).for_each(|partition| loads[owner(partition, count, ranks)] += 1);
@@ -266,8 +268,8 @@ fn read_pieces<const D: usize>(
     Ok(())
 }
 
-/// Collective: what the last piece on `rank` has left to do is taken out of the pieces of all ranks,
-/// with so much around it that it can be done.
+/// Extracts what the last piece on `rank` has left to do from the pieces of all ranks, with so much
+/// around it that it can be done, and does it. This call is collective.
 fn make_rest<const D: usize>(
     comm: &dyn Communicator,
     maker: &Maker<D>,
@@ -322,8 +324,8 @@ fn make_rest<const D: usize>(
     }
 }
 
-/// Takes the simplices beside vertices of these names out of all pieces: those that stay on this rank,
-/// if it is that which goes on, and messages with the others.
+/// Takes the simplices beside vertices of these names out of all pieces: those that stay on this
+/// rank, if it is that which goes on, and messages with the others.
 fn take_out<const D: usize>(
     comm: &dyn Communicator,
     settled: &mut Vec<Piece<D>>,
@@ -344,7 +346,7 @@ fn take_out<const D: usize>(
     Ok((kept, messages))
 }
 
-/// Collective: the names of all ranks, rising.
+/// Returns the names of all ranks, rising. This call is collective.
 fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     own.sort_unstable();
     own.dedup();

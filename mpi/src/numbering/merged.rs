@@ -28,7 +28,7 @@ pub struct Merged {
     pub neighbors: Vec<u64>,
     /// The names of all domains that are named, rising.
     pub domains: Vec<u64>,
-    /// What pieces know of them, a domain once or more.
+    /// Domains that pieces know, each once or more.
     pub copies: Vec<PieceDomain>,
 }
 
@@ -39,15 +39,15 @@ impl Merged {
         pieces.iter().for_each(|piece| names.extend_from_slice(&piece.names));
         names.sort_unstable();
         names.dedup();
-        let corners = pieces.iter().map(|piece| piece.simplices.len()).sum();
+        let entries = pieces.iter().map(|piece| piece.simplices.len()).sum();
         let mut merged = Self {
             dim,
             points: filled(names.len() * dim, f64::NAN)?,
             kinds: filled(names.len(), 0)?,
             vertex_domains: filled(names.len(), u64::MAX)?,
             vertex_cages: filled(names.len(), u64::MAX)?,
-            simplices: with_capacity(corners)?,
-            neighbors: with_capacity(corners)?,
+            simplices: with_capacity(entries)?,
+            neighbors: with_capacity(entries)?,
             domains: Vec::new(),
             copies: Vec::new(),
             names,
@@ -58,7 +58,8 @@ impl Merged {
         Ok(merged)
     }
 
-    /// A label or a parent may be a domain of which the rank knows nothing else.
+    /// Returns the names of all domains. A label or a parent may be a domain of which the rank
+    /// knows nothing else.
     fn domain_names(&self) -> Result<Vec<u64>> {
         let of_copies = self.copies.iter().flat_map(|copy| [Some(copy.name), copy.parent]);
         let of_vertices = self.vertex_domains.iter().chain(&self.vertex_cages).copied();
@@ -97,7 +98,8 @@ impl Merged {
         self.simplices.len() / (self.dim + 1)
     }
 
-    /// The vertices of the facet at a place of `neighbors`, rising; as many as the dimension.
+    /// Returns the vertices of the facet at a position of `neighbors`, rising; as many as the
+    /// dimension.
     pub fn facet(&self, slot: usize) -> [u32; netmesh::mesh::MAX_DIM] {
         let size = self.dim + 1;
         let simplex = &self.simplices[slot / size * size..][..size];

@@ -21,7 +21,7 @@ use directory::Shared;
 use merged::Merged;
 use netmesh::{Error, ErrorKind, Result};
 
-/// Collective: the part of this rank. `inputs` are those that it has given.
+/// Makes the part of this rank. `inputs` are those that it has given. This call is collective.
 pub fn number(
     comm: &dyn Communicator,
     dim: usize,
@@ -97,7 +97,7 @@ pub fn number(
     Ok(mesh)
 }
 
-/// The pieces do not fit together.
+/// Returns the error of pieces that do not fit together.
 fn defect(what: &str) -> Error {
     Error::new(ErrorKind::Panic, format!("internal error: {what}; please report it"))
 }

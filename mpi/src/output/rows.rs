@@ -12,8 +12,8 @@ pub struct Block {
     pub bytes: Vec<u8>,
 }
 
-/// Collective: each rank gets a block of the rows 0 to `all`, of `columns` numbers; `rows` are those
-/// that this rank has, each of which no other rank has.
+/// Gathers a block of the rows 0 to `all`, of `columns` numbers, on each rank; `rows` are those
+/// that this rank has, each of which no other rank has. This call is collective.
 pub fn gather<'a>(
     comm: &dyn Communicator,
     all: u64,

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// Bytes, and where in the file they are.
 pub type Part<'a> = (u64, &'a [u8]);
 
-/// Collective: writes a new file.
+/// Writes a new file. This call is collective.
 pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result<()> {
     match comm.mpi() {
         Some(ranks) => {

@@ -1,5 +1,5 @@
-//! VTK's parallel unstructured grid: a file that names the pieces, and a piece of each rank with its
-//! simplices and its ghosts. Arrays are appended raw, as in the core's VTU.
+//! VTK's parallel unstructured grid: a file that names the pieces, and a piece of each rank with
+//! its simplices and its ghosts. Arrays are appended raw, as in the core's VTU.
 
 use super::of_path;
 use super::unfinished::Unfinished;
@@ -16,13 +16,13 @@ const TETRA: u8 = 10;
 /// VTK's DUPLICATECELL and DUPLICATEPOINT.
 const DUPLICATE: u8 = 1;
 
-/// The pieces, and the file that names them.
+/// Returns the pieces, and the file that names them.
 pub fn files(path: &Path, ranks: usize) -> Vec<PathBuf> {
     let pieces = (0..ranks).map(|rank| piece_path(path, rank));
     pieces.chain([path.to_owned()]).collect()
 }
 
-/// Collective. `unfinished` are [`files`].
+/// Writes the pieces and their index to `unfinished`, which are [`files`]. This call is collective.
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -44,7 +44,7 @@ fn piece_path(path: &Path, rank: usize) -> PathBuf {
     path.with_file_name(format!("{stem}_{rank}.vtu"))
 }
 
-/// A new file whose data is on the disk afterwards.
+/// Creates a file whose data is on the disk afterwards.
 fn create(path: &Path, body: &dyn Fn(&mut dyn Write) -> io::Result<()>) -> Result<()> {
     let file = File::create_new(path).map_err(|error| of_path(path, "cannot create", &error))?;
     let mut out = BufWriter::with_capacity(1 << 16, file);
@@ -64,7 +64,7 @@ enum Section {
     Cells,
 }
 
-/// In the order of the XML, with their tags.
+/// Sections in the order of the XML, with their tags.
 const SECTIONS: [(Section, &str, &str); 4] = [
     (Section::Point, "PointData", r#" Scalars="kind" GlobalIds="GlobalNodeId""#),
     (Section::Cell, "CellData", r#" GlobalIds="GlobalCellId""#),
@@ -91,7 +91,7 @@ impl Array {
         self.scalar_size * self.components * tuples as u64
     }
 
-    /// What the XML says of it; `place` is its offset, if it has one.
+    /// Writes the declaration of the array in the XML, with its offset, if it has one.
     fn write_declaration(
         &self,
         tag: &str,
@@ -112,7 +112,7 @@ impl Array {
     }
 }
 
-/// In the order of the XML. Ghosts and what only they have come last.
+/// Arrays in the order of the XML. Ghosts and what only they have come last.
 const ARRAYS: [Array; 11] = [
     point("kind", "UInt8", 1, |mesh, out| out.write_all(&mesh.kinds)),
     point("domain", "UInt64", 8, |mesh, out| write_words(mesh.vertex_domains.iter().copied(), out)),
@@ -222,7 +222,7 @@ fn write_piece(mesh: &DistributedMesh, out: &mut dyn Write) -> io::Result<()> {
     out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
-/// The file that names the pieces.
+/// Writes the file that names the pieces.
 fn write_index(mesh: &DistributedMesh, path: &Path, out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,

@@ -6,7 +6,8 @@ use netmesh_mpi::certificate::Rule;
 use netmesh_mpi::distributed::{Ghost, NO_ID};
 use std::collections::BTreeSet;
 
-/// A vertex that is own on one rank, and on another only known from ghosts: the index there.
+/// Returns the index of a vertex that is own on one rank, on another that only knows it from
+/// ghosts.
 fn distant_vertex(part: &DistributedMesh) -> usize {
     assert!(part.own_vertices < part.vertex_ids.len());
     part.own_vertices
@@ -62,7 +63,7 @@ fn what_ranks_have_of_each_other_is_compared() {
     }
 }
 
-/// A ghost that is not at the interface is left out, with its vertices if no other has them.
+/// Leaves out a ghost that is not at the interface, with its vertices if no other has them.
 fn drop_ghost(part: &mut DistributedMesh) {
     let size = part.dim + 1;
     let at_interface: BTreeSet<usize> = part.interface.iter().map(|facet| facet.ghost).collect();

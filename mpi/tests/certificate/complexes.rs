@@ -1,11 +1,11 @@
-//! Small meshes without inputs that are no triangulations, on any number of ranks: each simplex may be
-//! another's, so what is broken is often broken between them.
+//! Small meshes without inputs that are no triangulations, on any number of ranks: each simplex may
+//! be another's, so what is broken is often broken between them.
 
 use super::made::certify;
 use super::whole::Whole;
 use netmesh_mpi::certificate::Rule;
 
-/// The rule that is broken first, on one rank and on as many as there are simplices.
+/// Returns the rule that is broken first, on one rank and on as many as there are simplices.
 fn broken<const D: usize, const N: usize>(
     points: &[[f64; D]],
     simplices: &[[u64; N]],
@@ -51,8 +51,8 @@ fn complexes_that_are_no_ball() {
     points.push([0.0, 0.0, 5.0]);
     let cone: Vec<[u64; 4]> = annulus().iter().map(|&[a, b, c]| [a, b, c, 8]).collect();
     assert_eq!(broken(&points, &cone), Some(Rule::VertexLink));
-    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    assert_eq!(broken(&corner, &[[0, 1, 2, 3], [0, 1, 2, 3]]), Some(Rule::DuplicateSimplex));
+    let unit = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    assert_eq!(broken(&unit, &[[0, 1, 2, 3], [0, 1, 2, 3]]), Some(Rule::DuplicateSimplex));
 }
 
 #[test]

@@ -12,7 +12,7 @@ fn assert_broken(dim: usize, rule: Rule, level: u32, damage: impl FnOnce(&mut [D
     assert_parts_broken(parts, rule, level, damage);
 }
 
-/// A domain in the root, with another centre.
+/// Returns a domain in the root, with another centre.
 fn inner(parts: &[DistributedMesh]) -> Domain {
     let root = parts[0].domains[0];
     let mut all = parts.iter().flat_map(|part| &part.domains);
@@ -72,7 +72,7 @@ fn domains_are_a_tree_of_balls() {
     }
 }
 
-/// A vertex on the hull, which is outside of all domains but the root.
+/// Returns a vertex on the hull, which is outside of all domains but the root.
 fn on_hull(part: &DistributedMesh) -> u64 {
     let slot = part.neighbors.iter().position(|neighbor| *neighbor == NO_ID).unwrap();
     let other = (slot + 1) % (part.dim + 1);
@@ -110,7 +110,7 @@ fn vertices_are_in_their_domains() {
     }
 }
 
-/// The vertices of a cage, by their ids.
+/// Returns the vertices of a cage, by their ids.
 fn cage(parts: &[DistributedMesh], domain: u64) -> Vec<u64> {
     let of_part = |part: &DistributedMesh| -> Vec<u64> {
         let ids = part.vertex_ids.iter().zip(&part.vertex_cages);
@@ -174,7 +174,7 @@ fn cages_are_checked() {
     }
 }
 
-/// As many domains around one as no mesh has: the certificate gives up, and says so.
+/// Makes as many domains around one as no mesh has: the certificate gives up, and says so.
 #[test]
 fn too_many_domains_around_each_other_are_found() {
     assert_broken(2, Rule::DomainSpan, 2, |parts| {

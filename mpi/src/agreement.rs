@@ -81,10 +81,9 @@ fn is_field(word: &str) -> bool {
     !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_')
 }
 
-/// Refuses arguments that differ between ranks; all ranks answer the same, in the words of the
-/// lowest rank that differs from rank 0. `subject`, which may differ, begins the message. `own`
-/// makes the arguments, or says what is wrong with them on this rank alone. This call is
-/// collective.
+/// Collective. Refuses arguments that differ between ranks; all ranks answer the same, in the words
+/// of the lowest rank that differs from rank 0. `subject`, which may differ, begins the message.
+/// `own` makes the arguments, or says what is wrong with them on this rank alone.
 ///
 /// Calls that some ranks may confuse begin with this one, before any other word to each other: only
 /// so is it known what the others are at.

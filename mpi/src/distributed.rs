@@ -3,7 +3,7 @@
 use crate::work::Work;
 use netmesh::{Criterion, Output, Parameters};
 
-/// No id: across the hull, no domain.
+/// Value for no id: across the hull, no domain.
 pub const NO_ID: u64 = u64::MAX;
 
 /// Sizes of the whole mesh, equal on all ranks.
@@ -13,7 +13,7 @@ pub struct Totals {
     pub inputs: u64,
     /// Number of inputs that are equal to one before.
     pub duplicates: u64,
-    /// Vertices.
+    /// Number of vertices.
     pub vertices: u64,
     /// Ids of vertices are below this: all inputs, and the vertices that are none.
     pub vertex_ids: u64,
@@ -145,7 +145,7 @@ pub struct DistributedMesh {
     /// Vertices of the ghosts: `ghosts x (dim + 1)` indices.
     pub ghost_simplices: Vec<u32>,
     pub interface: Vec<InterfaceFacet>,
-    /// Bytes that this rank has sent to others.
+    /// Number of bytes that this rank has sent to others.
     pub bytes_sent: u64,
     /// Costs of the steps of the run on this rank, in their order.
     pub work: Vec<Work>,

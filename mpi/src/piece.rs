@@ -1,7 +1,7 @@
 //! Pieces of the mesh that the algorithm leaves on a rank, which fit together by the names of their
 //! vertices. Plain data.
 
-/// No simplex across a facet: the hull of the whole mesh.
+/// Value for no simplex across a facet: the hull of the whole mesh.
 pub const HULL: u32 = u32::MAX;
 
 /// Across a facet is another piece, of this rank or of another.

@@ -11,8 +11,7 @@ use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
 use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Parameters, Result};
 
-/// Meshes the points of all ranks, `dim` coordinates each; a rank may have none. This call is
-/// collective.
+/// Collective. Meshes the points of all ranks, `dim` coordinates each; a rank may have none.
 ///
 /// # Errors
 /// All ranks answer the error of the lowest rank that has one: `Dimension` (out of range, or not
@@ -105,7 +104,7 @@ fn check_options(options: &Options) -> Result<()> {
     }
 }
 
-/// Returns the bytes that all ranks have sent, and the most of one. This call is collective.
+/// Collective. Returns the bytes that all ranks have sent, and the most of one.
 pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u64, u64)> {
     let mut sum = [mesh.bytes_sent];
     let mut most = sum;

@@ -27,7 +27,7 @@ pub fn all_words(messages: &[Vec<u8>]) -> Result<Vec<u64>> {
     Ok(words)
 }
 
-/// Words in order, each once; [`u64::MAX`] is none.
+/// Returns the words in order, each once; [`u64::MAX`] is none.
 pub fn distinct(words: impl IntoIterator<Item = u64>) -> Result<Vec<u64>> {
     let mut all = Vec::new();
     for word in words {

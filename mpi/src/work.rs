@@ -19,7 +19,7 @@ pub enum Step {
     Seams { phase: u32 },
     /// Step that does what all phases have left.
     Rest,
-    /// Ids, ghosts and interfaces.
+    /// Step that makes ids, ghosts and interfaces.
     Numbers,
 }
 
@@ -34,12 +34,13 @@ pub struct Work {
     /// Processor time of the thread that made it. Where ranks wait for each other, MPI may use
     /// some.
     pub seconds: f64,
-    /// Bytes that this rank has sent to others.
+    /// Number of bytes that this rank has sent to others.
     pub sent: u64,
 }
 
 impl Step {
-    /// Its name, its phase and its number among the partitions of that, where it has any.
+    /// Returns the step's name, its phase and its number among the partitions of that, where it has
+    /// any.
     pub fn parts(self) -> (&'static str, Option<u32>, Option<u32>) {
         match self {
             Self::Coarse => ("coarse", None, None),

@@ -120,7 +120,7 @@ fn refused(why: String) -> Error {
 
 /// A column that becomes an attribute.
 struct Taken {
-    /// Counted from 0.
+    /// Column of the file, counted from 0.
     column: u64,
     name: String,
 }

@@ -20,7 +20,7 @@ pub struct Columns {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Column {
-    /// Counted from 1.
+    /// Number of a column, counted from 1.
     Number(u64),
     Name(String),
 }
@@ -202,8 +202,8 @@ fn leading(sought: impl Iterator<Item = String>, names: &[&str]) -> Vec<u64> {
     sought.map_while(column).take(MAX_DIM + 1).map(|column| column as u64).collect()
 }
 
-/// Coordinates that stood column by column, in the order of the file's columns, in the order of
-/// `columns`.
+/// Returns coordinates that stood column by column, in the order of the file's columns, point by
+/// point in the order of `columns`.
 pub(super) fn transposed(coordinates: &[f64], columns: &[u64]) -> Result<Vec<f64>> {
     let points = coordinates.len() / columns.len();
     let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();

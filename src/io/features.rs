@@ -20,7 +20,7 @@ pub(super) struct Features {
 /// A ring of a polygon, as messages name it.
 #[derive(Clone, Copy)]
 pub(super) struct Ring {
-    /// Counted from 1, in its polygon.
+    /// Number of the ring in its polygon, counted from 1.
     pub number: usize,
     /// Position of its first byte.
     pub place: Place,
@@ -77,9 +77,9 @@ impl Features {
         self.connect(positions, begin, true)
     }
 
-    /// Segments between each position and the next, the first of which is the input `first`; none
-    /// where the two are equal. A last position that is no input is the first again. `is_side`: the
-    /// segments are sides of a polygon.
+    /// Adds segments between each position and the next, the first of which is the input `first`;
+    /// none where the two are equal. A last position that is no input is the first again. With
+    /// `is_side` the segments are sides of a polygon.
     fn connect(&mut self, positions: &[[f64; 2]], first: usize, is_side: bool) -> Result<()> {
         let added = self.points.count() - first;
         for (at, ends) in positions.windows(2).enumerate() {

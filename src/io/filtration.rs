@@ -16,7 +16,7 @@ pub enum FiltrationFormat {
     /// are facets of. Vertices are numbered as [`Filtration::numbers`] says: in an alpha filtration
     /// as the caller's points.
     Gudhi,
-    /// DIPHA's binary weighted boundary matrix. By dimension.
+    /// DIPHA's binary weighted boundary matrix, sorted by dimension.
     Dipha,
 }
 

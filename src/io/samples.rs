@@ -52,7 +52,7 @@ pub fn square() -> Mesh {
     assemble(2, vec![0., 0., 1., 0., 1., 1., 0., 1.], vec![0, 1, 2, 0, 2, 3], kinds)
 }
 
-/// Options for the triangulation of the inputs alone.
+/// Returns options for the triangulation of the inputs alone.
 pub fn delaunay() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
 }
@@ -122,7 +122,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
     Mesh::from_parts(inputs, triangulation)
 }
 
-/// Simplices that share all vertices but one are neighbours across these.
+/// Finds the neighbours: simplices that share all vertices but one are neighbours across these.
 fn neighbors(simplices: &[u32], dim: usize) -> Vec<u32> {
     let all = || simplices.chunks_exact(dim + 1);
     let across = |simplex: &[u32], opposite: u32| {

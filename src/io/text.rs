@@ -22,7 +22,7 @@ pub(super) struct Lines<'a> {
 /// A line, without comment and surrounding blanks; never empty.
 #[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
-    /// Counted from 1, blank lines and comments included.
+    /// Number of the line, counted from 1, blank lines and comments included.
     number: u64,
     pub text: &'a str,
 }
@@ -32,7 +32,7 @@ impl<'a> Lines<'a> {
         Self { input, buffer: Vec::new(), number: 0, has_quotes: false }
     }
 
-    /// Lines of a format in which fields may stand between quotes.
+    /// Reads lines of a format in which fields may stand between quotes.
     pub fn with_quotes(input: &'a mut dyn BufRead) -> Self {
         Self { has_quotes: true, ..Self::new(input) }
     }
@@ -315,7 +315,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Points of a dimension that a header gave.
+    /// Makes an empty list of points of a dimension that a header gave.
     pub fn of_dimension(dim: usize) -> Self {
         Self { dim, coordinates: Vec::new() }
     }

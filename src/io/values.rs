@@ -20,9 +20,9 @@ pub struct Table {
 /// Segments between the points, and regions: none in most formats.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
-    /// Two points each.
+    /// Segments, two points each.
     pub segments: Vec<[u32; 2]>,
-    /// One a segment.
+    /// Markers, one for each segment.
     pub markers: Vec<i32>,
     /// Tells for each segment whether it is a side of a polygon; empty in formats without polygons.
     pub sides: Vec<bool>,
@@ -66,7 +66,7 @@ impl Table {
 #[derive(Default)]
 pub(super) struct Values {
     attributes: Vec<Attribute>,
-    /// Column, counted from 0, and attribute; ascending.
+    /// Columns, counted from 0, and their attributes; ascending.
     of_columns: Vec<(u64, usize)>,
 }
 

@@ -292,7 +292,7 @@ fn write_marks(marked: &[u32], count: usize, out: &mut dyn Write) -> io::Result<
     })
 }
 
-/// VTK's points have three coordinates always.
+/// Writes the points, which have three coordinates always in VTK.
 fn write_points(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
     for point in source.mesh.points.chunks_exact(source.mesh.dim) {
         for axis in 0..3 {

@@ -31,9 +31,9 @@ pub enum Measure {
 /// Number of values of a measure in each of some intervals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
-    /// One more than there were edges: the values below the first edge, those in each bin, those
-    /// above the last edge. A bin has the values from its lower edge to below its upper one; the
-    /// last bin has its upper edge, too.
+    /// Number of values in each interval, one more than there were edges: below the first edge, in
+    /// each bin, above the last edge. A bin has the values from its lower edge to below its upper
+    /// one; the last bin has its upper edge, too.
     pub counts: Vec<u64>,
     /// The least value, infinity if there is none.
     pub least: f64,

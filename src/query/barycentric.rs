@@ -40,8 +40,8 @@ fn nearest_vertex<const D: usize>(
     of_face.min_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0)
 }
 
-/// Weights that sum to zero and combine the vertices of the face to `target`, a vector in its
-/// affine hull.
+/// Returns weights that sum to zero and combine the vertices of the face to `target`, a vector in
+/// its affine hull.
 fn combination<const D: usize>(
     points: &[&[f64; D]],
     face: u32,

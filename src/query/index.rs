@@ -44,7 +44,7 @@ impl Index {
         Ok(in_dimension!(mesh.dim, D => build::<D>(mesh), _ => return no_dimension())?)
     }
 
-    /// Bytes on the heap.
+    /// Returns the number of bytes on the heap.
     pub fn bytes(&self) -> usize {
         let trees = self.all.bytes() + self.inputs.as_ref().map_or(0, Tree::bytes);
         let whole = self.whole.as_ref().map_or(0, |whole| whole.bytes());

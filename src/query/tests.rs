@@ -37,8 +37,8 @@ fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, &[[f64; D]])) {
     assert!(made >= FAMILIES.len(), "{made}");
 }
 
-/// Points that are hard for a mesh: its vertices, middles of faces of every dimension, points next
-/// to those, points beyond the hull.
+/// Returns points that are hard for a mesh: its vertices, middles of faces of every dimension,
+/// points next to those, points beyond the hull.
 fn hard_points<const D: usize>(mesh: &Triangulation, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(7);
     let mut pick = |bound: usize| random.integer(0, bound as i64 - 1) as usize;
@@ -172,7 +172,7 @@ fn ties_go_to_the_least_id() {
     assert!(lengths.iter().all(|&length| length == 0.75f64.sqrt()));
 }
 
-/// Points of random places in a box about those given.
+/// Returns points at random positions in a box about those given.
 fn scattered<const D: usize>(points: &[[f64; D]], count: usize, widen: f64) -> Vec<[f64; D]> {
     let mut random = Random(3);
     let bound = |axis: usize| points.iter().fold(0.0f64, |most, p| most.max(p[axis].abs()));
@@ -313,7 +313,7 @@ fn weights_of_natural_neighbours_are_known_in_a_lattice() {
     check(lattice_weights(Sibson, [2.5, 2.0, 2.0], &sites), &[48.0 / 121.0, 48.0 / 121.0]);
 }
 
-/// Sibson's weight by counting which cells points nearest to `q` were in.
+/// Computes Sibson's weight by counting which cells points nearest to `q` were in.
 fn counted_weight<const D: usize>(points: &[[f64; D]], q: &[f64; D], vertex: usize) -> f64 {
     let (mut random, mut all, mut own) = (Random(1), 0, 0);
     for _ in 0..400_000 {

@@ -38,7 +38,8 @@ impl Work<'_> {
     }
 }
 
-/// Threads to use: what the caller allows (0: all cores), and no more than there are cores.
+/// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
+/// there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, |count| count.get());
     match wanted {

@@ -33,7 +33,7 @@ use super::exact;
 use crate::memory::AllocResult;
 use crate::query::unit::{exponent, largest, scaled};
 
-/// Beyond this sum of squared ratios of edge and height a face is for integers.
+/// Largest sum of squared ratios of edge and height for which a face is not left to integers.
 const LARGEST_RATIO: f64 = (1 << 24) as f64;
 
 /// An edge shorter than this, where the longest is about 1, is for integers: squares of products
@@ -45,7 +45,7 @@ const SHORTEST_EDGE: f64 = 1e-90;
 pub(super) struct Ball {
     /// The barycentric coordinates of the centre that are negative, as bits.
     pub negative: u16,
-    /// NaN if it was not wanted.
+    /// Radius in the form that was wanted; NaN if none was.
     pub radius: f64,
 }
 
@@ -108,7 +108,7 @@ struct Edges<'a, const K: usize, const D: usize> {
 /// `L`.
 struct Factors<const K: usize> {
     lower: [[f64; K]; K],
-    /// One over the diagonal of `P`.
+    /// Inverses of the entries on the diagonal of `P`.
     inverse_pivots: [f64; K],
 }
 
@@ -118,10 +118,10 @@ struct Center<const K: usize> {
     /// Bounds of the errors.
     errors: [f64; K],
     factors: Factors<K>,
-    /// No less than the longest edge and the sum of `|e_j| |x_j|`.
+    /// Bound of the longest edge and of the sum of `|e_j| |x_j|`.
     size: f64,
-    /// No less than the sum of `r_i r_j c u`: what a relative error of the system means for the sum
-    /// of `x_j e_j`.
+    /// Bound of the sum of `r_i r_j c u`, which a relative error of the system means for the sum of
+    /// `x_j e_j`.
     growth: f64,
 }
 

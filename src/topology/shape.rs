@@ -28,7 +28,7 @@ pub enum FaceClass {
     Exterior,
     /// Faces in the shape that are in no larger face of it.
     Singular,
-    /// On the boundary of the shape, and in a larger face of it.
+    /// Faces on the boundary of the shape, in a larger face of it.
     Regular,
     /// Faces in the interior of the shape: all simplices round them are in the shape.
     Interior,
@@ -45,8 +45,8 @@ pub struct Topology {
     pub components: u64,
     /// Number of bounded pieces that the shape leaves of space: holes in 2D, cavities in 3D.
     pub voids: u64,
-    /// Its Betti numbers, from dimension 0 to `dim - 1`: components and holes in 2D, components,
-    /// tunnels and cavities in 3D. `None` in other dimensions.
+    /// Betti numbers of the shape, from dimension 0 to `dim - 1`: components and holes in 2D,
+    /// components, tunnels and cavities in 3D. `None` in other dimensions.
     pub betti: Option<Vec<u64>>,
 }
 
@@ -95,7 +95,7 @@ impl<'a> AlphaShape<'a> {
         Ok(Topology { face_counts, euler_characteristic: euler, components, voids, betti })
     }
 
-    /// Vertices have the value 0, so each is in some component.
+    /// Counts the components. Vertices have the value 0, so each is in some component.
     fn components(&self) -> AllocResult<usize> {
         let mut components = Components::new(self.faces.of_dimension(0).count())?;
         for (edge, ends) in self.faces.of_dimension(1).vertices.chunks_exact(2).enumerate() {
@@ -106,8 +106,8 @@ impl<'a> AlphaShape<'a> {
         Ok(components.count())
     }
 
-    /// Simplices outside the shape are connected across facets outside it; one more item is all
-    /// that is beyond the hull.
+    /// Counts the voids. Simplices outside the shape are connected across facets outside it; one
+    /// more item is all that is beyond the hull.
     fn voids(&self) -> Result<usize> {
         let dim = self.faces.dim();
         let sides = sides(self.faces)?;
@@ -224,7 +224,7 @@ fn compensated_sum(terms: &[f64]) -> f64 {
     if sum.is_finite() { sum + error } else { sum }
 }
 
-/// Faces of one dimension by ascending value, and those of equal value by id.
+/// Returns faces of one dimension sorted by value, and those of equal value by id.
 fn by_value(values: &[f64]) -> AllocResult<Vec<u32>> {
     let mut order = collected(0..values.len() as u32)?;
     let value = |&face: &u32| values[face as usize];

@@ -142,7 +142,7 @@ fn classes_are_those_of_the_definition() {
     classes_are_right::<4>(8);
 }
 
-/// Pieces of the simplices of a shape, by spreading across facets.
+/// Counts the pieces of the simplices of a shape, by spreading across facets.
 fn pieces(faces: &Faces, shape: &AlphaShape<'_>) -> usize {
     let simplices = faces.of_dimension(faces.dim());
     let share =

@@ -47,7 +47,8 @@ fn check_membership<const D: usize>(view: View<'_, D>, tree: &DomainTree, findin
     }
 }
 
-/// Nearness (§4) of each cage vertex, and enough of them; the root's cage is a matter of taste.
+/// Checks that each cage vertex is near its sphere (§4, nearness), and that there are enough of
+/// them; the root's cage is a matter of taste.
 fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let mut sizes = filled(view.mesh.domains.len(), 0usize)?;
     for (v, &cage) in view.mesh.cage_of.iter().enumerate().filter(|(_, cage)| **cage != NONE) {

@@ -61,9 +61,9 @@ use signs::{Adaptive, Robust, Signs};
 /// level 1 holds; level 3 also where level 2 does not. O(m log m) for m simplices in a fixed
 /// dimension; level 1 counts faces, which costs a factor of up to 2^D.
 ///
-/// Of a domain that is cut out, the triangulation that it is cut from is checked, and that the
-/// domain is the part of it that it must be. Without the caller's segments ([`validate_outlined`])
-/// nothing is asked of where subsegments lead, or of what is a hole.
+/// The triangulation that a domain is cropped from is checked, and that the domain is the part of
+/// it that it must be. Without the caller's segments ([`validate_outlined`]) nothing is asked of
+/// where subsegments lead, or of what is a hole.
 ///
 /// # Errors
 /// `InvalidArgument` if `level` is not 1, 2 or 3.

@@ -56,7 +56,7 @@ impl Cell {
 /// A simplex with its corner, which is its circumcentre.
 pub struct Simplex<'a, const D: usize> {
     points: &'a [&'a [f64; D]],
-    /// None of a flat simplex.
+    /// Circumcentre; none of a flat simplex.
     corner: Option<Corner<D>>,
 }
 
@@ -69,7 +69,7 @@ impl<'a, const D: usize> Simplex<'a, D> {
         Ok(Self { points, corner: Corner::new(points)? })
     }
 
-    /// Circumradius over shortest edge, infinite if the simplex is flat.
+    /// Returns the circumradius over the shortest edge, infinite if the simplex is flat.
     pub fn radius_edge(&self) -> f64 {
         let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
         self.corner.as_ref().map_or(f64::INFINITY, ratio)

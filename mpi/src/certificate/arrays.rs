@@ -14,7 +14,7 @@ pub fn check(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
     check_vertex_ids(mesh, findings);
     check_domain_ids(mesh, findings);
     check_simplex_ids(mesh, findings);
-    if check_corners(mesh, findings)? {
+    if check_vertices(mesh, findings)? {
         check_neighbors(mesh, findings)?;
     }
     Ok(())
@@ -57,7 +57,8 @@ fn check_coordinates(mesh: &DistributedMesh, findings: &mut Findings) {
     }
 }
 
-/// Ids rise among the vertices of own simplices and among the others, none is there twice.
+/// Checks that ids rise among the vertices of own simplices and among the others, and that none is
+/// there twice.
 fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     let (own, others) = mesh.vertex_ids.split_at(mesh.own_vertices);
     let rises = |ids: &[u64], at: usize| at == 0 || ids[at - 1] < ids[at];
@@ -78,7 +79,7 @@ fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     }
 }
 
-/// Ids of domains rise, and what is around a domain is there too.
+/// Checks that ids of domains rise, and that the domain around each is there too.
 fn check_domain_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     let domains = &mesh.domains;
     let is_known = |id: u64| domains.binary_search_by_key(&id, |domain| domain.id).is_ok();
@@ -125,8 +126,9 @@ pub fn own_index(mesh: &DistributedMesh, id: u64) -> Option<usize> {
     (index < mesh.simplex_count() as u64).then_some(index as usize)
 }
 
-/// Vertices of simplices are there, none twice in one, and each is in one; ghosts share some.
-fn check_corners(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool> {
+/// Checks that the vertices of simplices are there, none twice in one, and each in one; ghosts
+/// share some.
+fn check_vertices(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool> {
     let mut used = filled(mesh.vertex_ids.len(), false)?;
     let mut holds = true;
     let own = (0..mesh.simplex_count())
@@ -160,7 +162,8 @@ fn check_corners(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool
     Ok(holds)
 }
 
-/// Neighbours are own simplices, ghosts or none; the interface is the facets to ghosts.
+/// Checks that neighbours are own simplices, ghosts or none, and that the interface is the facets
+/// to ghosts.
 fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
     let size = mesh.dim + 1;
     let ghost = |id: u64| mesh.ghosts.binary_search_by_key(&id, |ghost| ghost.id).ok();

@@ -38,8 +38,8 @@ impl Default for Part {
     }
 }
 
-/// Checks the cages of a hierarchy that holds. `is_limited` tells by vertex what [`super::limits`]
-/// found. This call is collective.
+/// Collective. Checks the cages of a hierarchy that holds. `is_limited` tells by vertex what
+/// [`super::limits`] found.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -98,7 +98,8 @@ fn check_membership<const D: usize>(
     });
 }
 
-/// Nearness (§4) of a cage vertex; the root's cage is a matter of taste.
+/// Checks that a cage vertex is near its cage's sphere (§4, nearness); the root's cage is a matter
+/// of taste.
 fn check_nearness<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -255,8 +256,8 @@ fn sheltered<const D: usize>(
     Ok(is_sheltered)
 }
 
-/// Checks that each cage has enough vertices, and its union cell, of which ranks have parts. This
-/// call is collective.
+/// Collective. Checks that each cage has enough vertices, and its union cell, of which ranks have
+/// parts.
 fn check_whole<const D: usize>(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

@@ -7,10 +7,10 @@ use netmesh::Result;
 /// A facet of a simplex.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Facet {
-    /// Rising; in 2D the last is no vertex.
+    /// Vertices of the facet, rising; in 2D the last is no vertex.
     pub vertices: [u32; 3],
     pub simplex: u32,
-    /// It is opposite this one of the vertices.
+    /// Index of the simplex's vertex that the facet is opposite to.
     pub slot: u32,
 }
 
@@ -71,7 +71,7 @@ impl<'a> Complex<'a> {
         self.simplex(facet.simplex as usize)[facet.slot as usize]
     }
 
-    /// Facets with the same vertices.
+    /// Returns the facets in groups of equal vertices.
     pub fn groups(&self) -> impl Iterator<Item = &[Facet]> {
         self.facets.chunk_by(|a, b| a.vertices == b.vertices)
     }

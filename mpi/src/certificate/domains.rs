@@ -8,13 +8,13 @@ use crate::comm::{Communicator, Operation};
 use crate::distributed::DistributedMesh;
 use netmesh::Result;
 
-/// Id, parent, centre, radius and the centre's coordinates.
+/// Data of a domain: id, parent, centre, radius and the centre's coordinates; and the rank that has
+/// it.
 type Record = ([u64; 7], usize);
 
 const ID: usize = 0;
 
-/// Checks that all ranks have equal data of each domain, and how many there are. This call is
-/// collective.
+/// Collective. Checks that all ranks have equal data of each domain, and how many there are.
 pub fn check(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

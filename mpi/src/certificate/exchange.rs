@@ -31,8 +31,8 @@ impl<const W: usize> Outbox<W> {
         self.put(rank as usize, record)
     }
 
-    /// Delivers the records; returns those for this rank and the ranks that they come from, sorted.
-    /// This call is collective.
+    /// Collective. Delivers the records; returns those for this rank and the ranks that they come
+    /// from, sorted.
     pub fn deliver(self, comm: &dyn Communicator) -> Result<Vec<([u64; W], usize)>> {
         let mut records = Vec::new();
         for (rank, message) in comm.all_to_all(self.messages)?.iter().enumerate() {

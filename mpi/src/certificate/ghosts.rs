@@ -8,8 +8,7 @@ use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
 use netmesh::Result;
 
-/// Checks that ghosts are what their owners have; coordinates are compared by vertex. This call is
-/// collective.
+/// Collective. Checks that ghosts are what their owners have; coordinates are compared by vertex.
 pub fn check(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

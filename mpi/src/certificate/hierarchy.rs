@@ -50,8 +50,8 @@ impl<const D: usize> Hierarchy<D> {
     }
 }
 
-/// Checks the domains and the labels. Returns them where they hold on all ranks, and nothing where
-/// there are no domains. This call is collective.
+/// Collective. Checks the domains and the labels. Returns them where they hold on all ranks, and
+/// nothing where there are no domains.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -149,8 +149,8 @@ fn check_ball(mesh: &DistributedMesh, domain: &Domain, findings: &mut Findings) 
     });
 }
 
-/// Checks that the vertex at a domain's centre is there, and in the domain. Its owner says so to a
-/// keeper, which the domain's id chooses. This call is collective.
+/// Collective. Checks that the vertex at a domain's centre is there, and in the domain. Its owner
+/// says so to a keeper, which the domain's id chooses.
 fn check_centers<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

@@ -21,8 +21,8 @@ const IS_POSITIVE: usize = 3;
 const VERTICES: usize = 4;
 const POINTS: usize = 7;
 
-/// Checks that the hull is convex and closed. Level 1 must hold, and all simplices be positively
-/// oriented. This call is collective.
+/// Collective. Checks that the hull is convex and closed. Level 1 must hold, and all simplices be
+/// positively oriented.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

@@ -7,7 +7,8 @@ use super::report::{Findings, Rule, Violation};
 use crate::comm::Communicator;
 use netmesh::Result;
 
-/// Coordinates, of which zeros compare equal; whether it is a vertex; its id; the bits.
+/// Point of an input or a vertex: coordinates, of which zeros compare equal; whether it is a
+/// vertex; its id; the bits; and the rank that has it.
 type Record = ([u64; 8], usize);
 
 const WHERE: usize = 3;
@@ -15,8 +16,7 @@ const IS_VERTEX: usize = 3;
 const ID: usize = 4;
 const BITS: std::ops::Range<usize> = 5..8;
 
-/// Checks that the vertex of each distinct input is there and has that input's bits. This call is
-/// collective.
+/// Collective. Checks that the vertex of each distinct input is there and has that input's bits.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -47,7 +47,7 @@ pub fn check(
     Ok(())
 }
 
-/// Inputs and vertices at one place, by rising ids.
+/// Checks the inputs and vertices at one position, which are sorted by id.
 fn check_group(inputs: &[Record], vertices: &[Record], findings: &mut Findings) {
     let id_of = |records: &[Record]| records.first().map(|record| record.0[ID]);
     let (input, vertex) = (id_of(inputs), id_of(vertices));

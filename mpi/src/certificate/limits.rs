@@ -7,7 +7,7 @@ use netmesh::Result;
 /// The builder compares rounded radii; so does the certificate, with other roundings.
 pub const SLACK: f64 = 1e-7;
 
-/// Relative to the largest coordinate, an edge that is not longer may leave no room for a corner.
+/// Largest ratio of an edge to the largest coordinate for which there may be no room for a corner.
 const LEAST_EDGE: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// And where ratios drown in the rounding of subnormals.

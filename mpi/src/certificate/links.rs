@@ -8,8 +8,8 @@ use crate::distributed::NO_ID;
 use crate::memory::{TryGrow, collected, filled};
 use netmesh::Result;
 
-/// Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and vertices must
-/// hold on all ranks. This call is collective.
+/// Collective. Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and
+/// vertices must hold on all ranks.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -133,7 +133,7 @@ fn check_link(
     });
 }
 
-/// Checks that the alternating sum of the numbers of faces is 1. This call is collective.
+/// Collective. Checks that the alternating sum of the numbers of faces is 1.
 fn check_euler(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

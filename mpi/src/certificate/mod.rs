@@ -17,8 +17,8 @@
 //!   complete and near their spheres, no domain is encroached, union cells are bounded, whoever has
 //!   the parts of a cage; a finished mesh has one domain; the bound of the run.
 //!
-//! What is between ranks is compared by both, or by a keeper that its ids choose: no rank has the
-//! whole, and no rank's word is taken for another's.
+//! Data that several ranks have is compared by them, or by a keeper that its ids choose: no rank
+//! has the whole, and no rank's word is taken for another's.
 //!
 //! **Not checked** beside what the core's certificate checks: that simplices go round each face of
 //! codimension two once, that all are connected, and that the hull is a sphere (levels 1 and 2). Of
@@ -58,8 +58,8 @@ use report::Findings;
 /// The highest dimension of meshes of several ranks.
 const MAX_DIM: usize = 3;
 
-/// Checks levels `1..=level` (1 topology, 2 geometry, 3 the paper). All ranks answer one report.
-/// This call is collective.
+/// Collective. Checks levels `1..=level` (1 topology, 2 geometry, 3 the paper). All ranks answer
+/// one report.
 ///
 /// Accepts any contents of `mesh`, however broken. Level 2 and 3 are checked only where level 1
 /// holds; level 3 also where level 2 does not. O(m log m) for the m simplices and ghosts of a rank;
@@ -96,8 +96,7 @@ fn check_arguments(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) 
     Ok(())
 }
 
-/// Checks the levels one after another, of which all ranks tell each other. This call is
-/// collective.
+/// Collective. Checks the levels one after another, of which all ranks tell each other.
 fn check<const D: usize>(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -136,8 +135,8 @@ fn check<const D: usize>(
     Ok(report)
 }
 
-/// Checks level 1. Returns the simplices that a rank knows, where its arrays hold on all ranks.
-/// This call is collective.
+/// Collective. Checks level 1. Returns the simplices that a rank knows, where its arrays hold on
+/// all ranks.
 fn check_topology<'a>(
     comm: &dyn Communicator,
     mesh: &'a DistributedMesh,

@@ -8,7 +8,7 @@ use crate::memory::filled;
 use netmesh::validate::parts::{Cell, Simplex};
 use netmesh::{Criterion, Result, VertexKind};
 
-/// Kinds, and that a finished mesh is one domain.
+/// Checks the kinds of vertices, and that a finished mesh is one domain.
 pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
     let mesh = complex.mesh;
     for vertex in (0..mesh.own_vertices).filter(|&vertex| complex.is_owned(vertex)) {

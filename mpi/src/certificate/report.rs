@@ -232,12 +232,12 @@ impl Findings {
         self.violations == 0
     }
 
-    /// Returns true if everything so far held on all ranks. This call is collective.
+    /// Collective. Returns true if everything so far held on all ranks.
     pub fn clean_everywhere(&self, comm: &dyn Communicator) -> Result<bool> {
         Ok(comm.exclusive_sum(self.violations)?.1 == 0)
     }
 
-    /// Returns what all ranks have found, as if one had. This call is collective.
+    /// Collective. Returns what all ranks have found, as if one had.
     pub fn of_all(self, comm: &dyn Communicator) -> Result<Self> {
         let mut message = Vec::new();
         append(&mut message, &[self.violations, self.checked])?;

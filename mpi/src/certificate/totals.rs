@@ -5,8 +5,8 @@ use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Totals};
 use netmesh::Result;
 
-/// Checks where the ids of this rank begin, and the totals that all ranks must have of the whole.
-/// This call is collective.
+/// Collective. Checks where the ids of this rank begin, and the totals that all ranks must have of
+/// the whole.
 pub fn check_ids(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -41,7 +41,7 @@ pub fn check_ids(
     Ok(())
 }
 
-/// Checks the vertices of the whole, of which this rank keeps some. This call is collective.
+/// Collective. Checks the vertices of the whole, of which this rank keeps some.
 pub fn check_vertices(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

@@ -11,8 +11,8 @@ use netmesh::Result;
 /// Vertices that this rank keeps, and those of them that are inputs by their ids.
 pub type Kept = [u64; 2];
 
-/// Id, coordinates, kind, domain, cage, owner, own simplices there, and all that the rank knows
-/// there.
+/// Data of a vertex: id, coordinates, kind, domain, cage, owner, own simplices there, and all that
+/// the rank knows there; and the rank.
 type Record = ([u64; 10], usize);
 
 const ID: usize = 0;
@@ -22,8 +22,8 @@ const OWNER: usize = 7;
 const OWN: usize = 8;
 const STAR: usize = 9;
 
-/// Checks that all ranks have equal data of each vertex, its owner, and that each rank that has a
-/// simplex there has all of them. This call is collective.
+/// Collective. Checks that all ranks have equal data of each vertex, its owner, and that each rank
+/// that has a simplex there has all of them.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,

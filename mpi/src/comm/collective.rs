@@ -20,12 +20,12 @@ pub struct Collective<T> {
 }
 
 impl<T: Transport> Collective<T> {
-    /// Ranks whose messages are in the words of C.
+    /// Makes ranks whose messages are in the words of C.
     pub fn new(transport: T) -> Self {
         Self::in_words(transport, netmesh::capi::shared::in_words_of_c)
     }
 
-    /// Ranks whose messages are those of `words`.
+    /// Makes ranks whose messages are those of `words`.
     pub fn in_words(transport: T, words: fn(&Error) -> String) -> Self {
         Self { transport, bytes_sent: Cell::new(0), words, failure: RefCell::new(None) }
     }
@@ -74,8 +74,8 @@ impl<T: Transport> Collective<T> {
         Ok(Error::new(kind, format!("{message} (rank {rank})")))
     }
 
-    /// Makes an own failure inside of a call, such as of an allocation, one of all ranks. This call
-    /// is collective.
+    /// Collective. Makes an own failure inside of a call, such as of an allocation, one of all
+    /// ranks.
     fn agree_on<V>(&self, local: Result<V>) -> Result<V> {
         match local {
             Ok(value) => self.checkpoint(None).map(|()| value),

@@ -21,20 +21,20 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// The ranks of a run. Collective calls are made by all ranks in the same order; they answer the
 /// same error on all, that of the lowest rank that has failed.
 pub trait Communicator {
-    /// Returns the rank of this process: 0, 1, ...
+    /// Returns the rank of this process, from 0 on.
     fn rank(&self) -> usize;
 
     /// Returns the number of ranks.
     fn size(&self) -> usize;
 
-    /// Ends when all ranks have begun it. This call is collective.
+    /// Collective. Ends when all ranks have begun it.
     fn barrier(&self) -> Result<()>;
 
-    /// Returns what each rank has given, by rank. Lengths may differ. This call is collective.
+    /// Collective. Returns what each rank has given, by rank. Lengths may differ.
     fn all_gather(&self, bytes: &[u8]) -> Result<Vec<Vec<u8>>>;
 
-    /// Sends `messages[r]` to rank r; returns what each rank has sent here, by rank. Lengths may
-    /// differ, and be of any size. There is one message for each rank. This call is collective.
+    /// Collective. Sends `messages[r]` to rank r; returns what each rank has sent here, by rank.
+    /// Lengths may differ, and be of any size. There is one message for each rank.
     fn all_to_all(&self, messages: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>>;
 
     /// Sends to one rank, which calls [`Self::receive`]; may end only when that has begun. Messages
@@ -44,17 +44,17 @@ pub trait Communicator {
     /// Waits for the next message of a rank with a tag.
     fn receive(&self, from: usize, tag: u16) -> Result<Vec<u8>>;
 
-    /// Returns the sum over the ranks before this one, and that over all. This call is collective.
+    /// Collective. Returns the sum over the ranks before this one, and that over all.
     fn exclusive_sum(&self, value: u64) -> Result<(u64, u64)>;
 
-    /// Reduces each of `values` over all ranks. Lengths are equal. This call is collective.
+    /// Collective. Reduces each of `values` over all ranks. Lengths are equal.
     fn all_reduce_integers(&self, values: &mut [u64], operation: Operation) -> Result<()>;
 
-    /// Reduces each of `values` over all ranks. A sum may depend on the number of ranks in its last
-    /// bits. This call is collective.
+    /// Collective. Reduces each of `values` over all ranks. A sum may depend on the number of ranks
+    /// in its last bits.
     fn all_reduce_numbers(&self, values: &mut [f64], operation: Operation) -> Result<()>;
 
-    /// Bytes that this rank has sent to others, without what MPI adds.
+    /// Returns the number of bytes that this rank has sent to others, without what MPI adds.
     fn bytes_sent(&self) -> u64;
 
     /// Returns the ranks of MPI, where that is what there is.
@@ -65,8 +65,7 @@ pub trait Communicator {
     fn fail(&self, error: Error) -> Error;
 }
 
-/// Returns `local` where all ranks have succeeded, else one error on all ranks. This call is
-/// collective.
+/// Collective. Returns `local` where all ranks have succeeded, else one error on all ranks.
 pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     match local {
         Ok(value) => comm.barrier().map(|()| value),
@@ -74,8 +73,7 @@ pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     }
 }
 
-/// Does what needs no other rank so that a panic on one is an error on all. This call is
-/// collective.
+/// Collective. Does what needs no other rank so that a panic on one is an error on all.
 pub fn agreed<T>(comm: &dyn Communicator, act: impl FnOnce() -> Result<T>) -> Result<T> {
     let local = catch_unwind(AssertUnwindSafe(act)).unwrap_or_else(|payload| {
         let reason = payload.downcast_ref::<&str>().copied();

@@ -37,28 +37,27 @@ pub trait Transport {
 
     fn size(&self) -> usize;
 
-    /// Reduces each of `values` over all ranks. This call is collective.
+    /// Collective. Reduces each of `values` over all ranks.
     fn reduce_integers(&self, values: &mut [u64], operation: Operation) -> Result<()>;
 
-    /// Reduces each of `values` over all ranks. This call is collective.
+    /// Collective. Reduces each of `values` over all ranks.
     fn reduce_numbers(&self, values: &mut [f64], operation: Operation) -> Result<()>;
 
-    /// Replaces `bytes` by those of rank `root`; lengths are equal. This call is collective.
+    /// Collective. Replaces `bytes` by those of rank `root`; lengths are equal.
     fn broadcast(&self, root: usize, bytes: &mut [u8]) -> Result<()>;
 
-    /// Gathers one value of each rank into `values`, by rank. This call is collective.
+    /// Collective. Gathers one value of each rank into `values`, by rank.
     fn gather_integers(&self, value: u64, values: &mut [u64]) -> Result<()>;
 
-    /// Sends `values[r]` to rank r; `received[r]` becomes what that sent here. This call is
-    /// collective.
+    /// Collective. Sends `values[r]` to rank r; `received[r]` becomes what that sent here.
     fn exchange_integers(&self, values: &[u64], received: &mut [u64]) -> Result<()>;
 
-    /// Gathers bytes: `gathered[r]` becomes what rank r has; each is as long as that already. This
-    /// call is collective.
+    /// Collective. Gathers bytes: `gathered[r]` becomes what rank r has; each is as long as that
+    /// already.
     fn gather(&self, bytes: &[u8], gathered: &mut [Vec<u8>]) -> Result<()>;
 
-    /// Sends `messages[r]` to rank r; `received[r]` becomes what that sent here, and is as long as
-    /// that already. The message of a rank to itself is not sent. This call is collective.
+    /// Collective. Sends `messages[r]` to rank r; `received[r]` becomes what that sent here, and is
+    /// as long as that already. The message of a rank to itself is not sent.
     fn exchange(&self, messages: &[Vec<u8>], received: &mut [Vec<u8>]) -> Result<()>;
 
     /// Sends bytes to a rank; returns false where a rank has failed meanwhile ([`Self::notify`]).

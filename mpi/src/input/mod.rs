@@ -18,8 +18,8 @@ pub struct Share {
     pub points: Vec<f64>,
 }
 
-/// Reads the file, of which all ranks see the same, each under its path. Earlier rows are on lower
-/// ranks. This call is collective.
+/// Collective. Reads the file, of which all ranks see the same, each under its path. Earlier rows
+/// are on lower ranks.
 ///
 /// # Errors
 /// All ranks answer one error, with the path of the rank that has it: `InvalidArgument` (a format

@@ -12,13 +12,13 @@ const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// The longest header that is read.
 const MAX_HEADER: usize = 1 << 16;
 
-/// Bytes that are read at once.
+/// Number of bytes that are read at once.
 const BLOCK: usize = 1 << 20;
 
 /// Header of a NumPy file.
 #[derive(Debug, PartialEq)]
 struct Header {
-    /// Bytes of a number.
+    /// Number of bytes of a number.
     size: usize,
     is_big_endian: bool,
     points: u64,

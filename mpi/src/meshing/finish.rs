@@ -8,8 +8,7 @@ use crate::words::{all_words, bytes_of};
 use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
 use netmesh::{Result, VertexKind};
 
-/// Returns the pieces of this rank with the domains that there are in the end. This call is
-/// collective.
+/// Collective. Returns the pieces of this rank with the domains that there are in the end.
 pub fn finish<const D: usize>(
     comm: &dyn Communicator,
     pieces: Vec<distributed::Piece<D>>,

@@ -24,8 +24,8 @@ use netmesh::{Options, Progress, Result};
 /// Dimensions in which meshes are made in partitions: above, most of a mesh is at interfaces.
 pub const MAX_DIM: usize = 3;
 
-/// Meshes the points of all ranks; each rank returns its pieces. `points` of all ranks are finite
-/// and of one dimension, the options equal. This call is collective.
+/// Collective. Meshes the points of all ranks; each rank returns its pieces. `points` of all ranks
+/// are finite and of one dimension, the options equal.
 pub fn mesh(
     comm: &dyn Communicator,
     dim: usize,

@@ -54,9 +54,8 @@ pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
     partition * ranks / count
 }
 
-/// Partitions the coarse mesh of `sample`, and sends each input to where its partition is made.
-/// `first` is the number of this rank's first point, `total` that of all points. This call is
-/// collective.
+/// Collective. Partitions the coarse mesh of `sample`, and sends each input to where its partition
+/// is made. `first` is the number of this rank's first point, `total` that of all points.
 pub fn share<const D: usize>(
     comm: &dyn Communicator,
     coarse: &mut Coarse<D>,
@@ -89,8 +88,8 @@ pub fn share<const D: usize>(
     agreed(comm, || own_partitions(comm, coarse, &received, &partition_of, count))
 }
 
-/// Makes Steiner points of the coarse mesh that are where inputs are those inputs, on all ranks; of
-/// equal inputs that with the least name. This call is collective.
+/// Collective. Makes Steiner points of the coarse mesh that are where inputs are those inputs, on
+/// all ranks; of equal inputs that with the least name.
 fn yield_to<const D: usize>(
     comm: &dyn Communicator,
     coarse: &mut Coarse<D>,

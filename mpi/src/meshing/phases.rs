@@ -17,7 +17,7 @@ const FIRST_RINGS: usize = 2;
 /// fewer leave less: those of the next phase are half as many, and so on.
 const WHOLE: u32 = 2;
 
-/// So many vertices of seams say, for each partition, where the next cuts are.
+/// Number of vertices of seams, for each partition, that say where the next planes are.
 const SAMPLES: u64 = 512;
 
 /// A vertex that a seam has takes this part of the time of an input that waits.
@@ -26,11 +26,10 @@ const WAITING: u64 = 8;
 /// A partition by its number, and the pieces that it is made of.
 type Joined<const D: usize> = (u32, Vec<Piece<D>>);
 
-/// Makes all partitions, and what they leave. Returns the settled pieces of this rank. This call is
-/// collective.
+/// Collective. Makes all partitions, and what they leave. Returns the settled pieces of this rank.
 ///
-/// What a phase leaves lies along its planes and those of the phases before, so it gets less and
-/// less, and so do the partitions that it is cut into, until one of them has all.
+/// A phase leaves simplices along its planes and those of the phases before, so there are fewer and
+/// fewer of them and of the partitions that they make, until one partition has all.
 pub fn make<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
@@ -86,8 +85,8 @@ fn make_phase<const D: usize>(
     Ok(own)
 }
 
-/// Returns the seams that the partitions `made` in a phase leave, with what they want of the pieces
-/// that are settled. Those are then all the others. This call is collective.
+/// Collective. Returns the seams that the partitions `made` in a phase leave, with what they want
+/// of the pieces that are settled. Those are then all the others.
 fn leave<const D: usize>(
     comm: &dyn Communicator,
     made: Vec<Piece<D>>,
@@ -115,8 +114,8 @@ fn leave<const D: usize>(
     })
 }
 
-/// Returns the planes by which the seams of all ranks are partitioned, and the number of
-/// partitions. Vertices that their names choose say where. This call is collective.
+/// Collective. Returns the planes by which the seams of all ranks are partitioned, and the number
+/// of partitions. Vertices that their names choose say where.
 fn cut_of<const D: usize>(
     comm: &dyn Communicator,
     seams: &[Piece<D>],
@@ -154,10 +153,9 @@ fn cut_of<const D: usize>(
     Ok((cut, count))
 }
 
-/// Partitions all seams, and brings the pieces to the ranks of their partitions. Returns those
-/// ranks, and the partitions that this rank makes, with their pieces in the order in which those
-/// were made. `loads` has by rank the number of partitions that it has made. This call is
-/// collective.
+/// Collective. Partitions all seams, and brings the pieces to the ranks of their partitions.
+/// Returns those ranks, and the partitions that this rank makes, with their pieces in the order in
+/// which those were made. `loads` has by rank the number of partitions that it has made.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Piece<D>>,
@@ -268,8 +266,8 @@ fn read_pieces<const D: usize>(
     Ok(())
 }
 
-/// Extracts what the last piece on `rank` has left to do from the pieces of all ranks, with so much
-/// around it that it can be done, and does it. This call is collective.
+/// Collective. Extracts what the last piece on `rank` has left to do from the pieces of all ranks,
+/// with so much around it that it can be done, and does it.
 fn make_rest<const D: usize>(
     comm: &dyn Communicator,
     maker: &Maker<D>,
@@ -346,7 +344,7 @@ fn take_out<const D: usize>(
     Ok((kept, messages))
 }
 
-/// Returns the names of all ranks, rising. This call is collective.
+/// Collective. Returns the names of all ranks, rising.
 fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     own.sort_unstable();
     own.dedup();

@@ -11,7 +11,7 @@ use netmesh::mesh::MAX_DIM;
 /// A facet whose other side is another rank's.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
-    /// Its place among the own neighbours.
+    /// Position of the facet among the own neighbours.
     pub slot: usize,
     /// The id of the simplex across.
     pub other: u64,
@@ -28,7 +28,7 @@ fn keeper(names: &[u64], ranks: usize) -> usize {
 /// all ranks, and whose it is.
 type Record = ([u64; MAX_DIM], u64, u32);
 
-/// Finds what is across the facets at the positions `open` of `neighbors`. This call is collective.
+/// Collective. Finds what is across the facets at the positions `open` of `neighbors`.
 pub fn join_facets(
     comm: &dyn Communicator,
     merged: &Merged,
@@ -94,9 +94,9 @@ pub struct Shared {
 }
 
 impl Shared {
-    /// Finds the vertices that several ranks have. A vertex that two ranks have lies on facets
-    /// between ranks, in each of them: the simplices round a vertex are connected through facets
-    /// with it. This call is collective.
+    /// Collective. Finds the vertices that several ranks have. A vertex that two ranks have lies on
+    /// facets between ranks, in each of them: the simplices round a vertex are connected through
+    /// facets with it.
     pub fn find(comm: &dyn Communicator, merged: &Merged, open: &[usize]) -> Result<Self> {
         let mut vertices: Vec<u32> = with_capacity(open.len() * merged.dim)?;
         open.iter().for_each(|&slot| vertices.extend(&merged.facet(slot)[..merged.dim]));

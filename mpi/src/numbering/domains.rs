@@ -10,7 +10,7 @@ use crate::piece::{ADDED, PieceDomain};
 use crate::words::{append, distinct, empty_messages, words_of};
 use netmesh::Result;
 
-/// Id, version, parent, centre, radius and the centre's coordinates.
+/// Data of a domain: id, version, parent, centre, radius and the centre's coordinates.
 pub type Record = [u64; 8];
 
 const ID: usize = 0;
@@ -37,7 +37,7 @@ pub fn record(
     [domain_id(copy.name), copy.version, parent, center, radius, x, y, z]
 }
 
-/// Gives the mesh the domains that hold its vertices. This call is collective.
+/// Collective. Gives the mesh the domains that hold its vertices.
 pub fn exchange(
     comm: &dyn Communicator,
     mesh: &mut DistributedMesh,
@@ -67,8 +67,8 @@ fn keeper(id: u64, ranks: usize) -> usize {
     (id % ranks as u64) as usize
 }
 
-/// Delivers copies of domains; returns the latest of those that this rank keeps, by rising id. This
-/// call is collective.
+/// Collective. Delivers copies of domains; returns the latest of those that this rank keeps, by
+/// rising id.
 fn deliver(comm: &dyn Communicator, copies: &[Record]) -> Result<Vec<Record>> {
     let mut messages = empty_messages(comm.size())?;
     for copy in copies {
@@ -80,7 +80,7 @@ fn deliver(comm: &dyn Communicator, copies: &[Record]) -> Result<Vec<Record>> {
     Ok(kept)
 }
 
-/// Asks for the records of the domains that this rank wants. This call is collective.
+/// Collective. Asks for the records of the domains that this rank wants.
 fn ask(comm: &dyn Communicator, kept: &[Record], wanted: &[u64]) -> Result<Vec<Record>> {
     let mut questions = empty_messages(comm.size())?;
     for &id in wanted {

@@ -8,7 +8,7 @@ use crate::memory::{TryGrow, collected, copied, with_capacity};
 use crate::words::{Words, append, empty_messages};
 use netmesh::Result;
 
-/// Sends the others those simplices that share a vertex with theirs. This call is collective.
+/// Collective. Sends the others those simplices that share a vertex with theirs.
 pub fn exchange(
     comm: &dyn Communicator,
     mesh: &mut DistributedMesh,

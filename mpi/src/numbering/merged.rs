@@ -15,7 +15,8 @@ pub const OPEN: u64 = u64::MAX - 1;
 #[derive(Default)]
 pub struct Merged {
     pub dim: usize,
-    /// Rising, so inputs come first; by vertex, as `points` and what follows.
+    /// Names of the vertices, rising, so inputs come first; by vertex, as `points` and the arrays
+    /// after it.
     pub names: Vec<u64>,
     pub points: Vec<f64>,
     pub kinds: Vec<u8>,

@@ -21,7 +21,7 @@ use directory::Shared;
 use merged::Merged;
 use netmesh::{Error, ErrorKind, Result};
 
-/// Makes the part of this rank. `inputs` are those that it has given. This call is collective.
+/// Collective. Makes the part of this rank. `inputs` are those that it has given.
 pub fn number(
     comm: &dyn Communicator,
     dim: usize,

@@ -8,8 +8,8 @@ use netmesh::Result;
 /// Number of its names that a rank tells all for the choice of ranges.
 const SAMPLES: usize = 64;
 
-/// Returns the numbers of rising names without repetition, and how many names there are on all
-/// ranks. A name of several ranks has one number. This call is collective.
+/// Collective. Returns the numbers of rising names without repetition, and how many names there are
+/// on all ranks. A name of several ranks has one number.
 ///
 /// Each rank counts the names of a range. The ranges are chosen by samples, so that they are about
 /// equally full; a rank whose names are next to each other sends few of them elsewhere.

@@ -46,8 +46,8 @@ impl Format {
     }
 }
 
-/// Finds out, before there is a mesh, whether [`write`] can write its files; nothing of what it
-/// makes for that stays. This call is collective.
+/// Collective. Finds out, before there is a mesh, whether [`write`] can write its files; nothing of
+/// what it makes for that stays.
 ///
 /// # Errors
 /// Fails as [`write`] does, but for a disk that is full.
@@ -56,7 +56,7 @@ pub fn require_writable(comm: &dyn Communicator, path: &Path, format: Format) ->
     Unfinished::new(comm, files_of(path, format, comm.size())).map(drop)
 }
 
-/// Finds out whether [`write_work`] can write its file. This call is collective.
+/// Collective. Finds out whether [`write_work`] can write its file.
 pub fn require_writable_file(comm: &dyn Communicator, path: &Path) -> Result<()> {
     Unfinished::new(comm, vec![path.to_path_buf()]).map(drop)
 }
@@ -77,7 +77,7 @@ fn files_of(path: &Path, format: Format, ranks: usize) -> Vec<PathBuf> {
     }
 }
 
-/// Writes the mesh. All ranks must see the same files under `path`. This call is collective.
+/// Collective. Writes the mesh. All ranks must see the same files under `path`.
 ///
 /// # Errors
 /// All ranks answer one error: `InvalidArgument` (the extension; a path or a format that is not the
@@ -105,7 +105,7 @@ pub fn write(
     }
 }
 
-/// Returns the format that all ranks ask for. This call is collective.
+/// Collective. Returns the format that all ranks ask for.
 fn resolved(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Format> {
     require_same(comm, "", || {
         let own = Arguments::of_call("nm_mpi_export").and("path_utf8", format!("{path:?}"));

@@ -16,9 +16,9 @@ pub fn files(path: &Path) -> [PathBuf; 2] {
     ["points", "simplices"].map(|what| path.with_extension(format!("{what}.npy")))
 }
 
-/// Writes the arrays to `unfinished`, which are [`files`]. Row v of the points is vertex v, and
-/// that of an input which is equal to one before it is its point: row i is input i. The simplices
-/// are unsigned 64-bit ids of vertices. This call is collective.
+/// Collective. Writes the arrays to `unfinished`, which are [`files`]. Row v of the points is
+/// vertex v, and that of an input which is equal to one before it is its point: row i is input i.
+/// The simplices are unsigned 64-bit ids of vertices.
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

@@ -12,8 +12,8 @@ pub struct Block {
     pub bytes: Vec<u8>,
 }
 
-/// Gathers a block of the rows 0 to `all`, of `columns` numbers, on each rank; `rows` are those
-/// that this rank has, each of which no other rank has. This call is collective.
+/// Collective. Gathers a block of the rows 0 to `all`, of `columns` numbers, on each rank; `rows`
+/// are those that this rank has, each of which no other rank has.
 pub fn gather<'a>(
     comm: &dyn Communicator,
     all: u64,

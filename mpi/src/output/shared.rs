@@ -8,10 +8,10 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// Bytes, and where in the file they are.
+/// Part of a file: its offset and its bytes.
 pub type Part<'a> = (u64, &'a [u8]);
 
-/// Writes a new file. This call is collective.
+/// Collective. Writes a new file.
 pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result<()> {
     match comm.mpi() {
         Some(ranks) => {

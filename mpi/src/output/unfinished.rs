@@ -18,9 +18,9 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// Finds out, before there is anything to write, that all ranks can write these files. `names`
-    /// are the final names, the same on all ranks; where one is a link, what it leads to. This call
-    /// is collective.
+    /// Collective. Finds out, before there is anything to write, that all ranks can write these
+    /// files. `names` are the final names, the same on all ranks; where one is a link, what it
+    /// leads to.
     ///
     /// # Errors
     /// `Io`: a rank that cannot write its file there, or one that does not see what rank 0 makes
@@ -49,8 +49,8 @@ impl Unfinished {
         &self.files[file].0
     }
 
-    /// Gives the files their names, when all ranks have written. The last one, without which nobody
-    /// finds the others, is away before them and comes after them. This call is collective.
+    /// Collective. Gives the files their names, when all ranks have written. The last one, without
+    /// which nobody finds the others, is away before them and comes after them.
     pub fn take_place(mut self, comm: &dyn Communicator) -> Result<()> {
         agreed(comm, || if self.is_first_rank { self.rename() } else { Ok(()) })?;
         self.are_in_place = true;
@@ -83,8 +83,8 @@ fn require_writable(comm: &dyn Communicator, names: &[PathBuf]) -> Result<()> {
     own.chain(last).try_for_each(|name| io::require_writable(name))
 }
 
-/// Refuses directories of the names that are not the same for all ranks, as the current ones of
-/// processes on several machines may be. This call is collective.
+/// Collective. Refuses directories of the names that are not the same for all ranks, as the current
+/// ones of processes on several machines may be.
 fn require_one_directory(comm: &dyn Communicator, names: &[PathBuf], token: &str) -> Result<()> {
     let probe = |name: &PathBuf| name.with_file_name(format!(".netmesh-mpi-{token}-probe.tmp"));
     let mut probes: Vec<(PathBuf, &PathBuf)> =

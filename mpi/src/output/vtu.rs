@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 const TRIANGLE: u8 = 5;
 const TETRA: u8 = 10;
 
-/// VTK's DUPLICATECELL and DUPLICATEPOINT.
+/// Value of VTK's DUPLICATECELL and DUPLICATEPOINT.
 const DUPLICATE: u8 = 1;
 
 /// Returns the pieces, and the file that names them.
@@ -22,7 +22,7 @@ pub fn files(path: &Path, ranks: usize) -> Vec<PathBuf> {
     pieces.chain([path.to_owned()]).collect()
 }
 
-/// Writes the pieces and their index to `unfinished`, which are [`files`]. This call is collective.
+/// Collective. Writes the pieces and their index to `unfinished`, which are [`files`].
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -195,7 +195,8 @@ fn write_words(mut words: impl Iterator<Item = u64>, out: &mut dyn Write) -> io:
     words.try_for_each(|word| out.write_all(&word.to_le_bytes()))
 }
 
-/// Arrays follow in the reverse of the order in which they are declared, as the core's do.
+/// Writes the piece of this rank. Arrays follow in the reverse of the order in which they are
+/// declared, as the core's do.
 fn write_piece(mesh: &DistributedMesh, out: &mut dyn Write) -> io::Result<()> {
     let (vertices, cells) = (mesh.vertex_ids.len(), mesh.simplex_count() + mesh.ghosts.len());
     let mut offset: u64 = ARRAYS.iter().map(|array| 8 + array.bytes(mesh)).sum();

@@ -11,8 +11,8 @@ use std::path::Path;
 
 const HEAD: &str = "rank,step,phase,partition,inputs,simplices,seconds,sent\n";
 
-/// Writes the costs of the steps of the run on all ranks ([`DistributedMesh::work`]) as
-/// comma-separated values, rank after rank. This call is collective.
+/// Collective. Writes the costs of the steps of the run on all ranks ([`DistributedMesh::work`]) as
+/// comma-separated values, rank after rank.
 ///
 /// # Errors
 /// All ranks answer one error: `Io`. There is no file of this call then.

@@ -180,7 +180,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// Besides what JSON has, what Python and JavaScript write where they have no number.
+    /// Skips a word of JSON, or one that Python and JavaScript write where they have no number.
     fn skip_word(&mut self) -> Result<()> {
         const WORDS: [&str; 6] = ["true", "false", "null", "NaN", "Infinity", "-Infinity"];
         let place = self.place()?;

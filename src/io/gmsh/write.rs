@@ -190,7 +190,8 @@ fn write_element(out: &mut dyn Write, tag: u64, vertices: &[u32]) -> io::Result<
     out.write_all(b"\n")
 }
 
-/// Values at the nodes: Gmsh has scalars, and vectors of three components, which two are padded to.
+/// Writes values at the nodes: Gmsh has scalars, and vectors of three components, which two are
+/// padded to.
 fn write_attribute(attribute: &Attribute, out: &mut dyn Write) -> io::Result<()> {
     let Attribute { name, components, values, .. } = attribute;
     let nodes = values.len() / components;

@@ -33,7 +33,7 @@ enum Element {
 }
 
 impl Row {
-    /// Columns.
+    /// Returns the number of columns.
     pub fn count(&self) -> u64 {
         match self {
             Self::Numbers { count, .. } => *count,
@@ -71,7 +71,7 @@ enum Kind {
     Float,
     Signed,
     Unsigned,
-    /// No number that is read.
+    /// Type of no number that is read.
     Other,
 }
 

@@ -84,7 +84,7 @@ impl Array<'_> {
         self.binary.require_end("the array")
     }
 
-    /// Fortran's order: the coordinates are transposed at the end.
+    /// Reads an array in Fortran's order: the coordinates are transposed at the end.
     fn read_by_column(&mut self) -> Result<()> {
         for column in 0..self.header.row.count() {
             let is_coordinate = self.coordinates.contains(&column);

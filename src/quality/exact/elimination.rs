@@ -35,9 +35,9 @@ pub(crate) fn lifted_determinant_sign<const D: usize>(
 pub(crate) enum Side {
     /// The squares of the edges' lengths.
     Square,
-    /// One at each edge.
+    /// Right side with one at each edge.
     Ones,
-    /// One at this edge, zero at the others.
+    /// Right side with one at this edge, zero at the others.
     Unit(usize),
 }
 
@@ -70,7 +70,7 @@ pub(crate) fn solve<const D: usize>(
     Ok((sign != Ordering::Equal).then_some((Solution { matrix, dim: D }, unit)))
 }
 
-/// Numbers of any size are refused by memory only.
+/// Takes the result of numbers of any size, which are refused by memory only.
 pub(crate) fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
     result.map_err(|refusal| match refusal {
         Refusal::Memory(error) => error,
@@ -233,7 +233,7 @@ mod tests {
     use crate::numerics::testing::*;
     use dashu_int::IBig;
 
-    /// Solutions for all sides at once, beside Cramer's rule on another library's integers.
+    /// Compares solutions for all sides at once with Cramer's rule on another library's integers.
     fn solutions_agree<const D: usize>(trials: usize) {
         let mut independent = 0;
         for family in FAMILIES {

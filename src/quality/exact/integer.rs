@@ -207,7 +207,7 @@ mod tests {
         if integer.negative { -magnitude } else { magnitude }
     }
 
-    /// Numbers of up to five words, with words of zeros and of ones among them.
+    /// Draws numbers of up to five words, with words of zeros and of ones among them.
     fn draw(random: &mut impl FnMut() -> u64) -> Integer {
         let word = |bits: u64, any: u64| [0, u64::MAX, 1 << (any % 64), any][bits as usize % 4];
         let length = random() % 6;

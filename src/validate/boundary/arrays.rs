@@ -77,8 +77,8 @@ fn misplaced(mesh: &Triangulation) -> bool {
     !mesh.boundary.forced.is_empty() && mesh.boundary.subsegments.is_empty()
 }
 
-/// Subsegments name two vertices and a segment, and stand by segments. An extent has a boundary
-/// of no segment.
+/// Checks that subsegments name two vertices and a segment, and stand by segments. An extent has a
+/// boundary of no segment.
 fn check_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut Findings) {
     let vertices = mesh.vertex_count();
     let segments = outline.map_or(NONE as usize, |outline| outline.segments.count());
@@ -155,7 +155,7 @@ fn check_parts(result: &Triangulation, whole: &Triangulation, findings: &mut Fin
     }
 }
 
-/// Neighbours are those of the whole, but none where the domain ends.
+/// Checks that neighbours are those of the whole, but none where the domain ends.
 fn check_neighbors(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
     let count = result.simplex_count();
     let end = result.simplices.len().min(whole.neighbors.len());

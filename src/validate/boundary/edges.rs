@@ -8,11 +8,12 @@ use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
-/// A subsegment may lack room for a vertex on it if it is no longer than so many units in the last
-/// place of the mesh's largest coordinates.
+/// Largest length, in units in the last place of the mesh's largest coordinates, of a subsegment
+/// that may lack room for a vertex on it.
 const SHORT: f64 = 64.0;
-/// It may, too, if a vertex opposite to it is no farther from its line than so many. Splits are
-/// fractions of the caller's segments, and as coarse as doubles near their ends.
+/// Largest distance, in the same units, of an opposite vertex from a subsegment's line for which
+/// the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse as
+/// doubles near their ends.
 const NO_ROOM: f64 = 8.0;
 
 /// Edges of the triangles that are subsegments.
@@ -26,7 +27,8 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// Ids must be in range. O(simplices) but for vertices with many subsegments.
+    /// Finds the subsegments among the edges. Ids must be in range. O(simplices) but for vertices
+    /// with many subsegments.
     pub fn new(view: View<'_, 2>) -> AllocResult<Self> {
         let subsegments = &view.mesh.boundary.subsegments;
         let at = Lists::of_pairs(view.vertex_count(), || {

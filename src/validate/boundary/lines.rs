@@ -24,7 +24,7 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// Ids must be in range.
+    /// Finds the lines of the segments. Ids must be in range.
     pub fn new(mesh: &Triangulation, inputs: usize, edges: &Edges) -> AllocResult<Self> {
         let boundary = &mesh.boundary;
         let mut of = with_capacity(boundary.subsegments.len())?;

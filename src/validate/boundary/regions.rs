@@ -20,9 +20,9 @@ pub(super) struct Parts {
 }
 
 pub(super) struct Part {
-    /// Its first triangle.
+    /// First triangle of the region.
     first: usize,
-    /// It reaches to the hull.
+    /// True if the region reaches to the hull.
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
     is_of_all: bool,
@@ -71,8 +71,8 @@ pub(super) fn largest_edges(
     collected(parts.of.iter().map(|&part| parts.parts[part as usize].max_edge))
 }
 
-/// Neighbours without a subsegment between them have the same label, and both or neither of them
-/// are in the domain.
+/// Checks that neighbours without a subsegment between them have one label, and that both or
+/// neither of them are in the domain.
 fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mut Findings) {
     let labels = &view.mesh.boundary.simplex_regions;
     for simplex in 0..view.simplex_count() {

@@ -119,7 +119,7 @@ pub struct Ranks {
 }
 
 impl Ranks {
-    /// Opens the ranks of the program. This call is collective.
+    /// Collective. Opens the ranks of the program.
     pub fn of_world() -> Result<Self> {
         let mut raw = null_mut();
         // SAFETY: the layer checks that MPI runs.
@@ -127,7 +127,7 @@ impl Ranks {
         Self::opened(code, raw)
     }
 
-    /// Opens the ranks of the caller's communicator. This call is collective.
+    /// Collective. Opens the ranks of the caller's communicator.
     ///
     /// # Safety
     /// `of` points to an `MPI_Comm` of the MPI that this was compiled with.

@@ -15,7 +15,7 @@ pub enum Step {
     Inputs,
     /// A partition of a phase; phase 0 is that of the coarse mesh's partitions.
     Partition { phase: u32, number: u32 },
-    /// The seams that a phase has left are cut and go to the ranks of their partitions.
+    /// The seams that a phase has left are divided and go to the ranks of their partitions.
     Seams { phase: u32 },
     /// Step that does what all phases have left.
     Rest,

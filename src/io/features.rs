@@ -1,6 +1,6 @@
 //! Points and polylines of the plane, as GeoJSON and WKT have them.
 
-use super::scanner::Place;
+use super::scanner::TextPosition;
 use super::text::Points;
 use super::values::{Outline, Table};
 use crate::error::{Error, ErrorKind, Result};
@@ -23,7 +23,7 @@ pub(super) struct Ring {
     /// Number of the ring in its polygon, counted from 1.
     pub number: usize,
     /// Position of its first byte.
-    pub place: Place,
+    pub place: TextPosition,
 }
 
 impl Features {
@@ -33,7 +33,7 @@ impl Features {
     }
 
     /// Begins the feature of this number, counted from 1.
-    pub fn begin(&mut self, number: u64, place: Place) -> Result<()> {
+    pub fn begin(&mut self, number: u64, place: TextPosition) -> Result<()> {
         self.number = i32::try_from(number).map_err(|_| {
             let message = format_args!("more than {} of these; markers have 32 bits", i32::MAX);
             place.error_of_kind(ErrorKind::Capacity, message)
@@ -46,7 +46,7 @@ impl Features {
     }
 
     /// Adds an open or a closed line.
-    pub fn add_line(&mut self, positions: &[[f64; 2]], place: Place) -> Result<()> {
+    pub fn add_line(&mut self, positions: &[[f64; 2]], place: TextPosition) -> Result<()> {
         if positions.len() < 2 {
             let rule = "a line with fewer than 2 positions";
             return Err(self.refused(place, &rule));
@@ -94,7 +94,7 @@ impl Features {
         Ok(())
     }
 
-    fn refused(&self, place: Place, rule: &dyn fmt::Display) -> Error {
+    fn refused(&self, place: TextPosition, rule: &dyn fmt::Display) -> Error {
         place.error(format_args!("{} {}: {rule}", self.noun, self.number)).of_content()
     }
 

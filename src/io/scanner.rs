@@ -10,24 +10,24 @@ const MAX_WORD: usize = 2048;
 
 pub(super) struct Scanner<'a> {
     input: &'a mut dyn BufRead,
-    place: Place,
+    place: TextPosition,
     word: [u8; MAX_WORD],
 }
 
 /// Line and byte of a position in a text, both counted from 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct TextPosition {
     line: u64,
     byte: u64,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for TextPosition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "line {}, byte {}", self.line, self.byte)
     }
 }
 
-impl Place {
+impl TextPosition {
     pub fn error(self, message: impl fmt::Display) -> Error {
         self.error_of_kind(ErrorKind::Format, message)
     }
@@ -80,7 +80,8 @@ impl fmt::Display for Shown<'_> {
 impl<'a> Scanner<'a> {
     /// Begins after a byte order mark.
     pub fn new(input: &'a mut dyn BufRead) -> Result<Self> {
-        let mut scanner = Self { input, place: Place { line: 1, byte: 1 }, word: [0; MAX_WORD] };
+        let mut scanner =
+            Self { input, place: TextPosition { line: 1, byte: 1 }, word: [0; MAX_WORD] };
         if scanner.next_is(0xef)? && !(scanner.next_is(0xbb)? && scanner.next_is(0xbf)?) {
             return Err(scanner.unexpected("text"));
         }
@@ -88,7 +89,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Returns the position of the next byte.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> TextPosition {
         self.place
     }
 
@@ -176,7 +177,7 @@ impl<'a> Scanner<'a> {
 }
 
 /// Returns the next bytes; none at the end of the file.
-fn buffered(input: &mut dyn BufRead, place: Place) -> Result<&[u8]> {
+fn buffered(input: &mut dyn BufRead, place: TextPosition) -> Result<&[u8]> {
     // The borrow of a buffer that is returned at once would last for the loop.
     while let Err(error) = input.fill_buf() {
         if error.kind() != io::ErrorKind::Interrupted {

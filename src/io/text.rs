@@ -10,7 +10,7 @@ use std::io::{self, BufRead, Read, Write};
 /// The longest line that is read, with its end: a file without line ends must not fill the memory.
 const MAX_LINE: usize = 1 << 20;
 
-/// The lines of a text that say something: comments are cut off, blank lines skipped.
+/// The lines of a text that say something: comments are dropped, blank lines skipped.
 pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     buffer: Vec<u8>,

@@ -1,7 +1,7 @@
 //! Well-known text (OGC 06-103r4, 7): geometries of the plane, one after another.
 
 use super::features::{Features, Ring};
-use super::scanner::{Place, Scanner, Shown};
+use super::scanner::{Scanner, Shown, TextPosition};
 use super::values::Table;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
@@ -31,9 +31,9 @@ struct Wkt<'a> {
     positions: Vec<[f64; 2]>,
 }
 
-/// Content of a geometry between its parentheses.
+/// Geometry of a geometry between its parentheses.
 #[derive(Clone, Copy)]
-enum Content {
+enum Geometry {
     Point,
     Points,
     Line,
@@ -43,14 +43,14 @@ enum Content {
     Geometries,
 }
 
-const KEYWORDS: [(&str, Content); 7] = [
-    ("POINT", Content::Point),
-    ("MULTIPOINT", Content::Points),
-    ("LINESTRING", Content::Line),
-    ("MULTILINESTRING", Content::Lines),
-    ("POLYGON", Content::Polygon),
-    ("MULTIPOLYGON", Content::Polygons),
-    ("GEOMETRYCOLLECTION", Content::Geometries),
+const KEYWORDS: [(&str, Geometry); 7] = [
+    ("POINT", Geometry::Point),
+    ("MULTIPOINT", Geometry::Points),
+    ("LINESTRING", Geometry::Line),
+    ("MULTILINESTRING", Geometry::Lines),
+    ("POLYGON", Geometry::Polygon),
+    ("MULTIPOLYGON", Geometry::Polygons),
+    ("GEOMETRYCOLLECTION", Geometry::Geometries),
 ];
 
 /// Words that follow a keyword where points have more than two coordinates.
@@ -86,23 +86,23 @@ impl Wkt<'_> {
             return Err(place.error(message));
         }
         match self.read_keyword()? {
-            Content::Point => {
+            Geometry::Point => {
                 self.read_positions()?;
                 match self.positions.len() {
                     0 | 1 => features.add_points(&self.positions),
                     _ => Err(place.error("a POINT with several positions")),
                 }
             }
-            Content::Points => self.each(|wkt, _, _| wkt.read_point_of_many(features)),
-            Content::Line => self.read_line(features, place),
-            Content::Lines => self.each(|wkt, place, _| wkt.read_line(features, place)),
-            Content::Polygon => self.read_polygon(features),
-            Content::Polygons => self.each(|wkt, _, _| wkt.read_polygon(features)),
-            Content::Geometries => self.each(|wkt, _, _| wkt.read_geometry(features, depth + 1)),
+            Geometry::Points => self.each(|wkt, _, _| wkt.read_point_of_many(features)),
+            Geometry::Line => self.read_line(features, place),
+            Geometry::Lines => self.each(|wkt, place, _| wkt.read_line(features, place)),
+            Geometry::Polygon => self.read_polygon(features),
+            Geometry::Polygons => self.each(|wkt, _, _| wkt.read_polygon(features)),
+            Geometry::Geometries => self.each(|wkt, _, _| wkt.read_geometry(features, depth + 1)),
         }
     }
 
-    fn read_keyword(&mut self) -> Result<Content> {
+    fn read_keyword(&mut self) -> Result<Geometry> {
         let place = self.text.place();
         let word = self.text.read_word(is_part_of_word)?;
         if word.is_empty() {
@@ -148,7 +148,7 @@ impl Wkt<'_> {
         }
     }
 
-    fn read_line(&mut self, features: &mut Features, place: Place) -> Result<()> {
+    fn read_line(&mut self, features: &mut Features, place: TextPosition) -> Result<()> {
         self.read_positions()?;
         match self.positions.len() {
             0 => Ok(()),
@@ -188,7 +188,10 @@ impl Wkt<'_> {
 
     /// Reads what stands between parentheses and commas: `read` takes each, given its position and
     /// its number from 1. `EMPTY` stands for none.
-    fn each(&mut self, mut read: impl FnMut(&mut Self, Place, usize) -> Result<()>) -> Result<()> {
+    fn each(
+        &mut self,
+        mut read: impl FnMut(&mut Self, TextPosition, usize) -> Result<()>,
+    ) -> Result<()> {
         if self.next_byte()?.is_some_and(|byte| byte.is_ascii_alphabetic()) {
             let place = self.text.place();
             let word = self.text.read_word(is_part_of_word)?;
@@ -236,18 +239,18 @@ fn is_part_of_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || matches!(byte, b'+' | b'-' | b'.' | b'_')
 }
 
-fn unknown(place: Place, word: &str) -> Error {
+fn unknown(place: TextPosition, word: &str) -> Error {
     place.error(format_args!(
         "{}; POINT, LINESTRING, POLYGON, their MULTI and GEOMETRYCOLLECTION are read",
         Shown(word)
     ))
 }
 
-fn no_list(place: Place, word: &str) -> Error {
+fn no_list(place: TextPosition, word: &str) -> Error {
     place.error(format_args!("{} where \"(\" or EMPTY is expected", Shown(word)))
 }
 
-fn more_coordinates(place: Place, what: &str) -> Error {
+fn more_coordinates(place: TextPosition, what: &str) -> Error {
     let message =
         format_args!("{what} with more than 2 coordinates; points of the plane alone are read");
     place.error_of_kind(ErrorKind::Dimension, message)

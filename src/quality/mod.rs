@@ -52,7 +52,7 @@ pub struct Quality {
     pub worst_cage_aspect: f64,
     /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
     /// on the hull, which is the root's cage. Their corners are not restricted. Of a domain that is
-    /// cut out, those at its boundary count too. Forced simplices never do.
+    /// cropped, those at its boundary count too. Forced simplices never do.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees; 0 below
     /// about 1e-14, where the directions of two facets are no longer told apart.
@@ -131,7 +131,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones; and
+/// Figures over the simplices off the hull or of a cropped domain, less forced ones; and
 /// over those.
 #[derive(Default)]
 struct SimplexMeasures {
@@ -193,7 +193,7 @@ impl SimplexMeasures {
 }
 
 /// Returns which vertices are on the outer cage, whose simplices are not measured: those on the
-/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cut to a domain.
+/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cropped to a domain.
 fn vertices_at_cage<const D: usize>(
     mesh: &Triangulation,
     on_hull: &[bool],

@@ -1,6 +1,6 @@
 //! Exact solutions of small linear systems, for simplices whose doubles are too ill-conditioned.
 
-use super::exact::{Side, Solution, ratio, solve};
+use super::exact::{RightSide, Solution, ratio, solve};
 use super::length::{Offset, exponent_of, scale};
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
@@ -15,7 +15,7 @@ pub(crate) fn circumcenter<const D: usize>(
     base: usize,
 ) -> AllocResult<Option<Offset<D>>> {
     // The products of the edges with twice the centre are their squares.
-    let solution = solve(points[base], &others(points, base), &[Side::Square])?;
+    let solution = solve(points[base], &others(points, base), &[RightSide::Square])?;
     Ok(solution.map(|(solution, unit)| quotient(&solution, 0, unit - 1)))
 }
 
@@ -25,8 +25,8 @@ pub(crate) fn gradients<const D: usize>(
     points: &[&[f64; D]],
     base: usize,
 ) -> AllocResult<Option<Gradients<D>>> {
-    let mut sides = [Side::Ones; MAX_DIM + 1];
-    (0..D).for_each(|i| sides[i] = Side::Unit(i));
+    let mut sides = [RightSide::Ones; MAX_DIM + 1];
+    (0..D).for_each(|i| sides[i] = RightSide::Unit(i));
     let solution = solve(points[base], &others(points, base), &sides[..=D])?;
     Ok(solution.map(|(solution, unit)| {
         let mut gradients = [Offset::ZERO; MAX_DIM + 1];

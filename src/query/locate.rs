@@ -46,7 +46,7 @@ pub(super) struct Scratch {
 pub(super) struct Locator<'a, const D: usize> {
     pub view: View<'a, D>,
     pub index: &'a Index,
-    /// Simplices from this number on were cut away from the mesh.
+    /// Simplices from this number on were cropped from the mesh.
     end: u32,
     /// The state of a generator of numbers, which decide where a step looks first.
     random: u32,
@@ -59,7 +59,7 @@ impl<'a, const D: usize> Locator<'a, D> {
 
     pub fn new(view: View<'a, D>, index: &'a Index, stop: Stop<'a>) -> Self {
         let end = view.mesh.simplex_count() as u32;
-        // The hull of a mesh that was cut need not be convex.
+        // The hull of a cropped mesh need not be convex.
         match (view.mesh.boundary.whole.as_deref(), index.whole.as_deref()) {
             (Some(mesh), Some(index)) => Self { view: View { mesh }, index, end, random: 1, stop },
             _ => Self { view, index, end, random: 1, stop },

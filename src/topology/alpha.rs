@@ -59,7 +59,7 @@ impl Filtration {
 /// `InvalidArgument` (a vertex that is no input; faces of another mesh; a flat simplex),
 /// `OutOfMemory`.
 pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtration> {
-    refuse_cut(mesh)?;
+    refuse_cropped(mesh)?;
     if !has_inputs_alone(mesh) {
         let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and \
             the mesh has other vertices";
@@ -74,8 +74,8 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
     Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0, numbers: Numbers::Inputs })
 }
 
-/// Refuses a mesh that is cut to its domain: what is outside counts for the values.
-pub(super) fn refuse_cut(mesh: &Triangulation) -> Result<()> {
+/// Refuses a mesh that is cropped to its domain: what is outside counts for the values.
+pub(super) fn refuse_cropped(mesh: &Triangulation) -> Result<()> {
     match mesh.boundary.whole {
         None => Ok(()),
         Some(_) => {
@@ -96,7 +96,7 @@ pub(super) fn flat() -> Error {
     Error::new(ErrorKind::InvalidArgument, "the mesh has a flat simplex")
 }
 
-/// Computes radii, squared or not, for the faces that `is_wanted` picks by their vertices; the
+/// Computes radii, squared or not, for the faces that `needs_radius` picks by their vertices; the
 /// values of others are unspecified. A face that has a wanted one as a facet must be wanted. `None`
 /// if one is flat.
 pub(super) fn radii<const D: usize>(
@@ -104,7 +104,7 @@ pub(super) fn radii<const D: usize>(
     faces: &Faces,
     threads: u32,
     wanted: Radius,
-    is_wanted: impl Fn(&[u32]) -> bool + Sync,
+    needs_radius: impl Fn(&[u32]) -> bool + Sync,
 ) -> AllocResult<Option<Vec<Vec<f64>>>> {
     let mut values = Vec::new();
     for k in faces.lowest()..=D {
@@ -116,7 +116,7 @@ pub(super) fn radii<const D: usize>(
         let (below, here) = values.split_at_mut(k - faces.lowest());
         negative.clear();
         negative.cover(level.count(), 0)?;
-        let balls = Balls { view, level, k, wanted, is_wanted: &is_wanted };
+        let balls = Balls { view, level, k, wanted, needs_radius: &needs_radius };
         if !balls.find(threads, &mut here[0], &mut negative)? {
             return Ok(None);
         }
@@ -133,7 +133,7 @@ struct Balls<'a, W, const D: usize> {
     level: &'a Level,
     k: usize,
     wanted: Radius,
-    is_wanted: W,
+    needs_radius: W,
 }
 
 /// Number of faces that make a piece of work.
@@ -148,7 +148,7 @@ impl<W: Fn(&[u32]) -> bool + Sync, const D: usize> Balls<'_, W, D> {
         on_threads(threads_of(threads), pieces, |(), (piece, (values, negative))| {
             for (at, (value, negative)) in values.iter_mut().zip(negative).enumerate() {
                 let face = self.level.face(piece * PIECE + at);
-                if !(self.is_wanted)(face) {
+                if !(self.needs_radius)(face) {
                     continue;
                 }
                 let radius = if value.is_nan() { self.wanted } else { Radius::Nothing };

@@ -113,7 +113,7 @@ struct Factors<const K: usize> {
 }
 
 /// The barycentric coordinates of a centre but the first.
-struct Center<const K: usize> {
+struct CenterCoordinates<const K: usize> {
     x: [f64; K],
     /// Bounds of the errors.
     errors: [f64; K],
@@ -159,7 +159,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
     }
 
     /// Computes the centre; `None` if the face is too flat for doubles.
-    fn center(&self) -> Option<Center<K>> {
+    fn center(&self) -> Option<CenterCoordinates<K>> {
         let factors = Factors::new(&self.products)?;
         let square = |i: usize| self.products[i][i];
         let x = factors.solve(std::array::from_fn(|i| 0.5 * square(i)));
@@ -177,11 +177,11 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         let longest = (0..K).map(square).fold(0.0, f64::max).sqrt();
         let size = longest * (1.0 + x.iter().map(|x| x.abs()).sum::<f64>());
         let errors = inverse.map(|inverse| inverse.sqrt() * unit * size);
-        Some(Center { x, errors, factors, size, growth: root * unit })
+        Some(CenterCoordinates { x, errors, factors, size, growth: root * unit })
     }
 
     /// Computes the radius; `None` if doubles do not tell which one is the nearest.
-    fn radius(&self, center: &Center<K>, wanted: Radius) -> Option<f64> {
+    fn radius(&self, center: &CenterCoordinates<K>, wanted: Radius) -> Option<f64> {
         if wanted == Radius::Nothing {
             return Some(f64::NAN);
         }
@@ -216,7 +216,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
     #[cold]
     fn rest(
         &self,
-        center: &Center<K>,
+        center: &CenterCoordinates<K>,
         offset: &[DoubleDouble; D],
         unit: f64,
     ) -> (DoubleDouble, f64) {
@@ -287,7 +287,7 @@ impl<const K: usize> Factors<K> {
     }
 }
 
-impl<const K: usize> Center<K> {
+impl<const K: usize> CenterCoordinates<K> {
     /// Returns the coordinates that are negative, as bits; `None` if one may be zero.
     fn negative(&self) -> Option<u16> {
         let first = 1.0 - self.x.iter().sum::<f64>();

@@ -8,7 +8,7 @@
 //! proves that the factor between those bounds, of which the root is returned, is that of the
 //! interleaving.
 
-use super::alpha::{flat, radii, refuse_cut};
+use super::alpha::{flat, radii, refuse_cropped};
 use super::circumscribed::Radius;
 use super::reach::{fill_reaches, is_sound};
 use super::{Faces, Filtration, Level, Numbers};
@@ -31,8 +31,8 @@ pub fn distances(
     index: &Index,
     threads: u32,
 ) -> Result<Filtration> {
-    refuse_cut(mesh)?;
-    let cells = Cells::new(mesh, index, threads)?;
+    refuse_cropped(mesh)?;
+    let cells = CellRadii::new(mesh, index, threads)?;
     let none = || Ok(None);
     let found = in_dimension!(
         mesh.dim,
@@ -51,7 +51,7 @@ pub fn distances(
 fn reaches<const D: usize>(
     mesh: &Triangulation,
     faces: &Faces,
-    cells: &Cells,
+    cells: &CellRadii,
     threads: u32,
 ) -> Result<Option<Vec<Vec<f64>>>> {
     let has_input = |face: &[u32]| face.iter().any(|&vertex| cells.is_input(vertex));
@@ -63,7 +63,7 @@ fn reaches<const D: usize>(
 }
 
 /// Radii at which the cells of the vertices come into the filtration.
-pub(super) struct Cells {
+pub(super) struct CellRadii {
     /// The nearest input of those cells that have the same one everywhere, inputs their own; these
     /// come as far as they are in its ball. [`NONE`] for the others, which come as a whole.
     pub group: Vec<u32>,
@@ -80,7 +80,7 @@ const SLACK: f64 = 1e-11;
 /// The relative error that reaches may have ([`is_sound`]).
 const REACH_ERROR: f64 = 1e-6;
 
-impl Cells {
+impl CellRadii {
     pub fn new(mesh: &Triangulation, index: &Index, threads: u32) -> Result<Self> {
         let count = mesh.vertex_count();
         let (mut nearest, mut distances) = (filled(count, NONE)?, filled(count, 0.0)?);

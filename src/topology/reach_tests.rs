@@ -1,7 +1,7 @@
 //! Reaches against brute force: the nearest point of a Voronoi face is in it if no vertex at all is
 //! nearer to it, and else in a larger face's.
 
-use super::distance::Cells;
+use super::distance::CellRadii;
 use super::{Faces, Filtration, distances};
 use crate::arrays::tests::meshed;
 use crate::mesh::NONE;
@@ -63,7 +63,7 @@ fn reaches_are_right<const D: usize>(count: usize) {
         };
         let mesh = mesh.triangulation().unwrap();
         let index = Index::new(mesh).unwrap();
-        let group = Cells::new(mesh, &index, 1).unwrap().group;
+        let group = CellRadii::new(mesh, &index, 1).unwrap().group;
         let faces = Faces::new(mesh, 0, 1).unwrap();
         let Filtration { values, .. } = distances(mesh, &faces, &index, 1).unwrap();
         // At the end all of space is there.

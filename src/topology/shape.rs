@@ -79,8 +79,8 @@ impl<'a> AlphaShape<'a> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn topology(&self) -> Result<Topology> {
-        let is_in = |value: &&f64| **value <= self.alpha;
-        let count = |values: &Vec<f64>| values.iter().filter(is_in).count() as u64;
+        let is_within = |value: &&f64| **value <= self.alpha;
+        let count = |values: &Vec<f64>| values.iter().filter(is_within).count() as u64;
         let face_counts = collected(self.values.iter().map(count))?;
         let signs = [1, -1].into_iter().cycle();
         let euler: i64 =
@@ -178,8 +178,8 @@ impl<'a> AlphaShape<'a> {
     pub fn solid<'b>(&self, mesh: &'b Triangulation) -> Result<Part<'b>> {
         let dim = self.faces.dim();
         let of_simplices = self.faces.of_simplices().iter();
-        let is_in = collected(of_simplices.map(|&face| self.contains(dim, face as usize)))?;
-        Part::of_chosen(mesh, is_in)
+        let contained = collected(of_simplices.map(|&face| self.contains(dim, face as usize)))?;
+        Part::of_chosen(mesh, contained)
     }
 
     /// Returns the boundary of the simplices of the shape: facets of `dim` inputs each, of equal
@@ -267,16 +267,18 @@ pub fn optimal_alpha(faces: &Faces, values: &Filtration, components: u64) -> Res
     let (simplices, values) = (faces.of_dimension(dim), &values.values[dim]);
     let solid = solid_alpha(faces, values)?;
     let sides = sides(faces)?;
-    let mut is_in = filled(simplices.count(), false)?;
+    let mut contained = filled(simplices.count(), false)?;
     let mut pieces = Components::new(simplices.count())?;
     let order = by_value(values)?;
     let value = |simplex: u32| values[simplex as usize];
     let mut missing = order.len();
     for same in order.chunk_by(|&a, &b| value(a) == value(b)) {
         for &simplex in same {
-            is_in[simplex as usize] = true;
+            contained[simplex as usize] = true;
             for &facet in simplices.facets(simplex as usize) {
-                for &side in sides.of(facet as usize).iter().filter(|&&side| is_in[side as usize]) {
+                for &side in
+                    sides.of(facet as usize).iter().filter(|&&side| contained[side as usize])
+                {
                     pieces.join(simplex, side);
                 }
             }

@@ -1,6 +1,6 @@
 //! Faces and alpha values against brute force in exact numbers, on points that have broken others.
 
-use super::distance::Cells;
+use super::distance::CellRadii;
 use super::{Faces, Filtration, alpha, distances};
 use crate::arrays::tests::{delaunay, each_mesh, meshed};
 use crate::error::ErrorKind;
@@ -208,7 +208,7 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
         let faces = Faces::new(mesh, 0, 2).unwrap();
         let Filtration { values, factor, .. } =
             distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
-        let group = Cells::new(mesh, &mesh_index(mesh), 1).unwrap().group;
+        let group = CellRadii::new(mesh, &mesh_index(mesh), 1).unwrap().group;
         assert!((1.0..f64::INFINITY).contains(&factor), "{family:?} {factor}");
         let is_input = |vertex: usize| mesh.kinds[vertex] == VertexKind::Input;
         let times = &values[0];

@@ -107,8 +107,8 @@ fn check_simplex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     });
     for (at, ghost) in mesh.ghosts.iter().enumerate() {
         let rises = at == 0 || mesh.ghosts[at - 1].id < ghost.id;
-        let is_own = own_index(mesh, ghost.id).is_some();
-        findings.check(ghost.id < total && rises && !is_own, || {
+        let belongs_to_rank = own_index(mesh, ghost.id).is_some();
+        findings.check(ghost.id < total && rises && !belongs_to_rank, || {
             let message = format!("ghost {} is own, not below {total} or does not rise", ghost.id);
             Violation::new(Rule::Ids, mesh.rank, message).simplex(ghost.id)
         });

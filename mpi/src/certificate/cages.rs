@@ -20,7 +20,7 @@ const CLIMBS: usize = 64;
 
 /// Vertices and union cell of a cage, as far as a rank has them.
 #[derive(Clone, Copy)]
-struct Part {
+struct CageShare {
     /// The distance of the centre to the nearest vertex outside of the domain.
     nearest: Length,
     /// The out-radius of the union cell.
@@ -31,7 +31,7 @@ struct Part {
     is_limited: bool,
 }
 
-impl Default for Part {
+impl Default for CageShare {
     fn default() -> Self {
         let (nearest, farthest) = (Length::INFINITE, Length::ZERO);
         Self { nearest, farthest, vertices: 0, is_limited: false }
@@ -47,7 +47,7 @@ pub fn check<const D: usize>(
     is_limited: &[bool],
     findings: &mut Findings,
 ) -> Result<()> {
-    let mut parts = filled(hierarchy.balls.len(), Part::default())?;
+    let mut parts = filled(hierarchy.balls.len(), CageShare::default())?;
     let hull = complex.hull_facets()?;
     for vertex in (0..complex.mesh.own_vertices).filter(|&vertex| complex.is_owned(vertex)) {
         check_membership(complex, hierarchy, vertex, hull[vertex] > 0, findings);
@@ -136,7 +136,7 @@ fn check_nearness<const D: usize>(
 fn check_outer<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
-    parts: &mut [Part],
+    parts: &mut [CageShare],
     findings: &mut Findings,
 ) -> Result<()> {
     let mut climbs = complex.own.saturating_mul(CLIMBS);
@@ -262,7 +262,7 @@ fn check_whole<const D: usize>(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
     hierarchy: &Hierarchy<D>,
-    parts: &[Part],
+    parts: &[CageShare],
     findings: &mut Findings,
 ) -> Result<()> {
     let mut outbox = Outbox::new(comm.size())?;
@@ -275,7 +275,7 @@ fn check_whole<const D: usize>(
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
         let length = |record: &[u64; 9], at| Length::from_words([record[at], record[at + 1]]);
-        let mut whole = Part::default();
+        let mut whole = CageShare::default();
         for (record, _) in group {
             whole.nearest = whole.nearest.min(length(record, 1));
             whole.farthest = whole.farthest.max(length(record, 3));
@@ -294,7 +294,7 @@ fn check_cage(
     mesh: &DistributedMesh,
     domain: u64,
     radius: Length,
-    cage: &Part,
+    cage: &CageShare,
     rank: usize,
     findings: &mut Findings,
 ) {

@@ -62,7 +62,7 @@ impl<'a> Complex<'a> {
         }
     }
 
-    pub fn is_own(&self, facet: &Facet) -> bool {
+    pub fn belongs_to_rank(&self, facet: &Facet) -> bool {
         (facet.simplex as usize) < self.own
     }
 

@@ -7,7 +7,9 @@ use crate::distributed::NO_ID;
 
 /// Checks all facets of own simplices.
 pub fn check(complex: &Complex<'_>, findings: &mut Findings) {
-    for group in complex.groups().filter(|group| group.iter().any(|facet| complex.is_own(facet))) {
+    for group in
+        complex.groups().filter(|group| group.iter().any(|facet| complex.belongs_to_rank(facet)))
+    {
         let fits = findings.check(group.len() <= 2, || {
             let id = complex.id(group[0].simplex as usize);
             let message = format!("a facet of simplex {id} is in {} simplices", group.len());
@@ -18,7 +20,7 @@ pub fn check(complex: &Complex<'_>, findings: &mut Findings) {
             [a, b] if fits => {
                 check_apart(complex, a, b, findings);
                 for (one, other) in [(a, b), (b, a)] {
-                    if complex.is_own(one) {
+                    if complex.belongs_to_rank(one) {
                         let other = complex.id(other.simplex as usize);
                         check_name(complex, one, other, findings);
                     }

@@ -14,8 +14,8 @@ pub fn check<const D: usize>(complex: &Complex<'_>, findings: &mut Findings) -> 
     for group in complex.groups() {
         let [a, b] = group else { continue };
         // The sign seen from the other side is the same determinant: one is enough, of an own one.
-        let (own, other) = if complex.is_own(a) { (a, b) } else { (b, a) };
-        if complex.is_own(own) {
+        let (own, other) = if complex.belongs_to_rank(a) { (a, b) } else { (b, a) };
+        if complex.belongs_to_rank(own) {
             check_fold(complex, own, other, findings);
             check_delaunay::<D>(complex, own, other, findings)?;
         }

@@ -1,7 +1,7 @@
 //! The algorithm (the core's `distributed` has its parts): all ranks make the same coarse mesh of a
-//! sample of the inputs ([`sample`]), which is cut into partitions ([`partitions`]). Each rank
-//! makes some of them; what they leave at their interfaces is cut anew and joined, in phases, and
-//! what is left then is taken out of all of them once more ([`phases`]). The pieces stay on the
+//! sample of the inputs ([`sample`]), which is divided into partitions ([`partitions`]). Each rank
+//! makes some of them; what they leave at their interfaces is divided anew and joined, in phases,
+//! and what is left then is taken out of all of them once more ([`phases`]). The pieces stay on the
 //! ranks where they were made.
 //!
 //! The partitions follow from the inputs alone, each is made of the same pieces on any rank, and no

@@ -1,4 +1,4 @@
-//! Partitions, and the phases in which their seams are cut anew and joined.
+//! Partitions, and the phases in which their seams are divided anew and joined.
 
 use super::Watch;
 use super::partitions::{SMALL, Share, owner};
@@ -49,10 +49,10 @@ pub fn make<const D: usize>(
         phase += 1;
         let most = if phase <= WHOLE { count } else { count / 2 };
         let seams = leave(comm, own, &mut settled)?;
-        let cut;
-        (cut, count) = cut_of(comm, &seams, phase, most)?;
+        let bisection;
+        (bisection, count) = bisection_of(comm, &seams, phase, most)?;
         let shared;
-        (owners, shared) = exchange(comm, seams, &cut, &mut loads, count)?;
+        (owners, shared) = exchange(comm, seams, &bisection, &mut loads, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
         own = agreed(comm, || make_phase(maker, shared, phase, made, watch))?;
         made += count as u32;
@@ -116,7 +116,7 @@ fn leave<const D: usize>(
 
 /// Collective. Returns the planes by which the seams of all ranks are partitioned, and the number
 /// of partitions. Vertices that their names choose say where.
-fn cut_of<const D: usize>(
+fn bisection_of<const D: usize>(
     comm: &dyn Communicator,
     seams: &[Piece<D>],
     phase: u32,
@@ -145,12 +145,12 @@ fn cut_of<const D: usize>(
         Ok(message)
     })?;
     let all = comm.all_gather(&message)?;
-    let cut = agreed(comm, || {
+    let bisection = agreed(comm, || {
         let words = all_words(&all)?;
         let point = |words: &[u64]| std::array::from_fn(|axis| f64::from_bits(words[axis]));
         Bisection::new(collected(words.chunks_exact(D).map(point))?, count, phase as usize)
     })?;
-    Ok((cut, count))
+    Ok((bisection, count))
 }
 
 /// Collective. Partitions all seams, and brings the pieces to the ranks of their partitions.
@@ -159,7 +159,7 @@ fn cut_of<const D: usize>(
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Piece<D>>,
-    cut: &Bisection<D>,
+    bisection: &Bisection<D>,
     loads: &mut [u32],
     count: usize,
 ) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
@@ -167,7 +167,7 @@ fn exchange<const D: usize>(
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
         for seam in seams {
-            for (partition, piece) in seam.cut_apart(cut)? {
+            for (partition, piece) in seam.cut_apart(bisection)? {
                 own[partition as usize] += piece.simplex_count() as u64;
                 kept.try_push_one((partition, piece))?;
             }

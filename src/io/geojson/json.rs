@@ -1,7 +1,7 @@
 //! JSON (RFC 8259), read a piece at a time: whoever reads says what may come, and skips the rest.
 
 use crate::error::{Error, Result};
-use crate::io::scanner::{Place, Scanner, Shown};
+use crate::io::scanner::{Scanner, Shown, TextPosition};
 use std::fmt;
 use std::io::BufRead;
 
@@ -38,7 +38,7 @@ impl<'a> Json<'a> {
     }
 
     /// Returns the position of the next value.
-    pub fn place(&mut self) -> Result<Place> {
+    pub fn place(&mut self) -> Result<TextPosition> {
         self.next_byte()?;
         Ok(self.text.place())
     }

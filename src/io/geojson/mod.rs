@@ -4,7 +4,7 @@
 mod json;
 
 use super::features::{Features, Ring};
-use super::scanner::Place;
+use super::scanner::TextPosition;
 use super::values::Table;
 use crate::error::{ErrorKind, Result};
 use crate::memory::TryGrow;
@@ -43,7 +43,7 @@ fn read_object(json: &mut Json<'_>, features: &mut Features, role: Role) -> Resu
 
 /// Members that have been read of an object.
 struct Object {
-    place: Place,
+    place: TextPosition,
     /// The value of `type`.
     name: Option<Name>,
     /// True for each of [`MEMBERS`] that the object has.
@@ -131,23 +131,23 @@ impl Object {
 struct Shape {
     /// The number of lists around a number.
     level: usize,
-    part: Part,
+    primitive: Primitive,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum Primitive {
     Point,
     Line,
     Ring,
 }
 
 impl Shape {
-    const POINT: Self = Self { level: 1, part: Part::Point };
-    const MULTI_POINT: Self = Self { level: 2, part: Part::Point };
-    const LINE: Self = Self { level: 2, part: Part::Line };
-    const MULTI_LINE: Self = Self { level: 3, part: Part::Line };
-    const POLYGON: Self = Self { level: 3, part: Part::Ring };
-    const MULTI_POLYGON: Self = Self { level: MAX_LEVEL, part: Part::Ring };
+    const POINT: Self = Self { level: 1, primitive: Primitive::Point };
+    const MULTI_POINT: Self = Self { level: 2, primitive: Primitive::Point };
+    const LINE: Self = Self { level: 2, primitive: Primitive::Line };
+    const MULTI_LINE: Self = Self { level: 3, primitive: Primitive::Line };
+    const POLYGON: Self = Self { level: 3, primitive: Primitive::Ring };
+    const MULTI_POLYGON: Self = Self { level: MAX_LEVEL, primitive: Primitive::Ring };
 }
 
 /// The lists around a number of a MultiPolygon.
@@ -155,16 +155,16 @@ const MAX_LEVEL: usize = 4;
 
 /// Nested lists of numbers, before it is known what they are of.
 struct Coordinates {
-    place: Place,
+    place: TextPosition,
     /// The number of lists around each number; `None` before the first.
     level: Option<usize>,
     positions: Vec<[f64; 2]>,
     /// The lists of positions: where each begins, and the number of positions up to its end.
-    lines: Vec<(Place, usize)>,
+    lines: Vec<(TextPosition, usize)>,
     /// The lists of those: the number of lines up to the end of each.
     polygons: Vec<usize>,
     /// First list without elements, by the number of lists around it, itself included.
-    empty: [Option<Place>; MAX_LEVEL + 1],
+    empty: [Option<TextPosition>; MAX_LEVEL + 1],
 }
 
 impl Coordinates {
@@ -209,7 +209,7 @@ impl Coordinates {
         Ok(())
     }
 
-    fn add(&mut self, position: [f64; 2], level: usize, place: Place) -> Result<()> {
+    fn add(&mut self, position: [f64; 2], level: usize, place: TextPosition) -> Result<()> {
         if *self.level.get_or_insert(level) != level {
             let message = "a position in more or fewer lists than those before it";
             return Err(place.error(message));
@@ -218,7 +218,7 @@ impl Coordinates {
     }
 
     fn add_to(&self, features: &mut Features, shape: Shape, name: Name) -> Result<()> {
-        let Shape { level, part } = shape;
+        let Shape { level, primitive } = shape;
         if self.level.is_some_and(|own| own != level) {
             let message = format_args!(
                 "positions in {} lists; those of a {name} are in {}",
@@ -228,18 +228,18 @@ impl Coordinates {
             return Err(self.place.error(message));
         }
         // Without elements a geometry may be, a ring or a position may not.
-        let deepest = if part == Part::Ring { level - 1 } else { level };
+        let deepest = if primitive == Primitive::Ring { level - 1 } else { level };
         let empty = self.empty.iter().skip(deepest.max(2)).flatten().next();
         if let Some(place) = empty {
             return Err(place.error("a list without elements"));
         }
-        match part {
-            Part::Point => features.add_points(&self.positions),
-            Part::Line => {
+        match primitive {
+            Primitive::Point => features.add_points(&self.positions),
+            Primitive::Line => {
                 let mut lines = self.polylines();
                 lines.try_for_each(|(place, positions)| features.add_line(positions, place))
             }
-            Part::Ring => {
+            Primitive::Ring => {
                 let mut polygons = self.polygons.iter().peekable();
                 let mut first = 0;
                 for (at, (place, positions)) in self.polylines().enumerate() {
@@ -253,7 +253,7 @@ impl Coordinates {
         }
     }
 
-    fn polylines(&self) -> impl Iterator<Item = (Place, &[[f64; 2]])> {
+    fn polylines(&self) -> impl Iterator<Item = (TextPosition, &[[f64; 2]])> {
         let begins = [0].into_iter().chain(self.lines.iter().map(|(_, end)| *end));
         let lines = begins.zip(&self.lines);
         lines.map(|(begin, (place, end))| (*place, &self.positions[begin..*end]))
@@ -288,7 +288,7 @@ impl Position {
         Ok(())
     }
 
-    fn finished(self, place: Place) -> Result<[f64; 2]> {
+    fn finished(self, place: TextPosition) -> Result<[f64; 2]> {
         match self.count {
             1 => Err(place.error("a position with one coordinate")),
             _ => Ok(self.coordinates),

@@ -16,19 +16,19 @@ pub(super) struct Header {
 
 /// Columns that the file has of a point: its coordinates, and what else there may be.
 pub(super) enum Row {
-    Numbers { number: Number, count: u64 },
+    Numbers { number: NumberType, count: u64 },
     Fields(Vec<Field>),
 }
 
 /// A value of a structure.
 pub(super) struct Field {
     name: String,
-    number: Number,
+    number: NumberType,
 }
 
 /// An element of the array as the header describes it.
 enum Element {
-    Number(Number),
+    Number(NumberType),
     Structure(Vec<Field>),
 }
 
@@ -42,7 +42,7 @@ impl Row {
     }
 
     /// Returns the type of the numbers in a column.
-    pub fn number(&self, column: u64) -> Number {
+    pub fn number(&self, column: u64) -> NumberType {
         match self {
             Self::Numbers { number, .. } => *number,
             Self::Fields(fields) => fields[column as usize].number,
@@ -60,7 +60,7 @@ impl Row {
 
 /// Meaning of the bytes of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(super) struct NumberType {
     kind: Kind,
     size: u64,
     big_endian: bool,
@@ -75,7 +75,7 @@ enum Kind {
     Other,
 }
 
-impl Number {
+impl NumberType {
     fn of_description(description: &str) -> Option<Self> {
         let (order, rest) = description.split_at_checked(1)?;
         let big_endian = match order {
@@ -280,7 +280,7 @@ impl<'a> Parser<'a> {
             return Ok(Element::Structure(self.fields()?));
         }
         let description = self.string()?;
-        match Number::of_description(description) {
+        match NumberType::of_description(description) {
             Some(number) if number.is_float() => Ok(Element::Number(number)),
             _ => Err(bad(message!(
                 "numbers of type {}; doubles ('<f8', '>f8') and floats ('<f4', '>f4') are read",
@@ -297,7 +297,7 @@ impl<'a> Parser<'a> {
             let name = self.string()?;
             self.expect(",")?;
             let description = self.string()?;
-            let number = Number::of_description(description).ok_or_else(|| {
+            let number = NumberType::of_description(description).ok_or_else(|| {
                 let (name, kind) = (quoted(name), quoted(description));
                 bad(message!("the field {name} is of type {kind}, which is not read"))
             })?;

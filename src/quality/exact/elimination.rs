@@ -32,7 +32,7 @@ pub(crate) fn lifted_determinant_sign<const D: usize>(
 
 /// A column of right sides.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum RightSide {
     /// The squares of the edges' lengths.
     Square,
     /// Right side with one at each edge.
@@ -62,7 +62,7 @@ impl Solution {
 pub(crate) fn solve<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
-    sides: &[Side],
+    sides: &[RightSide],
 ) -> AllocResult<Option<(Solution, i32)>> {
     let unit = unit(origin, ends);
     let mut matrix = unbounded(Matrix::<Integer>::edges(origin, ends, unit, sides))?;
@@ -103,7 +103,7 @@ fn determinant_sign<N: Number, const D: usize>(
     lift: Lift,
     unit: i32,
 ) -> Result<Ordering, Refusal> {
-    let square = [Side::Square];
+    let square = [RightSide::Square];
     let sides = if lift == Lift::Square { &square[..] } else { &[] };
     Matrix::<N>::edges(origin, ends, unit, sides)?.eliminate(false)
 }
@@ -149,7 +149,7 @@ impl<N: Number> Matrix<N> {
         origin: &[f64; D],
         ends: &[&[f64; D]],
         unit: i32,
-        sides: &[Side],
+        sides: &[RightSide],
     ) -> Result<Self, Refusal> {
         let whole = |x: f64| {
             let (odd, exponent) = parts(x);
@@ -167,12 +167,12 @@ impl<N: Number> Matrix<N> {
             }
             for side in sides {
                 let entry = match *side {
-                    Side::Square => {
+                    RightSide::Square => {
                         let edge = &entries[row * width..][..D];
                         product(edge, edge)?
                     }
-                    Side::Ones => N::shifted(1, 0)?,
-                    Side::Unit(at) => N::shifted(i64::from(at == row), 0)?,
+                    RightSide::Ones => N::shifted(1, 0)?,
+                    RightSide::Unit(at) => N::shifted(i64::from(at == row), 0)?,
                 };
                 entries.try_push(entry)?;
             }
@@ -240,8 +240,8 @@ mod tests {
             let mut random = Random(family as u64 * 100 + 70 + D as u64);
             for _ in 0..trials {
                 let points = points::<D>(family, D + 1, &mut random);
-                let mut sides = vec![Side::Square, Side::Ones];
-                sides.extend((0..D).map(Side::Unit));
+                let mut sides = vec![RightSide::Square, RightSide::Ones];
+                sides.extend((0..D).map(RightSide::Unit));
                 let ends = references(&points[1..]);
                 let solution = solve(&points[0], &ends, &sides).unwrap();
                 let edge = |i: usize, k: usize| integer(ends[i][k]) - integer(points[0][k]);
@@ -255,13 +255,13 @@ mod tests {
                 independent += 1;
                 for (at, side) in sides.iter().enumerate() {
                     let right = |i: usize| match *side {
-                        Side::Square => rows[i].iter().fold(IBig::ZERO, |sum, x| sum + x * x),
-                        Side::Ones => IBig::ONE,
-                        Side::Unit(row) => IBig::from(u8::from(row == i)),
+                        RightSide::Square => rows[i].iter().fold(IBig::ZERO, |sum, x| sum + x * x),
+                        RightSide::Ones => IBig::ONE,
+                        RightSide::Unit(row) => IBig::from(u8::from(row == i)),
                     };
                     // Edges are in units of 2^-1074 here: so are squares over edges, and 1 over
                     // edges in the inverse.
-                    let power = if *side == Side::Square { unit + 1074 } else { -unit - 1074 };
+                    let power = if *side == RightSide::Square { unit + 1074 } else { -unit - 1074 };
                     for k in 0..D {
                         let mut replaced = rows.clone();
                         (0..D).for_each(|i| replaced[i][k] = right(i));

@@ -6,7 +6,7 @@ mod elimination;
 mod integer;
 
 pub(crate) use elimination::{
-    Lift, Matrix, Side, Solution, lifted_determinant_sign, parts, solve, unbounded, unit,
+    Lift, Matrix, RightSide, Solution, lifted_determinant_sign, parts, solve, unbounded, unit,
 };
 pub(crate) use integer::{Integer, ratio};
 

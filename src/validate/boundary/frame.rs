@@ -1,4 +1,4 @@
-//! Level 2: the boundary of a hull or box that the mesh is cut to goes round the inputs, from
+//! Level 2: the boundary of a hull or box that the mesh is cropped to goes round the inputs, from
 //! corner to corner, and no other subsegment belongs to no segment.
 
 use super::chains::{Chains, Way};

@@ -1,4 +1,4 @@
-//! The rules of boundaries in the plane: segments, regions, and the domain that is cut out.
+//! The rules of boundaries in the plane: segments, regions, and the domain that is cropped.
 //!
 //! - Level 1, `arrays`: they fit each other and the mesh.
 //! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as
@@ -45,15 +45,15 @@ pub struct Outline<'a> {
 pub(super) struct Promised<'a> {
     /// The number of simplices in the domain, which come first.
     count: usize,
-    /// Others are cut away.
-    is_cut: bool,
+    /// Others are cropped.
+    is_cropped: bool,
     forced: &'a [u32],
 }
 
 impl<'a> Promised<'a> {
     pub fn of(result: &'a Triangulation) -> Self {
         let (count, boundary) = (result.simplex_count(), &result.boundary);
-        Self { count, is_cut: boundary.whole.is_some(), forced: &boundary.forced }
+        Self { count, is_cropped: boundary.whole.is_some(), forced: &boundary.forced }
     }
 
     pub fn count(self) -> usize {
@@ -136,8 +136,8 @@ fn in_the_plane<'a, const D: usize>(
     outline: Option<Outline<'_>>,
     whole: View<'a, D>,
 ) -> Option<View<'a, 2>> {
-    let is_any = !whole.mesh.boundary.subsegments.is_empty()
+    let has_boundary = !whole.mesh.boundary.subsegments.is_empty()
         || matches!(whole.mesh.parameters.extent, Extent::Hull | Extent::Box)
         || outline.is_some_and(|outline| outline.segments.count() > 0);
-    (D == 2 && is_any).then_some(View { mesh: whole.mesh })
+    (D == 2 && has_boundary).then_some(View { mesh: whole.mesh })
 }

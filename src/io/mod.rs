@@ -60,6 +60,7 @@ mod tetgen;
 mod text;
 mod values;
 mod voronoi;
+pub mod vtk;
 mod vtu;
 mod wkt;
 mod xyz;

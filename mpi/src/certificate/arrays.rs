@@ -1,9 +1,10 @@
 //! Level 1: array lengths and ids. What holds here lets everything else index without a fear.
 
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::distributed::{DistributedMesh, InterfaceFacet, NO_ID};
 use crate::memory::{collected, filled};
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
 /// Checks lengths, coordinates and ids of this rank's part.
 pub fn check(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
@@ -41,7 +42,7 @@ fn check_lengths(mesh: &DistributedMesh, findings: &mut Findings) -> bool {
     for (what, found, needed) in rows {
         holds &= findings.check(found == needed, || {
             let message = format!("{what}: {found}, but {vertices} vertices need {needed}");
-            Violation::new(Rule::ArrayLength, mesh.rank, message)
+            Violation::new(ViolationKind::ArrayLength, mesh.rank, message)
         });
     }
     holds
@@ -52,7 +53,7 @@ fn check_coordinates(mesh: &DistributedMesh, findings: &mut Findings) {
         findings.check(x.is_finite(), || {
             let (vertex, axis) = (mesh.vertex_ids[at / mesh.dim], at % mesh.dim);
             let message = format!("coordinate {axis} of vertex {vertex} is {x}, not finite");
-            Violation::new(Rule::NonFinite, mesh.rank, message).vertex(vertex)
+            Violation::new(ViolationKind::NonFinite, mesh.rank, message).vertex(vertex)
         });
     }
 }
@@ -68,12 +69,12 @@ fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
             findings.check(id < mesh.totals.vertex_ids && rises(ids, at) && is_new, || {
                 let limit = mesh.totals.vertex_ids;
                 let message = format!("vertex id {id} is not below {limit}, or does not rise");
-                Violation::new(Rule::Ids, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::Ids, mesh.rank, message).vertex(id)
             });
             let owner = mesh.vertex_owners[first + at];
             findings.check((owner as usize) < mesh.ranks, || {
                 let message = format!("vertex {id} has owner {owner} of {} ranks", mesh.ranks);
-                Violation::new(Rule::VertexOwner, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::VertexOwner, mesh.rank, message).vertex(id)
             });
         }
     }
@@ -92,7 +93,7 @@ fn check_domain_ids(mesh: &DistributedMesh, findings: &mut Findings) {
                 "domain {id} of {}, in {parent}, does not rise, or what it is in is not there",
                 mesh.totals.domains
             );
-            Violation::new(Rule::Ids, mesh.rank, message)
+            Violation::new(ViolationKind::Ids, mesh.rank, message)
         });
     }
 }
@@ -103,19 +104,19 @@ fn check_simplex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     findings.check(end.is_some_and(|end| end <= total), || {
         let (first, count) = (mesh.first_simplex, mesh.simplex_count());
         let message = format!("{count} simplices from id {first} on are more than {total}");
-        Violation::new(Rule::Ids, mesh.rank, message).simplex(first)
+        Violation::new(ViolationKind::Ids, mesh.rank, message).simplex(first)
     });
     for (at, ghost) in mesh.ghosts.iter().enumerate() {
         let rises = at == 0 || mesh.ghosts[at - 1].id < ghost.id;
         let belongs_to_rank = own_index(mesh, ghost.id).is_some();
         findings.check(ghost.id < total && rises && !belongs_to_rank, || {
             let message = format!("ghost {} is own, not below {total} or does not rise", ghost.id);
-            Violation::new(Rule::Ids, mesh.rank, message).simplex(ghost.id)
+            Violation::new(ViolationKind::Ids, mesh.rank, message).simplex(ghost.id)
         });
         let owner = ghost.owner as usize;
         findings.check(owner < mesh.ranks && owner != mesh.rank, || {
             let message = format!("ghost {} is of rank {owner} of {}", ghost.id, mesh.ranks);
-            Violation::new(Rule::Ghost, mesh.rank, message).simplex(ghost.id)
+            Violation::new(ViolationKind::Ghost, mesh.rank, message).simplex(ghost.id)
         });
     }
 }
@@ -139,24 +140,24 @@ fn check_vertices(mesh: &DistributedMesh, findings: &mut Findings) -> Result<boo
         for (slot, &vertex) in vertices.iter().enumerate() {
             holds &= findings.check((vertex as usize) < limit, || {
                 let message = format!("simplex {id} names vertex {vertex} of {limit} on the rank");
-                Violation::new(Rule::VertexOutOfRange, mesh.rank, message).simplex(id)
+                Violation::new(ViolationKind::VertexOutOfRange, mesh.rank, message).simplex(id)
             });
             holds &= findings.check(!vertices[..slot].contains(&vertex), || {
                 let message = format!("simplex {id} names a vertex twice");
-                Violation::new(Rule::RepeatedVertex, mesh.rank, message).simplex(id)
+                Violation::new(ViolationKind::RepeatedVertex, mesh.rank, message).simplex(id)
             });
             used.get_mut(vertex as usize).into_iter().for_each(|used| *used = true);
         }
         let touches = vertices.iter().any(|&vertex| (vertex as usize) < mesh.own_vertices);
         findings.check(touches, || {
             let message = format!("ghost {id} shares no vertex with the rank");
-            Violation::new(Rule::Ghost, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::Ghost, mesh.rank, message).simplex(id)
         });
     }
     for (&id, used) in mesh.vertex_ids.iter().zip(used) {
         findings.check(used, || {
             let message = format!("vertex {id} is in no simplex of the rank's");
-            Violation::new(Rule::UnusedVertex, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::UnusedVertex, mesh.rank, message).vertex(id)
         });
     }
     Ok(holds)
@@ -175,7 +176,7 @@ fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()
         findings.check(exists, || {
             let id = mesh.first_simplex.wrapping_add((slot / size) as u64);
             let message = format!("simplex {id} names {neighbor}, neither own nor a ghost");
-            Violation::new(Rule::NeighborOutOfRange, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::NeighborOutOfRange, mesh.rank, message).simplex(id)
         });
     }
     let crossing = |(slot, &id): (usize, &u64)| {
@@ -188,7 +189,7 @@ fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()
         let (found, needed) = (mesh.interface.len(), needed.len());
         let message =
             format!("the interface has {found} facets, of {needed} to ghosts, from {at} on others");
-        Violation::new(Rule::Interface, mesh.rank, message)
+        Violation::new(ViolationKind::Interface, mesh.rank, message)
     });
     Ok(())
 }

@@ -6,10 +6,11 @@ use super::complex::Complex;
 use super::exchange::Outbox;
 use super::hierarchy::{Hierarchy, ROUNDING};
 use super::limits::SLACK;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
 use crate::memory::filled;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Simplex};
 use netmesh::{Criterion, NONE, Result, VertexKind};
 
@@ -89,12 +90,12 @@ fn check_membership<const D: usize>(
     findings.check(fits && is_inside, || {
         let message =
             format!("vertex {id} of kind {kind} in domain {domain} is in the cage of {cage_id}");
-        Violation::new(Rule::CageOf, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::CageOf, mesh.rank, message).vertex(id)
     });
     findings.check(!is_on_hull || cage_id == 0, || {
         let message =
             format!("vertex {id} on the hull is in the cage of {cage_id}, not the root's");
-        Violation::new(Rule::HullVertex, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::HullVertex, mesh.rank, message).vertex(id)
     });
 }
 
@@ -126,7 +127,7 @@ fn check_nearness<const D: usize>(
             "vertex {id} of the cage of domain {domain} is {found:e} from its centre, not \
              {wanted:e}"
         );
-        Violation::new(Rule::CageRadius, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::CageRadius, mesh.rank, message).vertex(id)
     });
 }
 
@@ -166,7 +167,7 @@ fn check_outer<const D: usize>(
     }
     findings.check(climbs > 0 || complex.own == 0, || {
         let message = "simplices span more domains than un-encroached cages allow";
-        Violation::new(Rule::DomainSpan, complex.mesh.rank, message.to_owned())
+        Violation::new(ViolationKind::DomainSpan, complex.mesh.rank, message.to_owned())
     });
     Ok(())
 }
@@ -193,7 +194,7 @@ fn check_outside<const D: usize>(
                 "domain {domain} of radius {radius:e} is outer-encroached: vertex {id} is \
                  {found:e} from its centre"
             );
-            Violation::new(Rule::OuterEncroachment, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::OuterEncroachment, mesh.rank, message).vertex(id)
         });
     }
     nearest
@@ -224,7 +225,7 @@ fn check_inner<const D: usize>(
                     "domain {domain} of radius {radius:e} is inner-encroached: input {id} is \
                      {found:e} from its centre"
                 );
-                Violation::new(Rule::InnerEncroachment, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::InnerEncroachment, mesh.rank, message).vertex(id)
             });
             if is_sheltered[domain as usize] || climbs == 0 && !findings.is_clean() {
                 break;
@@ -301,7 +302,7 @@ fn check_cage(
     let (found, least) = (cage.vertices, mesh.dim as u64 + 1);
     findings.check(found >= least, || {
         let message = format!("the cage of domain {domain} has {found} vertices, of {least}");
-        Violation::new(Rule::CageIncomplete, rank, message)
+        Violation::new(ViolationKind::CageIncomplete, rank, message)
     });
     let promise = &mesh.promise;
     if domain == 0 || promise.criterion != Criterion::VoronoiAspect || !promise.counts_all_corners()
@@ -316,6 +317,6 @@ fn check_cage(
             "the union cell of the cage of domain {domain} has aspect {aspect}, the bound is \
              {bound}"
         );
-        Violation::new(Rule::CageAspect, rank, message)
+        Violation::new(ViolationKind::CageAspect, rank, message)
     });
 }

@@ -2,11 +2,12 @@
 //! which compares.
 
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use super::totals::wrong_total;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::DistributedMesh;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
 /// Data of a domain: id, parent, centre, radius and the centre's coordinates; and the rank that has
 /// it.
@@ -45,7 +46,7 @@ fn check_group(group: &[Record], findings: &mut Findings) {
         findings.check(*record == first, || {
             let id = first[ID];
             let message = format!("domain {id} is not the same on ranks {rank} and {other}");
-            Violation::new(Rule::SharedDomain, *other, message)
+            Violation::new(ViolationKind::SharedDomain, *other, message)
         });
     }
 }

@@ -1,8 +1,9 @@
 //! Level 2: exact signs on every simplex and every facet. At an interface both sides look.
 
 use super::complex::{Complex, Facet};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{in_ball, orientation};
 use std::cmp::Ordering;
 
@@ -39,7 +40,7 @@ fn check_orientation<const D: usize>(
             _ => ("negatively oriented", complex.id(simplex)),
         };
         let message = format!("simplex {id} is {word}");
-        Violation::new(Rule::Orientation, complex.mesh.rank, message).simplex(id)
+        Violation::new(ViolationKind::Orientation, complex.mesh.rank, message).simplex(id)
     });
     Ok(())
 }
@@ -59,7 +60,7 @@ fn check_fold(complex: &Complex<'_>, own: &Facet, other: &Facet, findings: &mut 
     findings.check(!even, || {
         let [a, b] = [own, other].map(|facet| complex.id(facet.simplex as usize));
         let message = format!("neighbours {a} and {b} lie on the same side of their facet");
-        Violation::new(Rule::FoldedFacet, complex.mesh.rank, message).simplex(a)
+        Violation::new(ViolationKind::FoldedFacet, complex.mesh.rank, message).simplex(a)
     });
 }
 
@@ -85,7 +86,7 @@ fn check_delaunay<const D: usize>(
         let [a, b] = [own, other].map(|facet| complex.id(facet.simplex as usize));
         let id = complex.mesh.vertex_ids[vertex as usize];
         let message = format!("vertex {id} of simplex {b} is inside the circumball of simplex {a}");
-        Violation::new(Rule::Delaunay, complex.mesh.rank, message).simplex(a).vertex(id)
+        Violation::new(ViolationKind::Delaunay, complex.mesh.rank, message).simplex(a).vertex(id)
     });
     Ok(())
 }

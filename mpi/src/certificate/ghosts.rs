@@ -3,10 +3,11 @@
 
 use super::arrays::own_index;
 use super::exchange::Outbox;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
 /// Collective. Checks that ghosts are what their owners have; coordinates are compared by vertex.
 pub fn check(
@@ -33,7 +34,7 @@ pub fn check(
                     format!("ghost {id} of rank {rank} has vertices {shown:?}, its owner {own:?}")
                 }
             };
-            Violation::new(Rule::Ghost, rank, message).simplex(id)
+            Violation::new(ViolationKind::Ghost, rank, message).simplex(id)
         });
     }
     Ok(())

@@ -4,10 +4,11 @@
 
 use super::complex::Complex;
 use super::exchange::Outbox;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
 use crate::memory::{collected, filled, with_capacity};
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Tree};
 use netmesh::{NONE, Result};
 
@@ -78,7 +79,7 @@ pub fn check<const D: usize>(
                 "vertex {id} is {found:e} from the centre of its domain {domain} of radius \
                  {radius:e}"
             );
-            Violation::new(Rule::VertexDomain, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::VertexDomain, mesh.rank, message).vertex(id)
         });
     }
     Ok(findings.clean_everywhere(comm)?.then_some(hierarchy))
@@ -116,7 +117,7 @@ fn read<const D: usize>(
     let tree = if parents.is_empty() { Tree::new(&[NONE])? } else { Tree::new(&parents)? };
     findings.check(is_rooted && tree.is_some(), || {
         let message = "the domains of the rank are no tree of balls in larger ones, with root 0";
-        Violation::new(Rule::DomainTree, mesh.rank, message.to_owned())
+        Violation::new(ViolationKind::DomainTree, mesh.rank, message.to_owned())
     });
     let labels: Vec<u32> = collected(mesh.vertex_domains.iter().map(|&id| at(id)))?;
     let cages: Vec<u32> = collected(mesh.vertex_cages.iter().map(|&id| at(id)))?;
@@ -127,14 +128,14 @@ fn read<const D: usize>(
             || {
                 let message =
                     format!("vertex {id} is labelled with domain {label}, which the rank has not");
-                Violation::new(Rule::VertexDomain, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::VertexDomain, mesh.rank, message).vertex(id)
             },
         );
         let cage = mesh.vertex_cages[vertex];
         findings.check(cages[vertex] != NONE || cage == NO_ID, || {
             let message =
                 format!("vertex {id} is in the cage of domain {cage}, which the rank has not");
-            Violation::new(Rule::CageOf, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::CageOf, mesh.rank, message).vertex(id)
         });
     }
     Ok(tree.map(|tree| Hierarchy { tree, balls, labels, cages }))
@@ -145,7 +146,7 @@ fn check_ball(mesh: &DistributedMesh, domain: &Domain, findings: &mut Findings) 
     findings.check(is_finite && domain.radius > 0.0, || {
         let Domain { id, radius, position, .. } = domain;
         let message = format!("domain {id} has radius {radius:e} and its centre at {position:?}");
-        Violation::new(Rule::DomainBall, mesh.rank, message)
+        Violation::new(ViolationKind::DomainBall, mesh.rank, message)
     });
 }
 
@@ -169,14 +170,14 @@ fn check_centers<const D: usize>(
             let (domain, id) = (ball.id, ball.vertex);
             let message =
                 format!("the centre of domain {domain}, vertex {id}, is elsewhere or not in it");
-            Violation::new(Rule::DomainCenter, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::DomainCenter, mesh.rank, message).vertex(id)
         });
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
         findings.check(group.iter().any(|(record, _)| record[1] != 0), || {
             let ([id, _], rank) = group[0];
             let message = format!("no rank that has the centre of domain {id} knows the domain");
-            Violation::new(Rule::DomainCenter, rank, message)
+            Violation::new(ViolationKind::DomainCenter, rank, message)
         });
     }
     Ok(())
@@ -198,6 +199,6 @@ fn check_nesting<const D: usize>(
             around.id,
             around.radius.to_f64()
         );
-        Violation::new(Rule::DomainOutsideParent, mesh.rank, message)
+        Violation::new(ViolationKind::DomainOutsideParent, mesh.rank, message)
     });
 }

@@ -3,10 +3,11 @@
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::NO_ID;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::orientation;
 use std::cmp::Ordering;
 
@@ -49,7 +50,7 @@ pub fn check<const D: usize>(
         findings.check(group.len() == 2, || {
             let (id, count) = (first[SIMPLEX], group.len());
             let message = format!("a hull ridge of simplex {id} is in {count} hull facets, not 2");
-            Violation::new(Rule::HullRidge, *rank, message).simplex(id).vertex(first[0])
+            Violation::new(ViolationKind::HullRidge, *rank, message).simplex(id).vertex(first[0])
         });
         if let [a, b] = group {
             check_ridge::<D>(a, b, findings)?;
@@ -91,7 +92,7 @@ fn check_ridge<const D: usize>(a: &Record, b: &Record, findings: &mut Findings) 
     findings.check(inside != Ordering::Less, || {
         let (id, simplex) = (b.0[VERTICES], a.0[SIMPLEX]);
         let message = format!("vertex {id} is beyond the hull facet of simplex {simplex}");
-        Violation::new(Rule::NonConvexHull, a.1, message).simplex(simplex).vertex(id)
+        Violation::new(ViolationKind::NonConvexHull, a.1, message).simplex(simplex).vertex(id)
     });
     Ok(())
 }

@@ -3,9 +3,10 @@
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
 /// Point of an input or a vertex: coordinates, of which zeros compare equal; whether it is a
 /// vertex; its id; the bits; and the rank that has it.
@@ -62,13 +63,13 @@ fn check_group(inputs: &[Record], vertices: &[Record], findings: &mut Findings) 
             (input, _) => format!("input {} is {} vertices", input.unwrap_or(0), vertices.len()),
         };
         let id = input.or(vertex).unwrap_or(0);
-        Violation::new(Rule::InputVertex, rank, message).vertex(id)
+        Violation::new(ViolationKind::InputVertex, rank, message).vertex(id)
     });
     if let (true, Some(input), Some(vertex)) = (is_one, inputs.first(), vertices.first()) {
         findings.check(input.0[BITS] == vertex.0[BITS], || {
             let id = input.0[ID];
             let message = format!("vertex {id} has not the bits of the input");
-            Violation::new(Rule::InputBits, vertex.1, message).vertex(id)
+            Violation::new(ViolationKind::InputBits, vertex.1, message).vertex(id)
         });
     }
 }

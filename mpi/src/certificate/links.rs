@@ -2,11 +2,12 @@
 //! all.
 
 use super::complex::Complex;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::{Communicator, Operation};
 use crate::distributed::NO_ID;
 use crate::memory::{TryGrow, collected, filled};
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
 /// Collective. Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and
 /// vertices must hold on all ranks.
@@ -104,7 +105,7 @@ fn check_star(
         let (id, size) = (complex.mesh.vertex_ids[vertex], star.len());
         let message =
             format!("of the {size} simplices at vertex {id} only {reached} are connected there");
-        Violation::new(Rule::VertexStar, complex.mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexStar, complex.mesh.rank, message).vertex(id)
     });
 }
 
@@ -129,7 +130,7 @@ fn check_link(
         let kind = if hull_facets > 0 { "ball" } else { "sphere" };
         let message =
             format!("the link of vertex {id} has Euler characteristic {found}, a {kind} {needed}");
-        Violation::new(Rule::VertexLink, complex.mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexLink, complex.mesh.rank, message).vertex(id)
     });
 }
 
@@ -154,7 +155,7 @@ fn check_euler(
     if mesh.rank == 0 {
         findings.check(found == 1, || {
             let message = format!("the Euler characteristic is {found}, a ball's is 1");
-            Violation::new(Rule::EulerCharacteristic, mesh.rank, message)
+            Violation::new(ViolationKind::EulerCharacteristic, mesh.rank, message)
         });
     }
     Ok(())

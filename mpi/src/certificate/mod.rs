@@ -45,7 +45,8 @@ mod report;
 mod totals;
 mod vertices;
 
-pub use report::{Report, Rule, Violation};
+pub use netmesh::validate::ViolationKind;
+pub use report::{Report, Violation};
 
 use crate::agreement::{Arguments, require_same};
 use crate::comm::{Communicator, agreed};

@@ -2,9 +2,10 @@
 
 use super::complex::Complex;
 use super::limits::{self, SLACK};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::distributed::NO_ID;
 use crate::memory::filled;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Cell, Simplex};
 use netmesh::{Criterion, Result, VertexKind};
 
@@ -17,13 +18,13 @@ pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
             && (id < mesh.totals.inputs) == (kind == VertexKind::Input as u8);
         findings.check(fits, || {
             let message = format!("vertex {id} of {} inputs has kind {kind}", mesh.totals.inputs);
-            Violation::new(Rule::VertexKind, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::VertexKind, mesh.rank, message).vertex(id)
         });
     }
     let domains = mesh.totals.domains;
     findings.check(mesh.rank != 0 || !mesh.promise.is_finished || domains == 1, || {
         let message = format!("a finished mesh has {domains} domains, not the root alone");
-        Violation::new(Rule::NotFinished, mesh.rank, message)
+        Violation::new(ViolationKind::NotFinished, mesh.rank, message)
     });
 }
 
@@ -57,7 +58,7 @@ pub fn check_cells<const D: usize>(
             let message = format!(
                 "simplex {id} has circumradius / shortest edge {ratio}, the bound is {bound}"
             );
-            Violation::new(Rule::RadiusEdge, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::RadiusEdge, mesh.rank, message).simplex(id)
         });
     }
     if mesh.promise.criterion == Criterion::VoronoiAspect {
@@ -82,6 +83,6 @@ fn check_cell(
     findings.check(!is_bounded || aspect <= bound * (1.0 + SLACK), || {
         let id = mesh.vertex_ids[vertex];
         let message = format!("the cell of vertex {id} has aspect {aspect}, the bound is {bound}");
-        Violation::new(Rule::VertexAspect, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexAspect, mesh.rank, message).vertex(id)
     });
 }

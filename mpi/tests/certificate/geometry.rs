@@ -4,7 +4,7 @@ use super::made::{assert_broken, certify, move_vertex, parts, uniform};
 use super::whole::Whole;
 use netmesh::Options;
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::Rule;
+use netmesh_mpi::certificate::ViolationKind;
 use netmesh_mpi::distributed::InterfaceFacet;
 
 /// Returns the facet between ranks whose opposite vertices are both no inputs and off the hull.
@@ -24,14 +24,14 @@ fn inner_interface(part: &DistributedMesh) -> (usize, usize) {
 fn geometry_is_checked_across_ranks() {
     for dim in [2, 3] {
         // A simplex and all ghosts of it turned inside out.
-        assert_broken(dim, Rule::Orientation, 1, |parts| {
+        assert_broken(dim, ViolationKind::Orientation, 1, |parts| {
             let id = parts[0].first_simplex + parts[0].interface[0].simplex as u64;
             turn(parts, id);
         });
         // A vertex next to an interface is moved just towards the vertex on the other side, on all
         // ranks alike, until a facet is not Delaunay: the topology holds, and what is found is
         // found where the ranks meet.
-        let report = assert_broken(dim, Rule::Delaunay, 1, |parts| {
+        let report = assert_broken(dim, ViolationKind::Delaunay, 1, |parts| {
             let (own, other) = inner_interface(&parts[0]);
             let (id, steps) = (parts[0].vertex_ids[own], 200);
             let (from, to) =
@@ -86,7 +86,7 @@ fn a_facet_flipped_across_ranks_is_found_by_both() {
     let parts = whole.parts(&begins, &parts);
     let report = certify(&parts, 3);
     let first = report.first.clone().unwrap();
-    assert_eq!((first.rule, report.level), (Rule::Delaunay, 1), "{first:?}");
+    assert_eq!((first.kind, report.level), (ViolationKind::Delaunay, 1), "{first:?}");
     // The new facet, from each of its sides.
     assert!(report.violations >= 2, "{report:?}");
 }

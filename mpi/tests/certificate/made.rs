@@ -2,7 +2,7 @@
 
 use netmesh::{Mesh, NONE, Options, Triangulation};
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::{Report, Rule, validate};
+use netmesh_mpi::certificate::{Report, ViolationKind, validate};
 use netmesh_mpi::comm::{Communicator, threads};
 use netmesh_mpi::distributed::Promise;
 use netmesh_mpi::numbering::number;
@@ -139,7 +139,7 @@ pub fn certify(parts: &[DistributedMesh], level: u32) -> Report {
 /// holds.
 pub fn assert_broken(
     dim: usize,
-    rule: Rule,
+    rule: ViolationKind,
     level: u32,
     damage: impl FnOnce(&mut [DistributedMesh]),
 ) -> Report {
@@ -150,7 +150,7 @@ pub fn assert_broken(
 /// Asserts that these parts of three ranks break this rule first after `damage`; `level` holds.
 pub fn assert_parts_broken(
     mut parts: Vec<DistributedMesh>,
-    rule: Rule,
+    rule: ViolationKind,
     level: u32,
     damage: impl FnOnce(&mut [DistributedMesh]),
 ) -> Report {
@@ -158,7 +158,7 @@ pub fn assert_parts_broken(
     damage(&mut parts);
     let report = certify(&parts, 3);
     let first = report.first.clone().unwrap_or_else(|| panic!("{rule:?} is not found in {dim}D"));
-    assert_eq!((first.rule, report.level), (rule, level), "{dim}D: {first:?}");
+    assert_eq!((first.kind, report.level), (rule, level), "{dim}D: {first:?}");
     assert!(report.violations > 0 && !first.message.is_empty() && first.rank < 3);
     report
 }

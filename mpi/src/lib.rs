@@ -5,22 +5,20 @@
 //!
 //! | module | uses |
 //! |---|---|
-//! | `memory` | |
-//! | `words` | `memory` |
-//! | `comm` | `memory` |
+//! | `words` | |
+//! | `comm` | |
 //! | `agreement` | `comm` |
 //! | `piece` | |
-//! | `work` | `memory`, `comm` |
-//! | `meshing` | `memory`, `words`, `comm`, `piece`, `work` |
+//! | `work` | `comm` |
+//! | `meshing` | `words`, `comm`, `piece`, `work` |
 //! | `distributed` | `work` |
-//! | `numbering` | `memory`, `words`, `comm`, `piece`, `distributed` |
+//! | `numbering` | `words`, `comm`, `piece`, `distributed` |
 //! | `run` | `comm`, `agreement`, `meshing`, `distributed`, `numbering`, `work` |
-//! | `certificate` | `memory`, `words`, `comm`, `agreement`, `distributed` |
-//! | `input` | `memory`, `comm`, `agreement` |
-//! | `output` | `memory`, `words`, `comm`, `agreement`, `distributed` |
+//! | `certificate` | `words`, `comm`, `agreement`, `distributed` |
+//! | `input` | `comm`, `agreement` |
+//! | `output` | `words`, `comm`, `agreement`, `distributed` |
 //! | `capi` | all but `input` |
 //!
-//! - `memory`: growth that may be refused;
 //! - `words`: messages as 64-bit words;
 //! - `comm`: communication of ranks and their common failures; MPI, and threads in its place;
 //! - `agreement`: arguments that must be equal on all ranks;
@@ -45,7 +43,6 @@ pub mod certificate;
 pub mod comm;
 pub mod distributed;
 pub mod input;
-mod memory;
 pub mod meshing;
 pub mod numbering;
 pub mod output;

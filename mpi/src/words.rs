@@ -1,11 +1,11 @@
 //! Messages as 64-bit words, in the byte order of files: ranks may be of different machines.
 
-use crate::memory::{TryGrow, collected, with_capacity};
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 
 /// Appends `words` to `bytes`.
 pub fn append(bytes: &mut Vec<u8>, words: &[u64]) -> Result<()> {
-    words.iter().try_for_each(|word| bytes.try_extend(&word.to_le_bytes()))
+    Ok(words.iter().try_for_each(|word| bytes.try_extend(&word.to_le_bytes()))?)
 }
 
 /// Returns the bytes of `words`.
@@ -43,7 +43,7 @@ pub fn distinct(words: impl IntoIterator<Item = u64>) -> Result<Vec<u64>> {
 
 /// Returns a message for each rank, to be filled.
 pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {
-    collected((0..ranks).map(|_| Vec::new()))
+    Ok(collected((0..ranks).map(|_| Vec::new()))?)
 }
 
 /// Returns a hash that chooses something by these words alone: mixed as by Steele, Lea and Flood,

@@ -3,8 +3,8 @@
 
 use crate::comm::Communicator;
 use crate::comm::mpi::processor_seconds;
-use crate::memory::TryGrow;
 use netmesh::Result;
+use netmesh::distributed::memory::TryGrow;
 
 /// A part of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

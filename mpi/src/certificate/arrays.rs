@@ -2,8 +2,8 @@
 
 use super::report::{Findings, Violation};
 use crate::distributed::{DistributedMesh, InterfaceFacet, NO_ID};
-use crate::memory::{collected, filled};
 use netmesh::Result;
+use netmesh::distributed::memory::{collected, filled};
 use netmesh::validate::ViolationKind;
 
 /// Checks lengths, coordinates and ids of this rank's part.

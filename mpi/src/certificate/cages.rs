@@ -9,7 +9,7 @@ use super::limits::SLACK;
 use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
-use crate::memory::filled;
+use netmesh::distributed::memory::filled;
 use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Simplex};
 use netmesh::{Criterion, NONE, Result, VertexKind};

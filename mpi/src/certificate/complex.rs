@@ -1,8 +1,8 @@
 //! Simplices that a rank knows, as one complex: its own, then the ghosts.
 
 use crate::distributed::DistributedMesh;
-use crate::memory::{filled, with_capacity};
 use netmesh::Result;
+use netmesh::distributed::memory::{filled, with_capacity};
 
 /// A facet of a simplex.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,8 +1,9 @@
 //! Records on their way between ranks: each rank brings some, and gets those that are for it.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, with_capacity};
 use crate::words::{append, words_of};
+use netmesh::distributed::memory::{TryGrow, with_capacity};
+
 use netmesh::Result;
 
 /// Records of `W` words, and the ranks that they go to.

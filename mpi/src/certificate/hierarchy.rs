@@ -7,7 +7,7 @@ use super::exchange::Outbox;
 use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
-use crate::memory::{collected, filled, with_capacity};
+use netmesh::distributed::memory::{collected, filled, with_capacity};
 use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Tree};
 use netmesh::{NONE, Result};

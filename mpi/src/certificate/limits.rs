@@ -1,8 +1,8 @@
 //! Cells whose quality precision may limit: the parts do not tell what the run knows of it.
 
 use super::complex::Complex;
-use crate::memory::filled;
 use netmesh::Result;
+use netmesh::distributed::memory::filled;
 
 /// The builder compares rounded radii; so does the certificate, with other roundings.
 pub const SLACK: f64 = 1e-7;

@@ -5,8 +5,8 @@ use super::complex::Complex;
 use super::report::{Findings, Violation};
 use crate::comm::{Communicator, Operation};
 use crate::distributed::NO_ID;
-use crate::memory::{TryGrow, collected, filled};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, filled};
 use netmesh::validate::ViolationKind;
 
 /// Collective. Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and

@@ -4,7 +4,7 @@ use super::complex::Complex;
 use super::limits::{self, SLACK};
 use super::report::{Findings, Violation};
 use crate::distributed::NO_ID;
-use crate::memory::filled;
+use netmesh::distributed::memory::filled;
 use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Cell, Simplex};
 use netmesh::{Criterion, Result, VertexKind};

@@ -5,8 +5,8 @@ use super::complex::Complex;
 use super::exchange::{Outbox, bits};
 use super::report::{Findings, Violation};
 use crate::comm::Communicator;
-use crate::memory::filled;
 use netmesh::Result;
+use netmesh::distributed::memory::filled;
 use netmesh::validate::ViolationKind;
 
 /// Vertices that this rank keeps, and those of them that are inputs by their ids.

@@ -2,7 +2,7 @@
 
 use super::mpi::Ranks;
 use super::{Communicator, Operation, Transport};
-use crate::memory::{collected, filled};
+use netmesh::distributed::memory::{collected, filled, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 use std::cell::{Cell, RefCell};
 
@@ -106,7 +106,7 @@ impl<T: Transport> Communicator for Collective<T> {
         let buffers = || {
             let mut sizes = filled(self.size(), 0)?;
             self.transport.gather_integers(bytes.len() as u64, &mut sizes)?;
-            collected(sizes.iter().map(|size| filled(*size as usize, 0)))?.into_iter().collect()
+            empty_buffers(&sizes)
         };
         let mut gathered: Vec<Vec<u8>> = self.agree_on(buffers())?;
         self.transport.gather(bytes, &mut gathered)?;
@@ -123,7 +123,7 @@ impl<T: Transport> Communicator for Collective<T> {
             let sizes = collected(messages.iter().map(|message| message.len() as u64))?;
             let mut received = filled(self.size(), 0)?;
             self.transport.exchange_integers(&sizes, &mut received)?;
-            collected(received.iter().map(|size| filled(*size as usize, 0)))?.into_iter().collect()
+            empty_buffers(&received)
         };
         let mut received: Vec<Vec<u8>> = self.agree_on(buffers())?;
         self.transport.exchange(&messages, &mut received)?;
@@ -159,7 +159,7 @@ impl<T: Transport> Communicator for Collective<T> {
 
     fn exclusive_sum(&self, value: u64) -> Result<(u64, u64)> {
         self.checkpoint(None)?;
-        let mut values = self.agree_on(filled(self.size(), 0))?;
+        let mut values = self.agree_on(filled(self.size(), 0).map_err(Error::from))?;
         self.transport.gather_integers(value, &mut values)?;
         self.count(8, self.size() - 1);
         let sum =
@@ -193,6 +193,15 @@ impl<T: Transport> Communicator for Collective<T> {
         }
         self.checkpoint(Some(&error)).err().unwrap_or(error)
     }
+}
+
+/// Returns a buffer of each of the sizes.
+fn empty_buffers(sizes: &[u64]) -> Result<Vec<Vec<u8>>> {
+    let mut buffers = with_capacity(sizes.len())?;
+    for size in sizes {
+        buffers.push(filled(*size as usize, 0)?);
+    }
+    Ok(buffers)
 }
 
 /// Returns the longest prefix of `text` of at most `limit` bytes that ends between characters.

@@ -1,7 +1,7 @@
 //! Ranks that are threads of one process: for tests, and for runs without MPI.
 
 use super::{Collective, Communicator, Operation, Transport};
-use crate::memory::copied;
+use netmesh::distributed::memory::copied;
 use netmesh::{Error, ErrorKind, Result};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};

@@ -1,7 +1,7 @@
 //! NumPy's `.npy`: an array of points in C order, of which a rank reads its rows.
 
 use super::{Share, io_error, start_of};
-use crate::memory::{filled, with_capacity};
+use netmesh::distributed::memory::{filled, with_capacity};
 use netmesh::mesh::{MAX_DIM, MIN_DIM};
 use netmesh::{Error, ErrorKind, Result};
 use std::fs::File;

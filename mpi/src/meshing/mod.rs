@@ -14,8 +14,9 @@ mod phases;
 mod sample;
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::collected;
 use crate::piece::Piece;
+use netmesh::distributed::memory::collected;
+
 use crate::work::{Notes, Step};
 use netmesh::distributed::Coarse;
 use netmesh::options::ProgressFn;

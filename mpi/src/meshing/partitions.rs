@@ -4,8 +4,9 @@
 use super::Watch;
 use super::sample::{Input, keep_distinct, one_of};
 use crate::comm::{Communicator, agreed};
-use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{all_words, append, empty_messages, words_of};
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
+
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 

@@ -3,8 +3,9 @@
 use super::Watch;
 use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
+use netmesh::distributed::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+
 use crate::work::Step;
 use netmesh::Result;
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
@@ -57,7 +58,7 @@ pub fn make<const D: usize>(
         own = agreed(comm, || make_phase(maker, shared, phase, made, watch))?;
         made += count as u32;
     }
-    settled.try_push_all(own)?;
+    push_all(&mut settled, own)?;
     let settled = make_rest(comm, maker, settled, owners[0] as usize, made, watch)?;
     watch.notes.end(Step::Rest, 0, 0)?;
     Ok(settled)
@@ -94,7 +95,9 @@ fn leave<const D: usize>(
 ) -> Result<Vec<Piece<D>>> {
     let own = agreed(comm, || {
         let mut own = Vec::new();
-        made.iter().try_for_each(|piece| own.try_extend(&piece.wanted_names()?))?;
+        for piece in &made {
+            own.try_extend(&piece.wanted_names()?)?;
+        }
         Ok(own)
     })?;
     let wanted = all_names(comm, own)?;
@@ -102,13 +105,13 @@ fn leave<const D: usize>(
         let mut seams = Vec::new();
         for piece in std::mem::take(settled) {
             let (left, given) = piece.give(RINGS, &wanted)?;
-            settled.try_push_one(left)?;
-            seams.try_push_all(given)?;
+            settled.try_push(left)?;
+            push_all(&mut seams, given)?;
         }
         for piece in made {
             let (rest, seam) = piece.divide(RINGS, &wanted, || Ok(()))?;
-            settled.try_push_one(rest)?;
-            seams.try_push_all(seam)?;
+            settled.try_push(rest)?;
+            push_all(&mut seams, seam)?;
         }
         Ok(seams)
     })
@@ -169,7 +172,7 @@ fn exchange<const D: usize>(
         for seam in seams {
             for (partition, piece) in seam.cut_apart(bisection)? {
                 own[partition as usize] += piece.simplex_count() as u64;
-                kept.try_push_one((partition, piece))?;
+                kept.try_push((partition, piece))?;
             }
         }
         bytes_of(&own)
@@ -180,7 +183,7 @@ fn exchange<const D: usize>(
         let mut messages = empty_messages(comm.size())?;
         for (partition, piece) in std::mem::take(&mut kept) {
             match owners[partition as usize] as usize {
-                to if to == comm.rank() => kept.try_push_one((partition, piece))?,
+                to if to == comm.rank() => kept.try_push((partition, piece))?,
                 to => append_piece(&mut messages[to], partition, &piece)?,
             }
         }
@@ -189,14 +192,14 @@ fn exchange<const D: usize>(
     let received = comm.all_to_all(messages)?;
     agreed(comm, || {
         for message in received {
-            read_pieces(&message, |partition, piece| kept.try_push_one((partition, piece)))?;
+            read_pieces(&message, |partition, piece| kept.try_push((partition, piece)))?;
         }
         kept.sort_by_key(|(partition, piece)| (*partition, piece.maker()));
         let mut shared: Vec<Joined<D>> = Vec::new();
         for (partition, piece) in kept {
             match shared.last_mut() {
-                Some((last, pieces)) if *last == partition => pieces.try_push_one(piece)?,
-                _ => shared.try_push_one((partition, vec![piece]))?,
+                Some((last, pieces)) if *last == partition => pieces.try_push(piece)?,
+                _ => shared.try_push((partition, vec![piece]))?,
             }
         }
         Ok((owners, shared))
@@ -250,12 +253,12 @@ fn append_piece<const D: usize>(
 ) -> Result<()> {
     let bytes = piece.to_bytes()?;
     append(message, &[partition.into(), bytes.len() as u64])?;
-    message.try_extend(&bytes)
+    Ok(message.try_extend(&bytes)?)
 }
 
 fn read_pieces<const D: usize>(
     mut message: &[u8],
-    mut take: impl FnMut(u32, Piece<D>) -> Result<()>,
+    mut take: impl FnMut(u32, Piece<D>) -> AllocResult<()>,
 ) -> Result<()> {
     while let Some((head, rest)) = message.split_at_checked(16) {
         let head: Vec<u64> = collected(words_of(head))?;
@@ -306,14 +309,14 @@ fn make_rest<const D: usize>(
                 if from == rank {
                     continue;
                 }
-                read_pieces(message, |_, piece| pieces.try_push_one(piece))?;
+                read_pieces(message, |_, piece| pieces.try_push(piece))?;
             }
             if comm.rank() == rank {
                 let mut all = kept;
-                all.try_push_all(pieces)?;
+                push_all(&mut all, pieces)?;
                 // In the order in which the pieces were made, wherever that was.
                 all.sort_by_key(Piece::maker);
-                settled.try_push_one(
+                settled.try_push(
                     watch.next(0.1, |progress| maker.refine(all, number, Some(progress)))?,
                 )?;
             }
@@ -334,10 +337,10 @@ fn take_out<const D: usize>(
     let mut kept = Vec::new();
     for piece in std::mem::take(settled) {
         let (left, taken) = piece.give(0, names)?;
-        settled.try_push_one(left)?;
+        settled.try_push(left)?;
         let Some(taken) = taken else { continue };
         match comm.rank() == rank {
-            true => kept.try_push_one(taken)?,
+            true => kept.try_push(taken)?,
             false => append_piece(&mut messages[rank], 0, &taken)?,
         }
     }
@@ -354,20 +357,9 @@ fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     Ok(all)
 }
 
-/// Growth of lists of pieces, which are not copied.
-trait Pieces<T> {
-    fn try_push_one(&mut self, piece: T) -> Result<()>;
-    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()>;
-}
-
-impl<T> Pieces<T> for Vec<T> {
-    fn try_push_one(&mut self, piece: T) -> Result<()> {
-        self.try_push(piece)
-    }
-
-    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()> {
-        pieces.into_iter().try_for_each(|piece| self.try_push(piece))
-    }
+/// Appends pieces, which are not copied.
+fn push_all<T>(list: &mut Vec<T>, pieces: impl IntoIterator<Item = T>) -> Result<()> {
+    Ok(pieces.into_iter().try_for_each(|piece| list.try_push(piece))?)
 }
 
 #[cfg(test)]

@@ -2,8 +2,9 @@
 //! matter which rank has them, and those that say how far all of them reach.
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::{TryGrow, collected};
 use crate::words::{append, hash, words_of};
+use netmesh::distributed::memory::{TryGrow, collected};
+
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
@@ -52,10 +53,10 @@ impl<const D: usize> Input<D> {
 /// Reads the inputs of a message.
 pub fn inputs_of<const D: usize>(bytes: &[u8]) -> Result<Vec<Input<D>>> {
     let words: Vec<u64> = collected(words_of(bytes))?;
-    collected(words.chunks_exact(1 + D).map(|words| Input {
+    Ok(collected(words.chunks_exact(1 + D).map(|words| Input {
         name: words[0],
         point: std::array::from_fn(|axis| f64::from_bits(words[1 + axis])),
-    }))
+    }))?)
 }
 
 /// Keeps the first of equal inputs, those with the least names, and puts all in the order of names.

@@ -3,8 +3,9 @@
 use super::defect;
 use super::merged::Merged;
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, filled, with_capacity};
 use crate::words::{Words, append, empty_messages, hash};
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
+
 use netmesh::Result;
 use netmesh::mesh::MAX_DIM;
 

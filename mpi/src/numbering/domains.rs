@@ -5,8 +5,9 @@
 use super::defect;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
-use crate::memory::{TryGrow, collected};
 use crate::piece::{ADDED, PieceDomain};
+use netmesh::distributed::memory::{TryGrow, collected};
+
 use crate::words::{append, distinct, empty_messages, words_of};
 use netmesh::Result;
 

@@ -4,8 +4,9 @@ use super::defect;
 use super::directory::{Crossing, Shared};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Ghost, InterfaceFacet};
-use crate::memory::{TryGrow, collected, copied, with_capacity};
 use crate::words::{Words, append, empty_messages};
+use netmesh::distributed::memory::{TryGrow, collected, copied, with_capacity};
+
 use netmesh::Result;
 
 /// Collective. Sends the others those simplices that share a vertex with theirs.
@@ -124,7 +125,9 @@ impl Received {
         mesh.ghosts = collected(self.ghosts.iter().map(|(ghost, _)| *ghost))?;
         for (_, start) in &self.ghosts {
             let vertex_ids = &self.vertex_ids[*start..][..=mesh.dim];
-            vertex_ids.iter().try_for_each(|id| mesh.ghost_simplices.try_push(index(id)?))?;
+            for id in vertex_ids {
+                mesh.ghost_simplices.try_push(index(id)?)?;
+            }
         }
         Ok(())
     }

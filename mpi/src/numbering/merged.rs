@@ -1,8 +1,9 @@
 //! The pieces of a rank as one, with every vertex once.
 
 use super::defect;
-use crate::memory::{TryGrow, filled, with_capacity};
 use crate::piece::{self, Piece, PieceDomain};
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
+
 use crate::words::distinct;
 use netmesh::Result;
 
@@ -92,7 +93,7 @@ impl Merged {
             piece::INTERFACE => OPEN,
             neighbor => first + u64::from(neighbor),
         }));
-        self.copies.try_extend(&piece.domains)
+        Ok(self.copies.try_extend(&piece.domains)?)
     }
 
     pub fn simplex_count(&self) -> usize {

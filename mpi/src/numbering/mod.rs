@@ -15,8 +15,9 @@ mod names;
 use crate::comm::Communicator;
 use crate::comm::Operation;
 use crate::distributed::{DistributedMesh, NO_ID, Totals};
-use crate::memory::{collected, copied, with_capacity};
 use crate::piece::{ADDED, Piece};
+use netmesh::distributed::memory::{collected, copied, with_capacity};
+
 use directory::Shared;
 use merged::Merged;
 use netmesh::{Error, ErrorKind, Result};

@@ -1,8 +1,9 @@
 //! Numbers of names: each is that of the names below it on all ranks.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{bytes_of, empty_messages, words_of};
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
+
 use netmesh::Result;
 
 /// Number of its names that a rank tells all for the choice of ranges.

@@ -4,8 +4,8 @@ use super::unfinished::Unfinished;
 use super::{rows, shared};
 use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
-use crate::memory::with_capacity;
 use netmesh::Result;
+use netmesh::distributed::memory::with_capacity;
 use std::path::{Path, PathBuf};
 
 /// Numbers begin here.

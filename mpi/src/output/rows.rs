@@ -1,8 +1,9 @@
 //! Rows of an array whose ids are anywhere, as blocks of rows that follow each other.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, collected, filled};
 use crate::words::{Words, append, empty_messages};
+use netmesh::distributed::memory::{TryGrow, collected, filled};
+
 use netmesh::{Error, ErrorKind, Result};
 
 /// The rows of a rank.

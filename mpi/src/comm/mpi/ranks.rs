@@ -4,7 +4,7 @@
 #![warn(clippy::undocumented_unsafe_blocks, unsafe_op_in_unsafe_fn)]
 
 use super::super::{Operation, Transport};
-use crate::memory::{collected, filled};
+use netmesh::distributed::memory::{collected, filled};
 use netmesh::{Error, ErrorKind, Result};
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null_mut;
@@ -191,11 +191,11 @@ pub(super) fn checked(what: &str, code: c_int) -> Result<()> {
 }
 
 fn pointers(buffers: &mut [Vec<u8>]) -> Result<Vec<*mut c_void>> {
-    collected(buffers.iter_mut().map(|buffer| buffer.as_mut_ptr().cast()))
+    Ok(collected(buffers.iter_mut().map(|buffer| buffer.as_mut_ptr().cast()))?)
 }
 
 fn sizes(buffers: &[Vec<u8>]) -> Result<Vec<u64>> {
-    collected(buffers.iter().map(|buffer| buffer.len() as u64))
+    Ok(collected(buffers.iter().map(|buffer| buffer.len() as u64))?)
 }
 
 impl Transport for Ranks {

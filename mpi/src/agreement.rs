@@ -116,7 +116,7 @@ pub fn require_same(
         }
     })?;
     let message = "arguments are not the same on all ranks";
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
 fn disagreement(subject: &str, (name, own): &(String, String), first: &str) -> Error {

@@ -100,7 +100,7 @@ fn refused_number(name: Name, value: f64) -> Option<Message> {
 fn check_options(options: &Options) -> Result<()> {
     match REFUSED.iter().find_map(|(_, refusal)| refusal(options)) {
         None => Ok(()),
-        Some(message) => Err(Error::new(ErrorKind::InvalidArgument, message)),
+        Some(message) => Err(Error::invalid(message)),
     }
 }
 

@@ -74,7 +74,7 @@ impl<'a> Binary<'a> {
     fn ends(&self, lacks: impl FnOnce() -> String) -> Error {
         let message =
             message!("the file ends after byte {}{}: {}", self.offset, self.origin, lacks());
-        Error::new(ErrorKind::Format, message)
+        Error::format(message)
     }
 
     /// Returns bytes that are there to be read, at least one before the end of the file.

@@ -3,7 +3,7 @@
 use super::columns::{Column, Columns, OrRule, named_coordinates, parse_entry};
 use super::text::quoted;
 use super::values::Values;
-use crate::error::{Error, ErrorKind, Name, Result, message, say};
+use crate::error::{Error, Name, Result, message, say};
 use crate::memory::collected;
 use crate::mesh::MAX_DIM;
 use crate::mesh::attribute::rule_against;
@@ -38,7 +38,7 @@ impl Choice {
                 let columns = names.iter().zip(0u64..);
                 let free = columns.map(|(name, i)| if listed.contains(&i) { "" } else { *name });
                 let named = named_coordinates(&collected(free)?);
-                let named = named.map_err(|rule| Error::new(ErrorKind::Format, rule))?;
+                let named = named.map_err(|rule| Error::format(rule))?;
                 named.map_or_else(|| otherwise(&listed), Ok)?
             }
             None => others(count, &listed),
@@ -115,7 +115,7 @@ impl Entry {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, say!(Name::Attributes, ": {why}"))
+    Error::invalid(say!(Name::Attributes, ": {why}"))
 }
 
 /// A column that becomes an attribute.
@@ -233,6 +233,7 @@ fn name_of(column: u64, names: Option<&[&str]>) -> String {
 mod tests {
     use super::super::{Format, Table, read_table};
     use super::*;
+    use crate::error::ErrorKind;
 
     fn read(text: &str, format: Format, columns: &str, attributes: &str) -> Result<Table> {
         let coordinates = match columns {

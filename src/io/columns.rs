@@ -1,7 +1,7 @@
 //! Choice of the columns of a table that are the coordinates.
 
 use super::text::quoted;
-use crate::error::{Error, ErrorKind, Name, Result, message, say};
+use crate::error::{Error, Name, Result, message, say};
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::str::FromStr;
 
@@ -84,7 +84,7 @@ pub(super) fn parse_entry(entry: &str) -> OrRule<(Column, Option<u64>)> {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, say!(Name::Columns, ": {why}"))
+    Error::invalid(say!(Name::Columns, ": {why}"))
 }
 
 impl Columns {
@@ -219,6 +219,7 @@ pub(super) fn transposed(coordinates: &[f64], columns: &[u64]) -> Result<Vec<f64
 mod tests {
     use super::super::{Choice, Format, PointCloud, read_table};
     use super::*;
+    use crate::error::ErrorKind;
 
     fn numbers(text: &str) -> Vec<u64> {
         text.parse::<Columns>().unwrap().indices(100, None).unwrap()

@@ -1,7 +1,7 @@
 //! Filtered complexes for programs that compute persistent homology.
 
 use super::{Buffered, allocation_failed, io_error, replace};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::Inputs;
 use crate::topology::{Faces, Filtration};
@@ -29,13 +29,10 @@ impl FiltrationFormat {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("filtration") => Ok(Self::Gudhi),
             Some("dipha") => Ok(Self::Dipha),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no format of filtrations; use .filtration or .dipha",
-                    path.display()
-                ),
-            )),
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no format of filtrations; use .filtration or .dipha",
+                path.display()
+            ))),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The formats and their extensions.
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use std::path::Path;
 
 /// File formats, with the C ABI's values. `docs/formats.md` has them all in one table.
@@ -112,15 +112,12 @@ impl Format {
             Some("poly") => Ok(Self::Poly),
             Some("geojson") => Ok(Self::GeoJson),
             Some("wkt") => Ok(Self::Wkt),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
                      .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson, \
                      .wkt, .voronoi.json or .domains.json",
-                    path.display()
-                ),
-            )),
+                path.display()
+            ))),
         }
     }
 
@@ -177,7 +174,7 @@ impl Format {
                  .voronoi.json or .domains.json",
                 path.display()
             );
-            Error::new(ErrorKind::InvalidArgument, message)
+            Error::invalid(message)
         })?;
         match resolved {
             Self::Poly | Self::GeoJson | Self::Wkt => {
@@ -191,7 +188,7 @@ impl Format {
     pub(super) fn read_only(self) -> Error {
         let message =
             message!("{} cannot be written, only read; write TetGen or Gmsh", self.name());
-        Error::new(ErrorKind::InvalidArgument, message)
+        Error::invalid(message)
     }
 
     /// Resolves the format of a file to read as [`Format::resolve`] does; an unknown extension is
@@ -207,21 +204,18 @@ impl Format {
                  .geojson or .wkt",
                 path.display()
             );
-            Error::new(ErrorKind::InvalidArgument, message)
+            Error::invalid(message)
         })
     }
 
     /// Refuses a format that is written only.
     pub(super) fn check_readable(self) -> Result<()> {
         match self {
-            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
+            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::invalid(message!(
+                "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
                      OFF, PLY, XYZ, CSV, NumPy, .poly, GeoJSON and WKT files",
-                    self.name()
-                ),
-            )),
+                self.name()
+            ))),
             _ => Ok(()),
         }
     }
@@ -230,13 +224,10 @@ impl Format {
     pub(super) fn check_dimension(self, dim: usize) -> Result<()> {
         match self {
             Self::Vtu | Self::Gmsh | Self::Medit | Self::Ply if !(2..=3).contains(&dim) => {
-                Err(Error::new(
-                    ErrorKind::InvalidArgument,
-                    message!(
-                        "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
-                        self.name()
-                    ),
-                ))
+                Err(Error::invalid(message!(
+                    "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
+                    self.name()
+                )))
             }
             _ => Ok(()),
         }
@@ -253,7 +244,7 @@ fn surface_at(path: &Path) -> Option<Error> {
          convert it to .off, .ply or .xyz",
         path.display()
     );
-    Some(Error::new(ErrorKind::InvalidArgument, message).of_content())
+    Some(Error::invalid(message).of_content())
 }
 
 /// Extensions of files of surfaces, and what messages call such a file.

@@ -58,7 +58,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
         let left = elements.leave_out(&mut left_out);
         left.map_err(|message| lines.error(ErrorKind::Format, &message))?;
     }
-    let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no field Vertices"))?;
+    let points = points.ok_or_else(|| Error::format("no field Vertices"))?;
     Ok(Table { left_out, ..Table::new(points.finish()?, Vec::new()) })
 }
 

@@ -359,7 +359,7 @@ impl<'a> Content<'a> {
                      = {vertices} x {components}",
                     values.len()
                 );
-                return Err(Error::new(ErrorKind::InvalidArgument, message));
+                return Err(Error::invalid(message));
             }
         }
         let triangulation = || {
@@ -424,7 +424,7 @@ impl<'a> Content<'a> {
 
 fn auto_without_path() -> Error {
     let message = "without a file name there is no extension that tells the format; name a format";
-    Error::new(ErrorKind::InvalidArgument, message)
+    Error::invalid(message)
 }
 
 /// Turns a refused allocation into a writer's error; [`io_error`] makes it `OutOfMemory` again.

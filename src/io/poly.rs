@@ -42,13 +42,13 @@ fn points_beside(attributes: &AttributeColumns, path: Option<&Path>) -> Result<(
     let Some(path) = path else {
         let message =
             "the points are in a .node file beside the .poly file, which has no name here";
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     };
     let path = path.with_extension("node");
     super::in_file(&path, |input| {
         let mut lines = Lines::new(input);
         let points = tetgen::read_alone(&mut lines, attributes)?;
-        points.ok_or_else(|| Error::new(ErrorKind::Format, "the file holds no points"))
+        points.ok_or_else(|| Error::format("the file holds no points"))
     })
 }
 

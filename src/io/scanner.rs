@@ -163,7 +163,7 @@ impl<'a> Scanner<'a> {
         match self.ahead() {
             Ok(None) => {
                 let message = message!("the file ends at {place}, where {expected} is expected");
-                Error::new(ErrorKind::Format, message)
+                Error::format(message)
             }
             Ok(Some(0)) => place.error("a NUL byte; this is not a text file"),
             Ok(Some(byte)) => {

@@ -2,7 +2,7 @@
 
 use super::text::write_point;
 use super::{Buffered, io_error, replace};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{collected, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use std::io::{self, Write};
@@ -27,13 +27,10 @@ impl SurfaceFormat {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("ply") => Ok(Self::Ply),
             Some("off") => Ok(Self::Off),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no format of surfaces; use .ply or .off",
-                    path.display()
-                ),
-            )),
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no format of surfaces; use .ply or .off",
+                path.display()
+            ))),
         }
     }
 }
@@ -91,7 +88,7 @@ impl<'a> Surface<'a> {
     fn new(inputs: &'a Inputs, mesh: &'a Triangulation, facets: &'a [u32]) -> Result<Self> {
         if !matches!(mesh.dim, 2 | 3) {
             let message = message!("surfaces are written in 2D and 3D; the mesh is {}D", mesh.dim);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         let mut numbers = filled(mesh.vertex_count(), NONE)?;
         facets.iter().for_each(|&vertex| numbers[vertex as usize] = 0);

@@ -4,7 +4,7 @@ use super::Table;
 use super::choice::{AttributeColumns, MAX_ATTRIBUTES};
 use super::text::{Line, Lines, Points, write_number, write_point};
 use super::values::Values;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::collected;
 use crate::mesh::{Attribute, LeftOut, Region, Triangulation};
 use std::ffi::OsString;
@@ -37,7 +37,7 @@ pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
 pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Result<Table> {
     match read_alone(&mut lines, attributes)? {
         Some((table, _)) => Ok(table),
-        None => Err(Error::new(ErrorKind::Format, "the file holds no points")),
+        None => Err(Error::format("the file holds no points")),
     }
 }
 

@@ -46,7 +46,7 @@ impl<'a> Lines<'a> {
     pub fn require(&mut self, lacks: impl FnOnce() -> String) -> Result<Line<'_>> {
         if !self.advance()? {
             let message = format!("the file ends after line {}: {}", self.number, lacks());
-            return Err(Error::new(ErrorKind::Format, message));
+            return Err(Error::format(message));
         }
         self.current()
     }
@@ -152,7 +152,7 @@ impl<'a> Lines<'a> {
     /// Returns the error of a byte of the line, counted from 0 here and from 1 in the message.
     fn refused_byte(&self, index: usize, why: &str) -> Error {
         let message = format!("line {}, byte {}: {why}", self.number, index + 1);
-        Error::new(ErrorKind::Format, message)
+        Error::format(message)
     }
 
     fn refused(&self, why: &str) -> Error {
@@ -358,7 +358,7 @@ impl Points {
 
     pub fn finish(self) -> Result<PointCloud> {
         if self.coordinates.is_empty() {
-            return Err(Error::new(ErrorKind::Format, "the file holds no points"));
+            return Err(Error::format("the file holds no points"));
         }
         Ok(PointCloud { dim: self.dim, coordinates: self.coordinates })
     }

@@ -6,7 +6,7 @@ use super::corner::Corner;
 use super::is_consistent;
 use super::tree::DomainTree;
 use super::view::View;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, Triangulation, in_dimension};
 
@@ -69,7 +69,7 @@ pub fn histogram(
 }
 
 fn check(edges: &[f64]) -> Result<()> {
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let refuse = |message| Err(Error::invalid(message));
     if edges.is_empty() {
         return refuse(message!("edges is empty; it must hold at least one"));
     }

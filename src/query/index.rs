@@ -1,6 +1,6 @@
 //! Search structures that are made once for a result.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{Boxed, MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
 use crate::nearest::Tree;
@@ -61,7 +61,7 @@ impl Index {
 
 /// Fails unless every access to the arrays by the ids in them is in range.
 pub(crate) fn check_arrays(mesh: &Triangulation) -> Result<()> {
-    let refuse = |rule: &'static str| Err(Error::new(ErrorKind::InvalidArgument, rule));
+    let refuse = |rule: &'static str| Err(Error::invalid(rule));
     let dim = mesh.dim;
     if !(MIN_DIM..=MAX_DIM).contains(&dim) {
         return no_dimension();
@@ -94,13 +94,13 @@ fn check_whole(mesh: &Triangulation, whole: &Triangulation) -> Result<()> {
         true => Ok(()),
         false => {
             let rule = "the mesh is not the first part of the one that it was cut from";
-            Err(Error::new(ErrorKind::InvalidArgument, rule))
+            Err(Error::invalid(rule))
         }
     }
 }
 
 pub(super) fn no_dimension<T>() -> Result<T> {
-    Err(Error::new(ErrorKind::InvalidArgument, "the mesh's dim is out of range"))
+    Err(Error::invalid("the mesh's dim is out of range"))
 }
 
 fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {

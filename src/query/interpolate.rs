@@ -6,7 +6,7 @@ use super::locate::{Locator, Place, Scratch};
 use super::natural::Natural;
 use super::threads::{Work, on_threads, piece, threads};
 use super::view::View;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::AllocResult;
 use crate::mesh::Triangulation;
 use crate::nearest::nearest_until;
@@ -62,7 +62,7 @@ impl<'a> Values<'a> {
             self.values.len(),
             self.components
         );
-        Err(Error::new(ErrorKind::InvalidArgument, message))
+        Err(Error::invalid(message))
     }
 
     pub(super) fn of(&self, at: u32) -> &'a [f64] {

@@ -111,19 +111,19 @@ impl Index {
                 " is by natural neighbours, which a mesh that is cut to its domain lacks; it must \
                  be linear"
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         values.check("values", self.vertices, "vertices")?;
         let rule = "components is 0; it must be at least 1";
         let count = out.len().checked_div(values.components);
-        let count = count.ok_or_else(|| Error::new(ErrorKind::InvalidArgument, rule))?;
+        let count = count.ok_or_else(|| Error::invalid(rule))?;
         if count * values.components != out.len() {
             let message = message!(
                 "out has length {}; it must be points x components, components = {}",
                 out.len(),
                 values.components
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         self.check(mesh, points, count, "out")?;
         let work = work.into();
@@ -145,7 +145,7 @@ impl Index {
             && mesh.points.len() == self.vertices * self.dim;
         if !is_same {
             let rule = "the index was made for another mesh";
-            return Err(Error::new(ErrorKind::InvalidArgument, rule));
+            return Err(Error::invalid(rule));
         }
         let dim = self.dim;
         if points.len() != count.saturating_mul(dim) {
@@ -154,7 +154,7 @@ impl Index {
                  {count} results",
                 points.len()
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         if let Some(at) = points.iter().position(|x| !x.is_finite()) {
             let message = message!(

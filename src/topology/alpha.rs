@@ -8,9 +8,10 @@
 //! the ball just if the centre of that face's own ball has a negative barycentric coordinate
 //! there: so the balls of the faces tell which of their facets are Gabriel.
 
-use super::circumscribed::{Ball, Radius, ball};
+use super::circumscribed::{Ball, ball};
+use super::radius::Radius;
 use super::{Faces, Level};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, Triangulation, VertexKind, in_dimension};
 use crate::query::threads::{on_threads, threads as threads_of};
@@ -63,7 +64,7 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
     if !has_inputs_alone(mesh) {
         let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and \
             the mesh has other vertices";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
+        return Err(Error::invalid(rule));
     }
     let none = || Ok(None);
     let found = in_dimension!(
@@ -81,7 +82,7 @@ pub(super) fn refuse_cropped(mesh: &Triangulation) -> Result<()> {
         Some(_) => {
             let rule = "a filtration needs all of the Delaunay triangulation, and the mesh is cut \
                 to its domain; run it with extent all, without holes";
-            Err(Error::new(ErrorKind::InvalidArgument, rule))
+            Err(Error::invalid(rule))
         }
     }
 }
@@ -93,7 +94,7 @@ pub fn has_inputs_alone(mesh: &Triangulation) -> bool {
 
 /// Returns the error of a mesh with a flat simplex, which no valid mesh has.
 pub(super) fn flat() -> Error {
-    Error::new(ErrorKind::InvalidArgument, "the mesh has a flat simplex")
+    Error::invalid("the mesh has a flat simplex")
 }
 
 /// Computes radii, squared or not, for the faces that `needs_radius` picks by their vertices; the

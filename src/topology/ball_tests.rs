@@ -1,7 +1,8 @@
 //! Balls in doubles against those in integers, where doubles are at their limits.
 
-use super::circumscribed::{Radius, ball};
+use super::circumscribed::ball;
 use super::exact;
+use super::radius::Radius;
 use crate::numerics::testing::{Random, references};
 
 fn agrees<const K: usize, const D: usize>(points: &[[f64; D]]) {

@@ -9,7 +9,7 @@
 //! interleaving.
 
 use super::alpha::{flat, radii, refuse_cropped};
-use super::circumscribed::Radius;
+use super::radius::Radius;
 use super::reach::{fill_reaches, is_sound};
 use super::{Faces, Filtration, Level, Numbers};
 use crate::arrays::{Circumcenters, Part};

@@ -1,6 +1,6 @@
 //! The smallest circumscribing ball of a face in integers.
 
-use super::circumscribed::Radius;
+use super::radius::Radius;
 use crate::memory::AllocResult;
 use crate::quality::exact::{Integer, Matrix, Number, Refusal, ratio, unbounded, unit};
 use std::cmp::Ordering;

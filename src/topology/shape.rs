@@ -9,7 +9,7 @@
 use super::components::Components;
 use super::{Faces, Filtration};
 use crate::arrays::{Lists, Part};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{Inputs, Triangulation};
 
@@ -59,7 +59,7 @@ impl<'a> AlphaShape<'a> {
     pub fn new(faces: &'a Faces, values: &'a Filtration, alpha: f64) -> Result<Self> {
         if alpha.is_nan() || alpha < 0.0 {
             let message = message!("alpha is {alpha}; it must be at least 0, a squared radius");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(Self { faces, values: &values.values, alpha })
     }
@@ -261,7 +261,7 @@ pub fn connecting_alpha(faces: &Faces, values: &Filtration) -> Result<f64> {
 pub fn optimal_alpha(faces: &Faces, values: &Filtration, components: u64) -> Result<f64> {
     if components == 0 {
         let rule = "components is 0; it must be at least 1";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
+        return Err(Error::invalid(rule));
     }
     let dim = faces.dim();
     let (simplices, values) = (faces.of_dimension(dim), &values.values[dim]);

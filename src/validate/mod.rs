@@ -46,7 +46,7 @@ mod winding;
 pub use boundary::Outline;
 pub use report::{Report, Violation, ViolationKind};
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Mesh, Triangulation, in_dimension};
 use crate::options::{Algorithm, Output};
@@ -102,7 +102,7 @@ fn check_levels(
 ) -> Result<Report> {
     if !(1..=3).contains(&level) {
         let message = message!("level is {level}; it must be 1, 2 or 3");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     }
     let whole = triangulation.boundary.whole.as_deref().unwrap_or(triangulation);
     let case = Case { inputs, outline, result: triangulation };

@@ -53,7 +53,7 @@ use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use complex::Complex;
 use netmesh::mesh::MIN_DIM;
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::{Error, Result};
 use report::Findings;
 
 /// The highest dimension of meshes of several ranks.
@@ -82,7 +82,7 @@ pub fn validate(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> 
 }
 
 fn check_arguments(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> Result<()> {
-    let invalid = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let invalid = |message: String| Err(Error::invalid(message));
     if !(1..=3).contains(&level) {
         return invalid(format!("level is {level}; it must be 1, 2 or 3"));
     }

@@ -2,7 +2,7 @@
 
 use super::{Collective, Communicator, Operation, Transport};
 use netmesh::distributed::memory::copied;
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::{Error, Result};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -174,7 +174,7 @@ impl Transport for Thread {
 
     fn send(&self, to: usize, tag: u16, bytes: &[u8]) -> Result<bool> {
         if to >= self.network.size {
-            return Err(Error::new(ErrorKind::InvalidArgument, "there is no such rank to send to"));
+            return Err(Error::invalid("there is no such rank to send to"));
         }
         let message = copied(bytes)?;
         let mut state = self.network.lock();

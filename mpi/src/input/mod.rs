@@ -45,8 +45,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         let share = match format {
             Format::Npy => npy::read(file, rank, ranks),
             Format::Xyz => text::read(file, rank, ranks),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
+            _ => Err(Error::invalid(
                 "ranks read NumPy's arrays (.npy) and points as text (.xyz) only",
             )),
         };
@@ -58,7 +57,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         comm.all_reduce_integers(&mut least, Operation::Min)?;
         let mut most = [if share.points.is_empty() { 0 } else { own }];
         comm.all_reduce_integers(&mut most, Operation::Max)?;
-        let refused = |message| Err(in_file(Error::new(ErrorKind::Format, message)));
+        let refused = |message| Err(in_file(Error::format(message)));
         match (least[0], most[0]) {
             (u64::MAX, _) => refused("the file holds no points".to_owned()),
             (least, most) if least != most => refused(format!(

@@ -33,7 +33,7 @@ pub fn read(mut file: File, rank: u64, ranks: u64) -> Result<Share> {
     if needed != Some(length) {
         let points = header.points;
         let message = format!("the file has {length} bytes; {points} points need another number");
-        return Err(Error::new(ErrorKind::Format, message));
+        return Err(Error::format(message));
     }
     let start = start_of(rank, ranks, header.points);
     let end = start_of(rank + 1, ranks, header.points);
@@ -132,7 +132,7 @@ impl Header {
 }
 
 fn bad(why: &str) -> Error {
-    Error::new(ErrorKind::Format, why.to_owned())
+    Error::format(why.to_owned())
 }
 
 #[cfg(test)]

@@ -36,7 +36,7 @@ fn refuse_count(input: &mut impl BufRead) -> Result<()> {
         "line 1: {} is a number of points; ranks read files of points without it",
         line.escape_ascii()
     );
-    Err(Error::new(ErrorKind::Format, message))
+    Err(Error::format(message))
 }
 
 fn at(file: &mut File, offset: u64) -> Result<BufReader<&mut File>> {

@@ -32,15 +32,15 @@ pub enum Format {
 impl Format {
     fn resolved(self, path: &Path) -> Result<Self> {
         if path.file_stem().is_none() {
-            return Err(Error::new(ErrorKind::InvalidArgument, "the path names no file"));
+            return Err(Error::invalid("the path names no file"));
         }
         match (self, path.extension().and_then(|extension| extension.to_str())) {
             (Self::Auto, Some("pvtu")) => Ok(Self::Pvtu),
             (Self::Auto, Some("npy")) => Ok(Self::Npy),
-            (Self::Auto, _) => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                format!("{}: the extension must be .pvtu or .npy", path.display()),
-            )),
+            (Self::Auto, _) => Err(Error::invalid(format!(
+                "{}: the extension must be .pvtu or .npy",
+                path.display()
+            ))),
             (format, _) => Ok(format),
         }
     }
@@ -94,7 +94,7 @@ pub fn write(
         if format == Format::Pvtu && mesh.dim > 3 {
             let message =
                 format!("VTK's files hold 2 and 3 dimensions, not {}; use .npy", mesh.dim);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(())
     })?;

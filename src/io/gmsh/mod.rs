@@ -7,7 +7,7 @@ mod write;
 
 use super::text::{Line, Lines, Points, quoted};
 use super::{PointCloud, Table};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::mesh::LeftOut;
 pub(super) use write::write;
 
@@ -38,7 +38,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
             }
         }
     }
-    let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no section $Nodes"))?;
+    let points = points.ok_or_else(|| Error::format("no section $Nodes"))?;
     Ok(Table { left_out, ..Table::new(in_the_plane(points.finish()?), Vec::new()) })
 }
 
@@ -144,7 +144,7 @@ fn read_blocks(lines: &mut Lines<'_>, points: &mut Points) -> Result<()> {
         0 => Ok(()),
         _ => {
             let message = format!("the blocks hold {} of {nodes} nodes", nodes - left);
-            Err(Error::new(ErrorKind::Format, message))
+            Err(Error::format(message))
         }
     }
 }

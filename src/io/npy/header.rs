@@ -211,7 +211,7 @@ pub(super) fn check_dimension(columns: u64) -> Result<()> {
 }
 
 fn bad(why: String) -> Error {
-    Error::new(ErrorKind::Format, message!("in the header: {why}"))
+    Error::format(message!("in the header: {why}"))
 }
 
 /// Reads Python's notation, as much of it as headers have.

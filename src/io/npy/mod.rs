@@ -38,7 +38,7 @@ fn chosen(row: &Row, choice: &Choice) -> Result<(Vec<u64>, Values)> {
     let names = row.names();
     let otherwise = |_: &[u64]| {
         let rule = "the fields name no coordinates: x and y, x0 and x1, or points; choose them";
-        Err(Error::new(ErrorKind::Format, rule))
+        Err(Error::format(rule))
     };
     let (coordinates, values) = choice.of_table(row.count(), names.as_deref(), otherwise)?;
     check_dimension(coordinates.len() as u64)?;
@@ -46,7 +46,7 @@ fn chosen(row: &Row, choice: &Choice) -> Result<(Vec<u64>, Values)> {
         if let (Some(names), false) = (&names, row.number(column).is_number()) {
             let name = quoted(names[column as usize]);
             let message = message!("the field {name} has no numbers");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
     }
     Ok((coordinates, values))

@@ -134,7 +134,7 @@ impl Header {
                 let name = quoted(&property.name);
                 let rule = "an attribute has one number a point";
                 let message = say!(Name::Attributes, ": the property {name} is a list; {rule}");
-                Err(Error::new(ErrorKind::InvalidArgument, message))
+                Err(Error::invalid(message))
             }
         }
     }

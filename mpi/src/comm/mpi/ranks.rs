@@ -159,7 +159,7 @@ impl Ranks {
     fn rank_of(&self, rank: usize) -> Result<c_int> {
         if rank >= self.size {
             let message = format!("rank {rank} of {}: there is no such rank", self.size);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(rank as c_int)
     }

@@ -38,7 +38,7 @@ impl Choice {
                 let columns = names.iter().zip(0u64..);
                 let free = columns.map(|(name, i)| if listed.contains(&i) { "" } else { *name });
                 let named = named_coordinates(&collected(free)?);
-                let named = named.map_err(|rule| Error::format(rule))?;
+                let named = named.map_err(Error::format)?;
                 named.map_or_else(|| otherwise(&listed), Ok)?
             }
             None => others(count, &listed),

@@ -48,17 +48,17 @@ pub(super) fn leave_out(mut lines: Lines<'_>, left_out: &mut LeftOut) -> Result<
     for (column, word) in header.words().take(2) {
         counts[column] = header.integer(column, word, ["number of elements", "size"][column])?;
     }
-    let [elements, corners] = counts;
+    let [elements, size] = counts;
     for index in 0..elements {
         let line = lines.require(|| format!("{index} of {elements} elements"))?;
-        if (line.word_count() as u64) <= corners {
-            let message = format!("an element of {corners} points has its id before them");
+        if (line.word_count() as u64) <= size {
+            let message = format!("an element of {size} points has its id before them");
             return Err(line.error(message));
         }
     }
     lines.require_end(&format!("the {elements} elements of the header"))?;
     // Triangles of second order have six points.
-    left_out.add(if matches!(corners, 3 | 6) { 2 } else { 3 }, elements);
+    left_out.add(if matches!(size, 3 | 6) { 2 } else { 3 }, elements);
     Ok(())
 }
 

@@ -189,8 +189,8 @@ impl<'a> AlphaShape<'a> {
     /// Fails as [`AlphaShape::solid`] does.
     pub fn boundary(&self, inputs: &Inputs, mesh: &Triangulation) -> Result<Vec<u32>> {
         let mut facets = self.solid(mesh)?.hull()?.vertices;
-        for corner in &mut facets {
-            *corner = inputs.first_input(*corner as usize).expect("a vertex that is an input");
+        for vertex in &mut facets {
+            *vertex = inputs.first_input(*vertex as usize).expect("a vertex that is an input");
         }
         Ok(facets)
     }

@@ -140,16 +140,16 @@ mod tests {
         let simplices = [[0, 1, 2], [0, 2, 3]];
         let mut cells = [Cell::default(); 4];
         for simplex in simplices {
-            let corners = simplex.map(|v: u32| &points[v as usize]);
-            assert_eq!(orientation(&corners).unwrap(), Ordering::Greater);
-            let entered = Simplex::new(&corners).unwrap();
+            let vertices = simplex.map(|v: u32| &points[v as usize]);
+            assert_eq!(orientation(&vertices).unwrap(), Ordering::Greater);
+            let entered = Simplex::new(&vertices).unwrap();
             entered.enter(&mut cells, &simplex);
             assert!((entered.radius_edge() - 0.5f64.sqrt()).abs() < 1e-9);
             assert!((entered.reach(&[0.5, 1.5]).to_f64() - 1.0).abs() < 1e-9);
         }
-        let corners = simplices[0].map(|v| &points[v as usize]);
-        assert_eq!(in_ball(&corners, &points[3]).unwrap(), Ordering::Equal);
-        assert_eq!(in_ball(&corners, &[0.5, 0.5]).unwrap(), Ordering::Greater);
+        let vertices = simplices[0].map(|v| &points[v as usize]);
+        assert_eq!(in_ball(&vertices, &points[3]).unwrap(), Ordering::Equal);
+        assert_eq!(in_ball(&vertices, &[0.5, 0.5]).unwrap(), Ordering::Greater);
         for cell in cells {
             assert!((cell.aspect() - 2f64.sqrt()).abs() < 1e-9);
             assert_eq!(cell.nearest(), 1.0);
@@ -159,8 +159,8 @@ mod tests {
     #[test]
     fn a_flat_simplex_reaches_beyond_all() {
         let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
-        let corners = [&points[0], &points[1], &points[2]];
-        let flat = Simplex::new(&corners).unwrap();
+        let vertices = [&points[0], &points[1], &points[2]];
+        let flat = Simplex::new(&vertices).unwrap();
         assert_eq!((flat.radius_edge(), flat.reach(&points[0])), (f64::INFINITY, Length::INFINITE));
     }
 

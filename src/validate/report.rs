@@ -325,6 +325,18 @@ mod tests {
     }
 
     #[test]
+    fn all_kinds_are_listed_by_rising_value() {
+        let header = include_str!("../../include/netmesh.h");
+        let value = |line: &str| -> Option<u32> {
+            let (_, value) = line.trim().strip_prefix("NM_VIOLATION_")?.split_once(" = ")?;
+            value.trim_end_matches(',').parse().ok()
+        };
+        let mut expected: Vec<u32> = header.lines().filter_map(value).collect();
+        expected.sort_unstable();
+        assert_eq!(ViolationKind::ALL.map(|kind| kind as u32).to_vec(), expected);
+    }
+
+    #[test]
     fn kinds_know_their_level() {
         assert_eq!(ViolationKind::None.level(), 0);
         assert_eq!(ViolationKind::HullLink.level(), 1);

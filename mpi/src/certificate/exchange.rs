@@ -2,9 +2,8 @@
 
 use crate::comm::Communicator;
 use crate::words::{append, words_of};
-use netmesh::distributed::memory::{TryGrow, with_capacity};
-
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, with_capacity};
 
 /// Records of `W` words, and the ranks that they go to.
 pub struct Outbox<const W: usize> {

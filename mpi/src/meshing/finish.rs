@@ -3,9 +3,8 @@
 
 use crate::comm::{Communicator, agreed};
 use crate::piece::{self, HULL, INTERFACE, Piece, PieceDomain};
-use netmesh::distributed::memory::{collected, with_capacity};
-
 use crate::words::{all_words, bytes_of};
+use netmesh::distributed::memory::{collected, with_capacity};
 use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
 use netmesh::{Result, VertexKind};
 

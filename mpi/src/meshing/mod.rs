@@ -15,10 +15,9 @@ mod sample;
 
 use crate::comm::{Communicator, agreed};
 use crate::piece::Piece;
-use netmesh::distributed::memory::collected;
-
 use crate::work::{Notes, Step};
 use netmesh::distributed::Coarse;
+use netmesh::distributed::memory::collected;
 use netmesh::options::ProgressFn;
 use netmesh::{Options, Progress, Result};
 

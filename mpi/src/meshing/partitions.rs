@@ -5,9 +5,8 @@ use super::Watch;
 use super::sample::{Input, keep_distinct, one_of};
 use crate::comm::{Communicator, agreed};
 use crate::words::{all_words, append, empty_messages, words_of};
-use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
-
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
 /// The least number of inputs of a partition in a large mesh, and in a small one.

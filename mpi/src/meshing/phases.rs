@@ -4,10 +4,9 @@ use super::Watch;
 use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
 use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
-use netmesh::distributed::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
-
 use crate::work::Step;
 use netmesh::Result;
+use netmesh::distributed::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
 
 /// Number of rings about what is left at the end, when it is extracted first. Then there are twice

@@ -4,7 +4,6 @@
 use crate::comm::{Communicator, agreed};
 use crate::words::{append, hash, words_of};
 use netmesh::distributed::memory::{TryGrow, collected};
-
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 

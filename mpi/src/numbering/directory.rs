@@ -4,9 +4,8 @@ use super::defect;
 use super::merged::Merged;
 use crate::comm::Communicator;
 use crate::words::{Words, append, empty_messages, hash};
-use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
-
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
 use netmesh::mesh::MAX_DIM;
 
 /// A facet whose other side is another rank's.

@@ -6,10 +6,9 @@ use super::defect;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
 use crate::piece::{ADDED, PieceDomain};
-use netmesh::distributed::memory::{TryGrow, collected};
-
 use crate::words::{append, distinct, empty_messages, words_of};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected};
 
 /// Data of a domain: id, version, parent, centre, radius and the centre's coordinates.
 pub type Record = [u64; 8];

@@ -5,9 +5,8 @@ use super::directory::{Crossing, Shared};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Ghost, InterfaceFacet};
 use crate::words::{Words, append, empty_messages};
-use netmesh::distributed::memory::{TryGrow, collected, copied, with_capacity};
-
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, copied, with_capacity};
 
 /// Collective. Sends the others those simplices that share a vertex with theirs.
 pub fn exchange(

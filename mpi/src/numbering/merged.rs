@@ -2,15 +2,14 @@
 
 use super::defect;
 use crate::piece::{self, Piece, PieceDomain};
-use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
-
 use crate::words::distinct;
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
 
-/// Across a facet is nothing.
+/// Value for nothing across a facet: the hull of the whole mesh.
 pub const HULL: u64 = u64::MAX;
 
-/// Across a facet is another piece, not yet known which.
+/// Value for another piece across a facet, not yet known which.
 pub const OPEN: u64 = u64::MAX - 1;
 
 #[derive(Default)]

@@ -16,10 +16,9 @@ use crate::comm::Communicator;
 use crate::comm::Operation;
 use crate::distributed::{DistributedMesh, NO_ID, Totals};
 use crate::piece::{ADDED, Piece};
-use netmesh::distributed::memory::{collected, copied, with_capacity};
-
 use directory::Shared;
 use merged::Merged;
+use netmesh::distributed::memory::{collected, copied, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 
 /// Collective. Makes the part of this rank. `inputs` are those that it has given.

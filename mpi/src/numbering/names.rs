@@ -2,9 +2,8 @@
 
 use crate::comm::Communicator;
 use crate::words::{bytes_of, empty_messages, words_of};
-use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
-
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 
 /// Number of its names that a rank tells all for the choice of ranges.
 const SAMPLES: usize = 64;

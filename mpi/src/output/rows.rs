@@ -3,7 +3,6 @@
 use crate::comm::Communicator;
 use crate::words::{Words, append, empty_messages};
 use netmesh::distributed::memory::{TryGrow, collected, filled};
-
 use netmesh::{Error, ErrorKind, Result};
 
 /// The rows of a rank.

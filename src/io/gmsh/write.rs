@@ -67,8 +67,8 @@ impl<'a> Elements<'a> {
     }
 
     fn vertices_of(&self, simplex: u32) -> &[u32] {
-        let corners = self.mesh.dim + 1;
-        &self.mesh.simplices[simplex as usize * corners..][..corners]
+        let size = self.mesh.dim + 1;
+        &self.mesh.simplices[simplex as usize * size..][..size]
     }
 
     fn ends_of(&self, edge: u32) -> &[u32] {

@@ -143,7 +143,7 @@ impl<'a, S> Grid<'a, S> {
     /// In this order that is always the right one.
     ///
     /// # Errors
-    /// Those of `out`, which is not called again.
+    /// Fails as `out` does, which is not called again.
     pub fn write(&self, source: &S, out: &mut dyn Write) -> io::Result<()> {
         writeln!(
             out,
@@ -191,7 +191,7 @@ impl<'a, S> Grid<'a, S> {
 /// plane.
 ///
 /// # Errors
-/// Those of `out`.
+/// Fails as `out` does.
 pub fn write_points(points: &[f64], dim: usize, out: &mut dyn Write) -> io::Result<()> {
     for point in points.chunks_exact(dim) {
         for axis in 0..3 {
@@ -204,7 +204,7 @@ pub fn write_points(points: &[f64], dim: usize, out: &mut dyn Write) -> io::Resu
 /// Writes the type of `cells` simplices: triangles or tetrahedra.
 ///
 /// # Errors
-/// Those of `out`.
+/// Fails as `out` does.
 pub fn write_types(dim: usize, cells: usize, out: &mut dyn Write) -> io::Result<()> {
     const TRIANGLE: u8 = 5;
     const TETRA: u8 = 10;

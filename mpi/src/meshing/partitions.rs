@@ -33,8 +33,8 @@ fn partition_count(total: u64) -> usize {
 /// A cluster that has no more than this part of a partition is made by one partition.
 const CLUSTER: usize = 8;
 
-/// Returns the number of points of a sample that a cluster has which is one vertex of the coarse
-/// mesh.
+/// Returns the largest number of points of a sample that a cluster has which is one vertex of the
+/// coarse mesh.
 pub fn small_cluster(sample: usize, total: u64) -> usize {
     sample / (CLUSTER * partition_count(total))
 }

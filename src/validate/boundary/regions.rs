@@ -26,7 +26,8 @@ pub(super) struct Component {
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
     is_of_all: bool,
-    /// Winding number that tells what is inside, or whether it is odd, where curves are closed.
+    /// Winding number, or its remainder by 2, that tells whether the component is inside: where
+    /// curves are closed.
     pub winding: Option<i64>,
     /// The seed in it.
     seed: Option<usize>,

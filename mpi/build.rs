@@ -1,7 +1,7 @@
 //! Compiles the C layer with MPI's own compiler wrapper, and links what that would link.
 //!
-//! `MPICC` names another wrapper than `mpicc`. Of the wrappers only the answer to `-show` (Open MPI's
-//! and MPICH's alike) is read: the command line that they would run.
+//! `MPICC` names another wrapper than `mpicc`. Of the wrappers only the answer to `-show` (Open
+//! MPI's and MPICH's alike) is read: the command line that they would run.
 
 use std::process::Command;
 
@@ -17,8 +17,8 @@ fn main() {
             String::from_utf8_lossy(&output.stdout).into_owned()
         }
         _ => panic!(
-            "`{wrapper} -show` fails: MPI is needed (Debian: libopenmpi-dev), or MPICC, which names \
-             its compiler wrapper"
+            "`{wrapper} -show` fails: MPI is needed (Debian: libopenmpi-dev), or MPICC, which \
+             names its compiler wrapper"
         ),
     };
     let mut build = cc::Build::new();
@@ -44,7 +44,7 @@ fn main() {
     }
 }
 
-/// Where headers are, and macros.
+/// Returns true for words of the wrapper's command that name directories of headers, or macros.
 fn is_for_the_compiler(word: &str) -> bool {
     ["-I", "-isystem", "-D"].iter().any(|start| word.starts_with(start))
 }

@@ -5,3 +5,10 @@ pub use crate::netmesh::distributed::{
     Bisection, Coarse, HULL, INTERFACE, Located, MADE, Maker, NO_DOMAIN, Piece, PlainDomain,
     PlainPiece, RINGS,
 };
+
+/// Growth of arrays that may be refused, since `Vec` ends the process where the system has no more.
+pub mod memory {
+    pub use crate::memory::{
+        AllocError, AllocResult, TryGrow, collected, copied, filled, with_capacity,
+    };
+}

@@ -1,5 +1,5 @@
-//! A test of messages over MPI, run by mpirun: all lengths, in pieces of a few bytes, and failures of a
-//! rank while others are in any call. Every rank ends with a panic where something is wrong.
+//! A test of messages over MPI, run by mpirun: all lengths, in pieces of a few bytes, and failures
+//! of a rank while others are in any call. Every rank ends with a panic where something is wrong.
 
 use netmesh::{Error, ErrorKind, Result};
 use netmesh_mpi::comm::mpi::{Ranks, begin, end};
@@ -61,7 +61,8 @@ fn lengths(comm: &dyn Communicator, chunk: u32) -> Result<()> {
     }
 }
 
-/// The last rank fails while rank 0 is at a barrier and the others are in `call`.
+/// Checks that all ranks learn of a failure of the last rank while rank 0 is at a barrier and the
+/// others are in `call`.
 fn failure(comm: &dyn Communicator, call: fn(&dyn Communicator) -> Result<()>) {
     let last = comm.size() - 1;
     let error = agreed(comm, || match comm.rank() {

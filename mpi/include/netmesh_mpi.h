@@ -62,7 +62,7 @@
 
 /** The initial value of an nm_mpi_report: struct_size is set, the rest is zero. */
 #define NM_MPI_REPORT_INIT                                                                         \
-    { sizeof(nm_mpi_report), 0, 0, 0, NM_MPI_VIOLATION_NONE, 0, 0, 0, { 0 } }
+    { sizeof(nm_mpi_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
 
 /**
  * Formats of meshes of several ranks.
@@ -90,208 +90,6 @@ enum nm_mpi_format
 };
 #ifndef __cplusplus
 typedef int32_t nm_mpi_format;
-#endif // __cplusplus
-
-/**
- * nm_mpi_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
- * (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). A rule of
- * nm_violation has its value; those from 51 on are of what ranks have in common. Later versions may
- * append kinds.
- */
-enum nm_mpi_violation
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Nothing was found broken.
-     */
-    NM_MPI_VIOLATION_NONE = 0,
-    /**
-     * An array does not have the length that the others ask for.
-     */
-    NM_MPI_VIOLATION_ARRAY_LENGTH = 1,
-    /**
-     * A coordinate is infinite or not a number.
-     */
-    NM_MPI_VIOLATION_NON_FINITE = 2,
-    /**
-     * A simplex names a vertex that does not exist.
-     */
-    NM_MPI_VIOLATION_VERTEX_OUT_OF_RANGE = 3,
-    /**
-     * A simplex names a vertex twice.
-     */
-    NM_MPI_VIOLATION_REPEATED_VERTEX = 4,
-    /**
-     * A vertex is in no simplex.
-     */
-    NM_MPI_VIOLATION_UNUSED_VERTEX = 5,
-    /**
-     * A simplex names a neighbour that is neither an own simplex nor a ghost.
-     */
-    NM_MPI_VIOLATION_NEIGHBOR_OUT_OF_RANGE = 6,
-    /**
-     * Two simplices have the same vertices.
-     */
-    NM_MPI_VIOLATION_DUPLICATE_SIMPLEX = 7,
-    /**
-     * A facet is in more than two simplices.
-     */
-    NM_MPI_VIOLATION_OVERFULL_FACET = 8,
-    /**
-     * A simplex shares a facet with another one but names no neighbour there.
-     */
-    NM_MPI_VIOLATION_MISSING_NEIGHBOR = 9,
-    /**
-     * A simplex names another neighbour than the one that shares its facet.
-     */
-    NM_MPI_VIOLATION_NEIGHBOR_FACET = 11,
-    /**
-     * The numbers of faces of each dimension do not add up to a ball's.
-     */
-    NM_MPI_VIOLATION_EULER_CHARACTERISTIC = 13,
-    /**
-     * The simplices round a vertex are not connected through facets at that vertex.
-     */
-    NM_MPI_VIOLATION_VERTEX_STAR = 14,
-    /**
-     * The link of a vertex is not a sphere, or on the hull a ball, by its Euler characteristic.
-     */
-    NM_MPI_VIOLATION_VERTEX_LINK = 15,
-    /**
-     * A hull ridge is not in exactly two hull facets.
-     */
-    NM_MPI_VIOLATION_HULL_RIDGE = 16,
-    /**
-     * Ids do not rise, or are out of range, or two ranks count them from different numbers.
-     */
-    NM_MPI_VIOLATION_IDS = 51,
-    /**
-     * Two ranks have different coordinates, kinds, domains or cages of a vertex.
-     */
-    NM_MPI_VIOLATION_SHARED_VERTEX = 52,
-    /**
-     * The owner of a vertex is not the lowest rank that has a simplex with it.
-     */
-    NM_MPI_VIOLATION_VERTEX_OWNER = 53,
-    /**
-     * A ghost is not what its owner has under its id, or shares no vertex with the rank.
-     */
-    NM_MPI_VIOLATION_GHOST = 54,
-    /**
-     * A simplex that shares a vertex with the rank is not among its ghosts.
-     */
-    NM_MPI_VIOLATION_MISSING_GHOST = 55,
-    /**
-     * The interface is not the facets whose neighbours are ghosts.
-     */
-    NM_MPI_VIOLATION_INTERFACE = 56,
-    /**
-     * The sizes of the whole mesh are not those of all parts.
-     */
-    NM_MPI_VIOLATION_TOTALS = 57,
-    /**
-     * Two ranks have different centres, radii or parents of a domain.
-     */
-    NM_MPI_VIOLATION_SHARED_DOMAIN = 58,
-    /**
-     * A simplex is flat or negatively oriented.
-     */
-    NM_MPI_VIOLATION_ORIENTATION = 101,
-    /**
-     * Two neighbours lie on the same side of the facet that they share.
-     */
-    NM_MPI_VIOLATION_FOLDED_FACET = 102,
-    /**
-     * The opposite vertex of a neighbour is strictly inside a simplex's circumball.
-     */
-    NM_MPI_VIOLATION_DELAUNAY = 103,
-    /**
-     * The hull is not convex at a ridge.
-     */
-    NM_MPI_VIOLATION_NON_CONVEX_HULL = 104,
-    /**
-     * An input's vertex does not exist, or is not that of the first of equal inputs.
-     */
-    NM_MPI_VIOLATION_INPUT_VERTEX = 201,
-    /**
-     * The vertex of a distinct input does not have that input's bits.
-     */
-    NM_MPI_VIOLATION_INPUT_BITS = 202,
-    /**
-     * A vertex's kind contradicts its id: those of inputs are below the number of inputs.
-     */
-    NM_MPI_VIOLATION_VERTEX_KIND = 203,
-    /**
-     * The domains are not a tree: the root is not the only one without a parent, or a ball is
-     * larger than its parent's.
-     */
-    NM_MPI_VIOLATION_DOMAIN_TREE = 205,
-    /**
-     * A domain's radius is not positive and finite.
-     */
-    NM_MPI_VIOLATION_DOMAIN_BALL = 206,
-    /**
-     * The vertex at a domain's centre is elsewhere, or not labelled as in that domain's subtree.
-     */
-    NM_MPI_VIOLATION_DOMAIN_CENTER = 207,
-    /**
-     * A domain's ball reaches out of its parent's.
-     */
-    NM_MPI_VIOLATION_DOMAIN_OUTSIDE_PARENT = 208,
-    /**
-     * A vertex is labelled with a domain that does not exist, or that does not contain it.
-     */
-    NM_MPI_VIOLATION_VERTEX_DOMAIN = 210,
-    /**
-     * A vertex's kind contradicts the cage that it is part of, or it is outside of that cage's
-     * domain.
-     */
-    NM_MPI_VIOLATION_CAGE_OF = 211,
-    /**
-     * A cage vertex is not near its cage's sphere.
-     */
-    NM_MPI_VIOLATION_CAGE_RADIUS = 212,
-    /**
-     * A cage has too few vertices to enclose its domain's centre.
-     */
-    NM_MPI_VIOLATION_CAGE_INCOMPLETE = 213,
-    /**
-     * A vertex on the hull is not of the root's cage.
-     */
-    NM_MPI_VIOLATION_HULL_VERTEX = 214,
-    /**
-     * An input inside a domain's ball encroaches its cage (Definition 2).
-     */
-    NM_MPI_VIOLATION_INNER_ENCROACHMENT = 215,
-    /**
-     * A vertex outside a domain's ball encroaches its cage (Definition 2).
-     */
-    NM_MPI_VIOLATION_OUTER_ENCROACHMENT = 216,
-    /**
-     * Simplices span more domains than un-encroached cages allow.
-     */
-    NM_MPI_VIOLATION_DOMAIN_SPAN = 217,
-    /**
-     * The Voronoi cell of a vertex has a worse aspect than the bound.
-     */
-    NM_MPI_VIOLATION_VERTEX_ASPECT = 218,
-    /**
-     * The union cell of a cage has a worse aspect than the bound.
-     */
-    NM_MPI_VIOLATION_CAGE_ASPECT = 219,
-    /**
-     * A simplex has a larger ratio of circumradius to shortest edge than the bound.
-     */
-    NM_MPI_VIOLATION_RADIUS_EDGE = 220,
-    /**
-     * A finished mesh has other domains than the root.
-     */
-    NM_MPI_VIOLATION_NOT_FINISHED = 221,
-};
-#ifndef __cplusplus
-typedef int32_t nm_mpi_violation;
 #endif // __cplusplus
 
 /**
@@ -460,9 +258,9 @@ typedef struct nm_mpi_report {
      */
     uint64_t checked;
     /**
-     * The first violation's kind; NM_MPI_VIOLATION_NONE if there is none.
+     * The first violation's kind; NM_VIOLATION_NONE if there is none.
      */
-    nm_mpi_violation kind;
+    nm_violation kind;
     /**
      * The rank whose part of the mesh the first violation is in; NM_NONE if there is none.
      */

@@ -8,8 +8,8 @@ use std::fmt::{Debug, Write};
 /// The name of the dimension among arguments, whose disagreement has a status of its own.
 const DIMENSION: &str = "dim";
 
-/// Arguments of a collective call under the caller's names, with values as texts: different values have
-/// different texts.
+/// Arguments of a collective call under the caller's names, with values as texts: different values
+/// have different texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Arguments {
     entries: Vec<(String, String)>,
@@ -50,7 +50,7 @@ impl Arguments {
         self
     }
 
-    /// A digest (Fowler, Noll and Vo's, of 64 bits).
+    /// Returns a digest of the arguments (Fowler, Noll and Vo's, of 64 bits).
     fn digest(&self) -> u64 {
         let mut text = String::new();
         for entry in &self.entries {
@@ -61,14 +61,14 @@ impl Arguments {
     }
 }
 
-/// The digest of some bytes.
+/// Returns the digest of some bytes.
 pub fn digest<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> u64 {
     parts.into_iter().flatten().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// An optional value as who gave it knows it.
+/// Returns an optional value as who gave it knows it.
 fn in_words(value: &str) -> String {
     match value.strip_prefix("Some(") {
         Some(inner) => inner.strip_suffix(',').unwrap_or(inner).to_owned(),
@@ -81,12 +81,12 @@ fn is_field(word: &str) -> bool {
     !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_')
 }
 
-/// Collective: refuses arguments that differ between ranks; all ranks answer the same, in the words of
-/// the lowest rank that differs from rank 0. `subject`, which may differ, begins the message. `own`
-/// makes the arguments, or says what is wrong with them on this rank alone.
+/// Collective. Refuses arguments that differ between ranks; all ranks answer the same, in the words
+/// of the lowest rank that differs from rank 0. `subject`, which may differ, begins the message.
+/// `own` makes the arguments, or says what is wrong with them on this rank alone.
 ///
-/// Calls that some ranks may confuse begin with this one, before any other word to each other: only so
-/// is it known what the others are at.
+/// Calls that some ranks may confuse begin with this one, before any other word to each other: only
+/// so is it known what the others are at.
 ///
 /// # Errors
 /// `InvalidArgument`; `Dimension` where it is `dim` that differs; those of `own`.
@@ -116,7 +116,7 @@ pub fn require_same(
         }
     })?;
     let message = "arguments are not the same on all ranks";
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
 fn disagreement(subject: &str, (name, own): &(String, String), first: &str) -> Error {
@@ -194,8 +194,8 @@ mod tests {
             require_same(comm, &format!("file {rank}: "), || Ok(own))
                 .map_err(|error| error.to_string())
         });
-        let expected = "file 2: options.seed is 2, on rank 0 it is 7; it must be the same on all ranks \
-                        (rank 2)";
+        let expected = "file 2: options.seed is 2, on rank 0 it is 7; it must be the same on all \
+            ranks (rank 2)";
         assert_eq!(answers, vec![Err(expected.to_owned()); 4]);
         let answers = threads::run(3, |comm| {
             let own = Arguments::of_call("a_call").and("dim", 2 + comm.rank() / 2);

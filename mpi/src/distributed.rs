@@ -3,7 +3,7 @@
 use crate::work::Work;
 use netmesh::{Criterion, Output, Parameters};
 
-/// No id: across the hull, no domain.
+/// Value for no id: across the hull, no domain.
 pub const NO_ID: u64 = u64::MAX;
 
 /// Sizes of the whole mesh, equal on all ranks.
@@ -11,9 +11,9 @@ pub const NO_ID: u64 = u64::MAX;
 pub struct Totals {
     /// Points that all ranks have given.
     pub inputs: u64,
-    /// Those of them that are equal to one before.
+    /// Number of inputs that are equal to one before.
     pub duplicates: u64,
-    /// Vertices.
+    /// Number of vertices.
     pub vertices: u64,
     /// Ids of vertices are below this: all inputs, and the vertices that are none.
     pub vertex_ids: u64,
@@ -23,13 +23,13 @@ pub struct Totals {
     pub pieces: u64,
 }
 
-/// What the run promises of the quality of its cells, equal on all ranks.
+/// Bounds that the run promises for the quality of its cells, equal on all ranks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Promise {
-    /// Whether the mesh is well-spaced, of one domain.
+    /// True if the mesh is well-spaced, of one domain.
     pub is_finished: bool,
     pub criterion: Criterion,
-    /// Of the criterion; infinite where nothing is promised.
+    /// Bound of the criterion; infinite where nothing is promised.
     pub quality_bound: f64,
     /// The parameters of cages, as in [`Parameters`].
     pub epsilon: f64,
@@ -65,8 +65,8 @@ impl Promise {
         }
     }
 
-    /// Whether cells answer for all of their corners in every domain: its cage surrounds its
-    /// inputs.
+    /// Returns true if cells answer for all of their corners in every domain: its cage surrounds
+    /// its inputs.
     pub fn counts_all_corners(&self) -> bool {
         /// A cage surrounds inputs within this fraction of its sphere's radius.
         const SURROUNDED: f64 = 0.8;
@@ -105,8 +105,9 @@ pub struct Domain {
     pub position: [f64; 3],
 }
 
-/// A rank's part of a mesh. Vertices and simplices have ids in the whole mesh. That of a vertex that
-/// is an input is its index among the inputs of all ranks, of equal ones the least; the others follow.
+/// A rank's part of a mesh. Vertices and simplices have ids in the whole mesh. That of a vertex
+/// that is an input is its index among the inputs of all ranks, of equal ones the least; the others
+/// follow.
 #[derive(Clone, Debug, Default)]
 pub struct DistributedMesh {
     pub dim: usize,
@@ -117,14 +118,14 @@ pub struct DistributedMesh {
     /// The number of inputs of the ranks before, and this rank's own.
     pub first_input: u64,
     pub inputs: Vec<f64>,
-    /// The vertices that this rank knows: first those of its own simplices, then those that only ghosts
-    /// have. Rising ids in both.
+    /// The vertices that this rank knows: first those of its own simplices, then those that only
+    /// ghosts have. Rising ids in both.
     pub vertex_ids: Vec<u64>,
-    /// How many of them are the own simplices'.
+    /// Number of vertices of the own simplices, which come first.
     pub own_vertices: usize,
     /// The lowest rank that has a simplex with the vertex.
     pub vertex_owners: Vec<u32>,
-    /// `vertices x dim`.
+    /// Coordinates of the vertices: `vertices x dim`.
     pub points: Vec<f64>,
     pub kinds: Vec<u8>,
     /// Ids of the innermost domains, [`NO_ID`] where there is none.
@@ -135,18 +136,18 @@ pub struct DistributedMesh {
     pub domains: Vec<Domain>,
     /// The id of the first own simplex; the others follow.
     pub first_simplex: u64,
-    /// `simplices x (dim + 1)` indices of vertices, positively oriented.
+    /// Vertices of the own simplices: `simplices x (dim + 1)` indices, positively oriented.
     pub simplices: Vec<u32>,
-    /// `simplices x (dim + 1)` ids of simplices, [`NO_ID`] across the hull.
+    /// Neighbours of the own simplices: `simplices x (dim + 1)` ids, [`NO_ID`] across the hull.
     pub neighbors: Vec<u64>,
-    /// By rising id.
+    /// Simplices of other ranks that share a vertex with own ones, sorted by id.
     pub ghosts: Vec<Ghost>,
-    /// `ghosts x (dim + 1)` indices of vertices.
+    /// Vertices of the ghosts: `ghosts x (dim + 1)` indices.
     pub ghost_simplices: Vec<u32>,
     pub interface: Vec<InterfaceFacet>,
-    /// Bytes that this rank has sent to others.
+    /// Number of bytes that this rank has sent to others.
     pub bytes_sent: u64,
-    /// What the steps of the run took on this rank, in their order.
+    /// Costs of the steps of the run on this rank, in their order.
     pub work: Vec<Work>,
 }
 

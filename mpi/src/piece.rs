@@ -1,7 +1,7 @@
-//! What the algorithm leaves on a rank: pieces of the mesh, which fit together by the names of their
+//! Pieces of the mesh that the algorithm leaves on a rank, which fit together by the names of their
 //! vertices. Plain data.
 
-/// No simplex across a facet: the hull of the whole mesh.
+/// Value for no simplex across a facet: the hull of the whole mesh.
 pub const HULL: u32 = u32::MAX;
 
 /// Across a facet is another piece, of this rank or of another.
@@ -20,21 +20,22 @@ pub const ADDED: u64 = 1 << 63;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Piece {
     pub dim: usize,
-    /// By local vertex.
+    /// Name of each local vertex.
     pub names: Vec<u64>,
-    /// `vertices x dim`.
+    /// Coordinates of the local vertices: `vertices x dim`.
     pub points: Vec<f64>,
-    /// By local vertex, the values of [`netmesh::VertexKind`].
+    /// Kind of each local vertex, a value of [`netmesh::VertexKind`].
     pub kinds: Vec<u8>,
-    /// `simplices x (dim + 1)` local vertices, positively oriented.
+    /// Vertices of the simplices: `simplices x (dim + 1)` local ones, positively oriented.
     pub simplices: Vec<u32>,
-    /// `simplices x (dim + 1)` local simplices, the i-th opposite vertex i; [`HULL`] or [`INTERFACE`].
+    /// Neighbours of the simplices: `simplices x (dim + 1)` local ones, the i-th opposite vertex i;
+    /// [`HULL`] or [`INTERFACE`].
     pub neighbors: Vec<u32>,
-    /// What the piece knows of domains, of which other pieces may know more.
+    /// Domains that the piece knows, of which other pieces may know more.
     pub domains: Vec<PieceDomain>,
-    /// By local vertex: the name of the innermost domain that holds it.
+    /// Name of the innermost domain that holds each local vertex.
     pub vertex_domains: Vec<u64>,
-    /// By local vertex: the name of the domain whose cage it is part of, or [`NO_DOMAIN`].
+    /// Name of the domain whose cage each local vertex is part of, or [`NO_DOMAIN`].
     pub vertex_cages: Vec<u64>,
 }
 
@@ -46,10 +47,10 @@ pub struct PieceDomain {
     /// The name of the enclosing domain, `None` for the root.
     pub parent: Option<u64>,
     pub name: u64,
-    /// Of all that pieces know of a domain, what has the highest version holds.
+    /// Version of the domain: of all that pieces know of it, what has the highest version holds.
     pub version: u64,
     pub radius: f64,
-    /// In 2D the last is 0.
+    /// Coordinates of the centre; in 2D the last is 0.
     pub position: [f64; 3],
 }
 

@@ -11,13 +11,13 @@ use netmesh::mesh::MIN_DIM;
 use netmesh::options::ProgressFn;
 use netmesh::{Algorithm, Error, ErrorKind, Extent, Options, Parameters, Result};
 
-/// Collective: the mesh of the points of all ranks, `dim` coordinates each; a rank may have none.
+/// Collective. Meshes the points of all ranks, `dim` coordinates each; a rank may have none.
 ///
 /// # Errors
-/// The same on all ranks, that of the lowest rank that has one: `Dimension` (out of range, or not the
-/// same on all ranks), `NonFinite` (names point and coordinate), `InvalidArgument` (an option that is
-/// out of range, not for meshes of several ranks, or not the same on all), and those of a run of the
-/// core.
+/// All ranks answer the error of the lowest rank that has one: `Dimension` (out of range, or not
+/// the same on all ranks), `NonFinite` (names point and coordinate), `InvalidArgument` (an option
+/// that is out of range, not for meshes of several ranks, or not the same on all), and those of a
+/// run of the core.
 pub fn run(
     comm: &dyn Communicator,
     dim: usize,
@@ -62,7 +62,8 @@ fn check_points(dim: usize, points: &[f64]) -> Result<()> {
     let Some(at) = points.iter().position(|x| !x.is_finite()) else { return Ok(()) };
     let (point, axis, value) = (at / dim, at % dim, points[at]);
     let message = format!(
-        "points[{point}] has a non-finite coordinate {axis}: {value}; every coordinate must be finite"
+        "points[{point}] has a non-finite coordinate {axis}: {value}; every coordinate must be \
+         finite"
     );
     Err(Error::new(ErrorKind::NonFinite, message))
 }
@@ -99,11 +100,11 @@ fn refused_number(name: Name, value: f64) -> Option<Message> {
 fn check_options(options: &Options) -> Result<()> {
     match REFUSED.iter().find_map(|(_, refusal)| refusal(options)) {
         None => Ok(()),
-        Some(message) => Err(Error::new(ErrorKind::InvalidArgument, message)),
+        Some(message) => Err(Error::invalid(message)),
     }
 }
 
-/// Collective: the bytes that all ranks have sent, and the most of one.
+/// Collective. Returns the bytes that all ranks have sent, and the most of one.
 pub fn bytes_sent(comm: &dyn Communicator, mesh: &DistributedMesh) -> Result<(u64, u64)> {
     let mut sum = [mesh.bytes_sent];
     let mut most = sum;
@@ -129,7 +130,8 @@ mod tests {
         names
     }
 
-    /// The function of sizes is refused in `capi`, which alone knows it.
+    /// Compares the header's list with the refusals; that of the function of sizes is in `capi`,
+    /// which alone knows it.
     #[test]
     fn the_header_lists_every_refusal() {
         let header = include_str!("../include/netmesh_mpi.h");

@@ -1,33 +1,33 @@
 //! Messages as 64-bit words, in the byte order of files: ranks may be of different machines.
 
-use crate::memory::{TryGrow, collected, with_capacity};
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 
 /// Appends `words` to `bytes`.
 pub fn append(bytes: &mut Vec<u8>, words: &[u64]) -> Result<()> {
-    words.iter().try_for_each(|word| bytes.try_extend(&word.to_le_bytes()))
+    Ok(words.iter().try_for_each(|word| bytes.try_extend(&word.to_le_bytes()))?)
 }
 
-/// The bytes of `words`.
+/// Returns the bytes of `words`.
 pub fn bytes_of(words: &[u64]) -> Result<Vec<u8>> {
     let mut bytes = with_capacity(8 * words.len())?;
     words.iter().for_each(|word| bytes.extend_from_slice(&word.to_le_bytes()));
     Ok(bytes)
 }
 
-/// The words of a message.
+/// Returns the words of a message.
 pub fn words_of(bytes: &[u8]) -> impl ExactSizeIterator<Item = u64> + Clone + '_ {
     bytes.chunks_exact(8).map(|word| u64::from_le_bytes(word.try_into().unwrap_or_default()))
 }
 
-/// The words of several messages, one after another.
+/// Returns the words of several messages, one after another.
 pub fn all_words(messages: &[Vec<u8>]) -> Result<Vec<u64>> {
     let mut words = with_capacity(messages.iter().map(|message| message.len() / 8).sum())?;
     messages.iter().for_each(|message| words.extend(words_of(message)));
     Ok(words)
 }
 
-/// Words in order, each once; [`u64::MAX`] is none.
+/// Returns the words in order, each once; [`u64::MAX`] is none.
 pub fn distinct(words: impl IntoIterator<Item = u64>) -> Result<Vec<u64>> {
     let mut all = Vec::new();
     for word in words {
@@ -41,13 +41,13 @@ pub fn distinct(words: impl IntoIterator<Item = u64>) -> Result<Vec<u64>> {
     Ok(all)
 }
 
-/// A message for each rank, to be filled.
+/// Returns a message for each rank, to be filled.
 pub fn empty_messages(ranks: usize) -> Result<Vec<Vec<u8>>> {
-    collected((0..ranks).map(|_| Vec::new()))
+    Ok(collected((0..ranks).map(|_| Vec::new()))?)
 }
 
-/// What chooses something by these words alone: mixed as by Steele, Lea and Flood, "Fast splittable
-/// pseudorandom number generators", 2014.
+/// Returns a hash that chooses something by these words alone: mixed as by Steele, Lea and Flood,
+/// "Fast splittable pseudorandom number generators", 2014.
 pub fn hash(words: &[u64]) -> u64 {
     words.iter().fold(0, |hash, word| {
         let mixed = (hash ^ word).wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -71,7 +71,7 @@ impl<'a> Words<'a> {
         self.rest.is_empty()
     }
 
-    /// The next word; a message that ends before it is a defect of the sender.
+    /// Returns the next word; a message that ends before it is a defect of the sender.
     pub fn next(&mut self) -> Result<u64> {
         let (word, rest) = self
             .rest

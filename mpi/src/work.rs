@@ -1,10 +1,10 @@
-//! What a run takes on a rank, step by step: for [`crate::DistributedMesh::work`], and for the model of
-//! docs/scaling.md.
+//! Costs of a run on a rank, step by step: for [`crate::DistributedMesh::work`], and for the model
+//! of docs/scaling.md.
 
 use crate::comm::Communicator;
 use crate::comm::mpi::processor_seconds;
-use crate::memory::TryGrow;
 use netmesh::Result;
+use netmesh::distributed::memory::TryGrow;
 
 /// A part of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,15 +15,15 @@ pub enum Step {
     Inputs,
     /// A partition of a phase; phase 0 is that of the coarse mesh's partitions.
     Partition { phase: u32, number: u32 },
-    /// The seams that a phase has left are cut and go to the ranks of their partitions.
+    /// The seams that a phase has left are divided and go to the ranks of their partitions.
     Seams { phase: u32 },
-    /// What all phases have left is done.
+    /// Step that does what all phases have left.
     Rest,
-    /// Ids, ghosts and interfaces.
+    /// Step that makes ids, ghosts and interfaces.
     Numbers,
 }
 
-/// What a step took on this rank.
+/// Cost of a step on this rank.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Work {
     pub step: Step,
@@ -31,14 +31,16 @@ pub struct Work {
     pub inputs: u64,
     /// Simplices that there were when it began.
     pub simplices: u64,
-    /// Processor time of the thread that made it. Where ranks wait for each other, MPI may use some.
+    /// Processor time of the thread that made it. Where ranks wait for each other, MPI may use
+    /// some.
     pub seconds: f64,
-    /// Bytes that this rank has sent to others.
+    /// Number of bytes that this rank has sent to others.
     pub sent: u64,
 }
 
 impl Step {
-    /// Its name, its phase and its number among the partitions of that, where it has any.
+    /// Returns the step's name, its phase and its number among the partitions of that, where it has
+    /// any.
     pub fn parts(self) -> (&'static str, Option<u32>, Option<u32>) {
         match self {
             Self::Coarse => ("coarse", None, None),
@@ -50,7 +52,7 @@ impl Step {
         }
     }
 
-    /// Whether ranks go through it without a word to each other.
+    /// Returns true if ranks go through the step without a word to each other.
     pub fn is_alone(self) -> bool {
         matches!(self, Self::Partition { .. })
     }
@@ -69,7 +71,7 @@ impl<'a> Notes<'a> {
         Self { comm, seconds: processor_seconds(), sent: comm.bytes_sent(), work: Vec::new() }
     }
 
-    /// A step has ended.
+    /// Notes that a step has ended.
     pub fn end(&mut self, step: Step, inputs: u64, simplices: u64) -> Result<()> {
         let (seconds, sent) = (processor_seconds(), self.comm.bytes_sent());
         let (took, own) = (seconds - self.seconds, sent - self.sent);

@@ -6,7 +6,7 @@ use netmesh_mpi::comm::{Communicator, Operation, agree, agreed, threads};
 use netmesh_mpi::distributed::NO_ID;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Pseudorandom points, one after another.
+/// Returns pseudorandom points, one after another.
 fn points(dim: usize, count: usize) -> Vec<f64> {
     let mut state = 7u64;
     let mut number = || {
@@ -16,7 +16,7 @@ fn points(dim: usize, count: usize) -> Vec<f64> {
     (0..dim * count).map(|_| number()).collect()
 }
 
-/// The points of a rank: blocks of one size.
+/// Returns the points of a rank: blocks of one size.
 fn share(all: &[f64], dim: usize, comm: &dyn Communicator) -> Vec<f64> {
     let start = |rank| all.len() / dim * rank / comm.size() * dim;
     all[start(comm.rank())..start(comm.rank() + 1)].to_vec()
@@ -57,7 +57,7 @@ fn messages_of_all_lengths_arrive() {
     }
 }
 
-/// One rank fails while the others are in any call, or wait for a message that never comes.
+/// Lets one rank fail while the others are in any call, or wait for a message that never comes.
 #[test]
 fn a_failure_of_one_rank_reaches_all_wherever_they_are() {
     type Call = fn(&dyn Communicator) -> netmesh::Result<()>;
@@ -107,24 +107,24 @@ fn a_panic_of_one_rank_is_an_error_on_all() {
     }
 }
 
-/// The simplices as the bits of their corners.
+/// Returns the simplices as the bits of the coordinates of their vertices.
 fn simplices_of<'a>(
     dim: usize,
     simplices: impl Iterator<Item = &'a [u32]>,
     points: &[f64],
 ) -> BTreeSet<Vec<Vec<u64>>> {
-    let corner = |vertex: &u32| {
+    let coordinates = |vertex: &u32| {
         points[*vertex as usize * dim..][..dim].iter().map(|x| x.to_bits()).collect::<Vec<_>>()
     };
     let sorted = |simplex: &[u32]| {
-        let mut corners: Vec<_> = simplex.iter().map(corner).collect();
-        corners.sort();
-        corners
+        let mut vertices: Vec<_> = simplex.iter().map(coordinates).collect();
+        vertices.sort();
+        vertices
     };
     simplices.map(sorted).collect()
 }
 
-/// Several partitions and seams, wherever they are made.
+/// Makes several partitions and seams, wherever they are made.
 #[test]
 fn the_parts_of_all_ranks_are_the_mesh_of_one() {
     for (dim, count) in [(2, 4000), (3, 2500)] {
@@ -165,8 +165,8 @@ fn the_parts_of_all_ranks_are_the_mesh_of_one() {
 fn ghosts_complete_the_stars_of_own_vertices() {
     let all = points(3, 120);
     let parts = parts(3, &all, 4);
-    let ids = |part: &DistributedMesh, corners: &[u32]| -> BTreeSet<u64> {
-        corners.iter().map(|corner| part.vertex_ids[*corner as usize]).collect()
+    let ids = |part: &DistributedMesh, vertices: &[u32]| -> BTreeSet<u64> {
+        vertices.iter().map(|vertex| part.vertex_ids[*vertex as usize]).collect()
     };
     let mut whole = BTreeMap::new();
     for part in &parts {
@@ -179,7 +179,7 @@ fn ghosts_complete_the_stars_of_own_vertices() {
         let own: BTreeSet<u64> = part.vertex_ids[..part.own_vertices].iter().copied().collect();
         let expected: BTreeMap<u64, (usize, BTreeSet<u64>)> = whole
             .iter()
-            .filter(|(_, (rank, corners))| *rank != part.rank && !corners.is_disjoint(&own))
+            .filter(|(_, (rank, vertices))| *rank != part.rank && !vertices.is_disjoint(&own))
             .map(|(id, simplex)| (*id, simplex.clone()))
             .collect();
         let found: BTreeMap<u64, (usize, BTreeSet<u64>)> = (0..part.ghosts.len())
@@ -203,7 +203,8 @@ fn what_does_not_fit_together_is_told_to_all() {
         (
             |rank, points, _, _| points[3] = [0.0, f64::NAN][rank % 2],
             ErrorKind::NonFinite,
-            "points[1] has a non-finite coordinate 1: NaN; every coordinate must be finite (rank 1)",
+            "points[1] has a non-finite coordinate 1: NaN; every coordinate must be finite (rank \
+             1)",
         ),
         (
             |rank, points, dim, _| (*points, *dim) = (Vec::new(), 2 + rank % 2),
@@ -257,7 +258,7 @@ fn a_cancelled_rank_cancels_all() {
     assert!(errors.iter().all(|error| error.kind() == ErrorKind::Cancelled), "{errors:?}");
 }
 
-/// The file that is missing is named as the rank knows it that misses it.
+/// Holds that the file that is missing is named as the rank knows it that misses it.
 #[test]
 fn a_file_that_one_rank_misses_has_that_ranks_name() {
     let directory = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("shares");

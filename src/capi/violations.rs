@@ -3,8 +3,8 @@
 use crate::validate::ViolationKind;
 
 /// nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
-/// (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Later
-/// versions may append kinds.
+/// (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Those from
+/// 51 to 58 are of meshes on several ranks (netmesh_mpi.h). Later versions may append kinds.
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +52,23 @@ pub enum nm_violation {
     /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
     /// subsegments are not those that are edges of its simplices.
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
+    /// Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
+    /// numbers by two ranks.
+    NM_VIOLATION_IDS = 51,
+    /// Two ranks have different coordinates, kinds, domains or cages of a vertex.
+    NM_VIOLATION_SHARED_VERTEX = 52,
+    /// The owner of a vertex is not the lowest rank that has a simplex with it.
+    NM_VIOLATION_VERTEX_OWNER = 53,
+    /// A ghost is not what its owner has under its id, or shares no vertex with the rank.
+    NM_VIOLATION_GHOST = 54,
+    /// A simplex that shares a vertex with the rank is not among its ghosts.
+    NM_VIOLATION_MISSING_GHOST = 55,
+    /// The interface is not the facets whose neighbours are ghosts.
+    NM_VIOLATION_INTERFACE = 56,
+    /// The sizes of the whole mesh are not those of all parts.
+    NM_VIOLATION_TOTALS = 57,
+    /// Two ranks have different centres, radii or parents of a domain.
+    NM_VIOLATION_SHARED_DOMAIN = 58,
     /// A simplex is flat or negatively oriented.
     NM_VIOLATION_ORIENTATION = 101,
     /// Two neighbours lie on the same side of the facet that they share.
@@ -185,6 +202,14 @@ impl From<ViolationKind> for nm_violation {
             ViolationKind::SimplexSize => Self::NM_VIOLATION_SIMPLEX_SIZE,
             ViolationKind::BoundaryArrays => Self::NM_VIOLATION_BOUNDARY_ARRAYS,
             ViolationKind::DomainArrays => Self::NM_VIOLATION_DOMAIN_ARRAYS,
+            ViolationKind::Ids => Self::NM_VIOLATION_IDS,
+            ViolationKind::SharedVertex => Self::NM_VIOLATION_SHARED_VERTEX,
+            ViolationKind::VertexOwner => Self::NM_VIOLATION_VERTEX_OWNER,
+            ViolationKind::Ghost => Self::NM_VIOLATION_GHOST,
+            ViolationKind::MissingGhost => Self::NM_VIOLATION_MISSING_GHOST,
+            ViolationKind::Interface => Self::NM_VIOLATION_INTERFACE,
+            ViolationKind::Totals => Self::NM_VIOLATION_TOTALS,
+            ViolationKind::SharedDomain => Self::NM_VIOLATION_SHARED_DOMAIN,
             ViolationKind::SubsegmentEdge => Self::NM_VIOLATION_SUBSEGMENT_EDGE,
             ViolationKind::SubsegmentGabriel => Self::NM_VIOLATION_SUBSEGMENT_GABRIEL,
             ViolationKind::SegmentChain => Self::NM_VIOLATION_SEGMENT_CHAIN,
@@ -204,65 +229,7 @@ mod tests {
 
     #[test]
     fn values_are_the_certificates() {
-        let kinds = [
-            ViolationKind::None,
-            ViolationKind::ArrayLength,
-            ViolationKind::NonFinite,
-            ViolationKind::VertexOutOfRange,
-            ViolationKind::RepeatedVertex,
-            ViolationKind::UnusedVertex,
-            ViolationKind::NeighborOutOfRange,
-            ViolationKind::DuplicateSimplex,
-            ViolationKind::OverfullFacet,
-            ViolationKind::MissingNeighbor,
-            ViolationKind::AsymmetricNeighbor,
-            ViolationKind::NeighborFacet,
-            ViolationKind::Disconnected,
-            ViolationKind::EulerCharacteristic,
-            ViolationKind::VertexStar,
-            ViolationKind::VertexLink,
-            ViolationKind::HullRidge,
-            ViolationKind::HullDisconnected,
-            ViolationKind::HullLink,
-            ViolationKind::Orientation,
-            ViolationKind::FoldedFacet,
-            ViolationKind::Delaunay,
-            ViolationKind::NonConvexHull,
-            ViolationKind::Winding,
-            ViolationKind::InputVertex,
-            ViolationKind::InputBits,
-            ViolationKind::VertexKind,
-            ViolationKind::PlainDelaunay,
-            ViolationKind::DomainTree,
-            ViolationKind::DomainBall,
-            ViolationKind::DomainCenter,
-            ViolationKind::DomainOutsideParent,
-            ViolationKind::DomainsOverlap,
-            ViolationKind::VertexDomain,
-            ViolationKind::CageOf,
-            ViolationKind::CageRadius,
-            ViolationKind::CageIncomplete,
-            ViolationKind::HullVertex,
-            ViolationKind::InnerEncroachment,
-            ViolationKind::OuterEncroachment,
-            ViolationKind::DomainSpan,
-            ViolationKind::VertexAspect,
-            ViolationKind::CageAspect,
-            ViolationKind::RadiusEdge,
-            ViolationKind::NotFinished,
-            ViolationKind::BoundaryArrays,
-            ViolationKind::DomainArrays,
-            ViolationKind::SubsegmentEdge,
-            ViolationKind::SubsegmentGabriel,
-            ViolationKind::SegmentChain,
-            ViolationKind::SegmentLine,
-            ViolationKind::RegionLabel,
-            ViolationKind::DomainEnd,
-            ViolationKind::DomainPlace,
-            ViolationKind::RegionArea,
-            ViolationKind::ForcedSimplex,
-        ];
-        for kind in kinds {
+        for kind in ViolationKind::ALL {
             assert_eq!(nm_violation::from(kind) as u32, kind as u32);
         }
     }

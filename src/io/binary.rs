@@ -1,4 +1,4 @@
-//! What the binary formats share: bytes that must be there, and their place in messages.
+//! Reading of binary formats: bytes that must be there, and their position in messages.
 
 use super::io_error;
 use crate::error::{Error, ErrorKind, Result, message};
@@ -7,9 +7,9 @@ use std::io::{self, BufRead};
 /// Binary data, read in order.
 pub(super) struct Binary<'a> {
     input: &'a mut dyn BufRead,
-    /// How many bytes were read.
+    /// Number of bytes that have been read.
     offset: u64,
-    /// What the bytes are counted from, for messages: "" for the file's first.
+    /// Name of the part that bytes are counted from, for messages: "" for the file.
     origin: &'static str,
 }
 
@@ -18,14 +18,15 @@ impl<'a> Binary<'a> {
         Self { input, offset: 0, origin }
     }
 
-    /// The next bytes; the error of a file that ends before them tells what it `lacks`.
+    /// Returns the next bytes; the error of a file that ends before them tells what it `lacks`.
     pub fn next<const N: usize>(&mut self, lacks: impl FnOnce() -> String) -> Result<[u8; N]> {
         let mut bytes = [0; N];
         self.fill(&mut bytes, lacks)?;
         Ok(bytes)
     }
 
-    /// As [`Self::next`], for a number of bytes that is known later.
+    /// Fills `bytes` with the next bytes; the error of a file that ends before them tells what it
+    /// `lacks`.
     pub fn fill(&mut self, bytes: &mut [u8], lacks: impl FnOnce() -> String) -> Result<()> {
         let mut filled = 0;
         while filled < bytes.len() {
@@ -64,8 +65,8 @@ impl<'a> Binary<'a> {
         Err(self.error_at(0, ErrorKind::Format, &format!("more data after {after}")))
     }
 
-    /// The error of what begins `back` bytes before the current place; bytes count from 1 in the
-    /// message.
+    /// Returns the error of what begins `back` bytes before the current position; bytes count from
+    /// 1 in the message.
     pub fn error_at(&self, back: u64, kind: ErrorKind, why: &str) -> Error {
         Error::new(kind, message!("byte {}{}: {why}", self.offset - back + 1, self.origin))
     }
@@ -73,10 +74,10 @@ impl<'a> Binary<'a> {
     fn ends(&self, lacks: impl FnOnce() -> String) -> Error {
         let message =
             message!("the file ends after byte {}{}: {}", self.offset, self.origin, lacks());
-        Error::new(ErrorKind::Format, message)
+        Error::format(message)
     }
 
-    /// What is there to be read, at least one byte before the end of the file.
+    /// Returns bytes that are there to be read, at least one before the end of the file.
     fn buffered(&mut self) -> Result<&[u8]> {
         while let Err(error) = self.input.fill_buf() {
             if error.kind() != io::ErrorKind::Interrupted {

@@ -15,7 +15,7 @@ impl<W: Write> Buffered<W> {
         Ok(Self { out, bytes: with_capacity(capacity)? })
     }
 
-    /// The writer; what was not flushed is lost.
+    /// Returns the writer; bytes that were not flushed are lost.
     pub fn into_inner(self) -> W {
         self.out
     }

@@ -1,9 +1,9 @@
-//! Which columns of a file are read: the coordinates, and attributes of the points.
+//! Choice of the columns of a file that are read: the coordinates, and attributes of the points.
 
 use super::columns::{Column, Columns, OrRule, named_coordinates, parse_entry};
 use super::text::quoted;
 use super::values::Values;
-use crate::error::{Error, ErrorKind, Name, Result, message, say};
+use crate::error::{Error, Name, Result, message, say};
 use crate::memory::collected;
 use crate::mesh::MAX_DIM;
 use crate::mesh::attribute::rule_against;
@@ -18,10 +18,10 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The columns of the coordinates, counted from 0, of a table with `count` columns, and its
-    /// attributes, still without values. Unless the coordinates are chosen they are among the
-    /// columns that are no attributes one by one: by the names, where these say nothing as
-    /// `otherwise` has them, without names all.
+    /// Returns the columns of the coordinates, counted from 0, of a table with `count` columns, and
+    /// its attributes, still without values. Unless the coordinates are chosen they are among the
+    /// columns that are no attributes one by one: those whose names say so, those of `otherwise` if
+    /// no name does, and all of them in a table without names.
     ///
     /// # Errors
     /// `InvalidArgument`; `Format`: two columns have the name of a coordinate.
@@ -38,7 +38,7 @@ impl Choice {
                 let columns = names.iter().zip(0u64..);
                 let free = columns.map(|(name, i)| if listed.contains(&i) { "" } else { *name });
                 let named = named_coordinates(&collected(free)?);
-                let named = named.map_err(|rule| Error::new(ErrorKind::Format, rule))?;
+                let named = named.map_err(Error::format)?;
                 named.map_or_else(|| otherwise(&listed), Ok)?
             }
             None => others(count, &listed),
@@ -48,7 +48,7 @@ impl Choice {
     }
 }
 
-/// The first `count` columns but for those listed; one more than there may be, so that the
+/// Returns the first `count` columns but for those listed; one more than there may be, so that the
 /// dimension is refused.
 pub(super) fn others(count: u64, listed: &[u64]) -> Vec<u64> {
     (0..count).filter(|column| !listed.contains(column)).take(MAX_DIM + 1).collect()
@@ -70,10 +70,10 @@ pub struct AttributeColumns {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Entry {
-    /// In place of the file's.
+    /// Name of the attribute in place of the file's.
     name: Option<String>,
     column: Column,
-    /// Of a range.
+    /// Last column, where the entry is a range.
     last: Option<u64>,
 }
 
@@ -115,18 +115,18 @@ impl Entry {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, say!(Name::Attributes, ": {why}"))
+    Error::invalid(say!(Name::Attributes, ": {why}"))
 }
 
 /// A column that becomes an attribute.
 struct Taken {
-    /// Counted from 0.
+    /// Column of the file, counted from 0.
     column: u64,
     name: String,
 }
 
 impl AttributeColumns {
-    /// Whether any are wanted.
+    /// Returns true if any attributes are chosen.
     pub fn are_chosen(&self) -> bool {
         self.takes_all || !self.entries.is_empty()
     }
@@ -142,14 +142,14 @@ impl AttributeColumns {
         }
     }
 
-    /// The columns, counted from 0, that are named one by one: without a choice of coordinates
-    /// these are no coordinates.
+    /// Returns the columns, counted from 0, that are named one by one: without a choice of
+    /// coordinates these are no coordinates.
     fn listed(&self, count: u64, names: Option<&[&str]>) -> Result<Vec<u64>> {
         Ok(self.entries_of(count, names)?.into_iter().map(|taken| taken.column).collect())
     }
 
-    /// The attributes of a table with `count` columns, still without values. `all` takes none of
-    /// the columns `left_out`.
+    /// Returns the attributes of a table with `count` columns, still without values. `all` takes
+    /// none of the columns `left_out`.
     pub(super) fn of(
         &self,
         count: u64,
@@ -233,6 +233,7 @@ fn name_of(column: u64, names: Option<&[&str]>) -> String {
 mod tests {
     use super::super::{Format, Table, read_table};
     use super::*;
+    use crate::error::ErrorKind;
 
     fn read(text: &str, format: Format, columns: &str, attributes: &str) -> Result<Table> {
         let coordinates = match columns {
@@ -243,7 +244,7 @@ mod tests {
         read_table(&mut text.as_bytes(), format, &choice)
     }
 
-    /// The first point, and names and values of the attributes there.
+    /// Returns the first point, and names and values of the attributes there.
     fn first(table: &Table) -> (Vec<f64>, Vec<(&str, f64)>) {
         let of_first = table.attributes.iter().map(|a| (a.name.as_str(), a.values[0])).collect();
         (table.points.coordinates[..table.points.dim].to_vec(), of_first)
@@ -318,7 +319,7 @@ mod tests {
         }
     }
 
-    /// A header may promise any number of columns.
+    /// Holds that of the columns that a header promises at most a thousand are taken.
     #[test]
     fn no_more_columns_are_taken_than_a_thousand() {
         let wide = |columns: usize| (0..columns).map(|_| "1").collect::<Vec<_>>().join(" ");

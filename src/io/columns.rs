@@ -1,7 +1,7 @@
-//! Which columns of a table are the coordinates.
+//! Choice of the columns of a table that are the coordinates.
 
 use super::text::quoted;
-use crate::error::{Error, ErrorKind, Name, Result, message, say};
+use crate::error::{Error, Name, Result, message, say};
 use crate::mesh::{MAX_DIM, MIN_DIM};
 use std::str::FromStr;
 
@@ -20,7 +20,7 @@ pub struct Columns {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Column {
-    /// Counted from 1.
+    /// Number of a column, counted from 1.
     Number(u64),
     Name(String),
 }
@@ -56,7 +56,7 @@ impl FromStr for Columns {
     }
 }
 
-/// A column, and the last number of a range; or the rule that the entry breaks.
+/// Parses a column, and the last number of a range; or returns the rule that the entry breaks.
 pub(super) fn parse_entry(entry: &str) -> OrRule<(Column, Option<u64>)> {
     let is_number = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let number = |text: &str| match text.parse::<u64>() {
@@ -84,11 +84,11 @@ pub(super) fn parse_entry(entry: &str) -> OrRule<(Column, Option<u64>)> {
 }
 
 fn refused(why: String) -> Error {
-    Error::new(ErrorKind::InvalidArgument, say!(Name::Columns, ": {why}"))
+    Error::invalid(say!(Name::Columns, ": {why}"))
 }
 
 impl Columns {
-    /// False if the format's own rule applies.
+    /// Returns true if columns are chosen, false if the format's own rule applies.
     pub fn are_chosen(&self) -> bool {
         !self.chosen.is_empty()
     }
@@ -112,7 +112,7 @@ impl Columns {
         }
     }
 
-    /// The chosen columns, counted from 0, of a table with `count` columns.
+    /// Returns the chosen columns, counted from 0, of a table with `count` columns.
     pub(super) fn indices(&self, count: u64, names: Option<&[&str]>) -> Result<Vec<u64>> {
         let index = |column: &Column| column.index(count, names).map_err(refused);
         let indices = self.chosen.iter().map(index).collect::<Result<Vec<u64>>>()?;
@@ -126,7 +126,8 @@ impl Columns {
 }
 
 impl Column {
-    /// The column, counted from 0, of a table with `count` columns; or the rule that it breaks.
+    /// Returns the column, counted from 0, of a table with `count` columns; or the rule that it
+    /// breaks.
     pub fn index(&self, count: u64, names: Option<&[&str]>) -> OrRule<u64> {
         match (self, names) {
             (Self::Number(number), _) if *number <= count => Ok(number - 1),
@@ -169,9 +170,9 @@ fn listed(names: &[&str]) -> String {
     text
 }
 
-/// The columns that are coordinates by their names: `x`, `y` and, where it is there, `z`; otherwise
-/// `x0`, `x1` and so on, or `points_0`, `points_1` and so on. None if the names say nothing; or the
-/// name that two columns have.
+/// Returns the columns that are coordinates by their names: `x`, `y` and, where it is there, `z`;
+/// otherwise `x0`, `x1` and so on, or `points_0`, `points_1` and so on. None if the names say
+/// nothing; an error with the name if two columns have it.
 pub(super) fn named_coordinates(names: &[&str]) -> OrRule<Option<Vec<u64>>> {
     let letters = ["x", "y", "z"].map(str::to_string);
     let numbered = |prefix| (0..=names.len()).map(move |axis| format!("{prefix}{axis}"));
@@ -194,15 +195,15 @@ pub(super) fn named_coordinates(names: &[&str]) -> OrRule<Option<Vec<u64>>> {
     Ok(None)
 }
 
-/// The columns of `sought` up to the first name that is not there.
+/// Returns the columns of `sought` up to the first name that is not there.
 fn leading(sought: impl Iterator<Item = String>, names: &[&str]) -> Vec<u64> {
     let column = |name: String| names.iter().position(|other| other.eq_ignore_ascii_case(&name));
     // One more than there may be, so that the dimension is refused.
     sought.map_while(column).take(MAX_DIM + 1).map(|column| column as u64).collect()
 }
 
-/// Coordinates that stood column by column, in the order of the file's columns, in the order of
-/// `columns`.
+/// Returns coordinates that stood column by column, in the order of the file's columns, point by
+/// point in the order of `columns`.
 pub(super) fn transposed(coordinates: &[f64], columns: &[u64]) -> Result<Vec<f64>> {
     let points = coordinates.len() / columns.len();
     let rank = |column: &u64| columns.iter().filter(|other| *other < column).count();
@@ -218,6 +219,7 @@ pub(super) fn transposed(coordinates: &[f64], columns: &[u64]) -> Result<Vec<f64
 mod tests {
     use super::super::{Choice, Format, PointCloud, read_table};
     use super::*;
+    use crate::error::ErrorKind;
 
     fn numbers(text: &str) -> Vec<u64> {
         text.parse::<Columns>().unwrap().indices(100, None).unwrap()

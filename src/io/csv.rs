@@ -36,9 +36,9 @@ pub(super) fn read(mut lines: Lines<'_>, choice: &Choice) -> Result<Table> {
     Layout::finish(layout)
 }
 
-/// The names in the first line; none if it is a point, between quotes or not. A header holds no
-/// number, but for one between quotes beside the names `x` and `y`: any other line with some is a
-/// damaged point or a header that does not fit, and neither may be skipped in silence.
+/// Returns the names in the first line; none if it is a point, between quotes or not. A header
+/// holds no number, but for one between quotes beside the names `x` and `y`: any other line with
+/// some is a damaged point or a header that does not fit, and neither may be skipped in silence.
 fn header_of<'a>(line: &Line<'a>) -> Result<Option<Vec<&'a str>>> {
     let is_number = |field: &Field<'_>| field.text.parse::<f64>().is_ok();
     let Some((column, word)) = fields(line).enumerate().find(|(_, field)| !is_number(field)) else {
@@ -129,7 +129,7 @@ impl<'a> Iterator for Fields<'a> {
     }
 }
 
-/// Where the quote is that ends a field; two of them stand for one in it.
+/// Returns the position of the quote that ends a field; two of them stand for one in it.
 fn closing_quote(text: &str) -> Option<usize> {
     let mut from = 0;
     loop {

@@ -5,7 +5,7 @@ use crate::memory::Lists;
 use crate::mesh::Triangulation;
 use std::io::{self, Write};
 
-/// A line for each domain.
+/// Writes a line for each domain.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let domains = &triangulation.domains;
     let children = Lists::of_pairs(domains.len(), || {
@@ -57,9 +57,12 @@ mod tests {
         triangulation.cage_of = vec![1, NONE, 0, 1];
         let mesh = Mesh::from_parts(square.inputs().clone(), triangulation);
         let expected = "{\"format\":\"netmesh domains\",\"version\":1,\"dim\":2,\"domains\":[\n\
-            {\"domain\":0,\"parent\":null,\"center\":2,\"point\":[1,1],\"radius\":2.5,\"cage\":[2],\"children\":[1,2]},\n\
-            {\"domain\":1,\"parent\":0,\"center\":1,\"point\":[1,0],\"radius\":1e-300,\"cage\":[0,3],\"children\":[]},\n\
-            {\"domain\":2,\"parent\":0,\"center\":0,\"point\":[0,0],\"radius\":null,\"cage\":[],\"children\":[]}]}\n";
+            {\"domain\":0,\"parent\":null,\"center\":2,\"point\":[1,1],\"radius\":2.5,\
+             \"cage\":[2],\"children\":[1,2]},\n\
+            {\"domain\":1,\"parent\":0,\"center\":1,\"point\":[1,0],\"radius\":1e-300,\
+             \"cage\":[0,3],\"children\":[]},\n\
+            {\"domain\":2,\"parent\":0,\"center\":0,\"point\":[0,0],\"radius\":null,\
+             \"cage\":[],\"children\":[]}]}\n";
         assert_eq!(text(&mesh), expected);
     }
 

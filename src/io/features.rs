@@ -1,15 +1,15 @@
 //! Points and polylines of the plane, as GeoJSON and WKT have them.
 
-use super::scanner::Place;
+use super::scanner::TextPosition;
 use super::text::Points;
 use super::values::{Outline, Table};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
 use std::fmt;
 
-/// What has been read of a file.
+/// Points and segments that have been read of a file.
 pub(super) struct Features {
-    /// What the file's format calls one: a feature, a geometry.
+    /// Word of the file's format for a feature: "feature", "geometry".
     noun: &'static str,
     /// The number of the feature that is read, counted from 1: the marker of its segments.
     number: i32,
@@ -20,10 +20,10 @@ pub(super) struct Features {
 /// A ring of a polygon, as messages name it.
 #[derive(Clone, Copy)]
 pub(super) struct Ring {
-    /// Counted from 1, in its polygon.
+    /// Number of the ring in its polygon, counted from 1.
     pub number: usize,
-    /// Where it begins.
-    pub place: Place,
+    /// Position of its first byte.
+    pub place: TextPosition,
 }
 
 impl Features {
@@ -32,8 +32,8 @@ impl Features {
         Self { noun, number: 1, points, outline: Outline::default() }
     }
 
-    /// What follows is of the feature of this number, counted from 1.
-    pub fn begin(&mut self, number: u64, place: Place) -> Result<()> {
+    /// Begins the feature of this number, counted from 1.
+    pub fn begin(&mut self, number: u64, place: TextPosition) -> Result<()> {
         self.number = i32::try_from(number).map_err(|_| {
             let message = format_args!("more than {} of these; markers have 32 bits", i32::MAX);
             place.error_of_kind(ErrorKind::Capacity, message)
@@ -45,8 +45,8 @@ impl Features {
         positions.as_flattened().iter().try_for_each(|coordinate| self.points.push(*coordinate))
     }
 
-    /// An open or a closed line.
-    pub fn add_line(&mut self, positions: &[[f64; 2]], place: Place) -> Result<()> {
+    /// Adds an open or a closed line.
+    pub fn add_line(&mut self, positions: &[[f64; 2]], place: TextPosition) -> Result<()> {
         if positions.len() < 2 {
             let rule = "a line with fewer than 2 positions";
             return Err(self.refused(place, &rule));
@@ -56,8 +56,8 @@ impl Features {
         self.connect(positions, first, false)
     }
 
-    /// A line that ends where it begins; that point becomes one input. Maps that were made coarser
-    /// have rings of one or two distinct points: inputs and segments like others.
+    /// Adds a line that ends where it begins; that point becomes one input. Maps that were made
+    /// coarser have rings of one or two distinct points: inputs and segments like others.
     pub fn add_ring(&mut self, positions: &[[f64; 2]], ring: Ring) -> Result<()> {
         let Ring { number, place } = ring;
         if positions.len() < 4 {
@@ -77,9 +77,9 @@ impl Features {
         self.connect(positions, begin, true)
     }
 
-    /// Segments between each position and the next, the first of which is the input `first`; none
-    /// where the two are equal. A last position that is no input is the first again. `is_side`: the
-    /// segments are sides of a polygon.
+    /// Adds segments between each position and the next, the first of which is the input `first`;
+    /// none where the two are equal. A last position that is no input is the first again. With
+    /// `is_side` the segments are sides of a polygon.
     fn connect(&mut self, positions: &[[f64; 2]], first: usize, is_side: bool) -> Result<()> {
         let added = self.points.count() - first;
         for (at, ends) in positions.windows(2).enumerate() {
@@ -94,7 +94,7 @@ impl Features {
         Ok(())
     }
 
-    fn refused(&self, place: Place, rule: &dyn fmt::Display) -> Error {
+    fn refused(&self, place: TextPosition, rule: &dyn fmt::Display) -> Error {
         place.error(format_args!("{} {}: {rule}", self.noun, self.number)).of_content()
     }
 

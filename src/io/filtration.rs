@@ -1,7 +1,7 @@
 //! Filtered complexes for programs that compute persistent homology.
 
 use super::{Buffered, allocation_failed, io_error, replace};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::Inputs;
 use crate::topology::{Faces, Filtration};
@@ -16,12 +16,12 @@ pub enum FiltrationFormat {
     /// are facets of. Vertices are numbered as [`Filtration::numbers`] says: in an alpha filtration
     /// as the caller's points.
     Gudhi,
-    /// DIPHA's binary weighted boundary matrix. By dimension.
+    /// DIPHA's binary weighted boundary matrix, sorted by dimension.
     Dipha,
 }
 
 impl FiltrationFormat {
-    /// The format that a path's extension stands for: `.filtration` or `.dipha`.
+    /// Returns the format that a path's extension stands for: `.filtration` or `.dipha`.
     ///
     /// # Errors
     /// `InvalidArgument` for another one.
@@ -29,13 +29,10 @@ impl FiltrationFormat {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("filtration") => Ok(Self::Gudhi),
             Some("dipha") => Ok(Self::Dipha),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no format of filtrations; use .filtration or .dipha",
-                    path.display()
-                ),
-            )),
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no format of filtrations; use .filtration or .dipha",
+                path.display()
+            ))),
         }
     }
 }
@@ -56,10 +53,11 @@ pub fn write_filtration(
     written.and_then(|()| buffered.flush()).map_err(|error| io_error("cannot write", &error))
 }
 
-/// The same into a file, which appears complete or not at all. A device or a pipe is written into.
+/// Writes faces and their values into a file, which appears complete or not at all. A device or a
+/// pipe is written into.
 ///
 /// # Errors
-/// As [`write_filtration`].
+/// Fails as [`write_filtration`] does.
 pub fn write_filtration_file(
     inputs: &Inputs,
     faces: &Faces,
@@ -88,7 +86,8 @@ fn write(
     }
 }
 
-/// `numbers`: the number of each vertex, that of the vertex itself without.
+/// Writes faces and their values for GUDHI. `numbers` has the number of each vertex; without them
+/// it is the vertex itself.
 fn write_gudhi(
     numbers: Option<&[u32]>,
     faces: &Faces,
@@ -106,7 +105,7 @@ fn write_gudhi(
     Ok(())
 }
 
-/// Value, dimension and id of each face, in this order.
+/// Returns value, dimension and id of each face, sorted in this order.
 fn by_value(faces: &Faces, filtration: &Filtration) -> AllocResult<Vec<(f64, u32, u32)>> {
     let mut sorted = Vec::new();
     for (k, values) in (0u32..).zip(&filtration.values) {
@@ -119,7 +118,7 @@ fn by_value(faces: &Faces, filtration: &Filtration) -> AllocResult<Vec<(f64, u32
     Ok(sorted)
 }
 
-/// What begins DIPHA's files, and the type of this one.
+/// Number that begins DIPHA's files, and the type of this one.
 const DIPHA: i64 = 8_067_171_840;
 const WEIGHTED_BOUNDARY_MATRIX: i64 = 0;
 
@@ -176,7 +175,7 @@ mod tests {
         out
     }
 
-    /// A mesh of other vertices, too, has the numbers of its own vertices.
+    /// Holds that a mesh of other vertices, too, has the numbers of its own vertices.
     #[test]
     fn files_have_the_numbers_of_inputs_where_all_vertices_are() {
         let [a, b, c] = POINTS;

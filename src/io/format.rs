@@ -1,13 +1,13 @@
 //! The formats and their extensions.
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use std::path::Path;
 
 /// File formats, with the C ABI's values. `docs/formats.md` has them all in one table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Format {
-    /// By the file's extension.
+    /// Format that the file's extension names.
     #[default]
     Auto = 0,
     /// VTK's XML unstructured grid, for ParaView: triangles (z = 0) or tetrahedra as appended raw
@@ -92,7 +92,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that a path's extension stands for, in either case.
+    /// Returns the format that a path's extension stands for, in either case.
     ///
     /// # Errors
     /// `InvalidArgument` where the extension is missing or unknown; the message lists the known.
@@ -112,19 +112,16 @@ impl Format {
             Some("poly") => Ok(Self::Poly),
             Some("geojson") => Ok(Self::GeoJson),
             Some("wkt") => Ok(Self::Wkt),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no known format; name one, or use .vtu, .node, .ele, .msh, \
-                     .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson, .wkt, \
-                     .voronoi.json or .domains.json",
-                    path.display()
-                ),
-            )),
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no known format; name one, or use .vtu, .node, .ele, \
+                     .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson, \
+                     .wkt, .voronoi.json or .domains.json",
+                path.display()
+            ))),
         }
     }
 
-    /// The name that people know the format by.
+    /// Returns the name that people know the format by.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "the format of the extension",
@@ -145,7 +142,7 @@ impl Format {
         }
     }
 
-    /// Whether files of it can hold attributes of points.
+    /// Returns true if files of the format can hold attributes of points.
     pub fn holds_attributes(self) -> bool {
         match self {
             Self::Vtu | Self::TetgenNode | Self::Gmsh | Self::Ply | Self::Csv | Self::Npy => true,
@@ -172,12 +169,12 @@ impl Format {
     pub fn resolve_output(self, path: &Path) -> Result<Self> {
         let resolved = self.resolve(path).map_err(|_| {
             let message = message!(
-                "{}: the extension names no format that can be written; name the format, or use .vtu, \
-                 .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
+                "{}: the extension names no format that can be written; name the format, or use \
+                 .vtu, .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, \
                  .voronoi.json or .domains.json",
                 path.display()
             );
-            Error::new(ErrorKind::InvalidArgument, message)
+            Error::invalid(message)
         })?;
         match resolved {
             Self::Poly | Self::GeoJson | Self::Wkt => {
@@ -187,40 +184,38 @@ impl Format {
         }
     }
 
-    /// The refusal of a format that is read only.
+    /// Returns the error of writing a format that is read only.
     pub(super) fn read_only(self) -> Error {
         let message =
             message!("{} cannot be written, only read; write TetGen or Gmsh", self.name());
-        Error::new(ErrorKind::InvalidArgument, message)
+        Error::invalid(message)
     }
 
-    /// As [`Format::resolve`]; an unknown extension is answered with those that can be read.
+    /// Resolves the format of a file to read as [`Format::resolve`] does; an unknown extension is
+    /// answered with those that can be read.
     pub(super) fn resolve_input(self, path: &Path) -> Result<Self> {
         self.resolve(path).map_err(|_| {
             if let Some(refusal) = surface_at(path) {
                 return refusal;
             }
             let message = message!(
-                "{}: the extension names no format that can be read; name the format, or use .node, \
-                 .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, .geojson \
-                 or .wkt",
+                "{}: the extension names no format that can be read; name the format, or use \
+                 .node, .ele, .msh, .mesh, .off, .ply, .xyz, .txt, .xy, .pts, .csv, .npy, .poly, \
+                 .geojson or .wkt",
                 path.display()
             );
-            Error::new(ErrorKind::InvalidArgument, message)
+            Error::invalid(message)
         })
     }
 
     /// Refuses a format that is written only.
     pub(super) fn check_readable(self) -> Result<()> {
         match self {
-            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, OFF, \
-                     PLY, XYZ, CSV, NumPy, .poly, GeoJSON and WKT files",
-                    self.name()
-                ),
-            )),
+            Self::Vtu | Self::VoronoiJson | Self::DomainsJson => Err(Error::invalid(message!(
+                "{} cannot be read, only written; points are read from TetGen, Gmsh, Medit, \
+                     OFF, PLY, XYZ, CSV, NumPy, .poly, GeoJSON and WKT files",
+                self.name()
+            ))),
             _ => Ok(()),
         }
     }
@@ -229,21 +224,18 @@ impl Format {
     pub(super) fn check_dimension(self, dim: usize) -> Result<()> {
         match self {
             Self::Vtu | Self::Gmsh | Self::Medit | Self::Ply if !(2..=3).contains(&dim) => {
-                Err(Error::new(
-                    ErrorKind::InvalidArgument,
-                    message!(
-                        "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
-                        self.name()
-                    ),
-                ))
+                Err(Error::invalid(message!(
+                    "{} holds meshes of dimension 2 and 3, not {dim}; use OFF (nOFF) or TetGen",
+                    self.name()
+                )))
             }
             _ => Ok(()),
         }
     }
 }
 
-/// The refusal of a file whose extension says that it is a surface. What it holds is refused, not
-/// the name of a format.
+/// Returns the error of a file whose extension says that it is a surface. It refuses the content of
+/// the file, not the name of a format.
 fn surface_at(path: &Path) -> Option<Error> {
     let extension = path.extension()?.to_str()?.to_ascii_lowercase();
     let (_, name) = SURFACES.iter().find(|(known, _)| *known == extension)?;
@@ -252,7 +244,7 @@ fn surface_at(path: &Path) -> Option<Error> {
          convert it to .off, .ply or .xyz",
         path.display()
     );
-    Some(Error::new(ErrorKind::InvalidArgument, message).of_content())
+    Some(Error::invalid(message).of_content())
 }
 
 /// Extensions of files of surfaces, and what messages call such a file.
@@ -265,7 +257,8 @@ const SURFACES: [(&str, &str); 6] = [
     ("glb", "a glTF file"),
 ];
 
-/// The part after the last dot in lower case; of names that end with `.json` the part before, too.
+/// Returns the part after the last dot in lower case; of names that end with `.json` the part
+/// before, too.
 fn extension(path: &Path) -> Option<String> {
     let last = |path: &Path| Some(path.extension()?.to_str()?.to_ascii_lowercase());
     match last(path)?.as_str() {

@@ -4,17 +4,17 @@ use super::text::write_number;
 use crate::mesh::NONE;
 use std::io::{self, Write};
 
-/// A number; `null` for what JSON has none for, infinity and NaN.
+/// Writes a number; `null` for infinity and NaN, which JSON has no numbers for.
 pub(super) fn number(out: &mut dyn Write, value: f64) -> io::Result<()> {
     if value.is_finite() { write_number(out, value) } else { out.write_all(b"null") }
 }
 
-/// An id; `null` for [`NONE`].
+/// Writes an id; `null` for [`NONE`].
 pub(super) fn id(out: &mut dyn Write, id: u32) -> io::Result<()> {
     if id == NONE { out.write_all(b"null") } else { write!(out, "{id}") }
 }
 
-/// `[a,b,..]`, each element as `write` writes it.
+/// Writes `[a,b,..]`, each element as `write` writes it.
 pub(super) fn list<T>(
     out: &mut dyn Write,
     elements: impl IntoIterator<Item = T>,
@@ -30,7 +30,7 @@ pub(super) fn list<T>(
     out.write_all(b"]")
 }
 
-/// The same with each element on a line of its own.
+/// Writes a list with each element on a line of its own.
 pub(super) fn lines<T>(
     out: &mut dyn Write,
     elements: impl IntoIterator<Item = T>,
@@ -42,7 +42,7 @@ pub(super) fn lines<T>(
     })
 }
 
-/// A point: the list of its coordinates.
+/// Writes a point: the list of its coordinates.
 pub(super) fn point(out: &mut dyn Write, point: &[f64]) -> io::Result<()> {
     list(out, point, |out, value| number(out, *value))
 }

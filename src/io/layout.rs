@@ -1,4 +1,4 @@
-//! Where in the lines of a text the coordinates and the attributes stand.
+//! Layout of the lines of a text: the columns of coordinates and attributes.
 
 use super::Table;
 use super::text::{Line, Points};
@@ -17,7 +17,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// From the first line.
+    /// Makes the layout that the first line shows.
     pub fn new(line: &Line<'_>, all: usize, coordinates: Vec<u64>, values: Values) -> Result<Self> {
         // Too few are refused with the first point, after its numbers.
         if coordinates.len() > MAX_DIM {
@@ -53,7 +53,7 @@ impl Layout {
         added
     }
 
-    /// What `layout` has read; `None` stands for a file without lines.
+    /// Returns the table that `layout` has read; `None` stands for a file without lines.
     pub fn finish(layout: Option<Self>) -> Result<Table> {
         let (points, values) =
             layout.map_or_else(Default::default, |layout| (layout.points, layout.values));

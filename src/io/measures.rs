@@ -15,7 +15,7 @@ pub(super) struct Measures {
 }
 
 impl Measures {
-    /// Of a mesh in dimension `D`.
+    /// Measures a mesh of dimension `D`.
     pub fn new<const D: usize>(mesh: &Triangulation) -> AllocResult<Self> {
         let view = View::<D> { mesh };
         let mut radius_edge = with_capacity(mesh.simplex_count())?;

@@ -58,7 +58,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
         let left = elements.leave_out(&mut left_out);
         left.map_err(|message| lines.error(ErrorKind::Format, &message))?;
     }
-    let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no field Vertices"))?;
+    let points = points.ok_or_else(|| Error::format("no field Vertices"))?;
     Ok(Table { left_out, ..Table::new(points.finish()?, Vec::new()) })
 }
 
@@ -105,13 +105,13 @@ impl Elements {
     }
 }
 
-/// The first word of a line that begins with a letter, "" for numbers.
+/// Returns the first word of a line that begins with a letter, "" for numbers.
 fn keyword<'a>(line: &Line<'a>) -> &'a str {
     let word = line.words().next().map_or("", |(_, word)| word);
     if word.starts_with(|first: char| first.is_ascii_alphabetic()) { word } else { "" }
 }
 
-/// The number that stands beside a keyword.
+/// Returns the number that stands beside a keyword.
 fn number_of(line: &Line<'_>, what: &str) -> Result<Option<u64>> {
     if line.word_count() > 2 {
         return Err(line.error(format!("more than the {what} beside the keyword")));
@@ -119,7 +119,7 @@ fn number_of(line: &Line<'_>, what: &str) -> Result<Option<u64>> {
     line.words().nth(1).map(|(column, word)| line.integer(column, word, what)).transpose()
 }
 
-/// The number that belongs to a keyword: the one `here` beside it, or the next line.
+/// Returns the number that belongs to a keyword: the one `here` beside it, or the next line.
 fn number_after(lines: &mut Lines<'_>, here: Option<u64>, what: &str) -> Result<u64> {
     match here {
         Some(number) => Ok(number),
@@ -140,7 +140,7 @@ fn checked_dimension(dim: u64, lines: &Lines<'_>) -> Result<usize> {
     }
 }
 
-/// A vertex per line: its coordinates and its reference.
+/// Reads a vertex per line: its coordinates and its reference.
 fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points> {
     let mut points = Points::of_dimension(dim);
     for index in 0..count {
@@ -154,8 +154,8 @@ fn read_vertices(lines: &mut Lines<'_>, dim: usize, count: u64) -> Result<Points
     Ok(points)
 }
 
-/// With segments, edges have their markers as references, and triangles the labels of their
-/// regions.
+/// Writes the mesh. With segments, edges have their markers as references, and triangles the labels
+/// of their regions.
 pub(super) fn write(
     triangulation: &Triangulation,
     markers: &[i32],
@@ -198,7 +198,8 @@ mod tests {
         for text in [
             "MeshVersionFormatted 2\nDimension 2\nVertices\n2\n1 2 0\n-3 4e9 -1\nEnd\n",
             "MeshVersionFormatted\n1\n\nDimension\n2\n# c\nVertices 2\n1 2 0\n-3 4e9 7",
-            "MeshVersionFormatted 2\r\nDimension 2\r\nAngleOfCornerBound 45\r\nCorners\r\n1\r\n1\r\n\
+            "MeshVersionFormatted 2\r\nDimension 2\r\nAngleOfCornerBound 45\r\nCorners\r\n1\r\n\
+             1\r\n\
              Vertices\r\n2\r\n1 2 0\r\n-3 4e9 1\r\nTriangles\r\n1\r\n1 2 2 0\r\nEnd\r\n",
         ] {
             assert_eq!(read(&mut text.as_bytes(), Format::Medit).unwrap(), expected, "{text:?}");
@@ -221,7 +222,8 @@ mod tests {
     fn kinds_and_domains_are_references() {
         let mut text = Vec::new();
         write(&samples::square(), Format::Medit, &mut text).unwrap();
-        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n\
+        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n\
+             0 1 2\n\
             Triangles\n2\n1 2 3 0\n1 3 4 0\nEnd\n";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
     }
@@ -230,7 +232,8 @@ mod tests {
     fn markers_and_labels_are_references() {
         let mut text = Vec::new();
         write(&samples::square_with_segments(), Format::Medit, &mut text).unwrap();
-        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n0 1 2\n\
+        let expected = "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 1\n\
+             0 1 2\n\
             Edges\n2\n1 3 -5\n2 1 6\nTriangles\n2\n1 2 3 7\n1 3 4 -8\nEnd\n";
         assert_eq!(String::from_utf8(text).unwrap(), expected);
     }

@@ -60,6 +60,7 @@ mod tetgen;
 mod text;
 mod values;
 mod voronoi;
+pub mod vtk;
 mod vtu;
 mod wkt;
 mod xyz;
@@ -97,11 +98,11 @@ impl PointCloud {
 ///
 /// # Errors
 /// - `Io`: no such file, a directory, or reading fails;
-/// - `InvalidArgument`: a format that cannot be read, or an extension that names none or a format of
-///   surfaces (STL, OBJ, ...);
+/// - `InvalidArgument`: a format that cannot be read, or an extension that names none or a format
+///   of surfaces (STL, OBJ, ...);
 /// - `Format`: not a number, a number too large for a double, rows of differing length, no points,
-///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a line
-///   over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
+///   counts and ids that do not fit the data, a file that ends early or goes on after its end, a
+///   line over 1 MiB, NUL bytes, text that is not UTF-8, a variant of the format that is not read;
 /// - `NonFinite`: `nan` or `inf` where a coordinate should be;
 /// - `Dimension`: points of a dimension outside 2 to 8;
 /// - `OutOfMemory`.
@@ -109,12 +110,12 @@ pub fn read_points(path: &Path, format: Format) -> Result<PointCloud> {
     Ok(read_table_file(path, format, &Choice::default())?.points)
 }
 
-/// As [`read_points`], with the columns that are the coordinates, as files often have more, and
-/// with those that become attributes of the points.
+/// Reads points as [`read_points`] does, with a choice of the columns that are the coordinates, as
+/// files often have more, and of those that become attributes of the points.
 ///
 /// # Errors
-/// As [`read_points`]; `InvalidArgument`: columns that are not there, names in a file that has
-/// none, a format without columns to choose, a name that no attribute can have.
+/// Fails as [`read_points`] does; `InvalidArgument`: columns that are not there, names in a file
+/// that has none, a format without columns to choose, a name that no attribute can have.
 pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<Table> {
     let format = format.resolve_input(path)?;
     let points = input_path(path, format)?;
@@ -127,14 +128,14 @@ pub fn read_table_file(path: &Path, format: Format, choice: &Choice) -> Result<T
     Ok(table)
 }
 
-/// What `read` makes of a file, whose name it gives to errors.
+/// Returns what `read` makes of a file, whose name it gives to errors.
 fn in_file<T>(path: &Path, read: impl FnOnce(&mut dyn BufRead) -> Result<T>) -> Result<T> {
     let in_file = |error: Error| error.within(&path.display());
     let file = File::open(path).map_err(|error| in_file(io_error("cannot open", &error)))?;
     read(&mut BufReader::with_capacity(1 << 16, file)).map_err(in_file)
 }
 
-/// The file that [`read_points`] opens: of TetGen's pair the `.node` part.
+/// Returns the file that [`read_points`] opens: of TetGen's pair the `.node` part.
 ///
 /// # Errors
 /// `InvalidArgument`: a format that cannot be read, or an extension that names none.
@@ -147,7 +148,8 @@ pub fn input_path(path: &Path, format: Format) -> Result<PathBuf> {
     }
 }
 
-/// The files that [`write_file`] makes: one, of TetGen's format two, and with segments four.
+/// Returns the files that [`write_file`] makes: one, of TetGen's format two, and with segments
+/// four.
 ///
 /// # Errors
 /// `InvalidArgument`: an extension that names no format.
@@ -162,8 +164,8 @@ pub fn output_paths(path: &Path, format: Format) -> Result<Vec<PathBuf>> {
     }
 }
 
-/// The files under temporary names that [`write_file`] has made for `path` in this process and not
-/// yet renamed or removed: what a program that ends in the middle must remove.
+/// Returns the files under temporary names that [`write_file`] has made for `path` in this process
+/// and not yet renamed or removed: those that a program that ends in the middle must remove.
 pub fn unfinished_files(path: &Path) -> Vec<PathBuf> {
     replace::temporary_files(path)
 }
@@ -203,7 +205,7 @@ pub fn write_text_file(path: &Path, text: &str) -> Result<()> {
 /// Reads points from a stream.
 ///
 /// # Errors
-/// As [`read_points`]; [`Format::Auto`] is refused, as there is no extension.
+/// Fails as [`read_points`] does; [`Format::Auto`] is refused, as there is no extension.
 pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
     Ok(read_table(input, format, &Choice::default())?.points)
 }
@@ -211,12 +213,12 @@ pub fn read(input: &mut dyn BufRead, format: Format) -> Result<PointCloud> {
 /// Reads points and attributes from a stream.
 ///
 /// # Errors
-/// As [`read_table_file`]; [`Format::Auto`] is refused, as there is no extension.
+/// Fails as [`read_table_file`] does; [`Format::Auto`] is refused, as there is no extension.
 pub fn read_table(input: &mut dyn BufRead, format: Format, choice: &Choice) -> Result<Table> {
     read_named(input, format, choice, None)
 }
 
-/// `path` is that of the file, if there is one.
+/// Reads points and attributes from a stream. `path` is that of the file, if there is one.
 fn read_named(
     input: &mut dyn BufRead,
     format: Format,
@@ -265,12 +267,12 @@ pub fn write_file(mesh: &Mesh, path: &Path, format: Format) -> Result<()> {
     write_file_with(mesh, &[], path, format)
 }
 
-/// As [`write_file`], with attributes at the vertices
+/// Writes `mesh` to `path` as [`write_file`] does, with attributes at the vertices
 /// ([`vertex_attributes`](crate::prepared::Prepared::vertex_attributes)); formats that hold none
 /// ([`Format::holds_attributes`]) do without.
 ///
 /// # Errors
-/// As [`write_file`]; `InvalidArgument` if the attributes are not those of the vertices.
+/// Fails as [`write_file`] does; `InvalidArgument` if the attributes are not those of the vertices.
 pub fn write_file_with(
     mesh: &Mesh,
     attributes: &[Attribute],
@@ -309,17 +311,18 @@ pub fn write_file_with(
 /// # Errors
 /// - `Io`: `out` fails; it is not called again;
 /// - `State`: all formats but these three before a run;
-/// - `InvalidArgument`: a format that cannot hold the mesh's dimension, and [`Format::Auto`], as there
-///   is no extension;
+/// - `InvalidArgument`: a format that cannot hold the mesh's dimension, and [`Format::Auto`], as
+///   there is no extension;
 /// - `OutOfMemory`.
 pub fn write(mesh: &Mesh, format: Format, out: &mut dyn Write) -> Result<()> {
     write_with(mesh, &[], format, out)
 }
 
-/// As [`write()`], with attributes at the vertices, as [`write_file_with`] has them.
+/// Writes `mesh` to a stream as [`write()`] does, with attributes at the vertices, as
+/// [`write_file_with`] has them.
 ///
 /// # Errors
-/// As [`write()`]; `InvalidArgument` if the attributes are not those of the vertices.
+/// Fails as [`write()`] does; `InvalidArgument` if the attributes are not those of the vertices.
 pub fn write_with(
     mesh: &Mesh,
     attributes: &[Attribute],
@@ -329,7 +332,7 @@ pub fn write_with(
     Content::of(mesh, attributes, format)?.write(out)
 }
 
-/// What goes into a file: everything that can be refused has been.
+/// Content of a file: everything that can be refused has been.
 enum Content<'a> {
     Vtu(&'a Mesh, &'a Triangulation, &'a [Attribute]),
     Tetgen(&'a Mesh, &'a Triangulation, &'a [Attribute]),
@@ -352,11 +355,11 @@ impl<'a> Content<'a> {
         for Attribute { name, components, values, .. } in attributes {
             if vertices.checked_mul(*components) != Some(values.len()) {
                 let message = message!(
-                    "attribute {name} has {} values; it must have vertices x components = {vertices} x \
-                     {components}",
+                    "attribute {name} has {} values; it must have vertices x components \
+                     = {vertices} x {components}",
                     values.len()
                 );
-                return Err(Error::new(ErrorKind::InvalidArgument, message));
+                return Err(Error::invalid(message));
             }
         }
         let triangulation = || {
@@ -385,7 +388,7 @@ impl<'a> Content<'a> {
         }
     }
 
-    /// In large pieces, whatever `out` is.
+    /// Writes the content in large pieces, whatever `out` is.
     fn write(&self, out: &mut dyn Write) -> Result<()> {
         let mut buffered = Buffered::new(1 << 16, out)?;
         let written = self.write_unbuffered(&mut buffered).and_then(|()| buffered.flush());
@@ -421,10 +424,10 @@ impl<'a> Content<'a> {
 
 fn auto_without_path() -> Error {
     let message = "without a file name there is no extension that tells the format; name a format";
-    Error::new(ErrorKind::InvalidArgument, message)
+    Error::invalid(message)
 }
 
-/// A refused allocation as a writer answers it; [`io_error`] makes it `OutOfMemory` again.
+/// Turns a refused allocation into a writer's error; [`io_error`] makes it `OutOfMemory` again.
 fn allocation_failed(_: AllocError) -> std::io::Error {
     std::io::ErrorKind::OutOfMemory.into()
 }

@@ -16,8 +16,8 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
     let mut left_out = LeftOut::default();
     for index in 0..header.faces {
         let line = lines.require(|| format!("{index} of {} faces", header.faces))?;
-        let corners = checked_face(&line, header.vertices)?;
-        left_out.add(header.dimension_of(corners), 1);
+        let size = checked_face(&line, header.vertices)?;
+        left_out.add(header.dimension_of(size), 1);
     }
     let promised = format!("the {} vertices and {} faces", header.vertices, header.faces);
     lines.require_end(&promised)?;
@@ -60,11 +60,11 @@ impl Header {
         Ok(Self { has_cells, dim, vertices: values[first], faces: values[first + 1] })
     }
 
-    /// Returns the dimension of a face with so many corners.
-    fn dimension_of(&self, corners: u64) -> u64 {
-        match corners {
+    /// Returns the dimension of a face with `size` vertices.
+    fn dimension_of(&self, size: u64) -> u64 {
+        match size {
             0 | 1 => 0,
-            2 | 3 => corners - 1,
+            2 | 3 => size - 1,
             _ if self.has_cells => 3,
             _ => 2,
         }
@@ -74,7 +74,7 @@ impl Header {
 const DIMENSION: &str = "dimension";
 const COUNTS: [&str; 4] = [DIMENSION, "number of vertices", "number of faces", "number of edges"];
 
-/// The numbers that follow the keyword.
+/// Returns the names of the numbers that follow the keyword.
 fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]> {
     match keyword {
         "OFF" => Ok(&COUNTS[1..]),
@@ -88,11 +88,11 @@ fn names_after(line: &Line<'_>, keyword: &str) -> Result<&'static [&'static str]
 /// Checks a face (the number of its vertices, their ids, and any colour) and returns that number.
 fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
     let mut words = line.words();
-    let mut corners = 0;
+    let mut size = 0;
     if let Some((column, word)) = words.next() {
-        corners = line.integer(column, word, "number of vertices")?;
+        size = line.integer(column, word, "number of vertices")?;
     }
-    let mut missing = corners;
+    let mut missing = size;
     for (column, word) in words {
         if missing == 0 {
             line.skip_number(column, word)?;
@@ -106,12 +106,12 @@ fn checked_face(line: &Line<'_>, vertices: u64) -> Result<u64> {
         missing -= 1;
     }
     match missing {
-        0 => Ok(corners),
+        0 => Ok(size),
         _ => Err(line.error(format!("the face ends before its last {missing} vertices"))),
     }
 }
 
-/// `OFF` in the plane, `nOFF` above.
+/// Writes `OFF` in the plane, `nOFF` above.
 pub(super) fn write(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     let (dim, vertices) = (triangulation.dim, triangulation.dim + 1);
     match dim {

@@ -9,7 +9,8 @@ use crate::memory::TryGrow;
 use crate::mesh::Region;
 use std::path::Path;
 
-/// `path` is that of the file, if it has one: where the points are in a `.node` file beside it.
+/// Reads a `.poly` file. `path` is that of the file, if it has one: its points may be in a `.node`
+/// file beside it.
 pub(super) fn read(
     mut lines: Lines<'_>,
     attributes: &AttributeColumns,
@@ -36,22 +37,22 @@ pub(super) fn read(
     Ok(table)
 }
 
-/// The points of the `.node` file with the same name, and the id of the first.
+/// Reads the points of the `.node` file with the same name, and the id of the first.
 fn points_beside(attributes: &AttributeColumns, path: Option<&Path>) -> Result<(Table, u64)> {
     let Some(path) = path else {
         let message =
             "the points are in a .node file beside the .poly file, which has no name here";
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     };
     let path = path.with_extension("node");
     super::in_file(&path, |input| {
         let mut lines = Lines::new(input);
         let points = tetgen::read_alone(&mut lines, attributes)?;
-        points.ok_or_else(|| Error::new(ErrorKind::Format, "the file holds no points"))
+        points.ok_or_else(|| Error::format("the file holds no points"))
     })
 }
 
-/// A count, and whether a marker follows each of what is counted.
+/// Reads a count, and whether a marker follows each of what is counted.
 fn read_counts(line: &Line<'_>, what: &str) -> Result<(u64, usize)> {
     let mut counts = [0, 0];
     let columns = line.word_count();
@@ -138,7 +139,7 @@ fn read_regions(lines: &mut Lines<'_>, outline: &mut Outline) -> Result<()> {
     Ok(())
 }
 
-/// The edge of the equilateral triangle of an area; 0, for none, where that is not above 0.
+/// Returns the edge of the equilateral triangle of an area; 0, for none, where that is not above 0.
 fn edge_of(area: f64) -> f64 {
     if area > 0.0 { (4.0 / 3.0_f64.sqrt()).sqrt() * area.sqrt() } else { 0.0 }
 }
@@ -149,7 +150,7 @@ fn next_count(lines: &mut Lines<'_>, what: &str) -> Result<Option<u64>> {
     Ok(Some(count))
 }
 
-/// The second column and the third.
+/// Reads the seed of a region: the second column and the third.
 fn seed(line: &Line<'_>) -> Result<[f64; 2]> {
     let mut seed = [0.0; 2];
     for (column, word) in line.words().take(3) {
@@ -161,7 +162,7 @@ fn seed(line: &Line<'_>) -> Result<[f64; 2]> {
     Ok(seed)
 }
 
-/// A number of the caller's, which these programs also write as `3.0`.
+/// Reads a number of the caller's, which these programs also write as `3.0`.
 fn whole(line: &Line<'_>, column: usize, word: &str, what: &str) -> Result<i32> {
     let value = line.coordinate(column, word)?;
     if value != value.trunc() || value.abs() > f64::from(i32::MAX) {
@@ -185,8 +186,8 @@ mod tests {
     #[test]
     fn segments_holes_and_regions_are_read() {
         let text = format!(
-            "# a square\n{SQUARE}# its sides\n5 1\n1 1 2 10\n2 2 3 -1\n3 3 4 2.0\n4 4 1 0\n5 1 3 7\n\
-             1\n1 0.25 0.75\n2\n1 0.75 0.25 4 0.5\n2 0.9 0.1 -3 -1\n"
+            "# a square\n{SQUARE}# its sides\n5 1\n1 1 2 10\n2 2 3 -1\n3 3 4 2.0\n4 4 1 0\n\
+             5 1 3 7\n1\n1 0.25 0.75\n2\n1 0.75 0.25 4 0.5\n2 0.9 0.1 -3 -1\n"
         );
         let table = read(&text).unwrap();
         let coordinates = vec![0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];

@@ -93,7 +93,8 @@ pub(super) fn open_stream(path: &Path) -> Result<Option<File>> {
     }
 }
 
-/// What this process has under temporary names in the directory of `path`, links followed.
+/// Returns the files that this process has under temporary names in the directory of `path`, links
+/// followed.
 pub(super) fn temporary_files(path: &Path) -> Vec<PathBuf> {
     let target = follow_links(path).unwrap_or_else(|_| path.to_path_buf());
     let Ok(entries) = fs::read_dir(directory_of(&target)) else { return Vec::new() };
@@ -157,7 +158,7 @@ impl Drop for Staged {
 
 /// Returns the path that a chain of symbolic links ends at, whether a file is there or not.
 pub(super) fn follow_links(path: &Path) -> Result<PathBuf> {
-    /// As many as Linux follows.
+    /// Largest number of links that are followed: Linux follows as many.
     const MOST_LINKS: u32 = 40;
     let mut target = path.to_path_buf();
     for _ in 0..MOST_LINKS {
@@ -181,7 +182,7 @@ fn names_a_directory(path: &Path) -> bool {
     bytes.strip_suffix(b".").unwrap_or(bytes).last().is_some_and(is_separator)
 }
 
-/// Where to write, links followed, and the permissions of the file that is there.
+/// Returns the file to write, links followed, and the permissions of the file that is there.
 fn writable_target(path: &Path) -> Result<(PathBuf, Option<fs::Permissions>)> {
     if path.file_name().is_none() {
         return Err(refused(path, "the path names no file", IS_A_DIRECTORY));
@@ -258,7 +259,7 @@ mod tests {
             self.0.join(name)
         }
 
-        /// All files with their contents, by name.
+        /// Returns all files with their contents, by name.
         fn files(&self) -> Vec<(String, String)> {
             let mut files: Vec<_> = fs::read_dir(&self.0)
                 .unwrap()
@@ -385,7 +386,7 @@ mod tests {
         assert_eq!(fs::metadata(&a).unwrap().permissions().mode() & 0o777, 0o640);
     }
 
-    /// A reader of a link that leads nowhere means the file that it will lead to.
+    /// Holds that a link that leads nowhere means the file that it will lead to.
     #[cfg(unix)]
     #[test]
     fn links_to_nothing_are_followed() {
@@ -412,7 +413,7 @@ mod tests {
         }
     }
 
-    /// Whatever is refused after the work is refused before it, in the same words.
+    /// Holds that whatever is refused after the work is refused before it, in the same words.
     #[test]
     fn what_cannot_be_written_is_known_before() {
         let directory = Directory::new("before");

@@ -35,7 +35,7 @@ impl std::io::Read for FailingReader {
     }
 }
 
-/// Two simplices that share a facet, with awkward coordinates and every kind of vertex.
+/// Makes two simplices that share a facet, with awkward coordinates and every kind of vertex.
 pub fn mesh(dim: usize) -> Mesh {
     let vertices = dim as u32 + 2;
     // A stride that is prime to the length: every vertex starts elsewhere.
@@ -46,18 +46,18 @@ pub fn mesh(dim: usize) -> Mesh {
     assemble(dim, points, (0..=vertices - 2).chain(1..vertices).collect(), kinds)
 }
 
-/// The unit square as two triangles.
+/// Makes the unit square as two triangles.
 pub fn square() -> Mesh {
     let kinds = vec![VertexKind::Input, VertexKind::Input, VertexKind::Steiner, VertexKind::Cage];
     assemble(2, vec![0., 0., 1., 0., 1., 1., 0., 1.], vec![0, 1, 2, 0, 2, 3], kinds)
 }
 
-/// Options for the triangulation of the inputs alone.
+/// Returns options for the triangulation of the inputs alone.
 pub fn delaunay() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
 }
 
-/// The square with its diagonal and a side as segments, and labels of its triangles.
+/// Makes the square with its diagonal and a side as segments, and labels of its triangles.
 pub fn square_with_segments() -> Mesh {
     let square = square();
     let mut triangulation = square.triangulation().unwrap().clone();
@@ -70,20 +70,20 @@ pub fn square_with_segments() -> Mesh {
     Mesh::from_parts(square.inputs().clone(), triangulation).with_markers(vec![6, -5])
 }
 
-/// A mesh of one domain that a run made.
+/// Makes a mesh of one domain by a run.
 pub fn finished(dim: usize) -> Mesh {
     run(dim, &scattered(dim), &Options { output: Output::WellSpaced, ..Options::default() })
 }
 
-/// A mesh that a run made, with a cluster a million times smaller than what is around it: the
-/// domain of the cluster is inside the root.
+/// Makes a mesh by a run, with a cluster a million times smaller than what is around it: the domain
+/// of the cluster is inside the root.
 pub fn nested(dim: usize) -> Mesh {
     let around = scattered(dim);
     let cluster: Vec<f64> = around.iter().map(|x| 0.3 + 1e-6 * x).collect();
     run(dim, &[around, cluster].concat(), &Options::default())
 }
 
-/// 20 points without a pattern.
+/// Returns 20 points without a pattern.
 fn scattered(dim: usize) -> Vec<f64> {
     let term = |i: usize| i as f64 * 0.754_877_666_246_692_7 + (i * i) as f64 * 0.569_840_290_998;
     (0..20 * dim).map(|i| term(i).fract()).collect()
@@ -95,7 +95,7 @@ fn run(dim: usize, points: &[f64], options: &Options) -> Mesh {
     mesh
 }
 
-/// A mesh whose inputs are the first vertices, those of kind `Input`.
+/// Makes a mesh whose inputs are the first vertices, those of kind `Input`.
 fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<VertexKind>) -> Mesh {
     let inputs = kinds.iter().filter(|kind| **kind == VertexKind::Input).count();
     let vertices = kinds.len();
@@ -122,7 +122,7 @@ fn assemble(dim: usize, points: Vec<f64>, simplices: Vec<u32>, kinds: Vec<Vertex
     Mesh::from_parts(inputs, triangulation)
 }
 
-/// Simplices that share all vertices but one are neighbours across these.
+/// Finds the neighbours: simplices that share all vertices but one are neighbours across these.
 fn neighbors(simplices: &[u32], dim: usize) -> Vec<u32> {
     let all = || simplices.chunks_exact(dim + 1);
     let across = |simplex: &[u32], opposite: u32| {

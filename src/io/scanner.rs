@@ -10,24 +10,24 @@ const MAX_WORD: usize = 2048;
 
 pub(super) struct Scanner<'a> {
     input: &'a mut dyn BufRead,
-    place: Place,
+    place: TextPosition,
     word: [u8; MAX_WORD],
 }
 
-/// Where a byte stands, both counted from 1.
+/// Line and byte of a position in a text, both counted from 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct TextPosition {
     line: u64,
     byte: u64,
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for TextPosition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "line {}, byte {}", self.line, self.byte)
     }
 }
 
-impl Place {
+impl TextPosition {
     pub fn error(self, message: impl fmt::Display) -> Error {
         self.error_of_kind(ErrorKind::Format, message)
     }
@@ -36,7 +36,7 @@ impl Place {
         Error::new(kind, message!("{self}: {message}"))
     }
 
-    /// A coordinate: a decimal number that a double can hold.
+    /// Parses a coordinate: a decimal number that a double can hold.
     ///
     /// # Errors
     /// `Format`: not a number, or too large; `NonFinite`: `nan` or `inf`.
@@ -80,15 +80,16 @@ impl fmt::Display for Shown<'_> {
 impl<'a> Scanner<'a> {
     /// Begins after a byte order mark.
     pub fn new(input: &'a mut dyn BufRead) -> Result<Self> {
-        let mut scanner = Self { input, place: Place { line: 1, byte: 1 }, word: [0; MAX_WORD] };
+        let mut scanner =
+            Self { input, place: TextPosition { line: 1, byte: 1 }, word: [0; MAX_WORD] };
         if scanner.next_is(0xef)? && !(scanner.next_is(0xbb)? && scanner.next_is(0xbf)?) {
             return Err(scanner.unexpected("text"));
         }
         Ok(scanner)
     }
 
-    /// That of the next byte.
-    pub fn place(&self) -> Place {
+    /// Returns the position of the next byte.
+    pub fn place(&self) -> TextPosition {
         self.place
     }
 
@@ -119,7 +120,7 @@ impl<'a> Scanner<'a> {
         self.pass(belong, |_, _| Ok(()))
     }
 
-    /// The bytes that follow and `belong`, which must be ASCII.
+    /// Reads the bytes that follow and `belong`, which must be ASCII.
     pub fn read_word(&mut self, belong: impl Fn(u8) -> bool) -> Result<&str> {
         let begin = self.place;
         let mut length = 0;
@@ -156,13 +157,13 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// The error of the next byte where something else is expected.
+    /// Returns the error of the next byte where something else is expected.
     pub fn unexpected(&mut self, expected: impl fmt::Display) -> Error {
         let place = self.place;
         match self.ahead() {
             Ok(None) => {
                 let message = message!("the file ends at {place}, where {expected} is expected");
-                Error::new(ErrorKind::Format, message)
+                Error::format(message)
             }
             Ok(Some(0)) => place.error("a NUL byte; this is not a text file"),
             Ok(Some(byte)) => {
@@ -175,8 +176,8 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// The next bytes; none at the end of the file.
-fn buffered(input: &mut dyn BufRead, place: Place) -> Result<&[u8]> {
+/// Returns the next bytes; none at the end of the file.
+fn buffered(input: &mut dyn BufRead, place: TextPosition) -> Result<&[u8]> {
     // The borrow of a buffer that is returned at once would last for the loop.
     while let Err(error) = input.fill_buf() {
         if error.kind() != io::ErrorKind::Interrupted {

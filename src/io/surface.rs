@@ -2,7 +2,7 @@
 
 use super::text::write_point;
 use super::{Buffered, io_error, replace};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{collected, filled};
 use crate::mesh::{Inputs, NONE, Triangulation};
 use std::io::{self, Write};
@@ -19,7 +19,7 @@ pub enum SurfaceFormat {
 }
 
 impl SurfaceFormat {
-    /// The format that a path's extension stands for: `.ply` or `.off`.
+    /// Returns the format that a path's extension stands for: `.ply` or `.off`.
     ///
     /// # Errors
     /// `InvalidArgument` for another one.
@@ -27,13 +27,10 @@ impl SurfaceFormat {
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("ply") => Ok(Self::Ply),
             Some("off") => Ok(Self::Off),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                message!(
-                    "{}: the extension names no format of surfaces; use .ply or .off",
-                    path.display()
-                ),
-            )),
+            _ => Err(Error::invalid(message!(
+                "{}: the extension names no format of surfaces; use .ply or .off",
+                path.display()
+            ))),
         }
     }
 }
@@ -55,10 +52,11 @@ pub fn write_surface(
     written.map_err(|error| io_error("cannot write", &error))
 }
 
-/// The same into a file, which appears complete or not at all. A device or a pipe is written into.
+/// Writes facets and their vertices into a file, which appears complete or not at all. A device or
+/// a pipe is written into.
 ///
 /// # Errors
-/// As [`write_surface`].
+/// Fails as [`write_surface`] does.
 pub fn write_surface_file(
     inputs: &Inputs,
     mesh: &Triangulation,
@@ -90,7 +88,7 @@ impl<'a> Surface<'a> {
     fn new(inputs: &'a Inputs, mesh: &'a Triangulation, facets: &'a [u32]) -> Result<Self> {
         if !matches!(mesh.dim, 2 | 3) {
             let message = message!("surfaces are written in 2D and 3D; the mesh is {}D", mesh.dim);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         let mut numbers = filled(mesh.vertex_count(), NONE)?;
         facets.iter().for_each(|&vertex| numbers[vertex as usize] = 0);
@@ -109,7 +107,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The new numbers of the vertices of each facet.
+    /// Returns the new numbers of the vertices of each facet.
     fn rows(&self) -> impl ExactSizeIterator<Item = impl Iterator<Item = u32> + '_> + '_ {
         let number = |&vertex: &u32| self.numbers[vertex as usize];
         self.facets.chunks_exact(self.mesh.dim).map(move |facet| facet.iter().map(number))

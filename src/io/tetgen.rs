@@ -4,20 +4,20 @@ use super::Table;
 use super::choice::{AttributeColumns, MAX_ATTRIBUTES};
 use super::text::{Line, Lines, Points, write_number, write_point};
 use super::values::Values;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::collected;
 use crate::mesh::{Attribute, LeftOut, Region, Triangulation};
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// The files that there are beside the pair, with segments: `.edge` part, `.poly` part.
+/// Returns the files that there are beside the pair, with segments: `.edge` part, `.poly` part.
 pub(super) fn paths_of_segments(path: &Path) -> (PathBuf, PathBuf) {
     let (_, ele) = paths(path);
     (ele.with_extension("edge"), ele.with_extension("poly"))
 }
 
-/// The files of the pair that `path` names: `.node` part, `.ele` part.
+/// Returns the files of the pair that `path` names: `.node` part, `.ele` part.
 pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
     let has_extension = |expected: &str| {
         path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(expected))
@@ -37,7 +37,7 @@ pub(super) fn paths(path: &Path) -> (PathBuf, PathBuf) {
 pub(super) fn read(mut lines: Lines<'_>, attributes: &AttributeColumns) -> Result<Table> {
     match read_alone(&mut lines, attributes)? {
         Some((table, _)) => Ok(table),
-        None => Err(Error::new(ErrorKind::Format, "the file holds no points")),
+        None => Err(Error::format("the file holds no points")),
     }
 }
 
@@ -48,21 +48,21 @@ pub(super) fn leave_out(mut lines: Lines<'_>, left_out: &mut LeftOut) -> Result<
     for (column, word) in header.words().take(2) {
         counts[column] = header.integer(column, word, ["number of elements", "size"][column])?;
     }
-    let [elements, corners] = counts;
+    let [elements, size] = counts;
     for index in 0..elements {
         let line = lines.require(|| format!("{index} of {elements} elements"))?;
-        if (line.word_count() as u64) <= corners {
-            let message = format!("an element of {corners} points has its id before them");
+        if (line.word_count() as u64) <= size {
+            let message = format!("an element of {size} points has its id before them");
             return Err(line.error(message));
         }
     }
     lines.require_end(&format!("the {elements} elements of the header"))?;
     // Triangles of second order have six points.
-    left_out.add(if matches!(corners, 3 | 6) { 2 } else { 3 }, elements);
+    left_out.add(if matches!(size, 3 | 6) { 2 } else { 3 }, elements);
     Ok(())
 }
 
-/// As [`read_points`], with nothing after the points.
+/// Reads points as [`read_points`] does, and requires that nothing follows them.
 pub(super) fn read_alone(
     lines: &mut Lines<'_>,
     attributes: &AttributeColumns,
@@ -73,7 +73,7 @@ pub(super) fn read_alone(
     Ok(read)
 }
 
-/// The points that a header begins, and the id of the first; `None` where it promises none.
+/// Reads the points that a header begins, and the id of the first; `None` where it promises none.
 pub(super) fn read_points(
     lines: &mut Lines<'_>,
     attributes: &AttributeColumns,
@@ -136,7 +136,8 @@ impl Header {
         Ok(Self { points, dim, attributes, markers, columns })
     }
 
-    /// Those of the attributes and the marker that are wanted. The file has no names for them.
+    /// Returns those of the attributes and the marker that are wanted. The file has no names for
+    /// them.
     fn values(&self, line: &Line<'_>, wanted: &AttributeColumns) -> Result<Values> {
         if !wanted.are_chosen() {
             return Ok(Values::default());
@@ -212,7 +213,7 @@ pub(super) fn write_ele(triangulation: &Triangulation, out: &mut dyn Write) -> i
     Ok(())
 }
 
-/// The edges that segments have become, with the markers of their segments.
+/// Writes the edges that segments have become, with the markers of their segments.
 pub(super) fn write_edge(
     triangulation: &Triangulation,
     markers: &[i32],
@@ -225,7 +226,8 @@ pub(super) fn write_edge(
     Ok(())
 }
 
-/// As [`write_edge`], as segments between the points of the `.node` part, and the holes.
+/// Writes the edges that segments have become, as segments between the points of the `.node` part,
+/// and the holes.
 pub(super) fn write_poly(
     triangulation: &Triangulation,
     markers: &[i32],

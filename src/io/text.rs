@@ -1,5 +1,5 @@
-//! What the text formats share: lines with a bound on their length, numbers, and the numbers' way
-//! back to text.
+//! Reading of text formats: lines with a bound on their length, numbers, and the numbers' way back
+//! to text.
 
 use super::{PointCloud, io_error};
 use crate::error::{Error, ErrorKind, Result, message};
@@ -10,7 +10,7 @@ use std::io::{self, BufRead, Read, Write};
 /// The longest line that is read, with its end: a file without line ends must not fill the memory.
 const MAX_LINE: usize = 1 << 20;
 
-/// The lines of a text that say something: comments are cut off, blank lines skipped.
+/// The lines of a text that say something: comments are dropped, blank lines skipped.
 pub(super) struct Lines<'a> {
     input: &'a mut dyn BufRead,
     buffer: Vec<u8>,
@@ -22,7 +22,7 @@ pub(super) struct Lines<'a> {
 /// A line, without comment and surrounding blanks; never empty.
 #[derive(Clone, Copy)]
 pub(super) struct Line<'a> {
-    /// Counted from 1, blank lines and comments included.
+    /// Number of the line, counted from 1, blank lines and comments included.
     number: u64,
     pub text: &'a str,
 }
@@ -32,21 +32,21 @@ impl<'a> Lines<'a> {
         Self { input, buffer: Vec::new(), number: 0, has_quotes: false }
     }
 
-    /// Lines of a format in which fields may stand between quotes.
+    /// Reads lines of a format in which fields may stand between quotes.
     pub fn with_quotes(input: &'a mut dyn BufRead) -> Self {
         Self { has_quotes: true, ..Self::new(input) }
     }
 
-    /// The next line that says something.
+    /// Returns the next line that says something.
     pub fn next(&mut self) -> Result<Option<Line<'_>>> {
         if self.advance()? { self.current().map(Some) } else { Ok(None) }
     }
 
-    /// The next line; the error of a file that ends instead tells what it `lacks`.
+    /// Returns the next line; the error of a file that ends instead tells what it `lacks`.
     pub fn require(&mut self, lacks: impl FnOnce() -> String) -> Result<Line<'_>> {
         if !self.advance()? {
             let message = format!("the file ends after line {}: {}", self.number, lacks());
-            return Err(Error::new(ErrorKind::Format, message));
+            return Err(Error::format(message));
         }
         self.current()
     }
@@ -119,7 +119,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The line as text, without its end.
+    /// Returns the line as text, without its end.
     fn decoded(&self) -> Result<&str> {
         let mut line = self.buffer.as_slice();
         if self.number == 1 {
@@ -149,17 +149,17 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The error of a byte of the line, counted from 0 here and from 1 in the message.
+    /// Returns the error of a byte of the line, counted from 0 here and from 1 in the message.
     fn refused_byte(&self, index: usize, why: &str) -> Error {
         let message = format!("line {}, byte {}: {why}", self.number, index + 1);
-        Error::new(ErrorKind::Format, message)
+        Error::format(message)
     }
 
     fn refused(&self, why: &str) -> Error {
         self.error(ErrorKind::Format, why)
     }
 
-    /// The error of the line that was read last.
+    /// Returns the error of the line that was read last.
     pub fn error(&self, kind: ErrorKind, why: &str) -> Error {
         Error::new(kind, format!("line {}: {why}", self.number))
     }
@@ -169,7 +169,7 @@ fn cannot_read_on(line: u64, error: &io::Error) -> Error {
     io_error(&format!("cannot read on after line {line}"), error)
 }
 
-/// The part before the comment, without blanks around it.
+/// Returns the part before the comment, without blanks around it.
 fn content(line: &str, has_quotes: bool) -> &str {
     let mut is_between = false;
     let begins_comment = |c: char| {
@@ -192,13 +192,13 @@ impl<'a> Line<'a> {
         Error::new(kind, format!("line {}: {}", self.number, message.as_ref()))
     }
 
-    /// The error of the field in `column`, counted from 0 here and from 1 in the message.
+    /// Returns the error of the field in `column`, counted from 0 here and from 1 in the message.
     pub fn field_error(&self, kind: ErrorKind, column: usize, message: impl AsRef<str>) -> Error {
         let message = format!("line {}, column {}: {}", self.number, column + 1, message.as_ref());
         Error::new(kind, message)
     }
 
-    /// The fields between blanks, each with its column.
+    /// Returns the fields between blanks, each with its column.
     pub fn words(&self) -> impl Iterator<Item = (usize, &'a str)> + use<'a> {
         self.text.split_ascii_whitespace().enumerate()
     }
@@ -207,7 +207,7 @@ impl<'a> Line<'a> {
         self.text.split_ascii_whitespace().count()
     }
 
-    /// A count or an id: decimal digits.
+    /// Parses a count or an id: decimal digits.
     pub fn integer(&self, column: usize, field: &str, what: &str) -> Result<u64> {
         field.parse().map_err(|_| {
             let message = format!("{} is no {what}", quoted(field));
@@ -215,7 +215,7 @@ impl<'a> Line<'a> {
         })
     }
 
-    /// A line of counts and ids, and nothing else.
+    /// Parses a line of counts and ids, and nothing else.
     pub fn integers<const N: usize>(&self, names: [&str; N]) -> Result<[u64; N]> {
         self.require_words(N)?;
         let mut numbers = [0; N];
@@ -232,7 +232,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// A number that is only looked at to see that the columns are what they should be.
+    /// Looks at a number only to see that the columns are what they should be.
     pub fn skip_number(&self, column: usize, field: &str) -> Result<()> {
         match field.parse::<f64>() {
             Ok(_) => Ok(()),
@@ -240,7 +240,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// A coordinate: a decimal number that a double can hold.
+    /// Parses a coordinate: a decimal number that a double can hold.
     ///
     /// # Errors
     /// `Format`: empty, not a number, or too large; `NonFinite`: `nan` or `inf`.
@@ -259,7 +259,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// The value of an attribute: any double, nan and infinity too. An empty field stands for nan.
+    /// Parses the value of an attribute: any double, nan and infinity too. An empty field stands
+    /// for nan.
     pub fn value(&self, column: usize, field: &str, name: &str) -> Result<f64> {
         let rule = match field.parse::<f64>() {
             _ if field.is_empty() => return Ok(f64::NAN),
@@ -277,8 +278,8 @@ impl<'a> Line<'a> {
         let message = match field {
             "" => "the field is empty".to_string(),
             _ if field.contains(';') => format!(
-                "{} is not a number; semicolons separate no numbers here, and the decimal sign is a \
-                 point",
+                "{} is not a number; semicolons separate no numbers here, and the decimal sign is \
+                 a point",
                 quoted(field)
             ),
             _ => format!("{} is not a number", quoted(field)),
@@ -286,7 +287,7 @@ impl<'a> Line<'a> {
         self.field_error(ErrorKind::Format, column, message)
     }
 
-    /// A dimension that this crate meshes.
+    /// Returns a dimension that this crate meshes, and refuses others.
     pub fn check_dimension(&self, dim: u64) -> Result<usize> {
         if !(MIN_DIM as u64..=MAX_DIM as u64).contains(&dim) {
             let message = format!("points of dimension {dim}; it must be {MIN_DIM} to {MAX_DIM}");
@@ -296,7 +297,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// A field as a message shows it: a line may be one field of a million bytes.
+/// Returns a field as a message shows it: a line may be one field of a million bytes.
 pub(super) fn quoted(field: &str) -> String {
     const SHOWN: usize = 40;
     let mut characters = field.chars();
@@ -308,13 +309,13 @@ pub(super) fn quoted(field: &str) -> String {
 /// The points read so far. Grows with the data, never with what a header claims.
 #[derive(Default)]
 pub(super) struct Points {
-    /// 0 before the first point.
+    /// Dimension of the points: 0 before the first point.
     dim: usize,
     coordinates: Vec<f64>,
 }
 
 impl Points {
-    /// Points of a dimension that a header gave.
+    /// Makes an empty list of points of a dimension that a header gave.
     pub fn of_dimension(dim: usize) -> Self {
         Self { dim, coordinates: Vec::new() }
     }
@@ -342,7 +343,7 @@ impl Points {
         Ok(())
     }
 
-    /// Of a known dimension.
+    /// Returns the number of points, whose dimension is known.
     pub fn count(&self) -> usize {
         self.coordinates.len() / self.dim
     }
@@ -357,7 +358,7 @@ impl Points {
 
     pub fn finish(self) -> Result<PointCloud> {
         if self.coordinates.is_empty() {
-            return Err(Error::new(ErrorKind::Format, "the file holds no points"));
+            return Err(Error::format("the file holds no points"));
         }
         Ok(PointCloud { dim: self.dim, coordinates: self.coordinates })
     }

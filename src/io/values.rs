@@ -6,23 +6,23 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::TryGrow;
 use crate::mesh::{Attribute, LeftOut, Mesh, Region};
 
-/// What was read: points, and values of attributes at them.
+/// Content of a file that was read: points, and values of attributes at them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     pub points: PointCloud,
-    /// Of one component each, in the order of the choice.
+    /// Attributes of one component each, in the order of the choice.
     pub attributes: Vec<Attribute>,
     pub outline: Outline,
-    /// What the file has beside.
+    /// Number of things in the file that were not read.
     pub left_out: LeftOut,
 }
 
 /// Segments between the points, and regions: none in most formats.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
-    /// Two points each.
+    /// Segments, two points each.
     pub segments: Vec<[u32; 2]>,
-    /// One a segment.
+    /// Markers, one for each segment.
     pub markers: Vec<i32>,
     /// Tells for each segment whether it is a side of a polygon; empty in formats without polygons.
     pub sides: Vec<bool>,
@@ -34,11 +34,11 @@ impl Table {
         Self { points, attributes, outline: Outline::default(), left_out: LeftOut::default() }
     }
 
-    /// A mesh of the points with their attributes, segments and regions. `is_extended`: as
-    /// [`Mesh::set_attribute`] has it.
+    /// Makes a mesh of the points with their attributes, segments and regions. `is_extended` says
+    /// how the attributes go on at other vertices, as in [`Mesh::set_attribute`].
     ///
     /// # Errors
-    /// Those of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`] and
+    /// The errors of [`Mesh::new`], [`Mesh::set_attribute`], [`Mesh::set_segments`] and
     /// [`Mesh::set_regions`]; those of the last two are [of the content](Error::of_content).
     pub fn mesh(&self, is_extended: bool) -> Result<Mesh> {
         let PointCloud { dim, coordinates } = &self.points;
@@ -66,12 +66,12 @@ impl Table {
 #[derive(Default)]
 pub(super) struct Values {
     attributes: Vec<Attribute>,
-    /// Column, counted from 0, and attribute; ascending.
+    /// Columns, counted from 0, and their attributes; ascending.
     of_columns: Vec<(u64, usize)>,
 }
 
 impl Values {
-    /// Of columns with names.
+    /// Makes attributes of columns with names, without values.
     pub fn new(columns: impl Iterator<Item = (u64, String)>) -> Result<Self> {
         let mut values = Self::default();
         for (column, name) in columns {
@@ -84,13 +84,13 @@ impl Values {
         Ok(values)
     }
 
-    /// The attribute that a column is.
+    /// Returns the attribute that a column is.
     pub fn of_column(&self, column: u64) -> Option<usize> {
         let at = self.of_columns.binary_search_by_key(&column, |(column, _)| *column).ok()?;
         Some(self.of_columns[at].1)
     }
 
-    /// The columns that are attributes, ascending.
+    /// Returns the columns that are attributes, ascending.
     pub fn columns(&self) -> impl Iterator<Item = u64> + '_ {
         self.of_columns.iter().map(|(column, _)| *column)
     }

@@ -35,7 +35,7 @@ fn write_in<const D: usize>(
     out.write_all(b"}\n")
 }
 
-/// The circumcentre; `None` where it is beyond the doubles.
+/// Returns the circumcentre; `None` where it is beyond the doubles.
 fn corner<const D: usize>(view: View<'_, D>, simplex: usize) -> AllocResult<Option<[f64; D]>> {
     let points = view.points_of(view.simplex(simplex));
     let Some(corner) = Corner::new(&points[..View::<D>::VERTICES])? else {
@@ -130,7 +130,7 @@ mod tests {
         String::from_utf8(text).unwrap()
     }
 
-    /// The numbers of the first list called `name` in a line.
+    /// Returns the numbers of the first list called `name` in a line.
     fn list(line: &str, name: &str) -> Vec<u32> {
         let (_, rest) = line.split_once(&format!("\"{name}\":[")).unwrap();
         let (list, _) = rest.split_once(']').unwrap();
@@ -140,7 +140,8 @@ mod tests {
     #[test]
     fn the_diagram_of_a_triangle_with_a_double_input() {
         let mesh = meshed(&[0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 2.0], 2);
-        let expected = "{\"format\":\"netmesh voronoi\",\"version\":1,\"dim\":2,\"sites\":[\n[0,0],\n[4,0],\n[0,2]],\n\
+        let expected = "{\"format\":\"netmesh voronoi\",\"version\":1,\"dim\":2,\"sites\":[\n\
+            [0,0],\n[4,0],\n[0,2]],\n\
             \"corners\":[\n[2,1]],\n\"cells\":[\n\
             {\"site\":0,\"input\":0,\"unbounded\":true,\"corners\":[0],\"neighbors\":[1,2]},\n\
             {\"site\":1,\"input\":2,\"unbounded\":true,\"corners\":[0],\"neighbors\":[0,2]},\n\

@@ -2,16 +2,14 @@
 
 use super::allocation_failed;
 use super::measures::Measures;
+use super::vtk::{DataArray, Grid, Numbers, Scalar, Section, write_points, write_types};
 use crate::arrays::domains::domain_of;
+use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
 use crate::mesh::{Attribute, Inputs, NONE, Triangulation};
 use crate::options::Criterion;
-use std::fmt;
 use std::io::{self, Write};
 
-const TRIANGLE: u8 = 5;
-const TETRA: u8 = 10;
-
-/// What the arrays are made of.
+/// Data that the arrays are made of.
 struct Source<'a> {
     inputs: &'a Inputs,
     mesh: &'a Triangulation,
@@ -19,12 +17,9 @@ struct Source<'a> {
     measures: Measures,
 }
 
-/// The XML that says where the arrays are, then the arrays.
-///
-/// The arrays follow in the reverse of the order in which the XML declares them. meshio (5.3) takes
-/// them one after the other, looks each up by its offset and overwrites that with one of its own,
-/// which may be the offset of another: it then finds the first of the two in the XML. In this order
-/// that is always the right one.
+type Array<'a> = DataArray<'a, Source<'a>>;
+type WriteNumbers<'a> = fn(&Source<'a>, &mut dyn Write) -> io::Result<()>;
+
 pub(super) fn write(
     inputs: &Inputs,
     mesh: &Triangulation,
@@ -38,240 +33,148 @@ pub(super) fn write(
     };
     let measures = measures.map_err(allocation_failed)?;
     let source = Source { inputs, mesh, markers, measures };
-    let arrays = arrays(mesh);
-    let added = |attribute: &Attribute| 8 + size_of_val(&*attribute.values) as u64;
-    let is_in = |section| move |array: &&Array| array.is_there && array.section == section;
-    let in_section = |section| arrays.iter().filter(is_in(section));
-    let all = || SECTIONS.into_iter().map(|(section, _)| section);
-    let sizes = all().flat_map(in_section).map(Array::size_with_length);
-    let mut offset: u64 = sizes.chain(attributes.iter().map(added)).sum();
-    writeln!(
-        out,
-        r#"<?xml version="1.0"?>
-<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-<UnstructuredGrid>"#
-    )?;
-    for (section, name) in SECTIONS {
-        if section == Section::Field && in_section(section).next().is_none() {
-            continue;
-        }
-        write_begin(mesh, section, name, out)?;
-        for array in in_section(section) {
-            offset -= array.size_with_length();
-            writeln!(out, "{}", array.declaration(offset))?;
-        }
-        for attribute in of_section(section, attributes) {
-            offset -= added(attribute);
-            let Attribute { name, components, .. } = attribute;
-            let (scalar, components) = ("Float64", *components as u64);
-            let declaration = Declaration { name, scalar, components, tuples: None, offset };
-            writeln!(out, "{declaration}")?;
-        }
-        writeln!(out, "</{name}>")?;
+    let own = arrays(mesh).map_err(allocation_failed)?;
+    let added = collected(attributes.iter().map(array_of)).map_err(allocation_failed)?;
+    let grid = Grid {
+        points: mesh.vertex_count(),
+        cells: mesh.simplex_count(),
+        attributes: |section| if section == Section::Point { r#" Scalars="kind""# } else { "" },
+        arrays: [&own, &added],
+    };
+    grid.write(&source, out)
+}
+
+/// Returns the array of an attribute.
+fn array_of(attribute: &Attribute) -> Array<'_> {
+    let Attribute { name, components, values, .. } = attribute;
+    DataArray {
+        section: Section::Point,
+        name,
+        scalar: Scalar::Float64,
+        components: *components as u64,
+        tuples: values.len() / components,
+        is_global_id: false,
+        numbers: Numbers::Values(values),
     }
-    out.write_all(b"</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
-    for section in all().rev() {
-        for attribute in of_section(section, attributes).iter().rev() {
-            out.write_all(&(added(attribute) - 8).to_le_bytes())?;
-            attribute.values.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))?;
-        }
-        for array in in_section(section).rev() {
-            out.write_all(&array.bytes().to_le_bytes())?;
-            (array.write)(&source, out)?;
-        }
-    }
-    out.write_all(b"\n</AppendedData>\n</VTKFile>\n")
 }
 
-/// The tag of a section; what follows [`Section::Field`] is of the only piece.
-fn write_begin(
-    mesh: &Triangulation,
-    section: Section,
-    name: &str,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    if section != Section::Point {
-        return writeln!(out, "<{name}>");
-    }
-    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
-    writeln!(
-        out,
-        r#"<Piece NumberOfPoints="{vertices}" NumberOfCells="{cells}">
-<{name} Scalars="kind">"#
-    )
+/// Returns the arrays of the mesh, those of a section in the order of the XML.
+fn arrays<'a>(mesh: &Triangulation) -> AllocResult<Vec<Array<'a>>> {
+    let mut arrays = with_capacity(16)?;
+    add_segments(mesh, &mut arrays)?;
+    add_data(mesh, &mut arrays)?;
+    add_cells(mesh, &mut arrays)?;
+    Ok(arrays)
 }
 
-/// The attributes that are declared in a section.
-fn of_section(section: Section, attributes: &[Attribute]) -> &[Attribute] {
-    if section == Section::Point { attributes } else { &[] }
-}
-
-/// Where the XML declares an array.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Section {
-    /// Of neither points nor cells.
-    Field,
-    Point,
-    Cell,
-    Points,
-    Cells,
-}
-
-/// In the order of the XML, with their names there.
-const SECTIONS: [(Section, &str); 5] = [
-    (Section::Field, "FieldData"),
-    (Section::Point, "PointData"),
-    (Section::Cell, "CellData"),
-    (Section::Points, "Points"),
-    (Section::Cells, "Cells"),
-];
-
-struct Array {
+fn array<'a>(
     section: Section,
     name: &'static str,
-    scalar: &'static str,
-    scalar_size: u64,
-    components: u64,
+    scalar: Scalar,
     tuples: usize,
-    is_there: bool,
-    write: fn(&Source<'_>, &mut dyn Write) -> io::Result<()>,
+    write: WriteNumbers<'a>,
+) -> Array<'a> {
+    let numbers = Numbers::Written(write);
+    DataArray { section, name, scalar, components: 1, tuples, is_global_id: false, numbers }
 }
 
-impl Array {
-    fn bytes(&self) -> u64 {
-        self.scalar_size * self.components * self.tuples as u64
-    }
-
-    /// Before each array stands its number of bytes, as the file's `header_type`.
-    fn size_with_length(&self) -> u64 {
-        8 + self.bytes()
-    }
-
-    fn declaration(&self, offset: u64) -> Declaration<'static> {
-        let Self { name, scalar, components, .. } = *self;
-        let tuples = (self.section == Section::Field).then_some(self.tuples);
-        Declaration { name, scalar, components, tuples, offset }
-    }
-}
-
-/// What the XML says of an array; written in place, without a string between.
-struct Declaration<'a> {
-    name: &'a str,
-    scalar: &'static str,
-    components: u64,
-    /// Where neither points nor cells say it.
-    tuples: Option<usize>,
-    offset: u64,
-}
-
-impl fmt::Display for Declaration<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, scalar, components, tuples, offset } = self;
-        write!(f, r#"<DataArray type="{scalar}" Name="{name}" NumberOfComponents="{components}""#)?;
-        if let Some(tuples) = tuples {
-            write!(f, r#" NumberOfTuples="{tuples}""#)?;
-        }
-        write!(f, r#" format="appended" offset="{offset}"/>"#)
-    }
-}
-
-/// The arrays in the order of the XML, section by section.
-fn arrays(mesh: &Triangulation) -> [Array; 16] {
-    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+fn add_segments<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResult<()> {
     let segments = mesh.boundary.subsegments.len();
-    // What goes beyond a bound is data of that which is bounded.
-    let (bounded, marked) = match mesh.parameters.criterion {
-        Criterion::VoronoiAspect => (Section::Point, vertices),
-        Criterion::RadiusEdge => (Section::Cell, cells),
+    if segments == 0 {
+        return Ok(());
+    }
+    let of_segments = |name, scalar, write| array(Section::Field, name, scalar, segments, write);
+    let ends = of_segments("segments", Scalar::UInt32, write_segments);
+    arrays.try_push(DataArray { components: 2, ..ends })?;
+    arrays.try_push(of_segments("segment_markers", Scalar::Int32, write_markers))
+}
+
+fn add_data<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResult<()> {
+    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let of_points = |name, scalar, write: WriteNumbers<'a>| {
+        array(Section::Point, name, scalar, vertices, write)
     };
-    let array = |section, name, scalar, scalar_size, tuples, write| Array {
-        section,
-        name,
-        scalar,
-        scalar_size,
-        components: 1,
-        tuples,
-        is_there: true,
-        write,
-    };
-    let of_points =
-        |name, scalar, size, write| array(Section::Point, name, scalar, size, vertices, write);
     let of_cells =
-        |name, scalar, size, write| array(Section::Cell, name, scalar, size, cells, write);
-    let of_segments = |name, scalar, size, write| Array {
-        is_there: segments > 0,
-        ..array(Section::Field, name, scalar, size, segments, write)
-    };
-    [
-        Array { components: 2, ..of_segments("segments", "UInt32", 4, write_segments) },
-        of_segments("segment_markers", "Int32", 4, write_markers),
-        of_points("kind", "UInt8", 1, |source, out| {
+        |name, scalar, write: WriteNumbers<'a>| array(Section::Cell, name, scalar, cells, write);
+    for array in [
+        of_points("kind", Scalar::UInt8, |source, out| {
             source.mesh.kinds.iter().try_for_each(|kind| out.write_all(&[*kind as u8]))
         }),
-        of_points("domain", "UInt32", 4, |source, out| {
+        of_points("domain", Scalar::UInt32, |source, out| {
             let mut domains = source.mesh.vertex_domains.iter();
             domains.try_for_each(|domain| out.write_all(&domain.to_le_bytes()))
         }),
-        of_points("input", "UInt32", 4, |source, out| {
+        of_points("input", Scalar::UInt32, |source, out| {
             let first = |vertex| source.inputs.first_input(vertex).unwrap_or(NONE);
             let vertices = 0..source.mesh.vertex_count();
             vertices.map(first).try_for_each(|input| out.write_all(&input.to_le_bytes()))
         }),
-        of_points("precision_limited", "UInt8", 1, |source, out| {
+        of_points("precision_limited", Scalar::UInt8, |source, out| {
             let mut limited = source.mesh.precision_limited.iter();
             limited.try_for_each(|limited| out.write_all(&[u8::from(*limited)]))
         }),
-        of_points("aspect", "Float64", 8, |source, out| {
+        of_points("aspect", Scalar::Float64, |source, out| {
             source.measures.aspect.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
         // Not `domain`: viewers list the arrays of points and cells together.
-        of_cells("cell_domain", "UInt32", 4, |source, out| {
+        of_cells("cell_domain", Scalar::UInt32, |source, out| {
             let mut simplices = source.mesh.simplices.chunks_exact(source.mesh.dim + 1);
             simplices.try_for_each(|simplex| {
                 out.write_all(&domain_of(source.mesh, simplex).to_le_bytes())
             })
         }),
-        of_cells("radius_edge", "Float64", 8, |source, out| {
+        of_cells("radius_edge", Scalar::Float64, |source, out| {
             source.measures.radius_edge.iter().try_for_each(|x| out.write_all(&x.to_le_bytes()))
         }),
-        of_cells("below_min_dihedral", "UInt8", 1, |source, out| {
+        of_cells("below_min_dihedral", Scalar::UInt8, |source, out| {
             write_marks(&source.mesh.below_min_dihedral, source.mesh.simplex_count(), out)
         }),
-        Array {
-            is_there: !mesh.boundary.simplex_regions.is_empty(),
-            ..of_cells("region", "Int32", 4, |source, out| {
-                let mut labels = source.mesh.boundary.simplex_regions.iter();
-                labels.try_for_each(|label| out.write_all(&label.to_le_bytes()))
-            })
-        },
-        array(bounded, "beyond_bound", "UInt8", 1, marked, |source, out| {
-            let count = match source.mesh.parameters.criterion {
-                Criterion::VoronoiAspect => source.mesh.vertex_count(),
-                Criterion::RadiusEdge => source.mesh.simplex_count(),
-            };
-            write_marks(&source.mesh.beyond_bound, count, out)
-        }),
-        Array {
-            components: 3,
-            ..array(Section::Points, "Points", "Float64", 8, vertices, write_points)
-        },
-        array(Section::Cells, "connectivity", "Int64", 8, mesh.simplices.len(), |source, out| {
-            let mut ids = source.mesh.simplices.iter();
-            ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
-        }),
-        array(Section::Cells, "offsets", "Int64", 8, cells, |source, out| {
-            let size = source.mesh.dim as i64 + 1;
-            (1..=source.mesh.simplex_count() as i64)
-                .try_for_each(|cell| out.write_all(&(cell * size).to_le_bytes()))
-        }),
-        array(Section::Cells, "types", "UInt8", 1, cells, |source, out| {
-            let cell_type = if source.mesh.dim == 2 { TRIANGLE } else { TETRA };
-            (0..source.mesh.simplex_count()).try_for_each(|_| out.write_all(&[cell_type]))
-        }),
-    ]
+    ] {
+        arrays.try_push(array)?;
+    }
+    if !mesh.boundary.simplex_regions.is_empty() {
+        arrays.try_push(of_cells("region", Scalar::Int32, |source, out| {
+            let mut labels = source.mesh.boundary.simplex_regions.iter();
+            labels.try_for_each(|label| out.write_all(&label.to_le_bytes()))
+        }))?;
+    }
+    // What goes beyond a bound is data of that which is bounded.
+    let (section, bounded) = match mesh.parameters.criterion {
+        Criterion::VoronoiAspect => (Section::Point, vertices),
+        Criterion::RadiusEdge => (Section::Cell, cells),
+    };
+    arrays.try_push(array(section, "beyond_bound", Scalar::UInt8, bounded, |source, out| {
+        let count = match source.mesh.parameters.criterion {
+            Criterion::VoronoiAspect => source.mesh.vertex_count(),
+            Criterion::RadiusEdge => source.mesh.simplex_count(),
+        };
+        write_marks(&source.mesh.beyond_bound, count, out)
+    }))
 }
 
-/// The two points of each edge that segments have become.
+fn add_cells<'a>(mesh: &Triangulation, arrays: &mut Vec<Array<'a>>) -> AllocResult<()> {
+    let (vertices, cells) = (mesh.vertex_count(), mesh.simplex_count());
+    let points = array(Section::Points, "Points", Scalar::Float64, vertices, |source, out| {
+        write_points(&source.mesh.points, source.mesh.dim, out)
+    });
+    arrays.try_push(DataArray { components: 3, ..points })?;
+    let of_cells = |name, scalar, tuples, write| array(Section::Cells, name, scalar, tuples, write);
+    let ends = mesh.simplices.len();
+    arrays.try_push(of_cells("connectivity", Scalar::Int64, ends, |source, out| {
+        let mut ids = source.mesh.simplices.iter();
+        ids.try_for_each(|v| out.write_all(&i64::from(*v).to_le_bytes()))
+    }))?;
+    arrays.try_push(of_cells("offsets", Scalar::Int64, cells, |source, out| {
+        let size = source.mesh.dim as i64 + 1;
+        (1..=source.mesh.simplex_count() as i64)
+            .try_for_each(|cell| out.write_all(&(cell * size).to_le_bytes()))
+    }))?;
+    arrays.try_push(of_cells("types", Scalar::UInt8, cells, |source, out| {
+        write_types(source.mesh.dim, source.mesh.simplex_count(), out)
+    }))
+}
+
+/// Writes the two points of each edge that segments have become.
 fn write_segments(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut ends = source.mesh.boundary.subsegments.as_flattened().iter();
     ends.try_for_each(|end| out.write_all(&end.to_le_bytes()))
@@ -282,23 +185,13 @@ fn write_markers(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
     marked.try_for_each(|(_, marker)| out.write_all(&marker.to_le_bytes()))
 }
 
-/// 1 for each of `count` things that is among the `marked`, which rise, else 0.
+/// Writes 1 for each of `count` things that is among the `marked`, which rise, else 0.
 fn write_marks(marked: &[u32], count: usize, out: &mut dyn Write) -> io::Result<()> {
     let mut marked = marked.iter().peekable();
     (0..count as u32).try_for_each(|id| {
         let is_marked = marked.next_if_eq(&&id).is_some();
         out.write_all(&[u8::from(is_marked)])
     })
-}
-
-/// VTK's points have three coordinates always.
-fn write_points(source: &Source<'_>, out: &mut dyn Write) -> io::Result<()> {
-    for point in source.mesh.points.chunks_exact(source.mesh.dim) {
-        for axis in 0..3 {
-            out.write_all(&point.get(axis).unwrap_or(&0.0).to_le_bytes())?;
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -308,8 +201,8 @@ mod tests {
     use crate::Mesh;
     use crate::error::ErrorKind;
 
-    /// The bytes of the array called `name`, found as a reader finds them; with `CellData/` before
-    /// the name that of the cells.
+    /// Returns the bytes of the array called `name`, found as a reader finds them; with `CellData/`
+    /// before the name that of the cells.
     fn array_of<'a>(file: &'a [u8], name: &str) -> &'a [u8] {
         let end = file.windows(2).position(|pair| pair == b"\n_").unwrap();
         let mut xml = std::str::from_utf8(&file[..end]).unwrap();
@@ -362,8 +255,9 @@ mod tests {
         }
     }
 
-    /// ParaView lists the arrays of points and cells together, and some readers take an array
-    /// without a number of components as one of none.
+    /// Holds that names are unique, since ParaView lists the arrays of points and cells together,
+    /// and that each array has a number of components, since some readers take one without it as
+    /// one of none.
     #[test]
     fn arrays_have_names_of_their_own_and_a_number_of_components() {
         let mut file = Vec::new();
@@ -395,7 +289,7 @@ mod tests {
         }
     }
 
-    /// What goes beyond a bound is data of that which is bounded.
+    /// Holds that what goes beyond a bound is data of that which is bounded.
     #[test]
     fn marks_beyond_the_bound_stand_with_what_is_bounded() {
         let count = |criterion, marked: Vec<u32>| {

@@ -1,13 +1,13 @@
 //! Well-known text (OGC 06-103r4, 7): geometries of the plane, one after another.
 
 use super::features::{Features, Ring};
-use super::scanner::{Place, Scanner, Shown};
+use super::scanner::{Scanner, Shown, TextPosition};
 use super::values::Table;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::TryGrow;
 use std::io::BufRead;
 
-/// How many collections may be in each other: reading them is recursive.
+/// Largest number of collections inside each other: reading them is recursive.
 const MAX_DEPTH: u32 = 100;
 
 pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
@@ -27,13 +27,13 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
 
 struct Wkt<'a> {
     text: Scanner<'a>,
-    /// Of the list that was read last.
+    /// Positions of the list that was read last.
     positions: Vec<[f64; 2]>,
 }
 
-/// What a geometry has between its parentheses.
+/// Geometry of a geometry between its parentheses.
 #[derive(Clone, Copy)]
-enum Content {
+enum Geometry {
     Point,
     Points,
     Line,
@@ -43,21 +43,21 @@ enum Content {
     Geometries,
 }
 
-const KEYWORDS: [(&str, Content); 7] = [
-    ("POINT", Content::Point),
-    ("MULTIPOINT", Content::Points),
-    ("LINESTRING", Content::Line),
-    ("MULTILINESTRING", Content::Lines),
-    ("POLYGON", Content::Polygon),
-    ("MULTIPOLYGON", Content::Polygons),
-    ("GEOMETRYCOLLECTION", Content::Geometries),
+const KEYWORDS: [(&str, Geometry); 7] = [
+    ("POINT", Geometry::Point),
+    ("MULTIPOINT", Geometry::Points),
+    ("LINESTRING", Geometry::Line),
+    ("MULTILINESTRING", Geometry::Lines),
+    ("POLYGON", Geometry::Polygon),
+    ("MULTIPOLYGON", Geometry::Polygons),
+    ("GEOMETRYCOLLECTION", Geometry::Geometries),
 ];
 
-/// What follows a keyword where points have more than two coordinates.
+/// Words that follow a keyword where points have more than two coordinates.
 const MORE_COORDINATES: [&str; 3] = ["Z", "M", "ZM"];
 
 impl Wkt<'_> {
-    /// `SRID=4326;`, as PostGIS has it before a geometry.
+    /// Skips `SRID=4326;`, as PostGIS has it before a geometry.
     fn skip_reference_system(&mut self) -> Result<()> {
         if !self.text.ahead()?.is_some_and(|byte| byte.eq_ignore_ascii_case(&b's')) {
             return Ok(());
@@ -77,7 +77,7 @@ impl Wkt<'_> {
         self.require(b';')
     }
 
-    /// `depth`: the number of collections that it is in.
+    /// Reads a geometry that is in `depth` collections.
     fn read_geometry(&mut self, features: &mut Features, depth: u32) -> Result<()> {
         self.next_byte()?;
         let place = self.text.place();
@@ -86,23 +86,23 @@ impl Wkt<'_> {
             return Err(place.error(message));
         }
         match self.read_keyword()? {
-            Content::Point => {
+            Geometry::Point => {
                 self.read_positions()?;
                 match self.positions.len() {
                     0 | 1 => features.add_points(&self.positions),
                     _ => Err(place.error("a POINT with several positions")),
                 }
             }
-            Content::Points => self.each(|wkt, _, _| wkt.read_point_of_many(features)),
-            Content::Line => self.read_line(features, place),
-            Content::Lines => self.each(|wkt, place, _| wkt.read_line(features, place)),
-            Content::Polygon => self.read_polygon(features),
-            Content::Polygons => self.each(|wkt, _, _| wkt.read_polygon(features)),
-            Content::Geometries => self.each(|wkt, _, _| wkt.read_geometry(features, depth + 1)),
+            Geometry::Points => self.each(|wkt, _, _| wkt.read_point_of_many(features)),
+            Geometry::Line => self.read_line(features, place),
+            Geometry::Lines => self.each(|wkt, place, _| wkt.read_line(features, place)),
+            Geometry::Polygon => self.read_polygon(features),
+            Geometry::Polygons => self.each(|wkt, _, _| wkt.read_polygon(features)),
+            Geometry::Geometries => self.each(|wkt, _, _| wkt.read_geometry(features, depth + 1)),
         }
     }
 
-    fn read_keyword(&mut self) -> Result<Content> {
+    fn read_keyword(&mut self) -> Result<Geometry> {
         let place = self.text.place();
         let word = self.text.read_word(is_part_of_word)?;
         if word.is_empty() {
@@ -132,7 +132,7 @@ impl Wkt<'_> {
         }
     }
 
-    /// Each has parentheses of its own, or none has.
+    /// Reads a point of many: each has parentheses of its own, or none has.
     fn read_point_of_many(&mut self, features: &mut Features) -> Result<()> {
         let place = self.text.place();
         match self.text.ahead()? {
@@ -148,7 +148,7 @@ impl Wkt<'_> {
         }
     }
 
-    fn read_line(&mut self, features: &mut Features, place: Place) -> Result<()> {
+    fn read_line(&mut self, features: &mut Features, place: TextPosition) -> Result<()> {
         self.read_positions()?;
         match self.positions.len() {
             0 => Ok(()),
@@ -168,7 +168,7 @@ impl Wkt<'_> {
         self.each(|wkt, _, _| wkt.add_position())
     }
 
-    /// Two coordinates.
+    /// Adds a position of two coordinates.
     fn add_position(&mut self) -> Result<()> {
         let mut position = [0.0; 2];
         for coordinate in &mut position {
@@ -186,9 +186,12 @@ impl Wkt<'_> {
         Ok(self.positions.try_push(position)?)
     }
 
-    /// What stands between parentheses and commas: `read` takes each, given its place and its
-    /// number from 1. `EMPTY` stands for none.
-    fn each(&mut self, mut read: impl FnMut(&mut Self, Place, usize) -> Result<()>) -> Result<()> {
+    /// Reads what stands between parentheses and commas: `read` takes each, given its position and
+    /// its number from 1. `EMPTY` stands for none.
+    fn each(
+        &mut self,
+        mut read: impl FnMut(&mut Self, TextPosition, usize) -> Result<()>,
+    ) -> Result<()> {
         if self.next_byte()?.is_some_and(|byte| byte.is_ascii_alphabetic()) {
             let place = self.text.place();
             let word = self.text.read_word(is_part_of_word)?;
@@ -221,7 +224,7 @@ impl Wkt<'_> {
         self.text.next_is(byte)
     }
 
-    /// The next byte that is neither a blank nor of a comment.
+    /// Returns the next byte that is neither a blank nor of a comment.
     fn next_byte(&mut self) -> Result<Option<u8>> {
         self.text.pass_over(|byte| byte.is_ascii_whitespace())?;
         while self.text.ahead()? == Some(b'#') {
@@ -236,18 +239,18 @@ fn is_part_of_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || matches!(byte, b'+' | b'-' | b'.' | b'_')
 }
 
-fn unknown(place: Place, word: &str) -> Error {
+fn unknown(place: TextPosition, word: &str) -> Error {
     place.error(format_args!(
         "{}; POINT, LINESTRING, POLYGON, their MULTI and GEOMETRYCOLLECTION are read",
         Shown(word)
     ))
 }
 
-fn no_list(place: Place, word: &str) -> Error {
+fn no_list(place: TextPosition, word: &str) -> Error {
     place.error(format_args!("{} where \"(\" or EMPTY is expected", Shown(word)))
 }
 
-fn more_coordinates(place: Place, what: &str) -> Error {
+fn more_coordinates(place: TextPosition, what: &str) -> Error {
     let message =
         format_args!("{what} with more than 2 coordinates; points of the plane alone are read");
     place.error_of_kind(ErrorKind::Dimension, message)

@@ -10,7 +10,7 @@ use crate::mesh::Mesh;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// What the columns of a `.pts` file are, by their number.
+/// Names of the columns of a `.pts` file, by their number.
 const COLUMNS: [&[&str]; 5] = [
     &["x", "y"],
     &["x", "y", "z"],
@@ -19,7 +19,7 @@ const COLUMNS: [&[&str]; 5] = [
     &["x", "y", "z", "intensity", "r", "g", "b"],
 ];
 
-/// `path` is that of the file, if it has one.
+/// Reads points a line. `path` is that of the file, if it has one.
 pub(super) fn read(mut lines: Lines<'_>, choice: &Choice, path: Option<&Path>) -> Result<Table> {
     let mut rows = Rows { choice, points: Points::default(), layout: None, is_scan: false };
     let (mut index, mut count) = (0, None);
@@ -53,7 +53,7 @@ fn is_pts(extension: &std::ffi::OsStr) -> bool {
     extension.eq_ignore_ascii_case("pts")
 }
 
-/// The number in a line that holds nothing else: no point has one coordinate.
+/// Returns the number in a line that holds nothing else: no point has one coordinate.
 fn count_in(line: &Line<'_>) -> Option<u64> {
     let is_count = line.text.bytes().all(|byte| byte.is_ascii_digit());
     if is_count { line.text.parse().ok() } else { None }
@@ -70,7 +70,7 @@ fn refuse_annotations(line: &Line<'_>) -> Result<()> {
     Err(line.error(format!("{shown} begins a file of {kind}; leave the points alone, one a line")))
 }
 
-/// What was read of the points.
+/// Points that have been read.
 struct Rows<'c> {
     choice: &'c Choice,
     /// The points where all columns are coordinates.
@@ -92,8 +92,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Where in the lines the coordinates and attributes stand, from the first; none where all
-    /// columns are coordinates.
+    /// Returns the layout that the first line shows; none where all columns are coordinates.
     fn layout_of(&self, line: &Line<'_>, is_counted: bool) -> Result<Option<Layout>> {
         let is_chosen = *self.choice != Choice::default();
         let all = fields(line).count();
@@ -121,9 +120,9 @@ impl Rows<'_> {
     }
 }
 
-/// The fields of a line: between commas (and blanks around them), or between blanks where there is
-/// no comma. Two commas have an empty field between them, which is refused later: a number may be
-/// missing there.
+/// Returns the fields of a line: between commas (and blanks around them), or between blanks where
+/// there is no comma. Two commas have an empty field between them, which is refused later: a number
+/// may be missing there.
 fn fields<'a>(line: &Line<'a>) -> impl Iterator<Item = &'a str> + use<'a> {
     line.text.split(',').flat_map(|part| {
         let missing = part.trim_ascii().is_empty().then_some("");
@@ -141,8 +140,8 @@ fn refuse_decimal_commas(line: &Line<'_>) -> Result<()> {
         let words = part.split_ascii_whitespace().count();
         let alone = column == 0 && parts.peek().is_none();
         if words > 1 && !alone {
-            let message = "commas and blanks both separate numbers in this line; where a comma is a \
-                           decimal one, write a point";
+            let message = "commas and blanks both separate numbers in this line; where a comma is \
+                a decimal one, write a point";
             return Err(line.field_error(ErrorKind::Format, column + 1, message));
         }
         column += words.max(1);

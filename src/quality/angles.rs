@@ -5,8 +5,8 @@ use super::view::View;
 use crate::memory::AllocResult;
 use crate::mesh::MAX_DIM;
 
-/// Of the smallest (dihedral) angle of the simplex `points`, the square of the tangent of its half,
-/// which grows with it; 0 if the simplex is flat. [`angle`] is its inverse.
+/// Returns the squared tangent of half the smallest dihedral angle of the simplex `points`, which
+/// grows with the angle. It is 0 for a flat simplex; [`angle`] is the inverse.
 pub(crate) fn smallest_squared_tangent<const D: usize>(points: &[&[f64; D]]) -> AllocResult<f64> {
     let mut smallest = f64::INFINITY;
     for_each_squared_tangent(points, |tangent| smallest = smallest.min(tangent))?;
@@ -31,7 +31,7 @@ pub(crate) fn for_each_squared_tangent<const D: usize>(
     Ok(())
 }
 
-/// The angle in radians whose half has a tangent of this square.
+/// Returns the angle in radians whose half has a tangent with this square.
 pub(crate) fn angle(squared_tangent: f64) -> f64 {
     2.0 * squared_tangent.sqrt().atan()
 }
@@ -41,8 +41,8 @@ fn unit<const D: usize>(vector: [f64; D]) -> [f64; D] {
     vector.map(|x| x / norm)
 }
 
-/// For the angle between two facets with these inward unit normals: it is pi minus that of the
-/// normals, and the tangent of its half is accurate at both ends.
+/// Returns the squared tangent of half the angle between two facets with these inward unit normals.
+/// The angle is pi minus that of the normals, and the tangent is accurate at both ends.
 fn squared_tangent_inside<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     let square = |sign: f64| a.iter().zip(b).map(|(x, y)| (x + sign * y).powi(2)).sum::<f64>();
     square(1.0) / square(-1.0)

@@ -10,8 +10,8 @@ use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::NONE;
 use crate::parameters::Parameters;
 
-/// How many domains the walks up the hierarchy may visit, per simplex on average. Cages that are
-/// not encroached let no D-ball span more than a few.
+/// Largest number of domains that the walks up the hierarchy may visit per simplex on average.
+/// Cages that are not encroached let no D-ball span more than a few.
 const CLIMBS_PER_SIMPLEX: usize = 64;
 
 /// Radii of the cells of all vertices and cages.
@@ -32,12 +32,12 @@ pub(crate) struct Cells {
     pub cages_complete: bool,
 }
 
-/// What [`Cells::survey`] tells about each simplex.
+/// Measures of one simplex, which [`Cells::survey`] passes to its caller.
 pub(crate) struct SimplexCell {
     pub simplex: usize,
     /// Circumradius over shortest edge; infinite for a flat simplex.
     pub radius_edge: f64,
-    /// Whether the circumcentre counts in the domain of each of the vertices.
+    /// True if the circumcentre counts in the domain of each of the vertices.
     pub counts: bool,
     /// The domain of all vertices, [`NONE`] if they are of several.
     pub domain: u32,
@@ -71,24 +71,26 @@ impl Cells {
         Ok(cells)
     }
 
-    /// Out-radius over in-radius of the cell of `vertex`, over the corners that count.
+    /// Returns the out-radius over the in-radius of the cell of `vertex`, over the corners that
+    /// count.
     pub fn aspect(&self, vertex: usize) -> f64 {
         2.0 * self.farthest[vertex].ratio(self.nearest[vertex])
     }
 
-    /// The same over all corners.
+    /// Returns the out-radius over the in-radius of the cell of `vertex`, over all of its corners.
     pub fn aspect_anywhere(&self, vertex: usize) -> f64 {
         2.0 * self.farthest_anywhere[vertex].ratio(self.nearest[vertex])
     }
 
-    /// Aspect of the union cell of the cage of a `domain` of this `radius`; its in-radius is
-    /// (d + r) / 2 (§5, approximation by cages).
+    /// Returns the aspect of the union cell of the cage of a `domain` of this `radius`, over the
+    /// corners that count. Its in-radius is (d + r) / 2 (§5, approximation by cages).
     pub fn cage_aspect(&self, domain: usize, radius: f64) -> f64 {
         let twice_inner = self.cage_nearest[domain].plus(Length::new(radius));
         2.0 * self.cage_farthest[domain].ratio(twice_inner)
     }
 
-    /// The same over all corners.
+    /// Returns the aspect of the union cell of the cage of a `domain` of this `radius`, over all of
+    /// its corners.
     pub fn cage_aspect_anywhere(&self, domain: usize, radius: f64) -> f64 {
         let twice_inner = self.cage_nearest[domain].plus(Length::new(radius));
         2.0 * self.cage_farthest_anywhere[domain].ratio(twice_inner)
@@ -193,7 +195,8 @@ impl<const D: usize> Labelled<'_, D> {
         if self.vertices.iter().all(|&v| self.label(v) == label) { label } else { NONE }
     }
 
-    /// Whether the corner counts for cells of `domain`. That of a flat simplex always does.
+    /// Returns true if the Voronoi corner counts for cells of `domain`. The corner of a flat
+    /// simplex always counts.
     fn counts_in(&self, domain: u32) -> bool {
         let Some(corner) = &self.corner else {
             return true;
@@ -203,16 +206,16 @@ impl<const D: usize> Labelled<'_, D> {
     }
 }
 
-/// Domain -> the distance from its centre within which corners count.
+/// Returns for each domain the distance from its centre within which corners count.
 fn limits<const D: usize>(view: View<'_, D>, slack: f64) -> AllocResult<Vec<Length>> {
     let parameters = &view.mesh.parameters;
     let factor = corner_restriction(parameters) * parameters.cage_scale * slack;
     collected(view.mesh.domains.iter().map(|domain| Length::new(domain.radius).times(factor)))
 }
 
-/// The fraction of the radius of a domain's cage sphere within which corners count. The cage is a
-/// delta-net of its sphere, whose hull holds the ball of 1 - delta^2 / 2; what is beyond belongs to
-/// the union cell of the cage.
+/// Returns the fraction of the radius of a domain's cage sphere within which corners count. The
+/// cage is a delta-net of its sphere, whose hull holds the ball of 1 - delta^2 / 2; what is beyond
+/// belongs to the union cell of the cage.
 fn corner_restriction(parameters: &Parameters) -> f64 {
     const LARGEST: f64 = 0.85;
     LARGEST.min(1.0 - 0.5 * parameters.delta * parameters.delta)

@@ -19,21 +19,23 @@ pub(crate) struct Corner<const D: usize> {
 }
 
 impl<const D: usize> Corner<D> {
-    /// The corner of the simplex `points` (`D + 1` of them), with a relative error of at most
-    /// about 1e-10; `None` if the simplex is flat.
+    /// Computes the corner of the simplex `points` (`D + 1` of them), with a relative error of at
+    /// most about 1e-10; `None` if the simplex is flat.
     pub fn new(points: &[&[f64; D]]) -> AllocResult<Option<Self>> {
         let (base, shortest_edge) = shortest_edge(points);
         let center = circumcenter(points, base)?;
         Ok(center.map(|center| Self { base, center, radius: center.length(), shortest_edge }))
     }
 
-    /// The distance of the corner to `point`; `points` as given to [`Corner::new`].
+    /// Returns the distance of the corner from `point`; `points` are those given to
+    /// [`Corner::new`].
     pub fn distance(&self, points: &[&[f64; D]], point: &[f64; D]) -> Length {
         Offset::between(points[self.base], point).plus(&self.center).length()
     }
 }
 
-/// The first vertex of the shortest edge, from which the edges are best conditioned; its length.
+/// Returns the index of the first vertex of the shortest edge, from which the edges are best
+/// conditioned, and the length of that edge.
 fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> (usize, Length) {
     let mut best = (0, Length::INFINITE);
     for (i, p) in points.iter().enumerate() {
@@ -47,7 +49,7 @@ fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> (usize, Length) {
     best
 }
 
-/// The edges from `base` to the other vertices, in their order.
+/// Returns the edges from `base` to the other vertices, in their order.
 fn edges<const D: usize>(points: &[&[f64; D]], base: usize) -> [Offset<D>; D] {
     std::array::from_fn(|k| Offset::between(points[k + usize::from(k >= base)], points[base]))
 }
@@ -67,8 +69,8 @@ fn circumcenter<const D: usize>(
     Ok(Some(Offset::normalized(right.map(|[x]| x), exponent)))
 }
 
-/// The inward normals of the `D + 1` facets, the i-th opposite vertex i, each of magnitude about
-/// one; `None` if the simplex is flat.
+/// Returns the inward normals of the `D + 1` facets, the i-th opposite vertex i, each of magnitude
+/// about one; `None` if the simplex is flat.
 pub(crate) fn normals<const D: usize>(
     points: &[&[f64; D]],
 ) -> AllocResult<Option<[[f64; D]; MAX_DIM + 1]>> {
@@ -84,7 +86,8 @@ pub(crate) fn normals<const D: usize>(
     Ok(Some(normals))
 }
 
-/// The gradients of the barycentric coordinates of the other vertices; last, that of `base`.
+/// Returns the gradients of the barycentric coordinates of the vertices other than `base`, and last
+/// the gradient of that of `base`; `None` if the simplex is flat.
 fn gradients<const D: usize>(
     points: &[&[f64; D]],
     base: usize,
@@ -143,7 +146,7 @@ fn solve<const D: usize, const R: usize>(
     smallest / largest
 }
 
-/// The largest entry in rows `first..` and in columns not yet `taken`.
+/// Returns the position of the largest entry in rows `first..` and in columns not yet `taken`.
 fn largest_entry<const D: usize>(
     matrix: &[[f64; D]; D],
     first: usize,

@@ -1,4 +1,4 @@
-//! How the measures of a mesh are spread over its simplices and cells: histograms.
+//! Histograms: how the measures of a mesh are spread over its simplices and cells.
 
 use super::angles::{angle, for_each_squared_tangent, smallest_squared_tangent};
 use super::cells::Cells;
@@ -6,11 +6,11 @@ use super::corner::Corner;
 use super::is_consistent;
 use super::tree::DomainTree;
 use super::view::View;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, Triangulation, in_dimension};
 
-/// What a histogram counts.
+/// Measure of the simplices or cells of a mesh that a histogram counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Measure {
@@ -28,12 +28,12 @@ pub enum Measure {
     SmallestAngle = 3,
 }
 
-/// How many values of a measure lie where.
+/// Number of values of a measure in each of some intervals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
-    /// One more than there were edges: the values below the first edge, those in each bin, those
-    /// above the last edge. A bin has the values from its lower edge to below its upper one; the
-    /// last bin has its upper edge, too.
+    /// Number of values in each interval, one more than there were edges: below the first edge, in
+    /// each bin, above the last edge. A bin has the values from its lower edge to below its upper
+    /// one; the last bin has its upper edge, too.
     pub counts: Vec<u64>,
     /// The least value, infinity if there is none.
     pub least: f64,
@@ -69,7 +69,7 @@ pub fn histogram(
 }
 
 fn check(edges: &[f64]) -> Result<()> {
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let refuse = |message| Err(Error::invalid(message));
     if edges.is_empty() {
         return refuse(message!("edges is empty; it must hold at least one"));
     }

@@ -3,12 +3,12 @@
 
 use std::cmp::Ordering;
 
-/// `2^exponent` for an exponent of a normal double.
+/// Returns `2^exponent` for an exponent of a normal double.
 fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// `value * 2^exponent`, exact unless the result leaves the normal range.
+/// Returns `value * 2^exponent`, exact unless the result leaves the normal range.
 pub(crate) fn scale(value: f64, exponent: i32) -> f64 {
     let mut value = value;
     let mut exponent = exponent.clamp(-4200, 4200);
@@ -23,7 +23,8 @@ pub(crate) fn scale(value: f64, exponent: i32) -> f64 {
     value * power_of_two(exponent)
 }
 
-/// The exponent `e` with `2^e <= |value| < 2^(e+1)`; `None` for zero and what is not finite.
+/// Returns the exponent `e` with `2^e <= |value| < 2^(e+1)`; `None` for zero and for numbers that
+/// are not finite.
 pub(crate) fn exponent_of(value: f64) -> Option<i32> {
     if value == 0.0 || !value.is_finite() {
         return None;
@@ -46,7 +47,8 @@ impl Length {
     pub const ZERO: Self = Self { mantissa: 0.0, exponent: i32::MIN };
     pub const INFINITE: Self = Self { mantissa: f64::INFINITY, exponent: i32::MAX };
 
-    /// `value * 2^exponent`; `value >= 0`. What is not a number counts as infinite.
+    /// Makes the length `value * 2^exponent` for `value >= 0`. A value that is not a number counts
+    /// as infinite.
     pub fn scaled(value: f64, exponent: i32) -> Self {
         if value == 0.0 {
             return Self::ZERO;
@@ -61,7 +63,7 @@ impl Length {
         Self::scaled(value, 0)
     }
 
-    /// The distance of two points.
+    /// Returns the distance of two points.
     pub fn between<const D: usize>(p: &[f64; D], q: &[f64; D]) -> Self {
         let squared: f64 = p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum();
         if (1e-250..1e250).contains(&squared) {
@@ -86,7 +88,7 @@ impl Length {
         Self::scaled(large.mantissa + aligned, large.exponent)
     }
 
-    /// `self / other` as a double: 0 or infinity where it does not fit.
+    /// Returns `self / other` as a double: 0 or infinity where it does not fit.
     pub fn ratio(self, other: Self) -> f64 {
         if self == Self::ZERO || other == Self::INFINITE {
             return 0.0;
@@ -97,17 +99,17 @@ impl Length {
         scale(self.mantissa / other.mantissa, self.exponent.saturating_sub(other.exponent))
     }
 
-    /// Two words that [`Self::from_words`] reads, on any machine.
+    /// Returns the length as two words that [`Self::from_words`] reads, on any machine.
     pub fn to_words(self) -> [u64; 2] {
         [self.mantissa.to_bits(), i64::from(self.exponent) as u64]
     }
 
-    /// The length of such words.
+    /// Reads a length from words that [`Self::to_words`] made.
     pub fn from_words([mantissa, exponent]: [u64; 2]) -> Self {
         Self { mantissa: f64::from_bits(mantissa), exponent: exponent as i64 as i32 }
     }
 
-    /// The nearest double: 0 or infinity where it does not fit. For messages.
+    /// Returns the nearest double, for messages: 0 or infinity where the length does not fit.
     pub fn to_f64(self) -> f64 {
         self.ratio(Self::new(1.0))
     }
@@ -140,7 +142,7 @@ pub(crate) struct Offset<const D: usize> {
 impl<const D: usize> Offset<D> {
     pub const ZERO: Self = Self { vector: [0.0; D], exponent: i32::MIN / 2 };
 
-    /// `p - q`, each component rounded once.
+    /// Returns `p - q`, each component rounded once.
     pub fn between(p: &[f64; D], q: &[f64; D]) -> Self {
         let difference: [f64; D] = std::array::from_fn(|k| p[k] - q[k]);
         if difference.iter().all(|x| x.is_finite()) {
@@ -150,7 +152,7 @@ impl<const D: usize> Offset<D> {
         Self::normalized(std::array::from_fn(|k| p[k] / 2.0 - q[k] / 2.0), 1)
     }
 
-    /// `vector * 2^exponent`, normalised.
+    /// Makes the offset `vector * 2^exponent`, normalised.
     pub fn normalized(vector: [f64; D], exponent: i32) -> Self {
         let largest = vector.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         match exponent_of(largest) {
@@ -166,7 +168,7 @@ impl<const D: usize> Offset<D> {
         Self::normalized(sum, exponent)
     }
 
-    /// The squared length in units of `2^(2 exponent)`: in \[1, 4 D), or zero.
+    /// Returns the squared length in units of `2^(2 exponent)`: a number in \[1, 4 D), or zero.
     pub fn squared_mantissa(&self) -> f64 {
         self.vector.iter().map(|x| x * x).sum()
     }

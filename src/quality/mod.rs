@@ -52,7 +52,7 @@ pub struct Quality {
     pub worst_cage_aspect: f64,
     /// Largest circumradius / shortest edge of the simplices off the hull: those without a vertex
     /// on the hull, which is the root's cage. Their corners are not restricted. Of a domain that is
-    /// cut out, those at its boundary count too. Forced simplices never do.
+    /// cropped, those at its boundary count too. Forced simplices never do.
     pub worst_radius_edge: f64,
     /// Smallest angle (2D) or dihedral angle (3D and up) of the same simplices, in degrees; 0 below
     /// about 1e-14, where the directions of two facets are no longer told apart.
@@ -62,7 +62,8 @@ pub struct Quality {
     /// Number of simplices with a dihedral angle below the one that was asked for and all vertices
     /// in one domain.
     pub below_min_dihedral: u64,
-    /// The same with vertices of several domains.
+    /// Number of simplices with a dihedral angle below the one that was asked for and vertices in
+    /// several domains.
     pub below_min_dihedral_between_domains: u64,
     /// Number of cells or simplices marked as beyond the bound, which gave way to the angle.
     pub beyond_bound: u64,
@@ -91,7 +92,11 @@ pub fn measure(triangulation: &Triangulation) -> Result<Quality> {
     if !is_consistent(triangulation) {
         return Ok(Quality::default());
     }
-    let quality = in_dimension!(triangulation.dim, D => measure_in::<D>(triangulation), _ => Ok(Quality::default()));
+    let quality = in_dimension!(
+        triangulation.dim,
+        D => measure_in::<D>(triangulation),
+        _ => Ok(Quality::default())
+    );
     Ok(quality?)
 }
 
@@ -126,7 +131,7 @@ fn measure_in<const D: usize>(mesh: &Triangulation) -> AllocResult<Quality> {
     Ok(quality)
 }
 
-/// Figures over the simplices off the hull or of a domain that is cut out, less forced ones; and
+/// Figures over the simplices off the hull or of a cropped domain, less forced ones; and
 /// over those.
 #[derive(Default)]
 struct SimplexMeasures {
@@ -147,7 +152,7 @@ impl Default for LeastAngle {
 }
 
 impl LeastAngle {
-    /// Those of the simplex with these vertices.
+    /// Takes the dihedral angles of the simplex with these vertices into account.
     fn add<const D: usize>(&mut self, view: View<'_, D>, vertices: &[u32]) -> AllocResult<()> {
         let points = view.points_of(vertices);
         let squared_tangent = angles::smallest_squared_tangent(&points[..View::<D>::VERTICES])?;
@@ -155,7 +160,7 @@ impl LeastAngle {
         Ok(())
     }
 
-    /// 0 for none.
+    /// Returns the smallest angle in degrees, or 0 if there was none.
     fn degrees(&self) -> f64 {
         if self.0.is_infinite() { 0.0 } else { angles::angle(self.0).to_degrees() }
     }
@@ -188,7 +193,7 @@ impl SimplexMeasures {
 }
 
 /// Returns which vertices are on the outer cage, whose simplices are not measured: those on the
-/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cut to a domain.
+/// hull of a mesh that reaches to the cage, holes or not. None if the mesh is cropped to a domain.
 fn vertices_at_cage<const D: usize>(
     mesh: &Triangulation,
     on_hull: &[bool],
@@ -230,8 +235,8 @@ fn worst_cage_aspect(mesh: &Triangulation, cells: &Cells) -> AllocResult<f64> {
     Ok(aspects.fold(0.0, f64::max))
 }
 
-/// Domain -> whether its centre or a vertex of its cage is precision-limited, which exempts the
-/// cage from its bounds. Ids must be in range.
+/// Returns for each domain whether its centre or a vertex of its cage is precision-limited, which
+/// exempts the cage from its bounds. Ids must be in range.
 pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<bool>> {
     let centers = mesh.domains.iter().map(|domain| mesh.precision_limited[domain.center as usize]);
     let mut limited = collected(centers)?;
@@ -243,7 +248,8 @@ pub(crate) fn precision_limited_cages(mesh: &Triangulation) -> AllocResult<Vec<b
     Ok(limited)
 }
 
-/// Largest number of distinct vertices that share a simplex with one vertex. O(simplices).
+/// Returns the largest number of distinct vertices that share a simplex with one vertex.
+/// O(simplices).
 fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
     let stars = view.stars()?;
     let mut seen_from = filled(view.vertex_count(), NONE)?;
@@ -263,7 +269,7 @@ fn max_degree<const D: usize>(view: View<'_, D>) -> AllocResult<u32> {
     Ok(largest)
 }
 
-/// Whether array lengths fit and ids are in range, so that reading cannot go astray.
+/// Returns true if array lengths fit and ids are in range, so that reading cannot go astray.
 fn is_consistent(mesh: &Triangulation) -> bool {
     let vertices = mesh.kinds.len();
     let size = mesh.dim + 1;

@@ -12,7 +12,8 @@ pub(crate) struct DomainTree {
 }
 
 impl DomainTree {
-    /// `None` unless domain 0 is the only root and every parent stands before its children.
+    /// Builds the tree; `None` unless domain 0 is the only root and every parent stands before its
+    /// children.
     pub fn new(domains: &[Domain]) -> AllocResult<Option<Self>> {
         if first_misplaced(domains).is_some() {
             return Ok(None);
@@ -36,13 +37,13 @@ impl DomainTree {
         Ok(Some(Self { parents, enter, leave, children }))
     }
 
-    /// Whether `domain` is `ancestor` or below it.
+    /// Returns true if `domain` is `ancestor` or below it.
     pub fn holds(&self, ancestor: u32, domain: u32) -> bool {
         let (ancestor, domain) = (ancestor as usize, domain as usize);
         (self.enter[ancestor]..self.leave[ancestor]).contains(&self.enter[domain])
     }
 
-    /// [`NONE`] for the root.
+    /// Returns the parent of a domain, or [`NONE`] for the root.
     pub fn parent(&self, domain: u32) -> u32 {
         self.parents[domain as usize]
     }
@@ -52,7 +53,8 @@ impl DomainTree {
     }
 }
 
-/// The first domain whose parent is not what a tree in order needs. 0 if there are no domains.
+/// Returns the first domain whose parent is not what a tree in order needs, or 0 if there are no
+/// domains.
 pub(crate) fn first_misplaced(domains: &[Domain]) -> Option<usize> {
     if domains.first().is_none_or(|root| root.parent != NONE) {
         return Some(0);

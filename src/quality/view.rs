@@ -24,17 +24,17 @@ impl<'a, const D: usize> View<'a, D> {
         self.mesh.points[start..start + D].try_into().expect("D coordinates")
     }
 
-    /// The `D + 1` vertices of a simplex.
+    /// Returns the `D + 1` vertices of a simplex.
     pub fn simplex(self, simplex: usize) -> &'a [u32] {
         &self.mesh.simplices[simplex * Self::VERTICES..][..Self::VERTICES]
     }
 
-    /// The `D + 1` neighbours of a simplex, the i-th opposite vertex i.
+    /// Returns the `D + 1` neighbours of a simplex, the i-th opposite vertex i.
     pub fn neighbors(self, simplex: usize) -> &'a [u32] {
         &self.mesh.neighbors[simplex * Self::VERTICES..][..Self::VERTICES]
     }
 
-    /// The points of `vertices` (at most `D + 1`); what follows them repeats the first.
+    /// Returns the points of `vertices` (at most `D + 1`); the rest of the array repeats the first.
     pub fn points_of(self, vertices: &[u32]) -> [&'a [f64; D]; MAX_DIM + 1] {
         let mut points = [self.point(vertices[0]); MAX_DIM + 1];
         for (point, &vertex) in points.iter_mut().zip(vertices) {
@@ -43,7 +43,7 @@ impl<'a, const D: usize> View<'a, D> {
         points
     }
 
-    /// Vertex -> the simplices there, ascending. O(simplices).
+    /// Returns for each vertex the simplices at it, ascending. O(simplices).
     pub fn stars(self) -> AllocResult<Lists> {
         Lists::of_pairs(self.vertex_count(), || {
             let slots = self.mesh.simplices.iter().enumerate();
@@ -51,7 +51,7 @@ impl<'a, const D: usize> View<'a, D> {
         })
     }
 
-    /// Vertex -> whether it is on the hull.
+    /// Returns for each vertex whether it is on the hull.
     pub fn hull_vertices(self) -> AllocResult<Vec<bool>> {
         let mut on_hull = filled(self.vertex_count(), false)?;
         for s in 0..self.simplex_count() {

@@ -6,9 +6,9 @@ use crate::mesh::MAX_DIM;
 /// A weight for each vertex of a simplex.
 pub(super) type Weights = [f64; MAX_DIM + 1];
 
-/// The barycentric coordinates of `q` in the face `face` of the simplex `points`; those of other
-/// vertices are zero. They sum to one up to a rounding, and combine the vertices to `q` up to a few
-/// roundings of the longest edge, however flat the simplex is.
+/// Returns the barycentric coordinates of `q` in the face `face` of the simplex `points`; those of
+/// other vertices are zero. They sum to one up to a rounding, and combine the vertices to `q` up to
+/// a few roundings of the longest edge, however flat the simplex is.
 pub(super) fn coordinates_in<const D: usize>(
     points: &[&[f64; D]],
     face: u32,
@@ -27,8 +27,8 @@ pub(super) fn coordinates_in<const D: usize>(
     weights
 }
 
-/// The vertex of the face that is nearest to `q` in the maximum norm: differences from it lose the
-/// least.
+/// Returns the vertex of the face that is nearest to `q` in the maximum norm: differences from it
+/// lose the least.
 fn nearest_vertex<const D: usize>(
     points: &[&[f64; D]],
     face: u32,
@@ -40,8 +40,8 @@ fn nearest_vertex<const D: usize>(
     of_face.min_by(|&i, &j| size(i).total_cmp(&size(j))).unwrap_or(0)
 }
 
-/// Weights that sum to zero and combine the vertices of the face to `target`, a vector in its
-/// affine hull.
+/// Returns weights that sum to zero and combine the vertices of the face to `target`, a vector in
+/// its affine hull.
 fn combination<const D: usize>(
     points: &[&[f64; D]],
     face: u32,
@@ -69,14 +69,15 @@ fn combination<const D: usize>(
     weights
 }
 
-/// `D` equations in at most as many unknowns, consistent if there are fewer.
+/// System of `D` linear equations in at most as many unknowns, consistent if there are fewer.
 pub(super) struct System<const D: usize> {
     pub rows: [[f64; D]; D],
     pub right: [f64; D],
 }
 
 impl<const D: usize> System<D> {
-    /// By Gaussian elimination with complete pivoting: residuals are small whatever the condition.
+    /// Solves the system by Gaussian elimination with complete pivoting: residuals are small
+    /// whatever the condition.
     pub fn solve(&mut self, unknowns: usize) -> [f64; D] {
         let mut order: [usize; D] = std::array::from_fn(|column| column);
         let mut rank = 0;
@@ -120,7 +121,8 @@ impl<const D: usize> System<D> {
     }
 }
 
-/// A vector times 2^-e with its largest component in [1, 2), or zero, and e.
+/// Returns the vector times 2^-e, with its largest component in [1, 2) unless it is zero, and the
+/// exponent e.
 fn normalized<const D: usize>(vector: [f64; D]) -> ([f64; D], i32) {
     let exponent = exponent(largest(&vector));
     (vector.map(|x| scaled(x, -exponent)), exponent)

@@ -1,4 +1,4 @@
-//! What a simplex contributes to the volumes of Voronoi cells and of their faces.
+//! Contribution of a simplex to the volumes of Voronoi cells and of their faces.
 //!
 //! A Voronoi cell is the sum, with signs, of simplices between the circumcentres of a chain of
 //! faces of ever higher dimension, from the vertex to a simplex of the mesh. Each step of a chain
@@ -11,7 +11,8 @@ use crate::numerics::{Circumball, Sign, norm, orientation};
 /// Sets of the vertices other than the base, as bits.
 const SETS: usize = 1 << MAX_DIM;
 
-/// What of the length of an edge its distance from a facet must be for its side to be certain.
+/// Smallest ratio of a vertex's distance from a facet to the length of an edge for which its side
+/// is certain.
 const CLEAR: f64 = 1e-9;
 
 /// The sums over all chains from a face, by the set of its vertices beside the base.
@@ -32,7 +33,8 @@ impl Default for Chains {
 pub(crate) struct Center<const D: usize> {
     /// The place of the vertex.
     pub anchor: usize,
-    /// In units of 2^`exponent`. NaN or infinite where it cannot be used.
+    /// Offset of the circumcentre from the base, in units of 2^`exponent`. NaN or infinite where it
+    /// cannot be used.
     pub offset: [f64; D],
     pub exponent: i32,
 }
@@ -49,9 +51,9 @@ struct Seen<'a, const D: usize> {
     points: &'a [&'a [f64; D]],
     base: usize,
     unit: Unit,
-    /// From the base to the other vertices.
+    /// Edges from the base to the other vertices.
     edges: [[f64; D]; D],
-    /// From the base to the circumcentre.
+    /// Offset of the circumcentre from the base.
     center: [f64; D],
 }
 
@@ -89,18 +91,19 @@ impl Chains {
         }
     }
 
-    /// dim factorial times the volume of the base's cell that is due to the simplex.
+    /// Returns dim factorial times the volume of the base's cell that is due to the simplex.
     pub fn of_cell(&self) -> f64 {
         self.sums[0]
     }
 
-    /// dim - 1 factorial times the volume, due to the simplex, of the facet between the cells of
-    /// the base and of another vertex.
+    /// Returns dim - 1 factorial times the volume, due to the simplex, of the facet between the
+    /// cells of the base and of another vertex.
     pub fn of_facet<const D: usize>(&self, base: usize, vertex: usize) -> f64 {
         self.sums[1 << (vertex - usize::from(vertex > base))]
     }
 
-    /// The steps from a set and from all those that have members beyond its last one besides.
+    /// Measures the steps from a set, and from all sets that have members beyond its last one
+    /// besides.
     fn measure<const D: usize>(&mut self, seen: &Seen<'_, D>, set: usize, frame: Frame<D>) {
         for w in (0..D).filter(|w| set >> w & 1 == 0) {
             let (start, edge) = seen.shortest_edge(set, w);
@@ -123,9 +126,9 @@ impl Chains {
 }
 
 impl<const D: usize> Seen<'_, D> {
-    /// The shortest edge to vertex `w`, of those other than the base, from the base or a vertex of
-    /// the set: what is left of it without its part in the face is the same for all, and loses the
-    /// least. First where it starts.
+    /// Returns where the shortest edge to vertex `w`, of those other than the base, starts, and
+    /// that edge. It starts at the base or a vertex of the set: what is left of such an edge
+    /// without its part in the face is the same for all, and the shortest loses the least.
     fn shortest_edge(&self, set: usize, w: usize) -> ([f64; D], [f64; D]) {
         let point = |k: usize| self.points[k + usize::from(k >= self.base)];
         let mut shortest = ([0.0; D], self.edges[w]);
@@ -138,8 +141,8 @@ impl<const D: usize> Seen<'_, D> {
         shortest
     }
 
-    /// The unit normal of a facet on the side of vertex `w`, of those other than the base, where an
-    /// `edge` from the facet ends.
+    /// Returns the unit normal of a facet on the side of vertex `w`, of those other than the base,
+    /// where an `edge` from the facet ends.
     fn normal(&self, frame: &Frame<D>, w: usize, edge: &[f64; D]) -> [f64; D] {
         // The axis that is least in the facet's hyperplane.
         let within =
@@ -156,8 +159,8 @@ impl<const D: usize> Seen<'_, D> {
         if is_beyond { normal } else { normal.map(|x| -x) }
     }
 
-    /// Whether a nearly flat simplex has vertex `w` where the normal points: in its place, a point
-    /// well beyond the facet makes a simplex of the same orientation.
+    /// Returns true if a nearly flat simplex has vertex `w` where the normal points: in its place,
+    /// a point well beyond the facet makes a simplex of the same orientation.
     #[cold]
     fn is_beyond(&self, normal: &[f64; D], w: usize) -> bool {
         let longest = self.edges.iter().map(|edge| norm(edge)).fold(0.0, f64::max);
@@ -171,7 +174,7 @@ impl<const D: usize> Seen<'_, D> {
 }
 
 impl<const D: usize> Frame<D> {
-    /// What is left of a vector without its part in the face.
+    /// Returns what is left of a vector without its part in the face.
     fn without(&self, vector: [f64; D]) -> [f64; D] {
         self.vectors[..self.count].iter().fold(vector, |rest, v| {
             let along = dot(&rest, v);

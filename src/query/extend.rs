@@ -1,7 +1,7 @@
 //! Values of the inputs at all vertices of a mesh of theirs.
 
 use super::{Among, Index, Interpolation, Method, Outside, Values, Work};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{filled, with_capacity};
 use crate::mesh::{Inputs, Triangulation};
 
@@ -74,5 +74,5 @@ pub(crate) fn check_extension(
 }
 
 fn refuse(message: String) -> Result<()> {
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }

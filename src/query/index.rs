@@ -1,19 +1,19 @@
-//! What is made once for a result.
+//! Search structures that are made once for a result.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{Boxed, MAX_DIM, MIN_DIM, NONE, Triangulation, VertexKind, in_dimension};
 use crate::nearest::Tree;
 
-/// Which vertices count.
+/// Set of vertices that a query is answered with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Among {
     Vertices,
-    /// Those that are points of the caller. They are named as vertices all the same.
+    /// Vertices that are points of the caller. They are named as vertices all the same.
     Inputs,
 }
 
-/// What queries of one result need beside its arrays.
+/// Search structures that queries of one result need beside its arrays.
 ///
 /// It takes 8 `dim` + 8 bytes a vertex and about 3 more, and as much but for 4 bytes again an
 /// input of a result with other vertices; [`Index::bytes`] tells it exactly.
@@ -21,18 +21,18 @@ pub struct Index {
     pub(super) dim: usize,
     pub(super) simplices: usize,
     pub(super) vertices: usize,
-    /// Of all vertices.
+    /// Tree of all vertices.
     pub(super) all: Tree,
-    /// Of the inputs, if there are other vertices.
+    /// Tree of the inputs, if there are other vertices.
     inputs: Option<Tree>,
     /// Vertex -> the least simplex that has it; [`NONE`] if none has.
     pub(super) least_simplex: Vec<u32>,
-    /// Of the whole triangulation that the mesh is cut from: walks go through that.
+    /// Index of the whole triangulation that the mesh is cropped from: walks go through that.
     pub(super) whole: Option<Boxed<Index>>,
 }
 
 impl Index {
-    /// O(simplices + vertices log vertices).
+    /// Builds the index of a result. O(simplices + vertices log vertices).
     ///
     /// # Errors
     /// `InvalidArgument` (arrays that do not fit together, or ids out of range), `OutOfMemory`.
@@ -44,7 +44,7 @@ impl Index {
         Ok(in_dimension!(mesh.dim, D => build::<D>(mesh), _ => return no_dimension())?)
     }
 
-    /// Bytes on the heap.
+    /// Returns the number of bytes on the heap.
     pub fn bytes(&self) -> usize {
         let trees = self.all.bytes() + self.inputs.as_ref().map_or(0, Tree::bytes);
         let whole = self.whole.as_ref().map_or(0, |whole| whole.bytes());
@@ -61,7 +61,7 @@ impl Index {
 
 /// Fails unless every access to the arrays by the ids in them is in range.
 pub(crate) fn check_arrays(mesh: &Triangulation) -> Result<()> {
-    let refuse = |rule: &'static str| Err(Error::new(ErrorKind::InvalidArgument, rule));
+    let refuse = |rule: &'static str| Err(Error::invalid(rule));
     let dim = mesh.dim;
     if !(MIN_DIM..=MAX_DIM).contains(&dim) {
         return no_dimension();
@@ -94,13 +94,13 @@ fn check_whole(mesh: &Triangulation, whole: &Triangulation) -> Result<()> {
         true => Ok(()),
         false => {
             let rule = "the mesh is not the first part of the one that it was cut from";
-            Err(Error::new(ErrorKind::InvalidArgument, rule))
+            Err(Error::invalid(rule))
         }
     }
 }
 
 pub(super) fn no_dimension<T>() -> Result<T> {
-    Err(Error::new(ErrorKind::InvalidArgument, "the mesh's dim is out of range"))
+    Err(Error::invalid("the mesh's dim is out of range"))
 }
 
 fn build<const D: usize>(mesh: &Triangulation) -> AllocResult<Index> {

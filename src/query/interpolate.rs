@@ -6,30 +6,30 @@ use super::locate::{Locator, Place, Scratch};
 use super::natural::Natural;
 use super::threads::{Work, on_threads, piece, threads};
 use super::view::View;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::AllocResult;
 use crate::mesh::Triangulation;
 use crate::nearest::nearest_until;
 use crate::numerics::coordinates;
 
-/// How values go on between vertices. All three reproduce linear functions and are continuous.
+/// Method by which values are interpolated between vertices. All three reproduce linear functions
+/// and are continuous.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interpolation {
     /// Linear in each simplex.
     Linear = 0,
-    /// By natural neighbours: the weights are the volumes that a vertex at the point would take
-    /// from the cells of its neighbours (R. Sibson, "A vector identity for the Dirichlet
-    /// tessellation", 1980). Linear on the hull, and next to it where rounding errors
-    /// exceed 1e-6 of the weights.
+    /// Natural neighbours: the weights are the volumes that a vertex at the point would take from
+    /// the cells of its neighbours (R. Sibson, "A vector identity for the Dirichlet tessellation",
+    /// 1980). Linear on the hull, and next to it where rounding errors exceed 1e-6 of the weights.
     /// The work for a point grows with 2^dim.
     Sibson = 1,
-    /// By natural neighbours: the weights are the areas of the facets that a vertex at the point
-    /// would share with its neighbours, over the distances (N. H. Christ, R. Friedberg, T. D. Lee,
-    /// "Weights of links and plaquettes in a random lattice", 1982). Linear where the former is.
+    /// Natural neighbours: the weights are the areas of the facets that a vertex at the point would
+    /// share with its neighbours, over the distances (N. H. Christ, R. Friedberg, T. D. Lee,
+    /// "Weights of links and plaquettes in a random lattice", 1982). Linear where Sibson's is.
     Laplace = 2,
 }
 
-/// What points outside the hull get.
+/// Values of points outside the hull.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outside {
     Nan,
@@ -37,7 +37,7 @@ pub enum Outside {
     Nearest,
 }
 
-/// How values are made of those of the vertices.
+/// Method of interpolation, inside the hull and outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Method {
     pub interpolation: Interpolation,
@@ -62,14 +62,15 @@ impl<'a> Values<'a> {
             self.values.len(),
             self.components
         );
-        Err(Error::new(ErrorKind::InvalidArgument, message))
+        Err(Error::invalid(message))
     }
 
     pub(super) fn of(&self, at: u32) -> &'a [f64] {
         &self.values[at as usize * self.components..][..self.components]
     }
 
-    /// The sum of weighted values. A vertex without weight counts for nothing, whatever its value.
+    /// Writes the sum of weighted values to `out`. A vertex without weight counts for nothing,
+    /// whatever its value.
     fn combine(&self, weights: impl Iterator<Item = (u32, f64)> + Clone, out: &mut [f64]) {
         out.fill(0.0);
         for (vertex, weight) in weights.filter(|&(_, weight)| weight != 0.0) {

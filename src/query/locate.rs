@@ -1,4 +1,4 @@
-//! Which simplex holds a point: a walk from a vertex nearby, every step decided by an exact sign.
+//! Location of a point: a walk from a vertex nearby, every step decided by an exact sign.
 
 use super::Index;
 use super::marked_ids::MarkedIds;
@@ -8,7 +8,7 @@ use crate::mesh::NONE;
 use crate::nearest::{Stop, sort_by_leaf};
 use crate::numerics::{Sign, coordinates, orientation};
 
-/// Where a point is.
+/// Simplex that holds a point, and the face of it whose interior does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
     /// The simplex that holds it, the least where several do; [`NONE`] outside.
@@ -21,8 +21,8 @@ pub struct Place {
 impl Place {
     pub const OUTSIDE: Self = Self { simplex: NONE, face: 0 };
 
-    /// The dimension of the face that holds the point in its interior: 0 for a vertex, 1 for an
-    /// edge, the mesh's for a simplex; `None` outside.
+    /// Returns the dimension of the face that holds the point in its interior: 0 for a vertex, 1
+    /// for an edge, the mesh's for a simplex; `None` outside.
     pub fn dimension(&self) -> Option<u32> {
         self.face.count_ones().checked_sub(1)
     }
@@ -46,7 +46,7 @@ pub(super) struct Scratch {
 pub(super) struct Locator<'a, const D: usize> {
     pub view: View<'a, D>,
     pub index: &'a Index,
-    /// Simplices from this number on were cut away from the mesh.
+    /// Simplices from this number on were cropped from the mesh.
     end: u32,
     /// The state of a generator of numbers, which decide where a step looks first.
     random: u32,
@@ -59,7 +59,7 @@ impl<'a, const D: usize> Locator<'a, D> {
 
     pub fn new(view: View<'a, D>, index: &'a Index, stop: Stop<'a>) -> Self {
         let end = view.mesh.simplex_count() as u32;
-        // The hull of a mesh that was cut need not be convex.
+        // The hull of a cropped mesh need not be convex.
         match (view.mesh.boundary.whole.as_deref(), index.whole.as_deref()) {
             (Some(mesh), Some(index)) => Self { view: View { mesh }, index, end, random: 1, stop },
             _ => Self { view, index, end, random: 1, stop },
@@ -90,7 +90,7 @@ impl<'a, const D: usize> Locator<'a, D> {
         Ok(())
     }
 
-    /// The place of a point that belongs in that leaf of the tree of all vertices.
+    /// Locates a point that belongs in that leaf of the tree of all vertices.
     pub fn place(&mut self, leaf: usize, q: &[f64; D], set: &mut MarkedIds) -> AllocResult<Place> {
         let near = self.index.all.near(leaf, q);
         let start = near.map_or(NONE, |vertex| self.index.least_simplex[vertex as usize]);
@@ -103,7 +103,7 @@ impl<'a, const D: usize> Locator<'a, D> {
         }
     }
 
-    /// A simplex that holds `q`, and the face of it that does; `None` outside.
+    /// Returns a simplex that holds `q`, and the face of it that does; `None` outside.
     fn holder(&mut self, start: u32, q: &[f64; D]) -> Option<(u32, u32)> {
         if start == NONE {
             return None;
@@ -123,8 +123,9 @@ impl<'a, const D: usize> Locator<'a, D> {
         self.scan(q)
     }
 
-    /// The face of `simplex` that holds `q` or, if none does, the neighbour across a facet that has
-    /// `q` strictly on its other side. A walk that came from `previous` does not look back there.
+    /// Returns the face of `simplex` that holds `q` or, if none does, the neighbour across a facet
+    /// that has `q` strictly on its other side. A walk that came from `previous` does not look back
+    /// there.
     ///
     /// In a Delaunay triangulation such a walk passes balls of ever smaller power of `q` (H.
     /// Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions", 1990), except
@@ -151,7 +152,8 @@ impl<'a, const D: usize> Locator<'a, D> {
         Ok(face)
     }
 
-    /// What a walk of as many steps as there are simplices has not found.
+    /// Tries all simplices, for a point that a walk of as many steps as there are simplices has not
+    /// found.
     #[cold]
     fn scan(&mut self, q: &[f64; D]) -> Option<(u32, u32)> {
         let count = self.view.mesh.simplex_count() as u32;
@@ -160,7 +162,7 @@ impl<'a, const D: usize> Locator<'a, D> {
         all.find_map(|simplex| Some((simplex, self.step(simplex, NONE, q).ok()?)))
     }
 
-    /// The same place in the least of all simplices that have the face.
+    /// Returns the place of the same face in the least of all simplices that have it.
     fn least_place(&self, simplex: u32, face: u32, set: &mut MarkedIds) -> AllocResult<Place> {
         let vertices = self.view.simplex(simplex);
         let least = match face.count_ones() as usize {
@@ -181,8 +183,8 @@ impl<'a, const D: usize> Locator<'a, D> {
         Ok(Place { simplex: least, face })
     }
 
-    /// The least simplex that has a face of `simplex`. Those that have it are connected by facets
-    /// that have it too.
+    /// Returns the least simplex that has a face of `simplex`. Those that have it are connected by
+    /// facets that have it too.
     fn least_around(&self, simplex: u32, face: u32, set: &mut MarkedIds) -> AllocResult<u32> {
         let mut of_face = [NONE; 8];
         let own = self.view.simplex(simplex);

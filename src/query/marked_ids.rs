@@ -24,18 +24,18 @@ impl MarkedIds {
         self.members.clear();
     }
 
-    /// In the order in which they came.
+    /// Returns the members in the order in which they came.
     pub fn members(&self) -> &[Member] {
         &self.members
     }
 
-    /// Where `id` is among the members.
+    /// Returns the position of `id` among the members.
     pub fn position(&self, id: u32) -> Option<usize> {
         let at = *self.table.get(self.slot(id))?;
         (at != NONE).then_some(at as usize)
     }
 
-    /// The mark of `id`, if it is here.
+    /// Returns the mark of `id`, if it is a member.
     pub fn mark(&self, id: u32) -> Option<bool> {
         self.position(id).map(|at| self.members[at].mark)
     }
@@ -61,7 +61,7 @@ impl MarkedIds {
         Ok(())
     }
 
-    /// The slot of `id`, or the free one that it would have; 0 if there is no table.
+    /// Returns the slot of `id`, or the free one that it would have; 0 if there is no table.
     fn slot(&self, id: u32) -> usize {
         let mask = self.table.len().wrapping_sub(1);
         let mut slot = (id.wrapping_mul(0x9e37_79b9) >> 7) as usize & mask;

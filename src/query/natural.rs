@@ -20,7 +20,7 @@ const MAX_ERROR: f64 = 1e-6;
 #[derive(Default)]
 pub(super) struct Natural {
     neighbors: MarkedIds,
-    /// Of each of the neighbours.
+    /// Weight of each of the neighbours.
     weights: Vec<f64>,
     chains: Chains,
 }
@@ -82,7 +82,7 @@ impl Natural {
         Ok(self.finish(view, q, unit))
     }
 
-    /// The vertices of the simplices in conflict, without weight.
+    /// Collects the vertices of the simplices in conflict, without weight.
     fn find_neighbors<const D: usize>(
         &mut self,
         view: View<'_, D>,
@@ -187,7 +187,8 @@ impl Natural {
     }
 }
 
-/// The simplices whose balls hold `q`, which are connected, with a mark, and others next to them.
+/// Collects the simplices whose balls hold `q`, which are connected, with a mark, and others next
+/// to them.
 fn find_conflicts<const D: usize>(
     view: View<'_, D>,
     start: u32,
@@ -213,7 +214,7 @@ fn find_conflicts<const D: usize>(
     Ok(())
 }
 
-/// A unit in which the farthest of the vertices is about 1 from `q`.
+/// Returns a unit in which the farthest of the vertices is about 1 from `q`.
 fn unit_around<const D: usize>(view: View<'_, D>, vertices: &MarkedIds, q: &[f64; D]) -> Unit {
     let points = || vertices.members().iter().map(|member| view.point(member.id));
     let magnitude = points().chain([q]).map(largest).fold(0.0, f64::max);

@@ -31,10 +31,10 @@ impl Index {
         self.locate_each(mesh, points, work.into(), simplices, "simplices")
     }
 
-    /// As [`Index::locate`], with the face of the simplex that was hit.
+    /// Locates points as [`Index::locate`] does, and tells the face of the simplex that was hit.
     ///
     /// # Errors
-    /// As those of [`Index::locate`].
+    /// Fails as [`Index::locate`] does.
     pub fn places<'a>(
         &self,
         mesh: &Triangulation,
@@ -69,7 +69,7 @@ impl Index {
     /// of 2^-53, and infinite only beyond the doubles.
     ///
     /// # Errors
-    /// As those of [`Index::locate`].
+    /// Fails as [`Index::locate`] does.
     pub fn nearest<'a>(
         &self,
         mesh: &Triangulation,
@@ -94,7 +94,8 @@ impl Index {
     /// Writes for each of the points (`count x dim`) the values there (`count x components`).
     ///
     /// # Errors
-    /// As those of [`Index::locate`]; `InvalidArgument` if `values` is not `vertices x components`.
+    /// Fails as [`Index::locate`] does; `InvalidArgument` if `values` is not `vertices x
+    /// components`.
     pub fn interpolate<'a>(
         &self,
         mesh: &Triangulation,
@@ -107,22 +108,22 @@ impl Index {
         if mesh.boundary.whole.is_some() && method.interpolation != Interpolation::Linear {
             let message = say!(
                 Name::Interpolation,
-                " is by natural neighbours, which a mesh that is cut to its domain lacks; it must be \
-                 linear"
+                " is by natural neighbours, which a mesh that is cut to its domain lacks; it must \
+                 be linear"
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         values.check("values", self.vertices, "vertices")?;
         let rule = "components is 0; it must be at least 1";
         let count = out.len().checked_div(values.components);
-        let count = count.ok_or_else(|| Error::new(ErrorKind::InvalidArgument, rule))?;
+        let count = count.ok_or_else(|| Error::invalid(rule))?;
         if count * values.components != out.len() {
             let message = message!(
                 "out has length {}; it must be points x components, components = {}",
                 out.len(),
                 values.components
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         self.check(mesh, points, count, "out")?;
         let work = work.into();
@@ -144,7 +145,7 @@ impl Index {
             && mesh.points.len() == self.vertices * self.dim;
         if !is_same {
             let rule = "the index was made for another mesh";
-            return Err(Error::new(ErrorKind::InvalidArgument, rule));
+            return Err(Error::invalid(rule));
         }
         let dim = self.dim;
         if points.len() != count.saturating_mul(dim) {
@@ -153,7 +154,7 @@ impl Index {
                  {count} results",
                 points.len()
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         if let Some(at) = points.iter().position(|x| !x.is_finite()) {
             let message = message!(

@@ -6,7 +6,7 @@ use crate::numerics::{Sign, distance, orientation_exact};
 use crate::{Algorithm, ErrorKind, Mesh, NONE, Options, Triangulation, VertexKind};
 use dashu_int::IBig;
 
-/// A mesh as asked for; `None` for inputs that have no such mesh.
+/// Makes a mesh with these options; `None` for inputs that have no such mesh.
 fn meshed<const D: usize>(points: &[[f64; D]], options: &Options) -> Option<Mesh> {
     let mut mesh = Mesh::new(D, points.len(), points.as_flattened(), 0).ok()?;
     mesh.run(options, None).ok()?;
@@ -37,8 +37,8 @@ fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, &[[f64; D]])) {
     assert!(made >= FAMILIES.len(), "{made}");
 }
 
-/// Points that are hard for a mesh: its vertices, middles of faces of every dimension, points next
-/// to those, points beyond the hull.
+/// Returns points that are hard for a mesh: its vertices, middles of faces of every dimension,
+/// points next to those, points beyond the hull.
 fn hard_points<const D: usize>(mesh: &Triangulation, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(7);
     let mut pick = |bound: usize| random.integer(0, bound as i64 - 1) as usize;
@@ -63,7 +63,7 @@ fn hard_points<const D: usize>(mesh: &Triangulation, count: usize) -> Vec<[f64; 
     found
 }
 
-/// The first simplex that holds `q`, and the face of it that does, by integers alone.
+/// Returns the first simplex that holds `q`, and the face of it that does, by integers alone.
 fn brute_place<const D: usize>(mesh: &Triangulation, q: &[f64; D]) -> Place {
     for simplex in 0..mesh.simplex_count() {
         let vertices = mesh.simplex(simplex).iter().map(|&v| mesh.point(v).try_into().unwrap());
@@ -108,7 +108,7 @@ fn places_are_those_of_brute_force() {
     places_are_right::<5>(7, 1);
 }
 
-/// |a - q|^2 in units of 2^-2148.
+/// Returns |a - q|^2 in units of 2^-2148.
 fn squared_distance<const D: usize>(a: &[f64], q: &[f64; D]) -> IBig {
     let square = |i: usize| {
         let x = integer(a[i]) - integer(q[i]);
@@ -154,7 +154,8 @@ fn lattice<const D: usize>(side: usize) -> Vec<[f64; D]> {
     (0..side.pow(D as u32)).map(point).collect()
 }
 
-/// In the middle of a lattice's cell all its vertices are equally near, and in no simplex alone.
+/// Holds that all vertices of a lattice's cell are equally near to its middle, and that the least
+/// id wins.
 #[test]
 fn ties_go_to_the_least_id() {
     let points = lattice::<3>(6);
@@ -171,7 +172,7 @@ fn ties_go_to_the_least_id() {
     assert!(lengths.iter().all(|&length| length == 0.75f64.sqrt()));
 }
 
-/// Points of random places in a box about those given.
+/// Returns points at random positions in a box about those given.
 fn scattered<const D: usize>(points: &[[f64; D]], count: usize, widen: f64) -> Vec<[f64; D]> {
     let mut random = Random(3);
     let bound = |axis: usize| points.iter().fold(0.0f64, |most, p| most.max(p[axis].abs()));
@@ -213,12 +214,13 @@ fn answers_depend_on_neither_order_nor_threads() {
     assert_eq!(reversed, once);
 }
 
-/// NaN outside.
+/// Returns the method that gives NaN outside.
 fn method(interpolation: Interpolation) -> Method {
     Method { interpolation, outside: Outside::Nan }
 }
 
-/// Linear functions are what they are at all points in the hull; those outside are NaN.
+/// Checks that linear functions are reproduced at all points in the hull, and that those outside
+/// are NaN.
 fn linear_functions_stay<const D: usize>(how: Interpolation, inputs: &[[f64; D]], queries: usize) {
     for options in [Options::default(), delaunay()] {
         let mesh = meshed(inputs, &options).unwrap();
@@ -262,7 +264,7 @@ fn linear_functions_are_reproduced() {
     }
 }
 
-/// The weight of vertex `vertex` at each of the points.
+/// Returns the weight of vertex `vertex` at each of the points.
 fn weights<const D: usize>(
     mesh: &Triangulation,
     how: Interpolation,
@@ -278,7 +280,7 @@ fn weights<const D: usize>(
     out
 }
 
-/// The weights at `q` of the lattice's points `sites`.
+/// Returns the weights at `q` of the lattice's points `sites`.
 fn lattice_weights<const D: usize>(
     how: Interpolation,
     q: [f64; D],
@@ -291,7 +293,7 @@ fn lattice_weights<const D: usize>(
     sites.iter().map(weight).collect()
 }
 
-/// Where the cells are unit cubes, volumes and facets are known.
+/// Compares with the volumes and facets that are known where the cells are unit cubes.
 #[test]
 fn weights_of_natural_neighbours_are_known_in_a_lattice() {
     use Interpolation::{Laplace, Sibson};
@@ -311,7 +313,7 @@ fn weights_of_natural_neighbours_are_known_in_a_lattice() {
     check(lattice_weights(Sibson, [2.5, 2.0, 2.0], &sites), &[48.0 / 121.0, 48.0 / 121.0]);
 }
 
-/// Sibson's weight by counting which cells points nearest to `q` were in.
+/// Computes Sibson's weight by counting which cells points nearest to `q` were in.
 fn counted_weight<const D: usize>(points: &[[f64; D]], q: &[f64; D], vertex: usize) -> f64 {
     let (mut random, mut all, mut own) = (Random(1), 0, 0);
     for _ in 0..400_000 {
@@ -371,7 +373,7 @@ fn values_of_inputs_reach_all_vertices() {
     assert!(near.iter().enumerate().all(|(v, &n)| out[2 * v + 1] == mesh.point(n)[0]));
 }
 
-/// Vertex of `mesh` -> whether `hull` holds it.
+/// Returns for each vertex of `mesh` whether `hull` holds it.
 fn brute_inside(hull: &Triangulation, mesh: &Triangulation) -> Vec<bool> {
     let points = mesh.points.chunks_exact(2).map(|p| [p[0], p[1]]);
     points.map(|p| brute_place(hull, &p) != Place::OUTSIDE).collect()
@@ -404,7 +406,7 @@ fn wrong_arguments_are_named() {
     index.locate(mesh, &[], 3, &mut []).unwrap();
 }
 
-/// Whatever is asked, also of points that are all equally near, it ends soon after a stop.
+/// Holds that every query, also of points that are all equally near, ends soon after a stop.
 #[test]
 fn a_stop_ends_every_query() {
     use std::sync::atomic::AtomicBool;

@@ -1,4 +1,4 @@
-//! What a tetrahedron contributes to the volumes of the Voronoi cells of its vertices: the sums of
+//! Contribution of a tetrahedron to the volumes of the Voronoi cells of its vertices: the sums of
 //! [`Chains`](super::dual::Chains) of all four vertices at once, without a root and with four
 //! divisions.
 //!
@@ -85,8 +85,8 @@ mod tests {
     use crate::numerics::{Circumball, Sign, orientation};
     use crate::query::unit::largest;
 
-    /// Tetrahedra of every family, flat ones and needles among them: both ways to add chains agree
-    /// up to roundings of the longest chain.
+    /// Holds that both ways to add chains agree up to roundings of the longest chain, for
+    /// tetrahedra of every family, flat ones and needles among them.
     #[test]
     fn cells_are_the_sums_of_chains() {
         let (mut compared, mut refused) = (0, 0);

@@ -12,7 +12,8 @@ const LARGEST: usize = 1 << 15;
 /// The fewest, unless there are no more.
 const SMALLEST: usize = 1 << 10;
 
-/// How a call works: on how many threads, and what stops it. A number stands for that many threads.
+/// Number of threads that a call works on, and what stops it. A number stands for that many
+/// threads.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Work<'a> {
     /// Threads to use, 0 for all cores.
@@ -37,7 +38,8 @@ impl Work<'_> {
     }
 }
 
-/// Threads to use: what the caller allows (0: all cores), and no more than there are cores.
+/// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
+/// there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {
     let cores = || std::thread::available_parallelism().map_or(1, |count| count.get());
     match wanted {
@@ -47,7 +49,7 @@ pub(crate) fn threads(wanted: u32) -> usize {
     }
 }
 
-/// How many of `count` points make a piece. No answer depends on it.
+/// Returns the number of points, of `count`, that make a piece of work. No answer depends on it.
 pub(super) fn piece(count: usize, threads: usize) -> usize {
     (count / (4 * threads)).clamp(SMALLEST, LARGEST)
 }

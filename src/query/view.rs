@@ -19,12 +19,12 @@ impl<'a, const D: usize> View<'a, D> {
         &self.mesh.simplices[simplex as usize * Self::VERTICES..][..Self::VERTICES]
     }
 
-    /// The i-th is opposite vertex i.
+    /// Returns the neighbours of a simplex, the i-th opposite vertex i.
     pub fn neighbors(self, simplex: u32) -> &'a [u32] {
         &self.mesh.neighbors[simplex as usize * Self::VERTICES..][..Self::VERTICES]
     }
 
-    /// The points of at most `D + 1` vertices; what follows them repeats the first.
+    /// Returns the points of at most `D + 1` vertices; the rest of the array repeats the first.
     pub fn points_of(self, vertices: &[u32]) -> [&'a [f64; D]; MAX_DIM + 1] {
         let mut points = [self.point(vertices[0]); MAX_DIM + 1];
         for (point, &vertex) in points.iter_mut().zip(vertices) {

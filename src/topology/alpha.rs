@@ -8,35 +8,37 @@
 //! the ball just if the centre of that face's own ball has a negative barycentric coordinate
 //! there: so the balls of the faces tell which of their facets are Gabriel.
 
-use super::circumscribed::{Ball, Radius, ball};
+use super::circumscribed::{Ball, ball};
+use super::radius::Radius;
 use super::{Faces, Level};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::mesh::{Inputs, Triangulation, VertexKind, in_dimension};
 use crate::query::threads::{on_threads, threads as threads_of};
 use crate::query::view::View;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// How the vertices of a filtration's faces are numbered for those who read it.
+/// Numbering of the vertices of a filtration's faces for those who read it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Numbers {
-    /// As the caller's points, of equal ones the first: all vertices are inputs.
+    /// Numbers of the caller's points, of equal ones the first: all vertices are inputs.
     Inputs,
-    /// As the vertices of the mesh, of which some are no inputs.
+    /// Numbers of the vertices of the mesh, of which some are no inputs.
     Vertices,
 }
 
 /// Values of faces, and what they say of the inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Filtration {
-    /// By dimension from the lowest of the faces on. A face has no less than its facets.
+    /// Values of the faces, by dimension from the lowest of the faces on. A face has no less than
+    /// its facets.
     pub values: Vec<Vec<f64>>,
     /// The persistence module of the values, as lengths, is interleaved by this factor, at least 1,
     /// with that of the balls round the inputs: a feature `[birth, death)` of either with
     /// `death / birth > factor^2` has its own in the other, birth and death within the factor.
     /// Infinite where nothing can be said.
     pub factor: f64,
-    /// How vertices are numbered. [`Faces`] have those of the mesh in any case.
+    /// Numbering of the vertices. [`Faces`] have the numbers of the mesh in any case.
     pub numbers: Numbers,
 }
 
@@ -48,21 +50,21 @@ impl Filtration {
     }
 }
 
-/// The alpha values of the faces: squared radii, each the double nearest to the exact one. Vertices
-/// have 0. Infinite beyond the doubles.
+/// Computes the alpha values of the faces: squared radii, each the double nearest to the exact one.
+/// Vertices have 0. Infinite beyond the doubles.
 ///
-/// O(faces x dim^3); nearly flat faces take longer. `threads` as in the options; no value depends
-/// on them.
+/// O(faces x dim^3); nearly flat faces take longer. `threads` is the number of threads, 0 for all
+/// cores; no value depends on them.
 ///
 /// # Errors
 /// `InvalidArgument` (a vertex that is no input; faces of another mesh; a flat simplex),
 /// `OutOfMemory`.
 pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtration> {
-    refuse_cut(mesh)?;
+    refuse_cropped(mesh)?;
     if !has_inputs_alone(mesh) {
-        let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and the \
-                    mesh has other vertices";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
+        let rule = "alpha values are those of a Delaunay triangulation of the inputs alone, and \
+            the mesh has other vertices";
+        return Err(Error::invalid(rule));
     }
     let none = || Ok(None);
     let found = in_dimension!(
@@ -73,37 +75,37 @@ pub fn alpha(mesh: &Triangulation, faces: &Faces, threads: u32) -> Result<Filtra
     Ok(Filtration { values: found.ok_or_else(flat)?, factor: 1.0, numbers: Numbers::Inputs })
 }
 
-/// Refuses a mesh that is cut to its domain: what is outside counts for the values.
-pub(super) fn refuse_cut(mesh: &Triangulation) -> Result<()> {
+/// Refuses a mesh that is cropped to its domain: what is outside counts for the values.
+pub(super) fn refuse_cropped(mesh: &Triangulation) -> Result<()> {
     match mesh.boundary.whole {
         None => Ok(()),
         Some(_) => {
-            let rule = "a filtration needs all of the Delaunay triangulation, and the mesh is cut to \
-                        its domain; run it with extent all, without holes";
-            Err(Error::new(ErrorKind::InvalidArgument, rule))
+            let rule = "a filtration needs all of the Delaunay triangulation, and the mesh is cut \
+                to its domain; run it with extent all, without holes";
+            Err(Error::invalid(rule))
         }
     }
 }
 
-/// Whether the mesh has alpha values: those are of a Delaunay triangulation of the inputs.
+/// Returns true if the mesh has alpha values: those are of a Delaunay triangulation of the inputs.
 pub fn has_inputs_alone(mesh: &Triangulation) -> bool {
     mesh.kinds.iter().all(|&kind| kind == VertexKind::Input)
 }
 
-/// What no valid mesh has.
+/// Returns the error of a mesh with a flat simplex, which no valid mesh has.
 pub(super) fn flat() -> Error {
-    Error::new(ErrorKind::InvalidArgument, "the mesh has a flat simplex")
+    Error::invalid("the mesh has a flat simplex")
 }
 
-/// The same, squared or not, for the faces that `is_wanted` picks by their vertices; what the
-/// others have is unspecified. A face that has a wanted one as a facet must be wanted. `None` if
-/// one is flat.
+/// Computes radii, squared or not, for the faces that `needs_radius` picks by their vertices; the
+/// values of others are unspecified. A face that has a wanted one as a facet must be wanted. `None`
+/// if one is flat.
 pub(super) fn radii<const D: usize>(
     mesh: &Triangulation,
     faces: &Faces,
     threads: u32,
     wanted: Radius,
-    is_wanted: impl Fn(&[u32]) -> bool + Sync,
+    needs_radius: impl Fn(&[u32]) -> bool + Sync,
 ) -> AllocResult<Option<Vec<Vec<f64>>>> {
     let mut values = Vec::new();
     for k in faces.lowest()..=D {
@@ -115,7 +117,7 @@ pub(super) fn radii<const D: usize>(
         let (below, here) = values.split_at_mut(k - faces.lowest());
         negative.clear();
         negative.cover(level.count(), 0)?;
-        let balls = Balls { view, level, k, wanted, is_wanted: &is_wanted };
+        let balls = Balls { view, level, k, wanted, needs_radius: &needs_radius };
         if !balls.find(threads, &mut here[0], &mut negative)? {
             return Ok(None);
         }
@@ -132,10 +134,10 @@ struct Balls<'a, W, const D: usize> {
     level: &'a Level,
     k: usize,
     wanted: Radius,
-    is_wanted: W,
+    needs_radius: W,
 }
 
-/// As many faces make a piece of work.
+/// Number of faces that make a piece of work.
 const PIECE: usize = 1 << 12;
 
 impl<W: Fn(&[u32]) -> bool + Sync, const D: usize> Balls<'_, W, D> {
@@ -147,7 +149,7 @@ impl<W: Fn(&[u32]) -> bool + Sync, const D: usize> Balls<'_, W, D> {
         on_threads(threads_of(threads), pieces, |(), (piece, (values, negative))| {
             for (at, (value, negative)) in values.iter_mut().zip(negative).enumerate() {
                 let face = self.level.face(piece * PIECE + at);
-                if !(self.is_wanted)(face) {
+                if !(self.needs_radius)(face) {
                     continue;
                 }
                 let radius = if value.is_nan() { self.wanted } else { Radius::Nothing };
@@ -180,7 +182,7 @@ fn lower_facets(level: &Level, values: &[f64], negative: &[u16], below: &mut [f6
     }
 }
 
-/// `ball` with the dimension of the face as a constant.
+/// Returns the result of `ball` with the dimension of the face as a constant.
 fn ball_of<const D: usize>(
     k: usize,
     points: &[&[f64; D]],

@@ -1,7 +1,8 @@
 //! Balls in doubles against those in integers, where doubles are at their limits.
 
-use super::circumscribed::{Radius, ball};
+use super::circumscribed::ball;
 use super::exact;
+use super::radius::Radius;
 use crate::numerics::testing::{Random, references};
 
 fn agrees<const K: usize, const D: usize>(points: &[[f64; D]]) {
@@ -17,7 +18,8 @@ fn random_point<const D: usize>(random: &mut Random) -> [f64; D] {
     std::array::from_fn(|_| random.unit())
 }
 
-/// A combination of points with weights that sum to 1, moved by `offset` in each coordinate.
+/// Returns a combination of points with weights that sum to 1, moved by `offset` in each
+/// coordinate.
 fn combined<const D: usize>(points: &[[f64; D]], offset: f64, random: &mut Random) -> [f64; D] {
     let weights: Vec<f64> = points.iter().map(|_| random.unit()).collect();
     let rest = 1.0 - weights[1..].iter().sum::<f64>();
@@ -27,7 +29,8 @@ fn combined<const D: usize>(points: &[[f64; D]], offset: f64, random: &mut Rando
     })
 }
 
-/// The last point is almost in the hyperplane of the others, by all distances from it.
+/// Tries faces whose last point is almost in the hyperplane of the others, by all distances from
+/// it.
 fn slivers_agree<const K: usize, const D: usize>(trials: usize) {
     let mut random = Random(100 * K as u64 + D as u64);
     for trial in 0..trials {
@@ -38,7 +41,7 @@ fn slivers_agree<const K: usize, const D: usize>(trials: usize) {
     }
 }
 
-/// As flat as doubles may be: the error of the centre counts.
+/// Tries faces as flat as doubles may be: the error of the centre counts.
 #[test]
 fn the_flattest_that_doubles_take() {
     let mut random = Random(77);
@@ -62,7 +65,7 @@ fn slivers() {
     slivers_agree::<5, 5>(100);
 }
 
-/// The centre is almost in the facet opposite the last point.
+/// Tries faces whose centre is almost in the facet opposite the last point.
 fn right_angles_agree<const K: usize, const D: usize>(trials: usize) {
     let mut random = Random(300 * K as u64 + D as u64);
     for _ in 0..trials {
@@ -103,7 +106,7 @@ fn tiny_squares() {
     }
 }
 
-/// Where the square of a radius lies between two doubles, the even one is the nearest.
+/// Holds that where the square of a radius lies between two doubles, the even one is the nearest.
 #[test]
 fn ties() {
     for whole in 100_000_001u64..100_000_101 {

@@ -30,49 +30,27 @@
 
 use super::double_double::DoubleDouble;
 use super::exact;
+use super::radius::Radius;
 use crate::memory::AllocResult;
 use crate::query::unit::{exponent, largest, scaled};
 
-/// Beyond this sum of squared ratios of edge and height a face is for integers.
+/// Largest sum of squared ratios of edge and height for which a face is not left to integers.
 const LARGEST_RATIO: f64 = (1 << 24) as f64;
 
 /// An edge shorter than this, where the longest is about 1, is for integers: squares of products
 /// could underflow.
 const SHORTEST_EDGE: f64 = 1e-90;
 
-/// What is known of the smallest circumscribing ball of a face.
+/// Smallest circumscribing ball of a face: its radius and the side of each facet on which its
+/// centre is.
 pub(super) struct Ball {
     /// The barycentric coordinates of the centre that are negative, as bits.
     pub negative: u16,
-    /// NaN if it was not wanted.
+    /// Radius in the form that was wanted; NaN if none was.
     pub radius: f64,
 }
 
-/// What is wanted of the radius.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Radius {
-    Nothing,
-    /// The double nearest to its square.
-    Square,
-    /// The square root of that, without the square's overflow and underflow.
-    Length,
-}
-
-impl Radius {
-    /// From the double nearest to its square, in units of `2^(2 exponent)`; `None` if it is no
-    /// normal number there, and so must be rounded in another unit.
-    pub fn of_square(self, square: f64, exponent: i32) -> Option<f64> {
-        match self {
-            Self::Nothing => Some(f64::NAN),
-            Self::Length => Some(scaled(square.sqrt(), exponent)),
-            Self::Square => {
-                Some(scaled(square, 2 * exponent)).filter(|&value| value >= f64::MIN_POSITIVE)
-            }
-        }
-    }
-}
-
-/// The ball of the `K + 1` points of a face; `None` if they are not independent.
+/// Computes the ball of the `K + 1` points of a face; `None` if they are not independent.
 pub(super) fn ball<const K: usize, const D: usize>(
     points: &[&[f64; D]],
     wanted: Radius,
@@ -107,25 +85,25 @@ struct Edges<'a, const K: usize, const D: usize> {
 /// `L`.
 struct Factors<const K: usize> {
     lower: [[f64; K]; K],
-    /// One over the diagonal of `P`.
+    /// Inverses of the entries on the diagonal of `P`.
     inverse_pivots: [f64; K],
 }
 
 /// The barycentric coordinates of a centre but the first.
-struct Center<const K: usize> {
+struct CenterCoordinates<const K: usize> {
     x: [f64; K],
     /// Bounds of the errors.
     errors: [f64; K],
     factors: Factors<K>,
-    /// No less than the longest edge and the sum of `|e_j| |x_j|`.
+    /// Bound of the longest edge and of the sum of `|e_j| |x_j|`.
     size: f64,
-    /// No less than the sum of `r_i r_j c u`: what a relative error of the system means for the sum
-    /// of `x_j e_j`.
+    /// Bound of the sum of `r_i r_j c u`, which a relative error of the system means for the sum of
+    /// `x_j e_j`.
     growth: f64,
 }
 
 impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
-    /// `None` if an edge is too long or too short for doubles.
+    /// Computes the products of the edges; `None` if an edge is too long or too short for doubles.
     fn new(points: &'a [&'a [f64; D]]) -> Option<Self> {
         let mut edges = [[0.0; D]; K];
         let mut longest = 0.0f64;
@@ -149,7 +127,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         is_long.then_some(Self { points, products, exponent })
     }
 
-    /// The edge to vertex `j + 1`, exactly.
+    /// Returns the edge to vertex `j + 1`, exactly.
     #[inline]
     fn edge(&self, j: usize) -> [DoubleDouble; D] {
         let (start, end) = (self.points[0], self.points[j + 1]);
@@ -157,8 +135,8 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         std::array::from_fn(|i| DoubleDouble::difference(end[i], start[i]).scaled(power))
     }
 
-    /// `None` if the face is too flat for doubles.
-    fn center(&self) -> Option<Center<K>> {
+    /// Computes the centre; `None` if the face is too flat for doubles.
+    fn center(&self) -> Option<CenterCoordinates<K>> {
         let factors = Factors::new(&self.products)?;
         let square = |i: usize| self.products[i][i];
         let x = factors.solve(std::array::from_fn(|i| 0.5 * square(i)));
@@ -176,11 +154,11 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         let longest = (0..K).map(square).fold(0.0, f64::max).sqrt();
         let size = longest * (1.0 + x.iter().map(|x| x.abs()).sum::<f64>());
         let errors = inverse.map(|inverse| inverse.sqrt() * unit * size);
-        Some(Center { x, errors, factors, size, growth: root * unit })
+        Some(CenterCoordinates { x, errors, factors, size, growth: root * unit })
     }
 
-    /// `None` if doubles do not tell which one is the nearest.
-    fn radius(&self, center: &Center<K>, wanted: Radius) -> Option<f64> {
+    /// Computes the radius; `None` if doubles do not tell which one is the nearest.
+    fn radius(&self, center: &CenterCoordinates<K>, wanted: Radius) -> Option<f64> {
         if wanted == Radius::Nothing {
             return Some(f64::NAN);
         }
@@ -209,13 +187,13 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
         wanted.of_square(square, self.exponent)
     }
 
-    /// What the error of `x` takes from the squared radius, and a bound of its own error: with
-    /// `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`. `offset` is
-    /// the sum of `x_j e_j` up to `unit` of the center's size.
+    /// Returns the contribution of the error of `x` to the squared radius, and a bound of its own
+    /// error: with `r = b / 2 - G x` it is the product of `r` and the solution `y` of `G y = r`.
+    /// `offset` is the sum of `x_j e_j` up to `unit` of the center's size.
     #[cold]
     fn rest(
         &self,
-        center: &Center<K>,
+        center: &CenterCoordinates<K>,
         offset: &[DoubleDouble; D],
         unit: f64,
     ) -> (DoubleDouble, f64) {
@@ -241,7 +219,7 @@ impl<'a, const K: usize, const D: usize> Edges<'a, K, D> {
 const SQUARE_UNIT: f64 = f64::EPSILON * f64::EPSILON / 4.0;
 
 impl<const K: usize> Factors<K> {
-    /// `None` unless all pivots are positive.
+    /// Factors a matrix of products; `None` unless all pivots are positive.
     fn new(products: &[[f64; K]; K]) -> Option<Self> {
         let (mut lower, mut pivots, mut inverse_pivots) = (*products, [0.0; K], [0.0; K]);
         for j in 0..K {
@@ -286,8 +264,8 @@ impl<const K: usize> Factors<K> {
     }
 }
 
-impl<const K: usize> Center<K> {
-    /// The coordinates that are negative, as bits; `None` if one may be zero.
+impl<const K: usize> CenterCoordinates<K> {
+    /// Returns the coordinates that are negative, as bits; `None` if one may be zero.
     fn negative(&self) -> Option<u16> {
         let first = 1.0 - self.x.iter().sum::<f64>();
         let magnitudes = self.x.iter().fold(1.0, |sum, x| sum + x.abs());
@@ -303,7 +281,8 @@ impl<const K: usize> Center<K> {
     }
 }
 
-/// The double that is nearest to a number known up to `error`; `None` if it may be either of two.
+/// Returns the double that is nearest to a number known up to `error`; `None` if it may be either
+/// of two.
 fn nearest(number: DoubleDouble, error: f64) -> Option<f64> {
     let ends = [number.low - error, number.low + error].map(|low| number.high + low);
     (ends[0] == ends[1]).then_some(ends[0])

@@ -9,12 +9,12 @@ pub(super) struct Components {
 }
 
 impl Components {
-    /// Each of `count` items in a set of its own.
+    /// Puts each of `count` items into a set of its own.
     pub fn new(count: usize) -> AllocResult<Self> {
         Ok(Self { parents: collected(0..count as u32)?, count })
     }
 
-    /// The number of sets.
+    /// Returns the number of sets.
     pub fn count(&self) -> usize {
         self.count
     }

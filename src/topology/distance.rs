@@ -8,8 +8,8 @@
 //! proves that the factor between those bounds, of which the root is returned, is that of the
 //! interleaving.
 
-use super::alpha::{flat, radii, refuse_cut};
-use super::circumscribed::Radius;
+use super::alpha::{flat, radii, refuse_cropped};
+use super::radius::Radius;
 use super::reach::{fill_reaches, is_sound};
 use super::{Faces, Filtration, Level, Numbers};
 use crate::arrays::{Circumcenters, Part};
@@ -20,8 +20,8 @@ use crate::numerics::{coordinates, distance as length};
 use crate::query::view::View;
 use crate::query::{Among, Index};
 
-/// The filtration of a mesh by the distance to its inputs. `index` is that of the mesh; `faces`
-/// from dimension 0 or 1 on. `threads` as in the options.
+/// Computes the filtration of a mesh by the distance to its inputs. `index` is that of the mesh;
+/// `faces` are from dimension 0 or 1 on. `threads` is the number of threads, 0 for all cores.
 ///
 /// # Errors
 /// `InvalidArgument` (faces of another mesh; a flat simplex), `OutOfMemory`.
@@ -31,8 +31,8 @@ pub fn distances(
     index: &Index,
     threads: u32,
 ) -> Result<Filtration> {
-    refuse_cut(mesh)?;
-    let cells = Cells::new(mesh, index, threads)?;
+    refuse_cropped(mesh)?;
+    let cells = CellRadii::new(mesh, index, threads)?;
     let none = || Ok(None);
     let found = in_dimension!(
         mesh.dim,
@@ -46,11 +46,12 @@ pub fn distances(
     Ok(Filtration { values, factor: cells.factor, numbers: Numbers::Vertices })
 }
 
-/// How near the Voronoi faces come to the inputs, of the faces that have a vertex in a group.
+/// Computes how near the Voronoi faces come to the inputs, for the faces that have a vertex in a
+/// group.
 fn reaches<const D: usize>(
     mesh: &Triangulation,
     faces: &Faces,
-    cells: &Cells,
+    cells: &CellRadii,
     threads: u32,
 ) -> Result<Option<Vec<Vec<f64>>>> {
     let has_input = |face: &[u32]| face.iter().any(|&vertex| cells.is_input(vertex));
@@ -61,14 +62,14 @@ fn reaches<const D: usize>(
     Ok(values)
 }
 
-/// When the cells of the vertices come.
-pub(super) struct Cells {
+/// Radii at which the cells of the vertices come into the filtration.
+pub(super) struct CellRadii {
     /// The nearest input of those cells that have the same one everywhere, inputs their own; these
     /// come as far as they are in its ball. [`NONE`] for the others, which come as a whole.
     pub group: Vec<u32>,
-    /// When the others come. 0 for those in a group.
+    /// Radii at which cells outside of groups come. 0 for those in a group.
     times: Vec<f64>,
-    /// When all cells are there: the balls of this radius have a point in common.
+    /// Radius at which all cells are there: the balls of this radius have a point in common.
     end: f64,
     factor: f64,
 }
@@ -79,7 +80,7 @@ const SLACK: f64 = 1e-11;
 /// The relative error that reaches may have ([`is_sound`]).
 const REACH_ERROR: f64 = 1e-6;
 
-impl Cells {
+impl CellRadii {
     pub fn new(mesh: &Triangulation, index: &Index, threads: u32) -> Result<Self> {
         let count = mesh.vertex_count();
         let (mut nearest, mut distances) = (filled(count, NONE)?, filled(count, 0.0)?);
@@ -178,7 +179,7 @@ fn leave_groups<const D: usize>(
     Ok(())
 }
 
-/// For each vertex how far its Voronoi cell reaches: infinitely on the hull.
+/// Returns for each vertex how far its Voronoi cell reaches: infinitely on the hull.
 fn outer_radii(mesh: &Triangulation, radii: &[f64]) -> Result<Vec<f64>> {
     let mut outer = filled(mesh.vertex_count(), 0.0f64)?;
     for (simplex, &radius) in radii.iter().enumerate() {
@@ -192,8 +193,8 @@ fn outer_radii(mesh: &Triangulation, radii: &[f64]) -> Result<Vec<f64>> {
     Ok(outer)
 }
 
-/// A radius at which balls round the inputs have a point in common: the centre of their box, or the
-/// input nearest to it, about which the root of a mesh is.
+/// Returns a radius at which balls round the inputs have a point in common: the centre of their
+/// box, or the input nearest to it, about which the root of a mesh is.
 fn radius_of_all(mesh: &Triangulation) -> f64 {
     in_dimension!(mesh.dim, D => least_radius::<D>(mesh), _ => f64::INFINITY)
 }

@@ -13,7 +13,7 @@ pub(super) struct DoubleDouble {
 impl DoubleDouble {
     pub const ZERO: Self = Self { high: 0.0, low: 0.0 };
 
-    /// `a - b`, exactly.
+    /// Returns `a - b`, exactly.
     #[inline]
     pub fn difference(a: f64, b: f64) -> Self {
         let high = a - b;
@@ -21,7 +21,7 @@ impl DoubleDouble {
         Self { high, low: (a - (high - part)) - (b + part) }
     }
 
-    /// `a * b`, exactly.
+    /// Returns `a * b`, exactly.
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
@@ -30,14 +30,14 @@ impl DoubleDouble {
         Self { high, low: rest + a_low * b_low }
     }
 
-    /// With the parts normalised, for `high` no smaller than `low`.
+    /// Normalises the parts, for `high` no smaller than `low`.
     #[inline]
     fn of_parts(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self { high: sum, low: low - (sum - high) }
     }
 
-    /// By a power of two: exact.
+    /// Multiplies by a power of two: exact.
     #[inline]
     pub fn scaled(self, power: f64) -> Self {
         Self { high: self.high * power, low: self.low * power }

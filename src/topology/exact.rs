@@ -1,12 +1,12 @@
 //! The smallest circumscribing ball of a face in integers.
 
-use super::circumscribed::Radius;
+use super::radius::Radius;
 use crate::memory::AllocResult;
 use crate::quality::exact::{Integer, Matrix, Number, Refusal, ratio, unbounded, unit};
 use std::cmp::Ordering;
 
-/// The barycentric coordinates of the circumcentre of `points` that are negative, as bits; `None`
-/// if the face is flat.
+/// Returns the barycentric coordinates of the circumcentre of `points` that are negative, as bits;
+/// `None` if the face is flat.
 pub(super) fn negative_coordinates<const D: usize>(
     points: &[&[f64; D]],
 ) -> AllocResult<Option<u16>> {
@@ -18,8 +18,9 @@ pub(super) fn negative_coordinates<const D: usize>(
     }
 }
 
-/// With `x` such that the products of the edges from the first point with the sum of `x_i edge_i`
-/// are their squares, the coordinates are `x_i / 2`, and what is left to 1 for the first point.
+/// Finds the negative coordinates with numbers of one type. With `x` such that the products of the
+/// edges from the first point with the sum of `x_i edge_i` are their squares, the coordinates are
+/// `x_i / 2`, and what is left to 1 for the first point.
 fn negative_in<N: Number, const D: usize>(
     points: &[&[f64; D]],
     unit: i32,
@@ -41,7 +42,7 @@ fn negative_in<N: Number, const D: usize>(
     Ok(Some(negative | u16::from(first.sign() == Ordering::Less)))
 }
 
-/// The radius that is wanted; `None` if the face is flat.
+/// Computes the radius in the form that is wanted; `None` if the face is flat.
 pub(super) fn radius<const D: usize>(
     points: &[&[f64; D]],
     wanted: Radius,
@@ -69,8 +70,8 @@ pub(super) fn radius<const D: usize>(
     Ok(wanted.of_square(square, (half + exponent / 2) as i32))
 }
 
-/// `numerator / denominator * 2^exponent` for positive numbers, rounded to the nearest double, to
-/// the even one of two.
+/// Returns `numerator / denominator * 2^exponent` for positive numbers, rounded to the nearest
+/// double, to the even one of two.
 fn rounded(numerator: &Integer, denominator: &Integer, exponent: i64) -> Result<f64, Refusal> {
     let exact = Quotient { numerator, denominator, exponent };
     let (about, shift) = ratio(numerator, denominator);
@@ -94,8 +95,8 @@ struct Quotient<'a> {
 }
 
 impl Quotient<'_> {
-    /// Whether it rounds to what is above `x`: it is above the midpoint of `x` and the next double,
-    /// or it is there and `x` is odd.
+    /// Returns true if the quotient rounds to what is above `x`: it is above the midpoint of `x`
+    /// and the next double, or it is there and `x` is odd.
     fn is_above_midpoint(&self, x: f64) -> Result<bool, Refusal> {
         let field = (x.to_bits() >> 52) as i64;
         let fraction = (x.to_bits() & ((1 << 52) - 1)) as i64;
@@ -112,7 +113,7 @@ impl Quotient<'_> {
     }
 }
 
-/// `value * 2^exponent`, rounded.
+/// Returns `value * 2^exponent`, rounded.
 fn scaled(value: f64, exponent: i64) -> f64 {
     crate::query::unit::scaled(value, exponent.clamp(-2200, 2200) as i32)
 }

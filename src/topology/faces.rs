@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 pub struct Faces {
     /// The least dimension that is there.
     lowest: usize,
-    /// From the lowest dimension.
+    /// Faces of each dimension, from the lowest.
     levels: Vec<Level>,
     /// The id that each simplex has as a face.
     of_simplices: Vec<u32>,
@@ -24,25 +24,27 @@ pub struct Faces {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Level {
     k: usize,
-    /// `faces x (k + 1)` vertex ids, ascending within a face; the faces in lexicographic order.
+    /// Vertices of the faces: `faces x (k + 1)` ids, ascending within a face; the faces in
+    /// lexicographic order.
     pub vertices: Vec<u32>,
-    /// `faces x (k + 1)` ids of faces of dimension `k - 1`: entry `i` is the face without vertex
-    /// `i`. Empty where those are not there.
+    /// Facets of the faces: `faces x (k + 1)` ids of faces of dimension `k - 1`, where entry `i` is
+    /// the face without vertex `i`. Empty where those are not there.
     pub boundary: Vec<u32>,
 }
 
 impl Level {
-    /// The number of faces.
+    /// Returns the number of faces.
     pub fn count(&self) -> usize {
         self.vertices.len() / (self.k + 1)
     }
 
-    /// The vertices of a face.
+    /// Returns the vertices of a face.
     pub fn face(&self, at: usize) -> &[u32] {
         &self.vertices[at * (self.k + 1)..][..self.k + 1]
     }
 
-    /// For each of `below` faces of dimension `k - 1` the faces that have it as a facet, ascending.
+    /// Returns for each of `below` faces of dimension `k - 1` the faces that have it as a facet,
+    /// ascending.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -54,16 +56,16 @@ impl Level {
         Ok(Lists::of_pairs(below, pairs)?)
     }
 
-    /// The facets of a face.
+    /// Returns the facets of a face.
     pub fn facets(&self, at: usize) -> &[u32] {
         &self.boundary[at * (self.k + 1)..][..self.k + 1]
     }
 }
 
 impl Faces {
-    /// The faces of dimension `lowest` and more. Those of dimension 0 are all vertices of the mesh,
-    /// so that the id of each is its own. `threads` as in the options. O(faces x dim log(faces at a
-    /// vertex)).
+    /// Finds the faces of dimension `lowest` and more. Those of dimension 0 are all vertices of the
+    /// mesh, so that the id of each is its own. `threads` is the number of threads, 0 for all
+    /// cores. O(faces x dim log(faces at a vertex)).
     ///
     /// # Errors
     /// `InvalidArgument` (arrays that do not fit together), `Limit` (more faces of a dimension, or
@@ -88,28 +90,28 @@ impl Faces {
         Ok(Self { lowest, levels, of_simplices })
     }
 
-    /// The faces of dimension `k`, which must be there.
+    /// Returns the faces of dimension `k`, which must be there.
     pub fn of_dimension(&self, k: usize) -> &Level {
         &self.levels[k - self.lowest]
     }
 
-    /// The dimension of the simplices.
+    /// Returns the dimension of the simplices.
     pub fn dim(&self) -> usize {
         self.lowest + self.levels.len() - 1
     }
 
-    /// For each simplex of the mesh its id among the faces of its dimension.
+    /// Returns for each simplex of the mesh its id among the faces of its dimension.
     pub fn of_simplices(&self) -> &[u32] {
         &self.of_simplices
     }
 
-    /// The least dimension that is there.
+    /// Returns the least dimension that is there.
     pub fn lowest(&self) -> usize {
         self.lowest
     }
 }
 
-/// `body` with the type of keys of `k` vertices.
+/// Expands to `body` with the type of keys of `k` vertices.
 macro_rules! with_key {
     ($k:expr, $bits:expr, $K:ident => $body:expr) => {
         match $k as u32 * $bits {
@@ -129,7 +131,7 @@ macro_rules! with_key {
     };
 }
 
-/// The simplices, their vertices ascending, and the id of each.
+/// Returns the simplices, their vertices ascending, and the id of each.
 fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<(Level, Vec<u32>)> {
     let (dim, count) = (mesh.dim, mesh.vertex_count());
     let mut sorted = copied(&mesh.simplices)?;
@@ -146,7 +148,7 @@ fn simplices(mesh: &Triangulation, threads: usize) -> AllocResult<(Level, Vec<u3
     Ok((Level { k: dim, vertices, boundary: Vec::new() }, ids))
 }
 
-/// The facets of the faces of a dimension, and its boundary.
+/// Returns the facets of the faces of a dimension, and its boundary.
 fn facets(count: usize, above: &Level, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
     let k = above.k - 1;
     u32::try_from(above.vertices.len()).map_err(|_| AllocError::Ids)?;
@@ -178,7 +180,7 @@ struct Given<K> {
     /// The dimension of the faces.
     k: usize,
     bits: u32,
-    /// Where the next entry of each vertex goes; in the end, where its list ends.
+    /// Position of the next entry of each vertex; in the end, the end of its list.
     ends: Vec<usize>,
     entries: Vec<Entry<K>>,
 }
@@ -206,8 +208,8 @@ impl<K: Key> Given<K> {
         *end += 1;
     }
 
-    /// The vertices of the distinct faces in lexicographic order, and the id of each that was
-    /// added.
+    /// Returns the vertices of the distinct faces in lexicographic order, and the id of each that
+    /// was added.
     fn distinct(mut self, threads: usize) -> AllocResult<(Vec<u32>, Vec<u32>)> {
         let counts = self.sort(threads)?;
         let total = counts.iter().sum::<usize>();
@@ -254,7 +256,7 @@ impl<K: Key> Given<K> {
         Ok(counts)
     }
 
-    /// The lists in pieces of work.
+    /// Splits the lists into pieces of work.
     fn pieces(&mut self) -> impl Iterator<Item = Piece<'_, K>> {
         let (mut rest, mut start) = (&mut self.entries[..], 0);
         self.ends.chunks(PIECE).enumerate().map(move |(at, ends)| {
@@ -271,15 +273,15 @@ impl<K: Key> Given<K> {
 struct Piece<'a, K> {
     /// The first vertex.
     vertex: u32,
-    /// Where its list begins.
+    /// Position where the list of the first vertex begins.
     first: usize,
-    /// Where the lists end.
+    /// Positions where the lists end.
     ends: &'a [usize],
     entries: &'a mut [Entry<K>],
 }
 
 impl<'a, K> Piece<'a, K> {
-    /// The vertices and their lists.
+    /// Returns the vertices and their lists.
     fn lists(self) -> impl Iterator<Item = (u32, &'a mut [Entry<K>])> {
         let (mut rest, mut start) = (self.entries, self.first);
         (self.vertex..).zip(self.ends).map(move |(vertex, &end)| {

@@ -8,13 +8,13 @@ pub(super) trait Key: Copy + Ord + Default + Send {
     fn pack(vertices: &[u32], bits: u32) -> Self;
     /// Writes the vertices.
     fn unpack(self, bits: u32, vertices: &mut [u32]);
-    /// Without vertex `i` of `count`.
+    /// Returns the key without vertex `i` of `count`.
     fn without(self, i: usize, count: usize, bits: u32) -> Self;
-    /// One of the bytes, from the least significant; `None` if there are none to sort by.
+    /// Returns one of the bytes, from the least significant; `None` if there are none to sort by.
     fn byte(self, at: u32) -> Option<u8>;
 }
 
-/// How many bits the ids below `count` take.
+/// Returns the number of bits that the ids below `count` take.
 pub(super) fn bits_of_ids(count: usize) -> u32 {
     (usize::BITS - count.saturating_sub(1).leading_zeros()).max(1)
 }
@@ -53,7 +53,7 @@ macro_rules! integer_key {
 integer_key!(u64);
 integer_key!(u128);
 
-/// Where 128 bits are not enough.
+/// Key of more vertices than 128 bits hold.
 impl Key for [u32; MAX_DIM] {
     fn pack(vertices: &[u32], _: u32) -> Self {
         std::array::from_fn(|i| vertices.get(i).copied().unwrap_or(0))

@@ -19,6 +19,7 @@ mod double_double;
 mod exact;
 mod faces;
 mod keys;
+mod radius;
 mod reach;
 #[cfg(test)]
 mod reach_tests;

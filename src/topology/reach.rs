@@ -1,5 +1,5 @@
-//! How near a face of the Voronoi diagram comes to an input, where all of it has the same nearest
-//! input.
+//! Reaches: how near a face of the Voronoi diagram comes to an input, where all of it has the same
+//! nearest input.
 //!
 //! Let N be the points at equal distance from the vertices of a face of the mesh, and c the one of
 //! them nearest to the input. If no vertex is nearer to c than those of the face, c is in the
@@ -43,7 +43,7 @@ pub(super) fn fill_reaches<const D: usize>(
     Ok(())
 }
 
-/// The input nearest to the Voronoi face, if no vertex is one and a group tells.
+/// Returns the input nearest to the Voronoi face, if no vertex is one and a group tells.
 fn group_of(face: &[u32], group: &[u32]) -> Option<u32> {
     let is_input = |&vertex: &u32| group[vertex as usize] == vertex;
     if face.iter().any(is_input) {
@@ -86,14 +86,15 @@ fn product<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     (0..D).map(|axis| a[axis] * b[axis]).sum()
 }
 
-/// Both over the larger of their largest coordinates, so that squares neither overflow nor vanish.
+/// Divides both points by the larger of their largest coordinates, so that squares neither overflow
+/// nor vanish.
 fn scaled_alike<const D: usize>(a: &[f64; D], b: &[f64; D]) -> ([f64; D], [f64; D]) {
     let scale = a.iter().chain(b).fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
     (a.map(|x| x / scale), b.map(|x| x / scale))
 }
 
-/// The point nearest to `input` of those at equal distance from the vertices of a face, less the
-/// first vertex, and its distance from the input.
+/// Returns the point nearest to `input` of those at equal distance from the vertices of a face,
+/// less the first vertex, and its distance from the input.
 fn nearest_on_flat<const D: usize>(
     view: View<'_, D>,
     face: &[u32],
@@ -148,7 +149,7 @@ impl<const D: usize> Basis<D> {
         basis
     }
 
-    /// The vector in the span that has those products with the vectors.
+    /// Returns the vector in the span that has those products with the vectors.
     fn solve(&self, products: impl Iterator<Item = f64>) -> [f64; D] {
         let (mut parts, mut found) = ([0.0; MAX_DIM], [0.0; D]);
         for (i, product) in products.enumerate() {
@@ -159,13 +160,14 @@ impl<const D: usize> Basis<D> {
         found
     }
 
-    /// The least of the heights of the vectors over those before them.
+    /// Returns the least of the heights of the vectors over those before them.
     fn least_height(&self) -> f64 {
         (0..self.size).map(|i| self.rows[i][i]).fold(f64::INFINITY, f64::min)
     }
 }
 
-/// Whether a simplex is far enough from flat for its faces' reaches to be computed in doubles.
+/// Returns true if a simplex is far enough from flat for its faces' reaches to be computed in
+/// doubles.
 pub(super) fn is_sound<const D: usize>(view: View<'_, D>, simplex: u32) -> bool {
     let vertices = view.simplex(simplex);
     let first = view.point(vertices[0]);

@@ -1,7 +1,7 @@
 //! Reaches against brute force: the nearest point of a Voronoi face is in it if no vertex at all is
 //! nearer to it, and else in a larger face's.
 
-use super::distance::Cells;
+use super::distance::CellRadii;
 use super::{Faces, Filtration, distances};
 use crate::arrays::tests::meshed;
 use crate::mesh::NONE;
@@ -34,8 +34,8 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The point nearest to `input` of those as far from the origin as from the ends of the edges:
-/// `input` and a combination of the edges.
+/// Returns the point nearest to `input` of those as far from the origin as from the ends of the
+/// edges: `input` and a combination of the edges.
 fn nearest_at_equal_distance(edges: &[Vec<f64>], input: &[f64]) -> Vec<f64> {
     let rows = edges.iter().map(|edge| {
         let mut row: Vec<f64> = edges.iter().map(|other| product(edge, other)).collect();
@@ -63,7 +63,7 @@ fn reaches_are_right<const D: usize>(count: usize) {
         };
         let mesh = mesh.triangulation().unwrap();
         let index = Index::new(mesh).unwrap();
-        let group = Cells::new(mesh, &index, 1).unwrap().group;
+        let group = CellRadii::new(mesh, &index, 1).unwrap().group;
         let faces = Faces::new(mesh, 0, 1).unwrap();
         let Filtration { values, .. } = distances(mesh, &faces, &index, 1).unwrap();
         // At the end all of space is there.

@@ -9,7 +9,7 @@
 use super::components::Components;
 use super::{Faces, Filtration};
 use crate::arrays::{Lists, Part};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, collected, filled};
 use crate::mesh::{Inputs, Triangulation};
 
@@ -21,16 +21,16 @@ pub struct AlphaShape<'a> {
     alpha: f64,
 }
 
-/// How a face lies in an alpha shape, as CGAL classifies it.
+/// Class of a face in an alpha shape, as CGAL classifies it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaceClass {
-    /// Not in the shape.
+    /// Faces that are not in the shape.
     Exterior,
-    /// In the shape, and in no larger face of it.
+    /// Faces in the shape that are in no larger face of it.
     Singular,
-    /// On the boundary of the shape, and in a larger face of it.
+    /// Faces on the boundary of the shape, in a larger face of it.
     Regular,
-    /// In the interior of the shape: all simplices round it are in the shape.
+    /// Faces in the interior of the shape: all simplices round them are in the shape.
     Interior,
 }
 
@@ -41,35 +41,35 @@ pub struct Topology {
     pub face_counts: Vec<u64>,
     /// Faces of even dimension less those of odd dimension.
     pub euler_characteristic: i64,
-    /// How many pieces it has.
+    /// Number of connected components.
     pub components: u64,
-    /// How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+    /// Number of bounded pieces that the shape leaves of space: holes in 2D, cavities in 3D.
     pub voids: u64,
-    /// Its Betti numbers, from dimension 0 to `dim - 1`: components and holes in 2D, components,
-    /// tunnels and cavities in 3D. `None` in other dimensions.
+    /// Betti numbers of the shape, from dimension 0 to `dim - 1`: components and holes in 2D,
+    /// components, tunnels and cavities in 3D. `None` in other dimensions.
     pub betti: Option<Vec<u64>>,
 }
 
 impl<'a> AlphaShape<'a> {
-    /// The shape for `alpha`, a squared radius. `faces` from dimension 0 on and their alpha values,
-    /// as [`super::alpha`] makes them.
+    /// Makes the shape for `alpha`, a squared radius. `faces` are from dimension 0 on, and `values`
+    /// their alpha values, as [`super::alpha`] makes them.
     ///
     /// # Errors
     /// `InvalidArgument`: `alpha` is negative or NaN.
     pub fn new(faces: &'a Faces, values: &'a Filtration, alpha: f64) -> Result<Self> {
         if alpha.is_nan() || alpha < 0.0 {
             let message = message!("alpha is {alpha}; it must be at least 0, a squared radius");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(Self { faces, values: &values.values, alpha })
     }
 
-    /// The largest alpha value that a face of the shape may have.
+    /// Returns the largest alpha value that a face of the shape may have.
     pub fn alpha(&self) -> f64 {
         self.alpha
     }
 
-    /// Whether a face of dimension `k` is in the shape.
+    /// Returns true if a face of dimension `k` is in the shape.
     pub fn contains(&self, k: usize, face: usize) -> bool {
         self.values[k][face] <= self.alpha
     }
@@ -79,8 +79,8 @@ impl<'a> AlphaShape<'a> {
     /// # Errors
     /// `OutOfMemory`.
     pub fn topology(&self) -> Result<Topology> {
-        let is_in = |value: &&f64| **value <= self.alpha;
-        let count = |values: &Vec<f64>| values.iter().filter(is_in).count() as u64;
+        let is_within = |value: &&f64| **value <= self.alpha;
+        let count = |values: &Vec<f64>| values.iter().filter(is_within).count() as u64;
         let face_counts = collected(self.values.iter().map(count))?;
         let signs = [1, -1].into_iter().cycle();
         let euler: i64 =
@@ -95,7 +95,7 @@ impl<'a> AlphaShape<'a> {
         Ok(Topology { face_counts, euler_characteristic: euler, components, voids, betti })
     }
 
-    /// Vertices have the value 0, so each is in some component.
+    /// Counts the components. Vertices have the value 0, so each is in some component.
     fn components(&self) -> AllocResult<usize> {
         let mut components = Components::new(self.faces.of_dimension(0).count())?;
         for (edge, ends) in self.faces.of_dimension(1).vertices.chunks_exact(2).enumerate() {
@@ -106,8 +106,8 @@ impl<'a> AlphaShape<'a> {
         Ok(components.count())
     }
 
-    /// Simplices outside the shape are connected across facets outside it; one more item is all
-    /// that is beyond the hull.
+    /// Counts the voids. Simplices outside the shape are connected across facets outside it; one
+    /// more item is all that is beyond the hull.
     fn voids(&self) -> Result<usize> {
         let dim = self.faces.dim();
         let sides = sides(self.faces)?;
@@ -122,7 +122,7 @@ impl<'a> AlphaShape<'a> {
         Ok(components.count() - in_shape - 1)
     }
 
-    /// How each face of dimension `k` lies in the shape. O(faces of dimension `k` and more).
+    /// Returns the class of each face of dimension `k`. O(faces of dimension `k` and more).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -147,12 +147,13 @@ impl<'a> AlphaShape<'a> {
         Ok(collected((0..is_interior.len()).map(class))?)
     }
 
-    /// Whether each face of dimension `k` is in the shape.
+    /// Returns for each face of dimension `k` whether it is in the shape.
     fn contained(&self, k: usize) -> AllocResult<Vec<bool>> {
         collected(self.values[k].iter().map(|&value| value <= self.alpha))
     }
 
-    /// Which faces of dimension `k` are in the interior, by those of one more dimension that are.
+    /// Returns for each face of dimension `k` whether it is in the interior, by those of one more
+    /// dimension that are.
     fn interior(&self, k: usize, above: &[bool]) -> AllocResult<Vec<bool>> {
         let level = self.faces.of_dimension(k + 1);
         let mut is_interior = self.contained(k)?;
@@ -169,48 +170,50 @@ impl<'a> AlphaShape<'a> {
         Ok(is_interior)
     }
 
-    /// The simplices of the shape, as a part of the mesh: its hull is the boundary of the regular
-    /// shape, its volumes add up to that of the shape.
+    /// Returns the simplices of the shape, as a part of the mesh: its hull is the boundary of the
+    /// regular shape, its volumes add up to that of the shape.
     ///
     /// # Errors
     /// `InvalidArgument` (faces of another mesh), `OutOfMemory`.
     pub fn solid<'b>(&self, mesh: &'b Triangulation) -> Result<Part<'b>> {
         let dim = self.faces.dim();
         let of_simplices = self.faces.of_simplices().iter();
-        let is_in = collected(of_simplices.map(|&face| self.contains(dim, face as usize)))?;
-        Part::of_chosen(mesh, is_in)
+        let contained = collected(of_simplices.map(|&face| self.contains(dim, face as usize)))?;
+        Part::of_chosen(mesh, contained)
     }
 
     /// Returns the boundary of the simplices of the shape: facets of `dim` inputs each, of equal
     /// ones the first, oriented outwards.
     ///
     /// # Errors
-    /// As [`AlphaShape::solid`].
+    /// Fails as [`AlphaShape::solid`] does.
     pub fn boundary(&self, inputs: &Inputs, mesh: &Triangulation) -> Result<Vec<u32>> {
         let mut facets = self.solid(mesh)?.hull()?.vertices;
-        for corner in &mut facets {
-            *corner = inputs.first_input(*corner as usize).expect("a vertex that is an input");
+        for vertex in &mut facets {
+            *vertex = inputs.first_input(*vertex as usize).expect("a vertex that is an input");
         }
         Ok(facets)
     }
 
-    /// The volume of the shape (an area in 2D), up to a relative error of 1e-12. O(simplices).
+    /// Computes the volume of the shape (an area in 2D), up to a relative error of 1e-12.
+    /// O(simplices).
     ///
     /// # Errors
-    /// As [`AlphaShape::solid`].
+    /// Fails as [`AlphaShape::solid`] does.
     pub fn volume(&self, mesh: &Triangulation) -> Result<f64> {
         Ok(compensated_sum(&self.solid(mesh)?.volumes()?))
     }
 }
 
-/// The simplices on either side of each facet, or the one.
+/// Returns the simplices on either side of each facet, or the one.
 fn sides(faces: &Faces) -> Result<Lists> {
     let facets = faces.of_dimension(faces.dim() - 1).count();
     faces.of_dimension(faces.dim()).coboundary(facets)
 }
 
-/// The sum of numbers that are not negative, with the errors of its roundings summed as well (A.
-/// Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen", 1974).
+/// Returns the sum of numbers that are not negative, with the errors of its roundings summed as
+/// well (A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen",
+/// 1974).
 fn compensated_sum(terms: &[f64]) -> f64 {
     let (mut sum, mut error) = (0.0f64, 0.0);
     for &term in terms {
@@ -221,7 +224,7 @@ fn compensated_sum(terms: &[f64]) -> f64 {
     if sum.is_finite() { sum + error } else { sum }
 }
 
-/// Faces of one dimension by ascending value, and those of equal value by id.
+/// Returns faces of one dimension sorted by value, and those of equal value by id.
 fn by_value(values: &[f64]) -> AllocResult<Vec<u32>> {
     let mut order = collected(0..values.len() as u32)?;
     let value = |&face: &u32| values[face as usize];
@@ -229,9 +232,9 @@ fn by_value(values: &[f64]) -> AllocResult<Vec<u32>> {
     Ok(order)
 }
 
-/// The least alpha for which the shape is connected, and with it all vertices: a quarter of the
-/// square of the longest edge of their least spanning tree. Arguments as of [`AlphaShape::new`].
-/// O(edges log edges).
+/// Returns the least alpha for which the shape is connected, and with it all vertices: a quarter of
+/// the square of the longest edge of their least spanning tree. Arguments are those of
+/// [`AlphaShape::new`]. O(edges log edges).
 ///
 /// # Errors
 /// `OutOfMemory`.
@@ -248,32 +251,34 @@ pub fn connecting_alpha(faces: &Faces, values: &Filtration) -> Result<f64> {
     Ok(alpha)
 }
 
-/// The least alpha for which each vertex is in a simplex of the shape, and its simplices, connected
-/// across facets, are at most `components` pieces: what CGAL calls the optimal alpha. (CGAL finds
-/// it by bisection, as if fewer pieces stayed fewer.) Arguments as of [`AlphaShape::new`].
-/// O(simplices log simplices).
+/// Returns the least alpha for which each vertex is in a simplex of the shape, and its simplices,
+/// connected across facets, are at most `components` pieces: what CGAL calls the optimal alpha.
+/// (CGAL finds it by bisection, as if fewer pieces stayed fewer.) Arguments are those of
+/// [`AlphaShape::new`]. O(simplices log simplices).
 ///
 /// # Errors
 /// `InvalidArgument` (no components), `OutOfMemory`.
 pub fn optimal_alpha(faces: &Faces, values: &Filtration, components: u64) -> Result<f64> {
     if components == 0 {
         let rule = "components is 0; it must be at least 1";
-        return Err(Error::new(ErrorKind::InvalidArgument, rule));
+        return Err(Error::invalid(rule));
     }
     let dim = faces.dim();
     let (simplices, values) = (faces.of_dimension(dim), &values.values[dim]);
     let solid = solid_alpha(faces, values)?;
     let sides = sides(faces)?;
-    let mut is_in = filled(simplices.count(), false)?;
+    let mut contained = filled(simplices.count(), false)?;
     let mut pieces = Components::new(simplices.count())?;
     let order = by_value(values)?;
     let value = |simplex: u32| values[simplex as usize];
     let mut missing = order.len();
     for same in order.chunk_by(|&a, &b| value(a) == value(b)) {
         for &simplex in same {
-            is_in[simplex as usize] = true;
+            contained[simplex as usize] = true;
             for &facet in simplices.facets(simplex as usize) {
-                for &side in sides.of(facet as usize).iter().filter(|&&side| is_in[side as usize]) {
+                for &side in
+                    sides.of(facet as usize).iter().filter(|&&side| contained[side as usize])
+                {
                     pieces.join(simplex, side);
                 }
             }
@@ -287,7 +292,7 @@ pub fn optimal_alpha(faces: &Faces, values: &Filtration, components: u64) -> Res
     Ok(solid)
 }
 
-/// The least alpha for which each vertex is in a simplex of the shape.
+/// Returns the least alpha for which each vertex is in a simplex of the shape.
 fn solid_alpha(faces: &Faces, values: &[f64]) -> AllocResult<f64> {
     let mut least = filled(faces.of_dimension(0).count(), f64::INFINITY)?;
     for (simplex, &value) in values.iter().enumerate() {

@@ -31,7 +31,7 @@ fn each_delaunay<const D: usize>(
     }
 }
 
-/// Some of the values that a filtration has, the least and the largest among them.
+/// Returns some of the values that a filtration has, the least and the largest among them.
 fn some_values(values: &Filtration, count: usize, random: &mut Random) -> Vec<f64> {
     let mut all: Vec<f64> = values.values.concat();
     all.sort_unstable_by(f64::total_cmp);
@@ -41,7 +41,8 @@ fn some_values(values: &Filtration, count: usize, random: &mut Random) -> Vec<f6
     picked
 }
 
-/// The rank of a matrix over the field of two elements: for each row the columns of its ones.
+/// Returns the rank of a matrix over the field of two elements, given for each row the columns of
+/// its ones.
 fn rank(rows: Vec<BTreeSet<u32>>) -> usize {
     let mut reduced: Vec<BTreeSet<u32>> = Vec::new();
     for mut row in rows {
@@ -92,7 +93,7 @@ fn betti_numbers_are_those_of_elimination() {
     betti_numbers_are_right::<4>(9, 2);
 }
 
-/// The vertices of all faces of dimension `k`.
+/// Returns the vertices of all faces of dimension `k`.
 fn sets(faces: &Faces, k: usize) -> Vec<BTreeSet<u32>> {
     let level = faces.of_dimension(k);
     (0..level.count()).map(|face| level.face(face).iter().copied().collect()).collect()
@@ -141,7 +142,7 @@ fn classes_are_those_of_the_definition() {
     classes_are_right::<4>(8);
 }
 
-/// Pieces of the simplices of a shape, by spreading across facets.
+/// Counts the pieces of the simplices of a shape, by spreading across facets.
 fn pieces(faces: &Faces, shape: &AlphaShape<'_>) -> usize {
     let simplices = faces.of_dimension(faces.dim());
     let share =
@@ -192,7 +193,7 @@ fn values_that_connect_are_the_least() {
     values_that_connect_are_right::<3>(10);
 }
 
-/// The Betti numbers of a sampled shape for a radius.
+/// Returns the Betti numbers of a sampled shape for a radius.
 fn betti_of<const D: usize>(points: &[[f64; D]], radius: f64) -> Vec<u64> {
     let mesh = meshed(points, &delaunay()).unwrap();
     let (faces, values) = made(mesh.triangulation().unwrap());

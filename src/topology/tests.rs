@@ -1,6 +1,6 @@
 //! Faces and alpha values against brute force in exact numbers, on points that have broken others.
 
-use super::distance::Cells;
+use super::distance::CellRadii;
 use super::{Faces, Filtration, alpha, distances};
 use crate::arrays::tests::{delaunay, each_mesh, meshed};
 use crate::error::ErrorKind;
@@ -12,7 +12,7 @@ use crate::{Options, Output};
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The subsets of a simplex with `size` vertices, ascending.
+/// Returns the subsets of a simplex with `size` vertices, ascending.
 fn subsets(simplex: &[u32], size: usize) -> Vec<Vec<u32>> {
     let chosen = (0..1u32 << simplex.len()).filter(|set| set.count_ones() as usize == size);
     let face = |set: u32| {
@@ -73,7 +73,7 @@ fn product(a: &[IBig], b: &[IBig]) -> IBig {
     a.iter().zip(b).fold(IBig::ZERO, |sum, (a, b)| sum + a * b)
 }
 
-/// By Cramer's rule.
+/// Computes the ball of a face by Cramer's rule.
 fn ball(points: &[Vec<IBig>], face: &[u32]) -> Ball {
     let edges = edges(points, face[0], &face[1..]);
     let products: Vec<Vec<IBig>> =
@@ -94,7 +94,7 @@ fn edges(points: &[Vec<IBig>], origin: u32, ends: &[u32]) -> Vec<Vec<IBig>> {
     ends.iter().map(|end| point(end).iter().zip(start).map(|(a, b)| a - b).collect()).collect()
 }
 
-/// Whether no point at all is strictly in the ball of a face.
+/// Returns true if no point at all is strictly in the ball of a face.
 fn is_gabriel(points: &[Vec<IBig>], face: &[u32], ball: &Ball) -> bool {
     let of_face = edges(points, face[0], &face[1..]);
     (0..points.len() as u32).filter(|other| !face.contains(other)).all(|other| {
@@ -109,7 +109,7 @@ fn is_less(a: &Ball, b: &Ball) -> bool {
     &a.sum * &b.determinant < &b.sum * &a.determinant
 }
 
-/// Whether `value` is the double nearest to a squared radius.
+/// Returns true if `value` is the double nearest to a squared radius.
 fn is_nearest(value: f64, ball: &Ball) -> bool {
     // Twice the value that rounds neither up nor down, in units of 2^-1074.
     let middle = |a: f64, b: f64| integer(a) + integer(b);
@@ -125,7 +125,7 @@ fn is_nearest(value: f64, ball: &Ball) -> bool {
     scaled(low) <= twice && twice <= scaled(high)
 }
 
-/// The definition with all points, from the simplices down.
+/// Computes the balls by their definition with all points, from the simplices down.
 fn expected_balls(mesh: &Triangulation, points: &[Vec<IBig>]) -> BTreeMap<Vec<u32>, Ball> {
     let mut found = BTreeMap::<Vec<u32>, Ball>::new();
     for size in (2..=mesh.dim + 1).rev() {
@@ -194,8 +194,9 @@ fn mesh_index(mesh: &Triangulation) -> Index {
     Index::new(mesh).unwrap()
 }
 
-/// The cells are where the definition says: each point of the box is in the cell of the vertex
-/// nearest to it, whose time and whose distance from the inputs differ by no more than the factor.
+/// Holds that the cells are where the definition says: each point of the box is in the cell of the
+/// vertex nearest to it, whose time and whose distance from the inputs differ by no more than the
+/// factor.
 fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
     let (mut checked, mut grouped) = (0, 0);
     for family in [Family::Uniform, Family::Grid, Family::FarCluster, Family::Cospherical] {
@@ -207,7 +208,7 @@ fn times_bound_distances<const D: usize>(count: usize, options: &Options) {
         let faces = Faces::new(mesh, 0, 2).unwrap();
         let Filtration { values, factor, .. } =
             distances(mesh, &faces, &mesh_index(mesh), 1).unwrap();
-        let group = Cells::new(mesh, &mesh_index(mesh), 1).unwrap().group;
+        let group = CellRadii::new(mesh, &mesh_index(mesh), 1).unwrap().group;
         assert!((1.0..f64::INFINITY).contains(&factor), "{family:?} {factor}");
         let is_input = |vertex: usize| mesh.kinds[vertex] == VertexKind::Input;
         let times = &values[0];

@@ -83,7 +83,7 @@ fn check_ids(mesh: &Triangulation, findings: &mut Findings) -> bool {
     holds
 }
 
-/// No vertex twice in a simplex, and none in no simplex.
+/// Checks that no vertex is twice in a simplex, and none in no simplex.
 fn check_use(mesh: &Triangulation, findings: &mut Findings) -> AllocResult<()> {
     let mut used = filled(mesh.kinds.len(), false)?;
     for s in 0..mesh.simplex_count() {

@@ -49,13 +49,13 @@ pub(super) fn check<const D: usize>(
     Ok(())
 }
 
-/// Whether the bound is promised for the cell of `v`.
+/// Returns true if the bound is promised for the cell of `v`.
 fn is_bounded<const D: usize>(view: View<'_, D>, v: usize) -> bool {
     view.mesh.cage_of[v] == NONE && !view.mesh.precision_limited[v] && !gave_way(view, v)
 }
 
-/// Whether the run says that the bound gave way to the angle at a cell or a simplex, and was asked
-/// to let it.
+/// Returns true if the run says that the bound gave way to the angle at a cell or a simplex, and
+/// was asked to let it.
 fn gave_way<const D: usize>(view: View<'_, D>, id: usize) -> bool {
     let Parameters { gives_way, min_dihedral, .. } = view.mesh.parameters;
     gives_way == GivesWay::Bound
@@ -63,8 +63,8 @@ fn gave_way<const D: usize>(view: View<'_, D>, id: usize) -> bool {
         && view.mesh.beyond_bound.binary_search(&(id as u32)).is_ok()
 }
 
-/// Whether the bound is promised for a simplex: in a domain that is closed for every one, in others
-/// for those away from cages whose corner counts.
+/// Returns true if the bound is promised for a simplex: in a domain that is closed for every one,
+/// in others for those away from cages whose corner counts.
 fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
     let vertices = view.simplex(cell.simplex);
     let is_limited = |&v: &u32| view.mesh.precision_limited[v as usize];
@@ -75,9 +75,9 @@ fn is_promised<const D: usize>(view: View<'_, D>, cell: &SimplexCell) -> bool {
             || cell.counts && vertices.iter().all(|&v| view.mesh.cage_of[v as usize] == NONE))
 }
 
-/// Whether the bound is promised over all corners of a domain's cells, not only over those within
-/// the corner restriction: its cage must surround its inputs, which are within epsilon of its
-/// radius. The root's cage always does.
+/// Returns true if the bound is promised over all corners of a domain's cells, not only over those
+/// within the corner restriction: its cage must surround its inputs, which are within epsilon of
+/// its radius. The root's cage always does.
 fn counts_all_corners<const D: usize>(view: View<'_, D>, domain: u32) -> bool {
     let parameters = &view.mesh.parameters;
     domain == 0 || parameters.epsilon <= SURROUNDED * parameters.cage_scale

@@ -14,7 +14,7 @@ pub(super) struct Bounds<const D: usize> {
 }
 
 impl<const D: usize> Bounds<D> {
-    /// A box that surely holds the closed ball, rounding included.
+    /// Returns a box that surely holds the closed ball, rounding included.
     pub fn of_ball(center: &[f64; D], radius: f64) -> Self {
         let reach = |x: f64| radius + radius * 1e-9 + x.abs() * 1e-15;
         Self { low: center.map(|x| x - reach(x)), high: center.map(|x| x + reach(x)) }
@@ -52,7 +52,7 @@ pub(super) struct BoxTree<const D: usize> {
 }
 
 impl<const D: usize> BoxTree<D> {
-    /// Of the balls of `ids`, whose centres are vertices. O(n log n).
+    /// Builds the tree of the balls of `ids`, whose centres are vertices. O(n log n).
     pub fn new(view: View<'_, D>, domains: &[Domain], ids: &[u32]) -> AllocResult<Self> {
         let bounds = |&id: &u32| {
             let domain = &domains[id as usize];
@@ -82,7 +82,7 @@ impl<const D: usize> BoxTree<D> {
         self.build(start + middle, end)
     }
 
-    /// The first domain whose box meets `bounds` and that `accept` takes.
+    /// Returns the first domain whose box meets `bounds` and that `accept` takes.
     pub fn find(&self, bounds: &Bounds<D>, mut accept: impl FnMut(u32) -> bool) -> Option<u32> {
         // One node waits per level; the tree is halved at each.
         let mut stack = [0; 2 * usize::BITS as usize];

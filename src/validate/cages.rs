@@ -11,8 +11,8 @@ use crate::quality::precision_limited_cages;
 use crate::quality::tree::DomainTree;
 use crate::quality::view::View;
 
-/// How many ancestors may be tried for inner encroachment per vertex on average once something is
-/// wrong; in a hierarchy that holds, radii fall too fast for chains of that length.
+/// Largest number of ancestors that may be tried for inner encroachment per vertex on average once
+/// something is wrong; in a hierarchy that holds, radii fall too fast for chains of that length.
 const CLIMBS_PER_VERTEX: usize = 64;
 
 /// Checks cages of a hierarchy whose ids are in range, with the cells of the same mesh.
@@ -47,7 +47,8 @@ fn check_membership<const D: usize>(view: View<'_, D>, tree: &DomainTree, findin
     }
 }
 
-/// Nearness (§4) of each cage vertex, and enough of them; the root's cage is a matter of taste.
+/// Checks that each cage vertex is near its sphere (§4, nearness), and that there are enough of
+/// them; the root's cage is a matter of taste.
 fn check_positions<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> AllocResult<()> {
     let mut sizes = filled(view.mesh.domains.len(), 0usize)?;
     for (v, &cage) in view.mesh.cage_of.iter().enumerate().filter(|(_, cage)| **cage != NONE) {
@@ -85,7 +86,8 @@ fn check_nearness<const D: usize>(
     findings.check(near, || {
         let (found, wanted) = (distance.to_f64(), sphere.to_f64());
         let message = message!(
-            "cage vertex {v} is {found:e} from the centre of domain {cage}, its sphere is at {wanted:e}"
+            "cage vertex {v} is {found:e} from the centre of domain {cage}, its sphere is at \
+             {wanted:e}"
         );
         Violation::new(ViolationKind::CageRadius, message).vertex(v).domain(cage)
     });
@@ -102,8 +104,8 @@ fn check_hull<const D: usize>(view: View<'_, D>, findings: &mut Findings) -> All
     Ok(())
 }
 
-/// No vertex in annulus(c, r, outf r / epsilon). It is enough to look at the nearest vertex
-/// outside the subtree's ball; that the others are inside is checked with the labels.
+/// Checks that no vertex is in annulus(c, r, outf r / epsilon). It is enough to look at the nearest
+/// vertex outside the subtree's ball; that the others are inside is checked with the labels.
 fn check_outer<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
@@ -119,16 +121,18 @@ fn check_outer<const D: usize>(
     for (i, domain) in view.mesh.domains.iter().enumerate().skip(1) {
         let nearest = cells.cage_nearest[i];
         findings.check(nearest >= Length::new(domain.radius).times(factor), || {
-            let (v, radius, nearest) = (nearest_outside(view, tree, i), domain.radius, nearest.to_f64());
+            let (v, radius) = (nearest_outside(view, tree, i), domain.radius);
+            let nearest = nearest.to_f64();
             let message = message!(
-                "domain {i} of radius {radius:e} is outer-encroached: vertex {v} is {nearest:e} from its centre"
+                "domain {i} of radius {radius:e} is outer-encroached: vertex {v} is {nearest:e} \
+                 from its centre"
             );
             Violation::new(ViolationKind::OuterEncroachment, message).vertex(v).domain(i)
         });
     }
 }
 
-/// The vertex outside a domain's subtree that is nearest to its centre, by trying all.
+/// Returns the vertex outside a domain's subtree that is nearest to its centre, by trying all.
 fn nearest_outside<const D: usize>(view: View<'_, D>, tree: &DomainTree, domain: usize) -> usize {
     let center = view.point(view.mesh.domains[domain].center);
     let labels = view.mesh.vertex_domains.iter().enumerate();
@@ -142,7 +146,8 @@ fn nearest_outside<const D: usize>(view: View<'_, D>, tree: &DomainTree, domain:
     best.0
 }
 
-/// No input in annulus(c, epsilon r, r), cage vertices apart, for each ancestor of its domain.
+/// Checks that no input, cage vertices apart, is in annulus(c, epsilon r, r) of an ancestor of its
+/// domain.
 fn check_inner<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,
@@ -186,8 +191,8 @@ fn check_input<const D: usize>(
     });
 }
 
-/// Domain -> whether its whole ball is within epsilon r of the centre of every ancestor but the
-/// root, so that its vertices encroach none of them.
+/// Returns for each domain whether its whole ball is within epsilon r of the centre of every
+/// ancestor but the root, so that its vertices encroach none of them.
 fn sheltered_domains<const D: usize>(
     view: View<'_, D>,
     tree: &DomainTree,

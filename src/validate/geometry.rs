@@ -49,15 +49,16 @@ fn check_orientation<const D: usize, A: Adaptive>(
     }))
 }
 
-/// The vertex of the neighbour at `slot` that is not in `s`.
+/// Returns the vertex of the neighbour at `slot` that is not in `s`.
 fn opposite<const D: usize>(view: View<'_, D>, s: usize, slot: usize) -> u32 {
     let neighbor = view.neighbors(s)[slot] as usize;
     let back = view.neighbors(neighbor).iter().position(|&n| n as usize == s);
     view.simplex(neighbor)[back.expect("level 1 holds")]
 }
 
-/// Two positively oriented simplices lie on different sides of their facet iff replacing the apex
-/// of one by that of the other gives an odd permutation of the other: no coordinates needed.
+/// Checks that two positively oriented simplices lie on different sides of their facet: replacing
+/// the apex of one by that of the other must give an odd permutation of the other. No coordinates
+/// are needed.
 fn check_fold<const D: usize>(
     view: View<'_, D>,
     s: usize,
@@ -75,13 +76,14 @@ fn check_fold<const D: usize>(
     })
 }
 
-/// Whether the number of inversions is odd.
+/// Returns true if the number of inversions is odd.
 fn parity(ids: &[u32]) -> bool {
     let later = |(i, a): (usize, &u32)| ids[i + 1..].iter().filter(|&b| b < a).count();
     ids.iter().enumerate().map(later).sum::<usize>() % 2 == 1
 }
 
-/// The exact sign seen from the other side is the same determinant, so one side is enough.
+/// Checks that a facet is locally Delaunay. The exact sign seen from the other side is the same
+/// determinant, so one side is enough.
 fn check_delaunay<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     s: usize,

@@ -104,7 +104,7 @@ fn check_centers<const D: usize>(view: View<'_, D>, tree: &DomainTree, findings:
     }
 }
 
-/// Distance of the centres of two domains.
+/// Returns the distance of the centres of two domains.
 fn center_distance<const D: usize>(view: View<'_, D>, a: usize, b: usize) -> Length {
     let center = |i: usize| view.point(view.mesh.domains[i].center);
     Length::between(center(a), center(b))
@@ -122,7 +122,8 @@ fn check_nesting<const D: usize>(
     findings.check(reach <= radius(parent).times(1.0 + ROUNDING), || {
         let (reach, radius) = (reach.to_f64(), view.mesh.domains[parent].radius);
         let message = message!(
-            "the ball of domain {i} reaches {reach:e} from the centre of its parent {parent}, radius {radius:e}"
+            "the ball of domain {i} reaches {reach:e} from the centre of its parent {parent}, \
+             radius {radius:e}"
         );
         Violation::new(ViolationKind::DomainOutsideParent, message).domain(i)
     });
@@ -166,7 +167,8 @@ fn check_label<const D: usize>(
     findings.check(within(label, 1.0 + ROUNDING), || {
         let (found, radius) = (distance(label).to_f64(), domains[label].radius);
         let message = message!(
-            "vertex {v} is {found:e} from the centre of its domain {label}, whose radius is {radius:e}"
+            "vertex {v} is {found:e} from the centre of its domain {label}, whose radius is \
+             {radius:e}"
         );
         Violation::new(ViolationKind::VertexDomain, message).vertex(v).domain(label)
     });

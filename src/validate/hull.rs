@@ -164,7 +164,7 @@ mod tests {
     use crate::options::Options;
     use crate::parameters::Parameters;
 
-    /// The first violation of the hull of a complex of which only the simplices matter.
+    /// Returns the first violation of the hull of a complex of which only the simplices matter.
     fn first_violation<const D: usize>(simplices: &[Vec<u32>]) -> Option<ViolationKind> {
         let shares = |a: &[u32], b: &[u32]| b.iter().filter(|v| a.contains(v)).count() == D;
         let neighbor = |s: &[u32], slot: usize| {

@@ -23,7 +23,7 @@ pub(super) fn check(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findin
     }
 }
 
-/// A plain Delaunay triangulation has the inputs for vertices, and no domains.
+/// Checks that a plain Delaunay triangulation has the inputs for vertices, and no domains.
 pub(super) fn check_plain(inputs: &Inputs, mesh: &Triangulation, findings: &mut Findings) {
     let (vertices, count) = (mesh.vertex_count(), inputs.distinct());
     findings.check(vertices == count, || {

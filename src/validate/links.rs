@@ -70,7 +70,7 @@ fn check_star<const D: usize>(
     Ok(())
 }
 
-/// Number of distinct faces of `size` vertices in the link of `v`; above [`LINK_COUNT_DIM`] only
+/// Counts the distinct faces of `size` vertices in the link of `v`; above [`LINK_COUNT_DIM`] only
 /// those of higher vertices than `v`.
 fn count_faces<const D: usize>(
     view: View<'_, D>,

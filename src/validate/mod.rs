@@ -46,7 +46,7 @@ mod winding;
 pub use boundary::Outline;
 pub use report::{Report, Violation, ViolationKind};
 
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::memory::{AllocResult, TryGrow, collected};
 use crate::mesh::{Inputs, MAX_DIM, MIN_DIM, Mesh, Triangulation, in_dimension};
 use crate::options::{Algorithm, Output};
@@ -61,9 +61,9 @@ use signs::{Adaptive, Robust, Signs};
 /// level 1 holds; level 3 also where level 2 does not. O(m log m) for m simplices in a fixed
 /// dimension; level 1 counts faces, which costs a factor of up to 2^D.
 ///
-/// Of a domain that is cut out, the triangulation that it is cut from is checked, and that the
-/// domain is the part of it that it must be. Without the caller's segments ([`validate_outlined`])
-/// nothing is asked of where subsegments lead, or of what is a hole.
+/// The triangulation that a domain is cropped from is checked, and that the domain is the part of
+/// it that it must be. Without the caller's segments ([`validate_outlined`]) nothing is asked of
+/// where subsegments lead, or of what is a hole.
 ///
 /// # Errors
 /// `InvalidArgument` if `level` is not 1, 2 or 3.
@@ -71,10 +71,11 @@ pub fn validate(inputs: &Inputs, triangulation: &Triangulation, level: u32) -> R
     check_levels(inputs, None, triangulation, level)
 }
 
-/// As [`validate`], with what the caller of the run gave beside the points.
+/// Checks a triangulation as [`validate`] does, and the segments and regions that the caller of the
+/// run gave beside the points.
 ///
 /// # Errors
-/// As [`validate`].
+/// Fails as [`validate`] does.
 pub fn validate_outlined(
     inputs: &Inputs,
     outline: Outline<'_>,
@@ -84,10 +85,10 @@ pub fn validate_outlined(
     check_levels(inputs, Some(outline), triangulation, level)
 }
 
-/// As [`validate_outlined`], for the result of the last run of `mesh`.
+/// Checks the result of the last run of `mesh` as [`validate_outlined`] does.
 ///
 /// # Errors
-/// As [`validate`], and `State` before a run.
+/// Fails as [`validate`] does, and with `State` before a run.
 pub fn validate_mesh(mesh: &Mesh, level: u32) -> Result<Report> {
     let (segments, regions) = mesh.outline_of_result();
     validate_outlined(mesh.inputs(), Outline { segments, regions }, mesh.result()?, level)
@@ -101,7 +102,7 @@ fn check_levels(
 ) -> Result<Report> {
     if !(1..=3).contains(&level) {
         let message = message!("level is {level}; it must be 1, 2 or 3");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     }
     let whole = triangulation.boundary.whole.as_deref().unwrap_or(triangulation);
     let case = Case { inputs, outline, result: triangulation };
@@ -113,16 +114,16 @@ fn check_levels(
     Ok(report(findings?))
 }
 
-/// What is checked beside the triangulation of all of the hull.
+/// Result and inputs, which are checked beside the triangulation of all of the hull.
 #[derive(Clone, Copy)]
 struct Case<'a> {
     inputs: &'a Inputs,
     outline: Option<Outline<'a>>,
-    /// That triangulation or what is cut from it.
+    /// Triangulation of all of the hull, or what is cropped from it.
     result: &'a Triangulation,
 }
 
-/// The findings of each level that was asked for and could be checked.
+/// Returns the findings of each level that was asked for and could be checked.
 fn check<const D: usize>(
     case: Case<'_>,
     view: View<'_, D>,
@@ -150,7 +151,7 @@ fn check<const D: usize>(
     Ok(levels)
 }
 
-/// Level 2, with `signs` of any source.
+/// Checks level 2, with `signs` of any source.
 fn check_geometry<const D: usize, A: Adaptive>(
     view: View<'_, D>,
     signs: &mut Signs<A>,

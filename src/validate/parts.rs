@@ -1,5 +1,6 @@
-//! What a certificate of a mesh in parts needs, which no process has all of: the signs of this one,
-//! radii of cells, and the tree of domains. Like it they share nothing with what builds meshes.
+//! Tools for the certificate of a mesh in parts, which no process has all of: the signs of this
+//! one, radii of cells, and the tree of domains. They share nothing with what builds meshes, as the
+//! certificate does not.
 
 use super::signs::{Robust, Signs};
 use crate::error::Result;
@@ -10,7 +11,7 @@ pub use crate::quality::length::Length;
 use crate::quality::tree::DomainTree;
 use std::cmp::Ordering;
 
-/// The exact sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points.
+/// Returns the exact sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points.
 ///
 /// # Errors
 /// `OutOfMemory`.
@@ -18,8 +19,8 @@ pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Result<Ordering> {
     Ok(Signs::<Robust>::default().orientation(simplex)?)
 }
 
-/// Whether `q` is strictly inside (greater), on (equal) or strictly outside (less) the sphere through
-/// the `D + 1` finite points of a positively oriented simplex. Exact.
+/// Tells whether `q` is strictly inside (greater), on (equal) or strictly outside (less) the sphere
+/// through the `D + 1` finite points of a positively oriented simplex. Exact.
 ///
 /// # Errors
 /// `OutOfMemory`.
@@ -41,12 +42,12 @@ impl Default for Cell {
 }
 
 impl Cell {
-    /// Out-radius over in-radius.
+    /// Returns the out-radius over the in-radius.
     pub fn aspect(&self) -> f64 {
         2.0 * self.farthest.ratio(self.nearest)
     }
 
-    /// The distance to the nearest neighbour; 0 or infinity where that is no double.
+    /// Returns the distance to the nearest neighbour; 0 or infinity where that is no double.
     pub fn nearest(&self) -> f64 {
         self.nearest.to_f64()
     }
@@ -55,12 +56,12 @@ impl Cell {
 /// A simplex with its corner, which is its circumcentre.
 pub struct Simplex<'a, const D: usize> {
     points: &'a [&'a [f64; D]],
-    /// None of a flat simplex.
+    /// Circumcentre; none of a flat simplex.
     corner: Option<Corner<D>>,
 }
 
 impl<'a, const D: usize> Simplex<'a, D> {
-    /// Of `D + 1` points.
+    /// Computes the corner of a simplex of `D + 1` points.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -68,13 +69,13 @@ impl<'a, const D: usize> Simplex<'a, D> {
         Ok(Self { points, corner: Corner::new(points)? })
     }
 
-    /// Circumradius over shortest edge, infinite if the simplex is flat.
+    /// Returns the circumradius over the shortest edge, infinite if the simplex is flat.
     pub fn radius_edge(&self) -> f64 {
         let ratio = |corner: &Corner<D>| corner.radius.ratio(corner.shortest_edge);
         self.corner.as_ref().map_or(f64::INFINITY, ratio)
     }
 
-    /// The distance of the corner to a point, infinite if the simplex is flat.
+    /// Returns the distance of the corner to a point, infinite if the simplex is flat.
     pub fn reach(&self, point: &[f64; D]) -> Length {
         let distance = |corner: &Corner<D>| corner.distance(self.points, point);
         self.corner.as_ref().map_or(Length::INFINITE, distance)
@@ -104,7 +105,8 @@ impl<'a, const D: usize> Simplex<'a, D> {
 pub struct Tree(DomainTree);
 
 impl Tree {
-    /// `None` if they are not such; `parents[0]` does not count.
+    /// Builds the tree of the domains with these parents; `None` if they make no tree. `parents[0]`
+    /// does not count.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -117,12 +119,12 @@ impl Tree {
         Ok(DomainTree::new(&domains)?.map(Self))
     }
 
-    /// Whether `domain` is `ancestor` or below it.
+    /// Returns true if `domain` is `ancestor` or below it.
     pub fn holds(&self, ancestor: u32, domain: u32) -> bool {
         self.0.holds(ancestor, domain)
     }
 
-    /// [`NONE`] for the first.
+    /// Returns the parent of a domain, or [`NONE`] for the first.
     pub fn parent(&self, domain: u32) -> u32 {
         self.0.parent(domain)
     }
@@ -138,16 +140,16 @@ mod tests {
         let simplices = [[0, 1, 2], [0, 2, 3]];
         let mut cells = [Cell::default(); 4];
         for simplex in simplices {
-            let corners = simplex.map(|v: u32| &points[v as usize]);
-            assert_eq!(orientation(&corners).unwrap(), Ordering::Greater);
-            let entered = Simplex::new(&corners).unwrap();
+            let vertices = simplex.map(|v: u32| &points[v as usize]);
+            assert_eq!(orientation(&vertices).unwrap(), Ordering::Greater);
+            let entered = Simplex::new(&vertices).unwrap();
             entered.enter(&mut cells, &simplex);
             assert!((entered.radius_edge() - 0.5f64.sqrt()).abs() < 1e-9);
             assert!((entered.reach(&[0.5, 1.5]).to_f64() - 1.0).abs() < 1e-9);
         }
-        let corners = simplices[0].map(|v| &points[v as usize]);
-        assert_eq!(in_ball(&corners, &points[3]).unwrap(), Ordering::Equal);
-        assert_eq!(in_ball(&corners, &[0.5, 0.5]).unwrap(), Ordering::Greater);
+        let vertices = simplices[0].map(|v| &points[v as usize]);
+        assert_eq!(in_ball(&vertices, &points[3]).unwrap(), Ordering::Equal);
+        assert_eq!(in_ball(&vertices, &[0.5, 0.5]).unwrap(), Ordering::Greater);
         for cell in cells {
             assert!((cell.aspect() - 2f64.sqrt()).abs() < 1e-9);
             assert_eq!(cell.nearest(), 1.0);
@@ -157,8 +159,8 @@ mod tests {
     #[test]
     fn a_flat_simplex_reaches_beyond_all() {
         let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
-        let corners = [&points[0], &points[1], &points[2]];
-        let flat = Simplex::new(&corners).unwrap();
+        let vertices = [&points[0], &points[1], &points[2]];
+        let flat = Simplex::new(&vertices).unwrap();
         assert_eq!((flat.radius_edge(), flat.reach(&points[0])), (f64::INFINITY, Length::INFINITE));
     }
 

@@ -1,4 +1,4 @@
-//! What the checker says: kinds of violations, the first one in words, and counts.
+//! Findings of the checker: kinds of violations, the first one in words, and counts.
 
 use crate::mesh::NONE;
 use std::borrow::Cow;
@@ -7,7 +7,8 @@ use std::borrow::Cow;
 const MESSAGE_BYTES: usize = 159;
 
 /// The rule that a [`Violation`] breaks (values are part of the C ABI: append only). 1 to 99 belong
-/// to level 1, 101 to 199 to level 2, 201 to 299 to level 3.
+/// to level 1, 101 to 199 to level 2, 201 to 299 to level 3. Kinds 51 to 58 are of meshes on
+/// several ranks of MPI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum ViolationKind {
@@ -54,6 +55,24 @@ pub enum ViolationKind {
     /// The arrays of a domain that is cut out are not the first parts of those of the whole, or its
     /// subsegments are not those that are edges of its simplices.
     DomainArrays = 20,
+
+    /// Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
+    /// numbers by two ranks.
+    Ids = 51,
+    /// Two ranks have different coordinates, kinds, domains or cages of a vertex.
+    SharedVertex = 52,
+    /// The owner of a vertex is not the lowest rank that has a simplex with it.
+    VertexOwner = 53,
+    /// A ghost is not what its owner has under its id, or shares no vertex with the rank.
+    Ghost = 54,
+    /// A simplex that shares a vertex with the rank is not among its ghosts.
+    MissingGhost = 55,
+    /// The interface is not the facets whose neighbours are ghosts.
+    Interface = 56,
+    /// The sizes of the whole mesh are not those of all parts.
+    Totals = 57,
+    /// Two ranks have different centres, radii or parents of a domain.
+    SharedDomain = 58,
 
     /// A simplex is flat or negatively oriented.
     Orientation = 101,
@@ -136,7 +155,77 @@ pub enum ViolationKind {
 }
 
 impl ViolationKind {
-    /// The level whose rule it is; 0 for `None`.
+    /// Every kind, in the order of the values.
+    pub const ALL: [Self; 66] = [
+        Self::None,
+        Self::ArrayLength,
+        Self::NonFinite,
+        Self::VertexOutOfRange,
+        Self::RepeatedVertex,
+        Self::UnusedVertex,
+        Self::NeighborOutOfRange,
+        Self::DuplicateSimplex,
+        Self::OverfullFacet,
+        Self::MissingNeighbor,
+        Self::AsymmetricNeighbor,
+        Self::NeighborFacet,
+        Self::Disconnected,
+        Self::EulerCharacteristic,
+        Self::VertexStar,
+        Self::VertexLink,
+        Self::HullRidge,
+        Self::HullDisconnected,
+        Self::HullLink,
+        Self::BoundaryArrays,
+        Self::DomainArrays,
+        Self::Ids,
+        Self::SharedVertex,
+        Self::VertexOwner,
+        Self::Ghost,
+        Self::MissingGhost,
+        Self::Interface,
+        Self::Totals,
+        Self::SharedDomain,
+        Self::Orientation,
+        Self::FoldedFacet,
+        Self::Delaunay,
+        Self::NonConvexHull,
+        Self::Winding,
+        Self::SubsegmentEdge,
+        Self::SubsegmentGabriel,
+        Self::SegmentChain,
+        Self::SegmentLine,
+        Self::InputVertex,
+        Self::InputBits,
+        Self::VertexKind,
+        Self::PlainDelaunay,
+        Self::DomainTree,
+        Self::DomainBall,
+        Self::DomainCenter,
+        Self::DomainOutsideParent,
+        Self::DomainsOverlap,
+        Self::VertexDomain,
+        Self::CageOf,
+        Self::CageRadius,
+        Self::CageIncomplete,
+        Self::HullVertex,
+        Self::InnerEncroachment,
+        Self::OuterEncroachment,
+        Self::DomainSpan,
+        Self::VertexAspect,
+        Self::CageAspect,
+        Self::RadiusEdge,
+        Self::NotFinished,
+        Self::DihedralAngle,
+        Self::SimplexSize,
+        Self::RegionLabel,
+        Self::DomainEnd,
+        Self::DomainPlace,
+        Self::RegionArea,
+        Self::ForcedSimplex,
+    ];
+
+    /// Returns the level whose rule it is; 0 for `None`.
     pub fn level(self) -> u32 {
         match self as u32 {
             0 => 0,
@@ -183,7 +272,7 @@ impl Violation {
     }
 }
 
-/// What the certificate checker found.
+/// Findings of the certificate checker.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// The highest level that holds in full, with all below it; 0 if level 1 does not. Never above
@@ -218,7 +307,7 @@ impl Findings {
         holds
     }
 
-    /// Whether everything so far held.
+    /// Returns true if everything so far held.
     pub fn clean(&self) -> bool {
         self.violations == 0
     }
@@ -233,6 +322,18 @@ mod tests {
         let violation = Violation::new(ViolationKind::Delaunay, "é".repeat(200));
         assert_eq!(violation.message.len(), 158);
         assert_eq!(Violation::new(ViolationKind::Delaunay, "short").message, "short");
+    }
+
+    #[test]
+    fn all_kinds_are_listed_by_rising_value() {
+        let header = include_str!("../../include/netmesh.h");
+        let value = |line: &str| -> Option<u32> {
+            let (_, value) = line.trim().strip_prefix("NM_VIOLATION_")?.split_once(" = ")?;
+            value.trim_end_matches(',').parse().ok()
+        };
+        let mut expected: Vec<u32> = header.lines().filter_map(value).collect();
+        expected.sort_unstable();
+        assert_eq!(ViolationKind::ALL.map(|kind| kind as u32).to_vec(), expected);
     }
 
     #[test]

@@ -14,7 +14,8 @@ use crate::quality::view::View;
 /// The builder compares rounded lengths; so does this, with other roundings.
 const SLACK: f64 = 1e-7;
 
-/// `of_regions`: simplex -> the largest edge of its region; empty if no region has one.
+/// Checks that no simplex is larger than the sizes asked for. `of_regions` has for each simplex the
+/// largest edge of its region; it is empty if no region has one.
 pub(super) fn check<const D: usize>(
     inputs: &Inputs,
     view: View<'_, D>,
@@ -45,7 +46,7 @@ pub(super) fn check<const D: usize>(
     Ok(())
 }
 
-/// The least and the largest coordinate of the inputs on each axis.
+/// Returns the least and the largest coordinate of the inputs on each axis.
 fn bounds<const D: usize>(inputs: &Inputs) -> [[f64; 2]; D] {
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; D];
     for vertex in 0..inputs.distinct() {
@@ -56,7 +57,7 @@ fn bounds<const D: usize>(inputs: &Inputs) -> [[f64; 2]; D] {
     bounds
 }
 
-/// Whether the box of some points meets that of the inputs.
+/// Returns true if the box of some points meets that of the inputs.
 fn meets<const D: usize>(points: &[&[f64; D]], bounds: &[[f64; 2]; D]) -> bool {
     bounds.iter().enumerate().all(|(axis, &[low, high])| {
         let is_below = points.iter().all(|point| point[axis] < low);
@@ -65,7 +66,8 @@ fn meets<const D: usize>(points: &[&[f64; D]], bounds: &[[f64; 2]; D]) -> bool {
     })
 }
 
-/// The circumradius is at most that of the regular simplex with edges of the least size asked for.
+/// Checks that the circumradius is at most that of the regular simplex with edges of the least size
+/// asked for.
 fn check_radius<const D: usize>(
     view: View<'_, D>,
     simplex: usize,

@@ -1,4 +1,4 @@
-//! Where the certificate's signs come from, and that they are right.
+//! Tests of the certificate's signs: where they come from, and that they are right.
 
 use super::signs::{Adaptive, Robust, Signs};
 use super::*;
@@ -37,8 +37,8 @@ impl Adaptive for Counted {
     }
 }
 
-/// One orientation a simplex and more for the winding, one in-ball sign an interior facet. In three
-/// dimensions some of the latter come from intervals and integers.
+/// Holds that the package gives one orientation a simplex and more for the winding, and one in-ball
+/// sign an interior facet. In three dimensions some of the latter come from intervals and integers.
 fn signs_come_from_the_package<const D: usize>(family: Family) {
     let mesh = meshed::<D>(120, family);
     let view = View::<D> { mesh: mesh.triangulation().unwrap() };
@@ -77,7 +77,8 @@ impl Adaptive for Reversed {
     }
 }
 
-/// The certificate believes the package and nothing else: if that is wrong, so is the certificate.
+/// Holds that the certificate believes the package and nothing else: if that is wrong, so is the
+/// certificate.
 #[test]
 fn a_wrong_package_makes_a_wrong_certificate() {
     let mesh = meshed::<2>(60, Family::Uniform);
@@ -89,7 +90,7 @@ fn a_wrong_package_makes_a_wrong_certificate() {
     assert_eq!(findings.first.unwrap().kind, ViolationKind::Delaunay);
 }
 
-/// Without the package, so that intervals and integers are tested in all dimensions.
+/// Source of signs that has none, so that intervals and integers are tested in all dimensions.
 #[derive(Debug, Default)]
 struct Absent;
 

@@ -31,7 +31,7 @@ impl Step {
         Self { from: self.to, to: self.from, ..self }
     }
 
-    /// The bit of the face in the simplex's mask.
+    /// Returns the bit of the face in the simplex's mask.
     fn bit(self) -> u64 {
         let (low, high) = (self.from.min(self.to), self.from.max(self.to));
         1 << (high * (high - 1) / 2 + low)
@@ -60,7 +60,7 @@ pub(super) fn check<const D: usize, A: Adaptive>(
     Ok(())
 }
 
-/// The next simplex of the walk, across the facet without `from`; `None` beyond the hull.
+/// Returns the next simplex of the walk, across the facet without `from`; `None` beyond the hull.
 fn next_step<const D: usize>(view: View<'_, D>, step: Step) -> Option<Step> {
     let neighbor = view.neighbors(step.simplex)[step.from];
     if neighbor == NONE {
@@ -73,7 +73,8 @@ fn next_step<const D: usize>(view: View<'_, D>, step: Step) -> Option<Step> {
     Some(Step { simplex, from: from.expect("level 1 holds"), to: to.expect("level 1 holds") })
 }
 
-/// Where to start round the face of `step`: anywhere if the walk closes, else at the hull.
+/// Returns where to start round the face of `step`, anywhere if the walk closes, else at the hull;
+/// and whether it closes.
 fn first_step<const D: usize>(view: View<'_, D>, step: Step) -> (Step, bool) {
     let mut back = step.reversed();
     while let Some(next) = next_step(view, back) {
@@ -120,8 +121,8 @@ fn check_face<const D: usize, A: Adaptive>(
     Ok(())
 }
 
-/// The angles from the first vertex grow from 0 to 2 pi: first positive signs, then at most one
-/// zero, then negative ones.
+/// Returns true if the angles from the first vertex grow from 0 to 2 pi: first positive signs, then
+/// at most one zero, then negative ones.
 fn winds_once(before: Ordering, now: Ordering) -> bool {
     before == Ordering::Greater || now == Ordering::Less
 }

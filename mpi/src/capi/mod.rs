@@ -8,7 +8,6 @@
 #![warn(clippy::undocumented_unsafe_blocks, unsafe_op_in_unsafe_fn)]
 
 mod structs;
-mod violations;
 
 // In the header's order, which a blank line each keeps.
 mod run;
@@ -29,4 +28,3 @@ pub use getters::{
 pub use run::{netmesh_mpi_run, nm_mpi_last_error, nm_mpi_mesh, nm_mpi_mesh_free};
 pub use structs::{nm_mpi_counts, nm_mpi_domain, nm_mpi_facet, nm_mpi_report};
 pub use validate::nm_mpi_validate;
-pub use violations::nm_mpi_violation;

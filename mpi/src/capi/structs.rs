@@ -1,7 +1,7 @@
 //! The structs of the boundary.
 
-use super::violations::nm_mpi_violation;
 use netmesh::capi::shared::Versioned;
+use netmesh::validate::ViolationKind;
 use std::ffi::c_char;
 
 /// How large a mesh is: the whole, and what this rank has of it.
@@ -111,8 +111,8 @@ pub struct nm_mpi_report {
     pub violations: u64,
     /// Checks that all ranks have made.
     pub checked: u64,
-    /// The first violation's kind; NM_MPI_VIOLATION_NONE if there is none.
-    pub kind: nm_mpi_violation,
+    /// The first violation's kind; NM_VIOLATION_NONE if there is none.
+    pub kind: ViolationKind,
     /// The rank whose part of the mesh the first violation is in; NM_NONE if there is none.
     pub rank: u32,
     /// The id of the first violation's simplex; NM_MPI_NONE if it concerns none.

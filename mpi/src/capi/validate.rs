@@ -2,8 +2,7 @@
 
 use super::run::{handle, nm_mpi_mesh};
 use super::structs::nm_mpi_report;
-use super::violations::nm_mpi_violation;
-use crate::certificate::{Report, validate};
+use crate::certificate::{Report, ViolationKind, validate};
 use crate::comm::Communicator;
 use crate::distributed::NO_ID;
 use netmesh::NONE;
@@ -65,13 +64,12 @@ fn encode(report: &Report) -> nm_mpi_report {
     for (to, from) in message[..159].iter_mut().zip(text.bytes()) {
         *to = from as c_char;
     }
-    let none = nm_mpi_violation::NM_MPI_VIOLATION_NONE;
     nm_mpi_report {
         struct_size: size_of::<nm_mpi_report>() as u32,
         level: report.level,
         violations: report.violations,
         checked: report.checked,
-        kind: first.map_or(none, |violation| violation.rule.into()),
+        kind: first.map_or(ViolationKind::None, |violation| violation.kind),
         rank: first.map_or(NONE, |violation| violation.rank as u32),
         simplex: first.map_or(NO_ID, |violation| violation.simplex),
         vertex: first.map_or(NO_ID, |violation| violation.vertex),
@@ -82,14 +80,14 @@ fn encode(report: &Report) -> nm_mpi_report {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::{Rule, Violation};
+    use crate::certificate::Violation;
 
     #[test]
     fn reports_reach_c() {
         let clean = encode(&Report { level: 3, checked: 9, ..Report::default() });
         assert_eq!((clean.level, clean.checked, clean.violations), (3, 9, 0));
         assert_eq!((clean.kind as i32, clean.rank, clean.message[0]), (0, NONE, 0));
-        let violation = Violation::new(Rule::Ghost, 2, "g".repeat(300)).simplex(1 << 40);
+        let violation = Violation::new(ViolationKind::Ghost, 2, "g".repeat(300)).simplex(1 << 40);
         let broken = Report { violations: 1, first: Some(violation), ..Report::default() };
         let broken = encode(&broken);
         assert_eq!((broken.kind as i32, broken.rank), (54, 2));

@@ -1,9 +1,10 @@
 //! Level 1: array lengths and ids. What holds here lets everything else index without a fear.
 
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::distributed::{DistributedMesh, InterfaceFacet, NO_ID};
-use crate::memory::{collected, filled};
 use netmesh::Result;
+use netmesh::distributed::memory::{collected, filled};
+use netmesh::validate::ViolationKind;
 
 /// Checks lengths, coordinates and ids of this rank's part.
 pub fn check(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
@@ -14,7 +15,7 @@ pub fn check(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
     check_vertex_ids(mesh, findings);
     check_domain_ids(mesh, findings);
     check_simplex_ids(mesh, findings);
-    if check_corners(mesh, findings)? {
+    if check_vertices(mesh, findings)? {
         check_neighbors(mesh, findings)?;
     }
     Ok(())
@@ -41,7 +42,7 @@ fn check_lengths(mesh: &DistributedMesh, findings: &mut Findings) -> bool {
     for (what, found, needed) in rows {
         holds &= findings.check(found == needed, || {
             let message = format!("{what}: {found}, but {vertices} vertices need {needed}");
-            Violation::new(Rule::ArrayLength, mesh.rank, message)
+            Violation::new(ViolationKind::ArrayLength, mesh.rank, message)
         });
     }
     holds
@@ -52,12 +53,13 @@ fn check_coordinates(mesh: &DistributedMesh, findings: &mut Findings) {
         findings.check(x.is_finite(), || {
             let (vertex, axis) = (mesh.vertex_ids[at / mesh.dim], at % mesh.dim);
             let message = format!("coordinate {axis} of vertex {vertex} is {x}, not finite");
-            Violation::new(Rule::NonFinite, mesh.rank, message).vertex(vertex)
+            Violation::new(ViolationKind::NonFinite, mesh.rank, message).vertex(vertex)
         });
     }
 }
 
-/// Ids rise among the vertices of own simplices and among the others, none is there twice.
+/// Checks that ids rise among the vertices of own simplices and among the others, and that none is
+/// there twice.
 fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     let (own, others) = mesh.vertex_ids.split_at(mesh.own_vertices);
     let rises = |ids: &[u64], at: usize| at == 0 || ids[at - 1] < ids[at];
@@ -67,18 +69,18 @@ fn check_vertex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
             findings.check(id < mesh.totals.vertex_ids && rises(ids, at) && is_new, || {
                 let limit = mesh.totals.vertex_ids;
                 let message = format!("vertex id {id} is not below {limit}, or does not rise");
-                Violation::new(Rule::Ids, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::Ids, mesh.rank, message).vertex(id)
             });
             let owner = mesh.vertex_owners[first + at];
             findings.check((owner as usize) < mesh.ranks, || {
                 let message = format!("vertex {id} has owner {owner} of {} ranks", mesh.ranks);
-                Violation::new(Rule::VertexOwner, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::VertexOwner, mesh.rank, message).vertex(id)
             });
         }
     }
 }
 
-/// Ids of domains rise, and what is around a domain is there too.
+/// Checks that ids of domains rise, and that the domain around each is there too.
 fn check_domain_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     let domains = &mesh.domains;
     let is_known = |id: u64| domains.binary_search_by_key(&id, |domain| domain.id).is_ok();
@@ -91,7 +93,7 @@ fn check_domain_ids(mesh: &DistributedMesh, findings: &mut Findings) {
                 "domain {id} of {}, in {parent}, does not rise, or what it is in is not there",
                 mesh.totals.domains
             );
-            Violation::new(Rule::Ids, mesh.rank, message)
+            Violation::new(ViolationKind::Ids, mesh.rank, message)
         });
     }
 }
@@ -102,65 +104,67 @@ fn check_simplex_ids(mesh: &DistributedMesh, findings: &mut Findings) {
     findings.check(end.is_some_and(|end| end <= total), || {
         let (first, count) = (mesh.first_simplex, mesh.simplex_count());
         let message = format!("{count} simplices from id {first} on are more than {total}");
-        Violation::new(Rule::Ids, mesh.rank, message).simplex(first)
+        Violation::new(ViolationKind::Ids, mesh.rank, message).simplex(first)
     });
     for (at, ghost) in mesh.ghosts.iter().enumerate() {
         let rises = at == 0 || mesh.ghosts[at - 1].id < ghost.id;
-        let is_own = own_index(mesh, ghost.id).is_some();
-        findings.check(ghost.id < total && rises && !is_own, || {
+        let belongs_to_rank = own_index(mesh, ghost.id).is_some();
+        findings.check(ghost.id < total && rises && !belongs_to_rank, || {
             let message = format!("ghost {} is own, not below {total} or does not rise", ghost.id);
-            Violation::new(Rule::Ids, mesh.rank, message).simplex(ghost.id)
+            Violation::new(ViolationKind::Ids, mesh.rank, message).simplex(ghost.id)
         });
         let owner = ghost.owner as usize;
         findings.check(owner < mesh.ranks && owner != mesh.rank, || {
             let message = format!("ghost {} is of rank {owner} of {}", ghost.id, mesh.ranks);
-            Violation::new(Rule::Ghost, mesh.rank, message).simplex(ghost.id)
+            Violation::new(ViolationKind::Ghost, mesh.rank, message).simplex(ghost.id)
         });
     }
 }
 
-/// The index of an own simplex.
+/// Returns the index of an own simplex.
 pub fn own_index(mesh: &DistributedMesh, id: u64) -> Option<usize> {
     let index = id.checked_sub(mesh.first_simplex)?;
     (index < mesh.simplex_count() as u64).then_some(index as usize)
 }
 
-/// Vertices of simplices are there, none twice in one, and each is in one; ghosts share some.
-fn check_corners(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool> {
+/// Checks that the vertices of simplices are there, none twice in one, and each in one; ghosts
+/// share some.
+fn check_vertices(mesh: &DistributedMesh, findings: &mut Findings) -> Result<bool> {
     let mut used = filled(mesh.vertex_ids.len(), false)?;
     let mut holds = true;
     let own = (0..mesh.simplex_count())
         .map(|s| (mesh.first_simplex.wrapping_add(s as u64), mesh.simplex(s), mesh.own_vertices));
     let ghosts =
         (0..mesh.ghosts.len()).map(|g| (mesh.ghosts[g].id, mesh.ghost(g), mesh.vertex_ids.len()));
-    for (id, corners, limit) in own.chain(ghosts) {
-        for (slot, &vertex) in corners.iter().enumerate() {
+    for (id, vertices, limit) in own.chain(ghosts) {
+        for (slot, &vertex) in vertices.iter().enumerate() {
             holds &= findings.check((vertex as usize) < limit, || {
                 let message = format!("simplex {id} names vertex {vertex} of {limit} on the rank");
-                Violation::new(Rule::VertexOutOfRange, mesh.rank, message).simplex(id)
+                Violation::new(ViolationKind::VertexOutOfRange, mesh.rank, message).simplex(id)
             });
-            holds &= findings.check(!corners[..slot].contains(&vertex), || {
+            holds &= findings.check(!vertices[..slot].contains(&vertex), || {
                 let message = format!("simplex {id} names a vertex twice");
-                Violation::new(Rule::RepeatedVertex, mesh.rank, message).simplex(id)
+                Violation::new(ViolationKind::RepeatedVertex, mesh.rank, message).simplex(id)
             });
             used.get_mut(vertex as usize).into_iter().for_each(|used| *used = true);
         }
-        let touches = corners.iter().any(|&vertex| (vertex as usize) < mesh.own_vertices);
+        let touches = vertices.iter().any(|&vertex| (vertex as usize) < mesh.own_vertices);
         findings.check(touches, || {
             let message = format!("ghost {id} shares no vertex with the rank");
-            Violation::new(Rule::Ghost, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::Ghost, mesh.rank, message).simplex(id)
         });
     }
     for (&id, used) in mesh.vertex_ids.iter().zip(used) {
         findings.check(used, || {
             let message = format!("vertex {id} is in no simplex of the rank's");
-            Violation::new(Rule::UnusedVertex, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::UnusedVertex, mesh.rank, message).vertex(id)
         });
     }
     Ok(holds)
 }
 
-/// Neighbours are own simplices, ghosts or none; the interface is the facets to ghosts.
+/// Checks that neighbours are own simplices, ghosts or none, and that the interface is the facets
+/// to ghosts.
 fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()> {
     let size = mesh.dim + 1;
     let ghost = |id: u64| mesh.ghosts.binary_search_by_key(&id, |ghost| ghost.id).ok();
@@ -172,7 +176,7 @@ fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()
         findings.check(exists, || {
             let id = mesh.first_simplex.wrapping_add((slot / size) as u64);
             let message = format!("simplex {id} names {neighbor}, neither own nor a ghost");
-            Violation::new(Rule::NeighborOutOfRange, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::NeighborOutOfRange, mesh.rank, message).simplex(id)
         });
     }
     let crossing = |(slot, &id): (usize, &u64)| {
@@ -185,7 +189,7 @@ fn check_neighbors(mesh: &DistributedMesh, findings: &mut Findings) -> Result<()
         let (found, needed) = (mesh.interface.len(), needed.len());
         let message =
             format!("the interface has {found} facets, of {needed} to ghosts, from {at} on others");
-        Violation::new(Rule::Interface, mesh.rank, message)
+        Violation::new(ViolationKind::Interface, mesh.rank, message)
     });
     Ok(())
 }

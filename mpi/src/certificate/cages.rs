@@ -6,39 +6,41 @@ use super::complex::Complex;
 use super::exchange::Outbox;
 use super::hierarchy::{Hierarchy, ROUNDING};
 use super::limits::SLACK;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::DistributedMesh;
-use crate::memory::filled;
+use netmesh::distributed::memory::filled;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Simplex};
 use netmesh::{Criterion, NONE, Result, VertexKind};
 
-/// How many domains the walks up the hierarchy may visit, for each simplex on average, and for each
-/// vertex once something is wrong: D-balls span few domains that are not encroached.
+/// Largest number of domains that the walks up the hierarchy may visit, for each simplex on
+/// average, and for each vertex once something is wrong: D-balls span few domains that are not
+/// encroached.
 const CLIMBS: usize = 64;
 
-/// What a rank has of a cage.
+/// Vertices and union cell of a cage, as far as a rank has them.
 #[derive(Clone, Copy)]
-struct Part {
+struct CageShare {
     /// The distance of the centre to the nearest vertex outside of the domain.
     nearest: Length,
     /// The out-radius of the union cell.
     farthest: Length,
     /// Vertices of the cage.
     vertices: u64,
-    /// Whether precision limits one of them, or the centre.
+    /// True if precision limits one of them, or the centre.
     is_limited: bool,
 }
 
-impl Default for Part {
+impl Default for CageShare {
     fn default() -> Self {
         let (nearest, farthest) = (Length::INFINITE, Length::ZERO);
         Self { nearest, farthest, vertices: 0, is_limited: false }
     }
 }
 
-/// Collective: checks the cages of a hierarchy that holds. `is_limited`: by vertex, as of
-/// [`super::limits`].
+/// Collective. Checks the cages of a hierarchy that holds. `is_limited` tells by vertex what
+/// [`super::limits`] found.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -46,7 +48,7 @@ pub fn check<const D: usize>(
     is_limited: &[bool],
     findings: &mut Findings,
 ) -> Result<()> {
-    let mut parts = filled(hierarchy.balls.len(), Part::default())?;
+    let mut parts = filled(hierarchy.balls.len(), CageShare::default())?;
     let hull = complex.hull_facets()?;
     for vertex in (0..complex.mesh.own_vertices).filter(|&vertex| complex.is_owned(vertex)) {
         check_membership(complex, hierarchy, vertex, hull[vertex] > 0, findings);
@@ -67,7 +69,7 @@ pub fn check<const D: usize>(
     check_whole(comm, complex.mesh, hierarchy, &parts, findings)
 }
 
-/// A cage's own vertices are of its kind, and in its domain; the hull is the root's.
+/// Checks that a cage's own vertices are of its kind, and in its domain; the hull is the root's.
 fn check_membership<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -88,16 +90,17 @@ fn check_membership<const D: usize>(
     findings.check(fits && is_inside, || {
         let message =
             format!("vertex {id} of kind {kind} in domain {domain} is in the cage of {cage_id}");
-        Violation::new(Rule::CageOf, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::CageOf, mesh.rank, message).vertex(id)
     });
     findings.check(!is_on_hull || cage_id == 0, || {
         let message =
             format!("vertex {id} on the hull is in the cage of {cage_id}, not the root's");
-        Violation::new(Rule::HullVertex, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::HullVertex, mesh.rank, message).vertex(id)
     });
 }
 
-/// Nearness (§4) of a cage vertex; the root's cage is a matter of taste.
+/// Checks that a cage vertex is near its cage's sphere (§4, nearness); the root's cage is a matter
+/// of taste.
 fn check_nearness<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -121,34 +124,35 @@ fn check_nearness<const D: usize>(
         let (id, domain) = (mesh.vertex_ids[vertex], ball.id);
         let (found, wanted) = (distance.to_f64(), sphere.to_f64());
         let message = format!(
-            "vertex {id} of the cage of domain {domain} is {found:e} from its centre, not {wanted:e}"
+            "vertex {id} of the cage of domain {domain} is {found:e} from its centre, not \
+             {wanted:e}"
         );
-        Violation::new(Rule::CageRadius, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::CageRadius, mesh.rank, message).vertex(id)
     });
 }
 
-/// No vertex in annulus(c, r, outf r / epsilon). The Delaunay graph is connected within every ball,
-/// so the nearest vertex outside has a neighbour inside: own simplices with vertices of both are
-/// enough.
+/// Checks that no vertex is in annulus(c, r, outf r / epsilon). The Delaunay graph is connected
+/// within every ball, so the nearest vertex outside has a neighbour inside: own simplices with
+/// vertices of both are enough.
 fn check_outer<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
-    parts: &mut [Part],
+    parts: &mut [CageShare],
     findings: &mut Findings,
 ) -> Result<()> {
     let mut climbs = complex.own.saturating_mul(CLIMBS);
     for simplex in 0..complex.own {
-        let (corners, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
+        let (vertices, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
         let label = |vertex: &u32| hierarchy.labels[*vertex as usize];
-        if corners.iter().all(|vertex| label(vertex) == label(&corners[0])) {
+        if vertices.iter().all(|vertex| label(vertex) == label(&vertices[0])) {
             continue;
         }
         let cell = Simplex::new(&points[..=D])?;
         let is_spanned =
-            |domain: u32| corners.iter().any(|&vertex| !hierarchy.holds(domain, vertex));
-        for (at, vertex) in corners.iter().enumerate() {
+            |domain: u32| vertices.iter().any(|&vertex| !hierarchy.holds(domain, vertex));
+        for (at, vertex) in vertices.iter().enumerate() {
             let mut domain = label(vertex);
-            if corners[..at].iter().any(|other| label(other) == domain) {
+            if vertices[..at].iter().any(|other| label(other) == domain) {
                 continue;
             }
             while is_spanned(domain) && climbs > 0 {
@@ -156,47 +160,48 @@ fn check_outer<const D: usize>(
                 let part = &mut parts[domain as usize];
                 part.farthest = part.farthest.max(cell.reach(&hierarchy.ball(domain).center));
                 part.nearest =
-                    part.nearest.min(check_outside(complex, hierarchy, domain, corners, findings));
+                    part.nearest.min(check_outside(complex, hierarchy, domain, vertices, findings));
                 domain = hierarchy.tree.parent(domain);
             }
         }
     }
     findings.check(climbs > 0 || complex.own == 0, || {
         let message = "simplices span more domains than un-encroached cages allow";
-        Violation::new(Rule::DomainSpan, complex.mesh.rank, message.to_owned())
+        Violation::new(ViolationKind::DomainSpan, complex.mesh.rank, message.to_owned())
     });
     Ok(())
 }
 
-/// The distance of the centre of a domain to the nearest of the `corners` that is outside of it:
-/// all must be far enough.
+/// Checks that each of the `vertices` that is outside of a domain is far enough from the domain's
+/// centre.
 fn check_outside<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
     domain: u32,
-    corners: &[u32],
+    vertices: &[u32],
     findings: &mut Findings,
 ) -> Length {
     let (mesh, ball) = (complex.mesh, hierarchy.ball(domain));
     let factor = mesh.promise.encroachment / mesh.promise.epsilon * (1.0 - ROUNDING);
     let mut nearest = Length::INFINITE;
-    for &vertex in corners.iter().filter(|&&vertex| !hierarchy.holds(domain, vertex)) {
+    for &vertex in vertices.iter().filter(|&&vertex| !hierarchy.holds(domain, vertex)) {
         let distance = ball.distance(complex.point(vertex));
         nearest = nearest.min(distance);
         findings.check(distance >= ball.radius.times(factor), || {
             let (id, domain) = (mesh.vertex_ids[vertex as usize], ball.id);
             let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
             let message = format!(
-                "domain {domain} of radius {radius:e} is outer-encroached: vertex {id} is {found:e} from its centre"
+                "domain {domain} of radius {radius:e} is outer-encroached: vertex {id} is \
+                 {found:e} from its centre"
             );
-            Violation::new(Rule::OuterEncroachment, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::OuterEncroachment, mesh.rank, message).vertex(id)
         });
     }
     nearest
 }
 
-/// No input in annulus(c, epsilon r, r), cage vertices apart, for each domain around it but the
-/// root, whose ball is larger.
+/// Checks that no input, cage vertices apart, is in annulus(c, epsilon r, r) of a domain around it
+/// but the root, whose ball is larger.
 fn check_inner<const D: usize>(
     complex: &Complex<'_>,
     hierarchy: &Hierarchy<D>,
@@ -217,9 +222,10 @@ fn check_inner<const D: usize>(
                 let (id, domain) = (mesh.vertex_ids[vertex], ball.id);
                 let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
                 let message = format!(
-                    "domain {domain} of radius {radius:e} is inner-encroached: input {id} is {found:e} from its centre"
+                    "domain {domain} of radius {radius:e} is inner-encroached: input {id} is \
+                     {found:e} from its centre"
                 );
-                Violation::new(Rule::InnerEncroachment, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::InnerEncroachment, mesh.rank, message).vertex(id)
             });
             if is_sheltered[domain as usize] || climbs == 0 && !findings.is_clean() {
                 break;
@@ -231,8 +237,8 @@ fn check_inner<const D: usize>(
     Ok(())
 }
 
-/// Domain -> whether its whole ball is within epsilon r of the centre of each domain around it but
-/// the root, so that its vertices encroach none of them.
+/// Returns for each domain whether its whole ball is within epsilon r of the centre of each domain
+/// around it but the root, so that its vertices encroach none of them.
 fn sheltered<const D: usize>(
     mesh: &DistributedMesh,
     hierarchy: &Hierarchy<D>,
@@ -251,12 +257,13 @@ fn sheltered<const D: usize>(
     Ok(is_sheltered)
 }
 
-/// Collective: enough vertices of each cage, and its union cell, of which ranks have parts.
+/// Collective. Checks that each cage has enough vertices, and its union cell, of which ranks have
+/// parts.
 fn check_whole<const D: usize>(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
     hierarchy: &Hierarchy<D>,
-    parts: &[Part],
+    parts: &[CageShare],
     findings: &mut Findings,
 ) -> Result<()> {
     let mut outbox = Outbox::new(comm.size())?;
@@ -269,7 +276,7 @@ fn check_whole<const D: usize>(
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
         let length = |record: &[u64; 9], at| Length::from_words([record[at], record[at + 1]]);
-        let mut whole = Part::default();
+        let mut whole = CageShare::default();
         for (record, _) in group {
             whole.nearest = whole.nearest.min(length(record, 1));
             whole.farthest = whole.farthest.max(length(record, 3));
@@ -288,14 +295,14 @@ fn check_cage(
     mesh: &DistributedMesh,
     domain: u64,
     radius: Length,
-    cage: &Part,
+    cage: &CageShare,
     rank: usize,
     findings: &mut Findings,
 ) {
     let (found, least) = (cage.vertices, mesh.dim as u64 + 1);
     findings.check(found >= least, || {
         let message = format!("the cage of domain {domain} has {found} vertices, of {least}");
-        Violation::new(Rule::CageIncomplete, rank, message)
+        Violation::new(ViolationKind::CageIncomplete, rank, message)
     });
     let promise = &mesh.promise;
     if domain == 0 || promise.criterion != Criterion::VoronoiAspect || !promise.counts_all_corners()
@@ -306,8 +313,10 @@ fn check_cage(
     let aspect = 2.0 * cage.farthest.ratio(cage.nearest.plus(radius));
     findings.check(aspect <= promise.quality_bound * (1.0 + SLACK), || {
         let bound = promise.quality_bound;
-        let message =
-            format!("the union cell of the cage of domain {domain} has aspect {aspect}, the bound is {bound}");
-        Violation::new(Rule::CageAspect, rank, message)
+        let message = format!(
+            "the union cell of the cage of domain {domain} has aspect {aspect}, the bound is \
+             {bound}"
+        );
+        Violation::new(ViolationKind::CageAspect, rank, message)
     });
 }

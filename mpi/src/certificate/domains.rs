@@ -2,18 +2,20 @@
 //! which compares.
 
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use super::totals::wrong_total;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::DistributedMesh;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
-/// Id, parent, centre, radius and the centre's coordinates.
+/// Data of a domain: id, parent, centre, radius and the centre's coordinates; and the rank that has
+/// it.
 type Record = ([u64; 7], usize);
 
 const ID: usize = 0;
 
-/// Collective: checks that all ranks have the same of each domain, and how many there are.
+/// Collective. Checks that all ranks have equal data of each domain, and how many there are.
 pub fn check(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -44,7 +46,7 @@ fn check_group(group: &[Record], findings: &mut Findings) {
         findings.check(*record == first, || {
             let id = first[ID];
             let message = format!("domain {id} is not the same on ranks {rank} and {other}");
-            Violation::new(Rule::SharedDomain, *other, message)
+            Violation::new(ViolationKind::SharedDomain, *other, message)
         });
     }
 }

@@ -1,9 +1,9 @@
 //! Records on their way between ranks: each rank brings some, and gets those that are for it.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, with_capacity};
 use crate::words::{append, words_of};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, with_capacity};
 
 /// Records of `W` words, and the ranks that they go to.
 pub struct Outbox<const W: usize> {
@@ -21,7 +21,7 @@ impl<const W: usize> Outbox<W> {
         append(&mut self.messages[rank], &record)
     }
 
-    /// For the rank that keeps what begins with the same `names` words.
+    /// Adds a record for the rank that keeps what begins with the same `names` words.
     pub fn put_by_names(&mut self, names: usize, record: [u64; W]) -> Result<()> {
         let mix = |hash: u64, word: &u64| {
             (hash.rotate_left(23) ^ word).wrapping_mul(0x9fb2_1c65_1e98_df25)
@@ -31,7 +31,8 @@ impl<const W: usize> Outbox<W> {
         self.put(rank as usize, record)
     }
 
-    /// Collective: the records for this rank and the ranks that they come from, sorted.
+    /// Collective. Delivers the records; returns those for this rank and the ranks that they come
+    /// from, sorted.
     pub fn deliver(self, comm: &dyn Communicator) -> Result<Vec<([u64; W], usize)>> {
         let mut records = Vec::new();
         for (rank, message) in comm.all_to_all(self.messages)?.iter().enumerate() {
@@ -46,7 +47,7 @@ impl<const W: usize> Outbox<W> {
     }
 }
 
-/// The bits of up to three coordinates.
+/// Returns the bits of up to three coordinates.
 pub fn bits(point: &[f64]) -> [u64; 3] {
     std::array::from_fn(|axis| point.get(axis).map_or(0, |x| x.to_bits()))
 }

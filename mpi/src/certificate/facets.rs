@@ -2,23 +2,26 @@
 //! simplices, so each checks the name that it has of the other.
 
 use super::complex::{Complex, Facet};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::distributed::NO_ID;
+use netmesh::validate::ViolationKind;
 
 /// Checks all facets of own simplices.
 pub fn check(complex: &Complex<'_>, findings: &mut Findings) {
-    for group in complex.groups().filter(|group| group.iter().any(|facet| complex.is_own(facet))) {
+    for group in
+        complex.groups().filter(|group| group.iter().any(|facet| complex.belongs_to_rank(facet)))
+    {
         let fits = findings.check(group.len() <= 2, || {
             let id = complex.id(group[0].simplex as usize);
             let message = format!("a facet of simplex {id} is in {} simplices", group.len());
-            Violation::new(Rule::OverfullFacet, complex.mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::OverfullFacet, complex.mesh.rank, message).simplex(id)
         });
         match group {
             [facet] => check_name(complex, facet, NO_ID, findings),
             [a, b] if fits => {
                 check_apart(complex, a, b, findings);
                 for (one, other) in [(a, b), (b, a)] {
-                    if complex.is_own(one) {
+                    if complex.belongs_to_rank(one) {
                         let other = complex.id(other.simplex as usize);
                         check_name(complex, one, other, findings);
                     }
@@ -33,7 +36,7 @@ fn check_apart(complex: &Complex<'_>, a: &Facet, b: &Facet, findings: &mut Findi
     findings.check(complex.opposite(a) != complex.opposite(b), || {
         let [a, b] = [a, b].map(|facet| complex.id(facet.simplex as usize));
         let message = format!("simplices {a} and {b} have the same vertices");
-        Violation::new(Rule::DuplicateSimplex, complex.mesh.rank, message).simplex(a)
+        Violation::new(ViolationKind::DuplicateSimplex, complex.mesh.rank, message).simplex(a)
     });
 }
 
@@ -44,12 +47,16 @@ fn check_name(complex: &Complex<'_>, facet: &Facet, needed: u64, findings: &mut 
     findings.check(found == needed, || {
         let id = complex.id(simplex);
         let say = |id: u64| if id == NO_ID { "none".to_owned() } else { id.to_string() };
-        let rule = if found == NO_ID { Rule::MissingNeighbor } else { Rule::NeighborFacet };
+        let kind = if found == NO_ID {
+            ViolationKind::MissingNeighbor
+        } else {
+            ViolationKind::NeighborFacet
+        };
         let message = format!(
             "simplex {id} names neighbour {} opposite vertex {slot}; its facet is that of {}",
             say(found),
             say(needed)
         );
-        Violation::new(rule, complex.mesh.rank, message).simplex(id)
+        Violation::new(kind, complex.mesh.rank, message).simplex(id)
     });
 }

@@ -1,8 +1,9 @@
 //! Level 2: exact signs on every simplex and every facet. At an interface both sides look.
 
 use super::complex::{Complex, Facet};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{in_ball, orientation};
 use std::cmp::Ordering;
 
@@ -14,8 +15,8 @@ pub fn check<const D: usize>(complex: &Complex<'_>, findings: &mut Findings) -> 
     for group in complex.groups() {
         let [a, b] = group else { continue };
         // The sign seen from the other side is the same determinant: one is enough, of an own one.
-        let (own, other) = if complex.is_own(a) { (a, b) } else { (b, a) };
-        if complex.is_own(own) {
+        let (own, other) = if complex.belongs_to_rank(a) { (a, b) } else { (b, a) };
+        if complex.belongs_to_rank(own) {
             check_fold(complex, own, other, findings);
             check_delaunay::<D>(complex, own, other, findings)?;
         }
@@ -39,30 +40,31 @@ fn check_orientation<const D: usize>(
             _ => ("negatively oriented", complex.id(simplex)),
         };
         let message = format!("simplex {id} is {word}");
-        Violation::new(Rule::Orientation, complex.mesh.rank, message).simplex(id)
+        Violation::new(ViolationKind::Orientation, complex.mesh.rank, message).simplex(id)
     });
     Ok(())
 }
 
-/// Two positively oriented simplices lie on different sides of their facet iff replacing the apex of one
-/// by that of the other gives an odd permutation of the other: no coordinates needed.
+/// Checks that two positively oriented simplices lie on different sides of their facet: replacing
+/// the apex of one by that of the other must give an odd permutation of the other. No coordinates
+/// are needed.
 fn check_fold(complex: &Complex<'_>, own: &Facet, other: &Facet, findings: &mut Findings) {
-    let corners = complex.simplex(own.simplex as usize);
-    let replaced: [u32; 4] = std::array::from_fn(|at| match corners.get(at) {
+    let vertices = complex.simplex(own.simplex as usize);
+    let replaced: [u32; 4] = std::array::from_fn(|at| match vertices.get(at) {
         Some(_) if at == own.slot as usize => complex.opposite(other),
-        Some(&corner) => corner,
+        Some(&vertex) => vertex,
         None => u32::MAX,
     });
     let neighbor = complex.simplex(other.simplex as usize);
-    let even = parity(&replaced[..corners.len()]) == parity(neighbor);
+    let even = parity(&replaced[..vertices.len()]) == parity(neighbor);
     findings.check(!even, || {
         let [a, b] = [own, other].map(|facet| complex.id(facet.simplex as usize));
         let message = format!("neighbours {a} and {b} lie on the same side of their facet");
-        Violation::new(Rule::FoldedFacet, complex.mesh.rank, message).simplex(a)
+        Violation::new(ViolationKind::FoldedFacet, complex.mesh.rank, message).simplex(a)
     });
 }
 
-/// Whether the number of inversions is odd.
+/// Returns true if the number of inversions is odd.
 fn parity(ids: &[u32]) -> bool {
     let later = |(i, a): (usize, &u32)| ids[i + 1..].iter().filter(|&b| b < a).count();
     ids.iter().enumerate().map(later).sum::<usize>() % 2 == 1
@@ -84,7 +86,7 @@ fn check_delaunay<const D: usize>(
         let [a, b] = [own, other].map(|facet| complex.id(facet.simplex as usize));
         let id = complex.mesh.vertex_ids[vertex as usize];
         let message = format!("vertex {id} of simplex {b} is inside the circumball of simplex {a}");
-        Violation::new(Rule::Delaunay, complex.mesh.rank, message).simplex(a).vertex(id)
+        Violation::new(ViolationKind::Delaunay, complex.mesh.rank, message).simplex(a).vertex(id)
     });
     Ok(())
 }

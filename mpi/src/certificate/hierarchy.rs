@@ -4,10 +4,11 @@
 
 use super::complex::Complex;
 use super::exchange::Outbox;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
-use crate::memory::{collected, filled, with_capacity};
+use netmesh::distributed::memory::{collected, filled, with_capacity};
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Length, Tree};
 use netmesh::{NONE, Result};
 
@@ -39,18 +40,18 @@ impl<const D: usize> Ball<D> {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The ball of an index that [`Self::labels`] or the tree has.
+    /// Returns the ball of an index that [`Self::labels`] or the tree has.
     pub fn ball(&self, at: u32) -> &Ball<D> {
         &self.balls[at as usize]
     }
 
-    /// Whether the ball at `at` or one in it is the label of the vertex.
+    /// Returns true if the ball at `at` or one in it is the label of the vertex.
     pub fn holds(&self, at: u32, vertex: u32) -> bool {
         self.tree.holds(at, self.labels[vertex as usize])
     }
 }
 
-/// Collective: checks the domains and the labels. Where they hold on all ranks, what is known;
+/// Collective. Checks the domains and the labels. Returns them where they hold on all ranks, and
 /// nothing where there are no domains.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
@@ -75,15 +76,16 @@ pub fn check<const D: usize>(
             let (id, domain) = (mesh.vertex_ids[vertex], ball.id);
             let (found, radius) = (distance.to_f64(), ball.radius.to_f64());
             let message = format!(
-                "vertex {id} is {found:e} from the centre of its domain {domain} of radius {radius:e}"
+                "vertex {id} is {found:e} from the centre of its domain {domain} of radius \
+                 {radius:e}"
             );
-            Violation::new(Rule::VertexDomain, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::VertexDomain, mesh.rank, message).vertex(id)
         });
     }
     Ok(findings.clean_everywhere(comm)?.then_some(hierarchy))
 }
 
-/// The domains as a tree, with the labels and cages of all vertices, if they are such.
+/// Returns the domains as a tree, with the labels and cages of all vertices, if they are such.
 fn read<const D: usize>(
     mesh: &DistributedMesh,
     findings: &mut Findings,
@@ -115,7 +117,7 @@ fn read<const D: usize>(
     let tree = if parents.is_empty() { Tree::new(&[NONE])? } else { Tree::new(&parents)? };
     findings.check(is_rooted && tree.is_some(), || {
         let message = "the domains of the rank are no tree of balls in larger ones, with root 0";
-        Violation::new(Rule::DomainTree, mesh.rank, message.to_owned())
+        Violation::new(ViolationKind::DomainTree, mesh.rank, message.to_owned())
     });
     let labels: Vec<u32> = collected(mesh.vertex_domains.iter().map(|&id| at(id)))?;
     let cages: Vec<u32> = collected(mesh.vertex_cages.iter().map(|&id| at(id)))?;
@@ -126,14 +128,14 @@ fn read<const D: usize>(
             || {
                 let message =
                     format!("vertex {id} is labelled with domain {label}, which the rank has not");
-                Violation::new(Rule::VertexDomain, mesh.rank, message).vertex(id)
+                Violation::new(ViolationKind::VertexDomain, mesh.rank, message).vertex(id)
             },
         );
         let cage = mesh.vertex_cages[vertex];
         findings.check(cages[vertex] != NONE || cage == NO_ID, || {
             let message =
                 format!("vertex {id} is in the cage of domain {cage}, which the rank has not");
-            Violation::new(Rule::CageOf, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::CageOf, mesh.rank, message).vertex(id)
         });
     }
     Ok(tree.map(|tree| Hierarchy { tree, balls, labels, cages }))
@@ -144,12 +146,12 @@ fn check_ball(mesh: &DistributedMesh, domain: &Domain, findings: &mut Findings) 
     findings.check(is_finite && domain.radius > 0.0, || {
         let Domain { id, radius, position, .. } = domain;
         let message = format!("domain {id} has radius {radius:e} and its centre at {position:?}");
-        Violation::new(Rule::DomainBall, mesh.rank, message)
+        Violation::new(ViolationKind::DomainBall, mesh.rank, message)
     });
 }
 
-/// Collective: the vertex at a domain's centre is there, and in the domain. Its owner says so to a
-/// keeper, which the domain's id chooses.
+/// Collective. Checks that the vertex at a domain's centre is there, and in the domain. Its owner
+/// says so to a keeper, which the domain's id chooses.
 fn check_centers<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -168,14 +170,14 @@ fn check_centers<const D: usize>(
             let (domain, id) = (ball.id, ball.vertex);
             let message =
                 format!("the centre of domain {domain}, vertex {id}, is elsewhere or not in it");
-            Violation::new(Rule::DomainCenter, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::DomainCenter, mesh.rank, message).vertex(id)
         });
     }
     for group in outbox.deliver(comm)?.chunk_by(|a, b| a.0[0] == b.0[0]) {
         findings.check(group.iter().any(|(record, _)| record[1] != 0), || {
             let ([id, _], rank) = group[0];
             let message = format!("no rank that has the centre of domain {id} knows the domain");
-            Violation::new(Rule::DomainCenter, rank, message)
+            Violation::new(ViolationKind::DomainCenter, rank, message)
         });
     }
     Ok(())
@@ -197,6 +199,6 @@ fn check_nesting<const D: usize>(
             around.id,
             around.radius.to_f64()
         );
-        Violation::new(Rule::DomainOutsideParent, mesh.rank, message)
+        Violation::new(ViolationKind::DomainOutsideParent, mesh.rank, message)
     });
 }

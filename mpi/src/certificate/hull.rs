@@ -1,18 +1,19 @@
-//! Level 2: the hull is closed, and convex at every ridge. The two facets at a ridge may be of two ranks,
-//! neither of which has the other: they meet at a keeper, which the ridge's vertices choose.
+//! Level 2: the hull is closed, and convex at every ridge. The two facets at a ridge may be of two
+//! ranks, neither of which has the other: they meet at a keeper, which the ridge's vertices choose.
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use crate::distributed::NO_ID;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::orientation;
 use std::cmp::Ordering;
 
-/// A ridge by its vertices, rising; the simplex; the vertices and the points of the facet, that of the
-/// facet beyond the ridge first, so that the points and one inside are positively oriented or, where
-/// the sign says so, negatively.
+/// A ridge by its vertices, rising; the simplex; the vertices and the points of the facet, that of
+/// the facet beyond the ridge first, so that the points and one inside are positively oriented or,
+/// where the sign says so, negatively.
 type Record = ([u64; 16], usize);
 
 const RIDGE: usize = 2;
@@ -21,7 +22,8 @@ const IS_POSITIVE: usize = 3;
 const VERTICES: usize = 4;
 const POINTS: usize = 7;
 
-/// Collective: level 1 must hold, and all simplices be positively oriented.
+/// Collective. Checks that the hull is convex and closed. Level 1 must hold, and all simplices be
+/// positively oriented.
 pub fn check<const D: usize>(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -32,12 +34,12 @@ pub fn check<const D: usize>(
     let open = mesh.neighbors.iter().enumerate().filter(|(_, neighbor)| **neighbor == NO_ID);
     for (at, _) in open {
         let (simplex, slot) = (at / (D + 1), at % (D + 1));
-        let mut corners = [0; 4];
-        corners[..=D].copy_from_slice(mesh.simplex(simplex));
+        let mut vertices = [0; 4];
+        vertices[..=D].copy_from_slice(mesh.simplex(simplex));
         // The opposite vertex goes to the end: an odd permutation, or none.
-        corners.swap(slot, D);
+        vertices.swap(slot, D);
         for apex in 0..D {
-            let mut facet = corners;
+            let mut facet = vertices;
             facet.swap(0, apex);
             let is_positive = (slot != D) == (apex != 0);
             outbox.put_by_names(RIDGE, record::<D>(complex, simplex, &facet[..D], is_positive))?;
@@ -48,7 +50,7 @@ pub fn check<const D: usize>(
         findings.check(group.len() == 2, || {
             let (id, count) = (first[SIMPLEX], group.len());
             let message = format!("a hull ridge of simplex {id} is in {count} hull facets, not 2");
-            Violation::new(Rule::HullRidge, *rank, message).simplex(id).vertex(first[0])
+            Violation::new(ViolationKind::HullRidge, *rank, message).simplex(id).vertex(first[0])
         });
         if let [a, b] = group {
             check_ridge::<D>(a, b, findings)?;
@@ -78,19 +80,19 @@ fn record<const D: usize>(
     record
 }
 
-/// The vertex of `b` that is not on the ridge must not be beyond `a`.
+/// Checks that the vertex of `b` that is not on the ridge is not beyond `a`.
 fn check_ridge<const D: usize>(a: &Record, b: &Record, findings: &mut Findings) -> Result<()> {
     let point = |record: &Record, at: usize| -> [f64; D] {
         std::array::from_fn(|axis| f64::from_bits(record.0[POINTS + at * D + axis]))
     };
     let (facet, apex): ([_; D], _) = (std::array::from_fn(|at| point(a, at)), point(b, 0));
-    let corners: [&[f64; D]; 4] = std::array::from_fn(|at| facet.get(at).unwrap_or(&apex));
-    let sign = orientation(&corners[..=D])?;
+    let simplex: [&[f64; D]; 4] = std::array::from_fn(|at| facet.get(at).unwrap_or(&apex));
+    let sign = orientation(&simplex[..=D])?;
     let inside = if a.0[IS_POSITIVE] == 1 { sign } else { sign.reverse() };
     findings.check(inside != Ordering::Less, || {
         let (id, simplex) = (b.0[VERTICES], a.0[SIMPLEX]);
         let message = format!("vertex {id} is beyond the hull facet of simplex {simplex}");
-        Violation::new(Rule::NonConvexHull, a.1, message).simplex(simplex).vertex(id)
+        Violation::new(ViolationKind::NonConvexHull, a.1, message).simplex(simplex).vertex(id)
     });
     Ok(())
 }

@@ -1,13 +1,15 @@
-//! Level 3: every distinct input is a vertex with its own bits, whose id is that of the first of the
-//! equal ones. Inputs and vertices meet at a keeper, which their coordinates choose.
+//! Level 3: every distinct input is a vertex with its own bits, whose id is that of the first of
+//! the equal ones. Inputs and vertices meet at a keeper, which their coordinates choose.
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
-/// Coordinates, of which zeros compare equal; whether it is a vertex; its id; the bits.
+/// Point of an input or a vertex: coordinates, of which zeros compare equal; whether it is a
+/// vertex; its id; the bits; and the rank that has it.
 type Record = ([u64; 8], usize);
 
 const WHERE: usize = 3;
@@ -15,7 +17,7 @@ const IS_VERTEX: usize = 3;
 const ID: usize = 4;
 const BITS: std::ops::Range<usize> = 5..8;
 
-/// Collective.
+/// Collective. Checks that the vertex of each distinct input is there and has that input's bits.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -46,7 +48,7 @@ pub fn check(
     Ok(())
 }
 
-/// Inputs and vertices at one place, by rising ids.
+/// Checks the inputs and vertices at one position, which are sorted by id.
 fn check_group(inputs: &[Record], vertices: &[Record], findings: &mut Findings) {
     let id_of = |records: &[Record]| records.first().map(|record| record.0[ID]);
     let (input, vertex) = (id_of(inputs), id_of(vertices));
@@ -61,13 +63,13 @@ fn check_group(inputs: &[Record], vertices: &[Record], findings: &mut Findings) 
             (input, _) => format!("input {} is {} vertices", input.unwrap_or(0), vertices.len()),
         };
         let id = input.or(vertex).unwrap_or(0);
-        Violation::new(Rule::InputVertex, rank, message).vertex(id)
+        Violation::new(ViolationKind::InputVertex, rank, message).vertex(id)
     });
     if let (true, Some(input), Some(vertex)) = (is_one, inputs.first(), vertices.first()) {
         findings.check(input.0[BITS] == vertex.0[BITS], || {
             let id = input.0[ID];
             let message = format!("vertex {id} has not the bits of the input");
-            Violation::new(Rule::InputBits, vertex.1, message).vertex(id)
+            Violation::new(ViolationKind::InputBits, vertex.1, message).vertex(id)
         });
     }
 }

@@ -1,20 +1,19 @@
-//! Where precision may be what limits the quality of cells: the parts do not tell what the run
-//! knows of it.
+//! Cells whose quality precision may limit: the parts do not tell what the run knows of it.
 
 use super::complex::Complex;
-use crate::memory::filled;
 use netmesh::Result;
+use netmesh::distributed::memory::filled;
 
 /// The builder compares rounded radii; so does the certificate, with other roundings.
 pub const SLACK: f64 = 1e-7;
 
-/// Relative to the largest coordinate, an edge that is not longer may leave no room for a corner.
+/// Largest ratio of an edge to the largest coordinate for which there may be no room for a corner.
 const LEAST_EDGE: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// And where ratios drown in the rounding of subnormals.
 const SUBNORMAL: f64 = f64::from_bits(1 << 30);
 
-/// Whether a simplex of these points is limited.
+/// Returns true if precision limits a simplex of these points.
 pub fn simplex<const D: usize>(points: &[&[f64; D]]) -> bool {
     let magnitude = |point: &[f64; D]| point.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let largest = points.iter().map(|point| magnitude(point)).fold(0.0, f64::max);
@@ -25,7 +24,7 @@ pub fn simplex<const D: usize>(points: &[&[f64; D]]) -> bool {
     })
 }
 
-/// Vertex -> whether a simplex there is limited.
+/// Returns for each vertex whether precision limits a simplex there.
 pub fn vertices<const D: usize>(complex: &Complex<'_>) -> Result<Vec<bool>> {
     let mut is_limited = filled(complex.mesh.vertex_ids.len(), false)?;
     for at in 0..complex.count() {

@@ -1,13 +1,16 @@
-//! Level 1: the star and the link of every vertex, at its owner, and the Euler characteristic of all.
+//! Level 1: the star and the link of every vertex, at its owner, and the Euler characteristic of
+//! all.
 
 use super::complex::Complex;
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::{Communicator, Operation};
 use crate::distributed::NO_ID;
-use crate::memory::{TryGrow, collected, filled};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, filled};
+use netmesh::validate::ViolationKind;
 
-/// Collective: facets, ghosts and vertices must hold on all ranks.
+/// Collective. Checks stars and links of vertices, and Euler's characteristic. Facets, ghosts and
+/// vertices must hold on all ranks.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -24,8 +27,8 @@ pub fn check(
         check_star(complex, vertex, star, &mut around, findings);
         link.clear();
         for &node in star {
-            let corners = complex.simplex(node as usize / (mesh.dim + 1));
-            let others = corners.iter().filter(|&&other| other as usize != vertex);
+            let vertices = complex.simplex(node as usize / (mesh.dim + 1));
+            let others = vertices.iter().filter(|&&other| other as usize != vertex);
             others.copied().try_for_each(|other| link.try_push(other))?;
         }
         link.sort_unstable();
@@ -39,7 +42,8 @@ pub fn check(
     check_euler(comm, complex, edges, open, findings)
 }
 
-/// Vertex -> its places in simplices: simplex x (dim + 1) + slot.
+/// Returns the stars of all vertices: for each its positions in simplices, which are simplex x (dim
+/// + 1) + slot.
 fn stars(complex: &Complex<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
     let mesh = complex.mesh;
     let places = || mesh.simplices.iter().chain(&mesh.ghost_simplices).zip(0u32..);
@@ -59,7 +63,8 @@ fn stars(complex: &Complex<'_>) -> Result<(Vec<u32>, Vec<u32>)> {
     Ok((ends, stars))
 }
 
-/// Disjoint sets of places: those of a vertex in neighbours that share a facet with it are joined.
+/// Returns disjoint sets of positions: those of a vertex in neighbours that share a facet with it
+/// are joined.
 fn join_stars(complex: &Complex<'_>) -> Result<Vec<u32>> {
     let size = complex.mesh.dim + 1;
     let mut parents = collected(0..(complex.count() * size) as u32)?;
@@ -67,8 +72,8 @@ fn join_stars(complex: &Complex<'_>) -> Result<Vec<u32>> {
         let [a, b] = group else { continue };
         for vertex in &a.vertices[..complex.mesh.dim] {
             let [a, b] = [a, b].map(|facet| {
-                let corners = complex.simplex(facet.simplex as usize);
-                let slot = corners.iter().position(|corner| corner == vertex).unwrap_or(0);
+                let vertices = complex.simplex(facet.simplex as usize);
+                let slot = vertices.iter().position(|other| other == vertex).unwrap_or(0);
                 facet.simplex as usize * size + slot
             });
             let (a, b) = (find(&mut parents, a), find(&mut parents, b));
@@ -100,11 +105,11 @@ fn check_star(
         let (id, size) = (complex.mesh.vertex_ids[vertex], star.len());
         let message =
             format!("of the {size} simplices at vertex {id} only {reached} are connected there");
-        Violation::new(Rule::VertexStar, complex.mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexStar, complex.mesh.rank, message).vertex(id)
     });
 }
 
-/// A link has the Euler characteristic of a sphere, or on the hull of a ball.
+/// Checks that a link has the Euler characteristic of a sphere, or on the hull of a ball.
 fn check_link(
     complex: &Complex<'_>,
     vertex: usize,
@@ -125,11 +130,11 @@ fn check_link(
         let kind = if hull_facets > 0 { "ball" } else { "sphere" };
         let message =
             format!("the link of vertex {id} has Euler characteristic {found}, a {kind} {needed}");
-        Violation::new(Rule::VertexLink, complex.mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexLink, complex.mesh.rank, message).vertex(id)
     });
 }
 
-/// Collective: the alternating sum of the numbers of faces is 1.
+/// Collective. Checks that the alternating sum of the numbers of faces is 1.
 fn check_euler(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -150,7 +155,7 @@ fn check_euler(
     if mesh.rank == 0 {
         findings.check(found == 1, || {
             let message = format!("the Euler characteristic is {found}, a ball's is 1");
-            Violation::new(Rule::EulerCharacteristic, mesh.rank, message)
+            Violation::new(ViolationKind::EulerCharacteristic, mesh.rank, message)
         });
     }
     Ok(())

@@ -1,6 +1,6 @@
-//! The certificate of a mesh of several ranks: a checker that recomputes what must hold of it from what
-//! each rank has, its points, simplices and ghosts. It shares neither code nor arithmetic with what
-//! makes meshes or their parts; signs and radii are those of the core's certificate
+//! The certificate of a mesh of several ranks: a checker that recomputes what must hold of it from
+//! what each rank has, its points, simplices and ghosts. It shares neither code nor arithmetic with
+//! what makes meshes or their parts; signs and radii are those of the core's certificate
 //! ([`netmesh::validate::parts`]).
 //!
 //! - Level 1, topology: lengths and ids; each facet of an own simplex is that of the neighbour that
@@ -17,8 +17,8 @@
 //!   complete and near their spheres, no domain is encroached, union cells are bounded, whoever has
 //!   the parts of a cage; a finished mesh has one domain; the bound of the run.
 //!
-//! What is between ranks is compared by both, or by a keeper that its ids choose: no rank has the whole,
-//! and no rank's word is taken for another's.
+//! Data that several ranks have is compared by them, or by a keeper that its ids choose: no rank
+//! has the whole, and no rank's word is taken for another's.
 //!
 //! **Not checked** beside what the core's certificate checks: that simplices go round each face of
 //! codimension two once, that all are connected, and that the hull is a sphere (levels 1 and 2). Of
@@ -45,29 +45,30 @@ mod report;
 mod totals;
 mod vertices;
 
-pub use report::{Report, Rule, Violation};
+pub use netmesh::validate::ViolationKind;
+pub use report::{Report, Violation};
 
 use crate::agreement::{Arguments, require_same};
 use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
 use complex::Complex;
 use netmesh::mesh::MIN_DIM;
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::{Error, Result};
 use report::Findings;
 
 /// The highest dimension of meshes of several ranks.
 const MAX_DIM: usize = 3;
 
-/// Collective: checks levels `1..=level` (1 topology, 2 geometry, 3 the paper). All ranks answer the
-/// same report.
+/// Collective. Checks levels `1..=level` (1 topology, 2 geometry, 3 the paper). All ranks answer
+/// one report.
 ///
-/// Accepts any contents of `mesh`, however broken. Level 2 and 3 are checked only where level 1 holds;
-/// level 3 also where level 2 does not. O(m log m) for the m simplices and ghosts of a rank; all that it
-/// knows of its vertices goes to others once.
+/// Accepts any contents of `mesh`, however broken. Level 2 and 3 are checked only where level 1
+/// holds; level 3 also where level 2 does not. O(m log m) for the m simplices and ghosts of a rank;
+/// all that it knows of its vertices goes to others once.
 ///
 /// # Errors
-/// `InvalidArgument`, the same on all ranks: `level` is not 1, 2 or 3 or not the same on all ranks, or
-/// the mesh is none of these ranks. `OutOfMemory`.
+/// `InvalidArgument`, the same on all ranks: `level` is not 1, 2 or 3 or not the same on all ranks,
+/// or the mesh is none of these ranks. `OutOfMemory`.
 pub fn validate(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> Result<Report> {
     require_same(comm, "", || {
         check_arguments(comm, mesh, level)?;
@@ -81,7 +82,7 @@ pub fn validate(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> 
 }
 
 fn check_arguments(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) -> Result<()> {
-    let invalid = |message: String| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let invalid = |message: String| Err(Error::invalid(message));
     if !(1..=3).contains(&level) {
         return invalid(format!("level is {level}; it must be 1, 2 or 3"));
     }
@@ -96,7 +97,7 @@ fn check_arguments(comm: &dyn Communicator, mesh: &DistributedMesh, level: u32) 
     Ok(())
 }
 
-/// Collective: the levels one after another, of which all ranks tell each other.
+/// Collective. Checks the levels one after another, of which all ranks tell each other.
 fn check<const D: usize>(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -135,7 +136,8 @@ fn check<const D: usize>(
     Ok(report)
 }
 
-/// Collective: level 1. What a rank knows, where its arrays hold on all ranks.
+/// Collective. Checks level 1. Returns the simplices that a rank knows, where its arrays hold on
+/// all ranks.
 fn check_topology<'a>(
     comm: &dyn Communicator,
     mesh: &'a DistributedMesh,

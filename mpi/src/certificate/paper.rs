@@ -2,13 +2,14 @@
 
 use super::complex::Complex;
 use super::limits::{self, SLACK};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::distributed::NO_ID;
-use crate::memory::filled;
+use netmesh::distributed::memory::filled;
+use netmesh::validate::ViolationKind;
 use netmesh::validate::parts::{Cell, Simplex};
 use netmesh::{Criterion, Result, VertexKind};
 
-/// Kinds, and that a finished mesh is one domain.
+/// Checks the kinds of vertices, and that a finished mesh is one domain.
 pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
     let mesh = complex.mesh;
     for vertex in (0..mesh.own_vertices).filter(|&vertex| complex.is_owned(vertex)) {
@@ -17,18 +18,18 @@ pub fn check_kinds(complex: &Complex<'_>, findings: &mut Findings) {
             && (id < mesh.totals.inputs) == (kind == VertexKind::Input as u8);
         findings.check(fits, || {
             let message = format!("vertex {id} of {} inputs has kind {kind}", mesh.totals.inputs);
-            Violation::new(Rule::VertexKind, mesh.rank, message).vertex(id)
+            Violation::new(ViolationKind::VertexKind, mesh.rank, message).vertex(id)
         });
     }
     let domains = mesh.totals.domains;
     findings.check(mesh.rank != 0 || !mesh.promise.is_finished || domains == 1, || {
         let message = format!("a finished mesh has {domains} domains, not the root alone");
-        Violation::new(Rule::NotFinished, mesh.rank, message)
+        Violation::new(ViolationKind::NotFinished, mesh.rank, message)
     });
 }
 
-/// The cells of vertices that are in no cage, or the simplices within a domain. `is_limited`: by
-/// vertex, as of [`limits`].
+/// Checks the cells of vertices that are in no cage, or the simplices within a domain. `is_limited`
+/// tells by vertex what [`limits`] found.
 pub fn check_cells<const D: usize>(
     complex: &Complex<'_>,
     is_limited: &[bool],
@@ -43,21 +44,21 @@ pub fn check_cells<const D: usize>(
     let most = bound * (1.0 + SLACK);
     let mut cells = filled(mesh.vertex_ids.len(), Cell::default())?;
     for simplex in 0..complex.count() {
-        let (corners, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
+        let (vertices, points) = (complex.simplex(simplex), complex.points::<D>(simplex));
         let entered = Simplex::new(&points[..=D])?;
-        entered.enter(&mut cells, corners);
+        entered.enter(&mut cells, vertices);
         let domain = |vertex: u32| mesh.vertex_domains[vertex as usize];
         let is_bounded = mesh.promise.criterion == Criterion::RadiusEdge
             && simplex < complex.own
             && !limits::simplex(&points[..=D])
-            && corners.iter().all(|&vertex| domain(vertex) == domain(corners[0]));
+            && vertices.iter().all(|&vertex| domain(vertex) == domain(vertices[0]));
         let ratio = entered.radius_edge();
         findings.check(!is_bounded || ratio <= most, || {
             let id = complex.id(simplex);
             let message = format!(
                 "simplex {id} has circumradius / shortest edge {ratio}, the bound is {bound}"
             );
-            Violation::new(Rule::RadiusEdge, mesh.rank, message).simplex(id)
+            Violation::new(ViolationKind::RadiusEdge, mesh.rank, message).simplex(id)
         });
     }
     if mesh.promise.criterion == Criterion::VoronoiAspect {
@@ -68,7 +69,7 @@ pub fn check_cells<const D: usize>(
     Ok(())
 }
 
-/// The cell of an owned vertex, whose star is complete.
+/// Checks the cell of an owned vertex, whose star is complete.
 fn check_cell(
     complex: &Complex<'_>,
     vertex: usize,
@@ -82,6 +83,6 @@ fn check_cell(
     findings.check(!is_bounded || aspect <= bound * (1.0 + SLACK), || {
         let id = mesh.vertex_ids[vertex];
         let message = format!("the cell of vertex {id} has aspect {aspect}, the bound is {bound}");
-        Violation::new(Rule::VertexAspect, mesh.rank, message).vertex(id)
+        Violation::new(ViolationKind::VertexAspect, mesh.rank, message).vertex(id)
     });
 }

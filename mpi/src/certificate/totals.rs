@@ -1,11 +1,13 @@
 //! Level 1: the parts follow each other, and the sizes of the whole are theirs.
 
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Totals};
 use netmesh::Result;
+use netmesh::validate::ViolationKind;
 
-/// Collective: where the ids of this rank begin, and what all ranks must have of the whole.
+/// Collective. Checks where the ids of this rank begin, and the totals that all ranks must have of
+/// the whole.
 pub fn check_ids(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -20,7 +22,7 @@ pub fn check_ids(
     for (what, found, needed) in rows {
         findings.check(found == needed, || {
             let message = format!("{what} has id {found}, the ranks before leave {needed}");
-            Violation::new(Rule::Ids, mesh.rank, message)
+            Violation::new(ViolationKind::Ids, mesh.rank, message)
         });
     }
     let rows =
@@ -35,12 +37,12 @@ pub fn check_ids(
     comm.all_reduce_integers(&mut first, Operation::Max)?;
     findings.check(own == first, || {
         let message = format!("rank {} has other totals than rank 0", mesh.rank);
-        Violation::new(Rule::Totals, mesh.rank, message)
+        Violation::new(ViolationKind::Totals, mesh.rank, message)
     });
     Ok(())
 }
 
-/// Collective: the vertices of the whole, of which this rank keeps some.
+/// Collective. Checks the vertices of the whole, of which this rank keeps some.
 pub fn check_vertices(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -67,8 +69,8 @@ pub fn check_vertices(
     Ok(())
 }
 
-/// What all ranks have is not what the totals say.
+/// Returns the violation of totals that are not what all ranks have.
 pub fn wrong_total(mesh: &DistributedMesh, what: &str, found: u64, needed: u64) -> Violation {
     let message = format!("totals say {found} {what}, the ranks have {needed}");
-    Violation::new(Rule::Totals, mesh.rank, message)
+    Violation::new(ViolationKind::Totals, mesh.rank, message)
 }

@@ -1,18 +1,19 @@
-//! Level 1: what ranks know of a vertex. All tell it to a keeper, which its id alone chooses, and which
-//! compares.
+//! Level 1: what ranks know of a vertex. All tell it to a keeper, which its id alone chooses, and
+//! which compares.
 
 use super::complex::Complex;
 use super::exchange::{Outbox, bits};
-use super::report::{Findings, Rule, Violation};
+use super::report::{Findings, Violation};
 use crate::comm::Communicator;
-use crate::memory::filled;
 use netmesh::Result;
+use netmesh::distributed::memory::filled;
+use netmesh::validate::ViolationKind;
 
 /// Vertices that this rank keeps, and those of them that are inputs by their ids.
 pub type Kept = [u64; 2];
 
-/// Id, coordinates, kind, domain, cage, owner, own simplices there, and all that the rank knows
-/// there.
+/// Data of a vertex: id, coordinates, kind, domain, cage, owner, own simplices there, and all that
+/// the rank knows there; and the rank.
 type Record = ([u64; 10], usize);
 
 const ID: usize = 0;
@@ -22,8 +23,8 @@ const OWNER: usize = 7;
 const OWN: usize = 8;
 const STAR: usize = 9;
 
-/// Collective: checks that all ranks have the same of each vertex, its owner, and that each rank that has
-/// a simplex there has all of them.
+/// Collective. Checks that all ranks have equal data of each vertex, its owner, and that each rank
+/// that has a simplex there has all of them.
 pub fn check(
     comm: &dyn Communicator,
     complex: &Complex<'_>,
@@ -59,7 +60,7 @@ fn check_group(group: &[Record], findings: &mut Findings) {
     let (first, rank) = *owner.unwrap_or(&group[0]);
     findings.check(owner.is_some(), || {
         let message = format!("vertex {id} is in ghosts only");
-        Violation::new(Rule::UnusedVertex, rank, message).vertex(id)
+        Violation::new(ViolationKind::UnusedVertex, rank, message).vertex(id)
     });
     let all: u64 = group.iter().map(|record| record.0[OWN]).sum();
     for (record, other) in group {
@@ -72,18 +73,18 @@ fn check_group(group: &[Record], findings: &mut Findings) {
                 _ => "cage".to_owned(),
             };
             let message = format!("{what} of vertex {id} differs on ranks {rank} and {other}");
-            Violation::new(Rule::SharedVertex, *other, message).vertex(id)
+            Violation::new(ViolationKind::SharedVertex, *other, message).vertex(id)
         });
         findings.check(record[OWNER] == rank as u64, || {
             let message =
                 format!("vertex {id} has owner {} on rank {other}, not {rank}", record[OWNER]);
-            Violation::new(Rule::VertexOwner, *other, message).vertex(id)
+            Violation::new(ViolationKind::VertexOwner, *other, message).vertex(id)
         });
         findings.check(record[OWN] == 0 || record[STAR] == all, || {
             let found = record[STAR];
             let message =
                 format!("rank {other} knows {found} of the {all} simplices at vertex {id}");
-            Violation::new(Rule::MissingGhost, *other, message).vertex(id)
+            Violation::new(ViolationKind::MissingGhost, *other, message).vertex(id)
         });
     }
 }

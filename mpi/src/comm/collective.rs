@@ -2,11 +2,11 @@
 
 use super::mpi::Ranks;
 use super::{Communicator, Operation, Transport};
-use crate::memory::{collected, filled};
+use netmesh::distributed::memory::{collected, filled, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 use std::cell::{Cell, RefCell};
 
-/// What of a message is told to other ranks.
+/// Number of bytes of an error's message that other ranks are told.
 const MESSAGE_BYTES: usize = 1024;
 
 /// Ranks that fail together. Not for several threads of a rank at a time.
@@ -15,27 +15,27 @@ pub struct Collective<T> {
     bytes_sent: Cell<u64>,
     /// Says an error in the words of the caller, since ranks tell each other no more than text.
     words: fn(&Error) -> String,
-    /// What all ranks have agreed on.
+    /// Error that all ranks have agreed on.
     failure: RefCell<Option<Error>>,
 }
 
 impl<T: Transport> Collective<T> {
-    /// Ranks whose messages are in the words of C.
+    /// Makes ranks whose messages are in the words of C.
     pub fn new(transport: T) -> Self {
         Self::in_words(transport, netmesh::capi::shared::in_words_of_c)
     }
 
-    /// Ranks whose messages are those of `words`.
+    /// Makes ranks whose messages are those of `words`.
     pub fn in_words(transport: T, words: fn(&Error) -> String) -> Self {
         Self { transport, bytes_sent: Cell::new(0), words, failure: RefCell::new(None) }
     }
 
-    /// For another call: what has failed before is past.
+    /// Returns a communicator for another call: what has failed before is past.
     pub fn again(&self) -> Collective<&T> {
         Collective::in_words(&self.transport, self.words)
     }
 
-    /// What every collective call begins with.
+    /// Begins every collective call: learns whether a rank has failed.
     fn checkpoint(&self, local: Option<&Error>) -> Result<()> {
         if let Some(error) = &*self.failure.borrow() {
             return Err(error.clone());
@@ -53,7 +53,7 @@ impl<T: Transport> Collective<T> {
         Err(error)
     }
 
-    /// The error of a rank, as all ranks tell it.
+    /// Returns the error of a rank, as all ranks tell it.
     fn error_of(&self, rank: usize, local: Option<&Error>) -> Result<Error> {
         let mut packet = [0; 8 + MESSAGE_BYTES];
         if let (Some(error), true) = (local, rank == self.transport.rank()) {
@@ -74,7 +74,8 @@ impl<T: Transport> Collective<T> {
         Ok(Error::new(kind, format!("{message} (rank {rank})")))
     }
 
-    /// Collective: an own failure, such as of an allocation, inside of a call.
+    /// Collective. Makes an own failure inside of a call, such as of an allocation, one of all
+    /// ranks.
     fn agree_on<V>(&self, local: Result<V>) -> Result<V> {
         match local {
             Ok(value) => self.checkpoint(None).map(|()| value),
@@ -105,7 +106,7 @@ impl<T: Transport> Communicator for Collective<T> {
         let buffers = || {
             let mut sizes = filled(self.size(), 0)?;
             self.transport.gather_integers(bytes.len() as u64, &mut sizes)?;
-            collected(sizes.iter().map(|size| filled(*size as usize, 0)))?.into_iter().collect()
+            empty_buffers(&sizes)
         };
         let mut gathered: Vec<Vec<u8>> = self.agree_on(buffers())?;
         self.transport.gather(bytes, &mut gathered)?;
@@ -122,7 +123,7 @@ impl<T: Transport> Communicator for Collective<T> {
             let sizes = collected(messages.iter().map(|message| message.len() as u64))?;
             let mut received = filled(self.size(), 0)?;
             self.transport.exchange_integers(&sizes, &mut received)?;
-            collected(received.iter().map(|size| filled(*size as usize, 0)))?.into_iter().collect()
+            empty_buffers(&received)
         };
         let mut received: Vec<Vec<u8>> = self.agree_on(buffers())?;
         self.transport.exchange(&messages, &mut received)?;
@@ -158,7 +159,7 @@ impl<T: Transport> Communicator for Collective<T> {
 
     fn exclusive_sum(&self, value: u64) -> Result<(u64, u64)> {
         self.checkpoint(None)?;
-        let mut values = self.agree_on(filled(self.size(), 0))?;
+        let mut values = self.agree_on(filled(self.size(), 0).map_err(Error::from))?;
         self.transport.gather_integers(value, &mut values)?;
         self.count(8, self.size() - 1);
         let sum =
@@ -194,7 +195,16 @@ impl<T: Transport> Communicator for Collective<T> {
     }
 }
 
-/// The longest prefix of `text` of at most `limit` bytes that ends between characters.
+/// Returns a buffer of each of the sizes.
+fn empty_buffers(sizes: &[u64]) -> Result<Vec<Vec<u8>>> {
+    let mut buffers = with_capacity(sizes.len())?;
+    for size in sizes {
+        buffers.push(filled(*size as usize, 0)?);
+    }
+    Ok(buffers)
+}
+
+/// Returns the longest prefix of `text` of at most `limit` bytes that ends between characters.
 fn prefix(text: &str, limit: usize) -> &str {
     let mut end = limit.min(text.len());
     while !text.is_char_boundary(end) {

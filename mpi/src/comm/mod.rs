@@ -1,11 +1,11 @@
-//! How ranks talk: [`Communicator`], over MPI ([`mpi`]) or between threads of one process
+//! Communication of ranks: [`Communicator`], over MPI ([`mpi`]) or between threads of one process
 //! ([`threads`]).
 //!
 //! **Failures are collective.** Every collective call begins with a checkpoint, at which all ranks
 //! learn whether one has failed. A rank that fails between two calls says so ([`agree`],
-//! [`Communicator::fail`]), which takes part in the next checkpoint of the others, whatever they call
-//! there: all of them then answer its error, and nobody waits for ever. A rank that waits for a message
-//! is told as well. After a failure every call answers that error at once.
+//! [`Communicator::fail`]), which takes part in the next checkpoint of the others, whatever they
+//! call there: all of them then answer its error, and nobody waits for ever. A rank that waits for
+//! a message is told as well. After a failure every call answers that error at once.
 
 mod collective;
 pub mod mpi;
@@ -18,53 +18,54 @@ pub use transport::{Operation, Transport};
 use netmesh::{Error, ErrorKind, Result};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// The ranks of a run. Collective calls are made by all ranks in the same order; they answer the same
-/// error on all, that of the lowest rank that has failed.
+/// The ranks of a run. Collective calls are made by all ranks in the same order; they answer the
+/// same error on all, that of the lowest rank that has failed.
 pub trait Communicator {
-    /// 0, 1, ...
+    /// Returns the rank of this process, from 0 on.
     fn rank(&self) -> usize;
 
-    /// How many ranks there are.
+    /// Returns the number of ranks.
     fn size(&self) -> usize;
 
-    /// Collective: ends when all have begun it.
+    /// Collective. Ends when all ranks have begun it.
     fn barrier(&self) -> Result<()>;
 
-    /// Collective: what each rank has given, by rank. Lengths may differ.
+    /// Collective. Returns what each rank has given, by rank. Lengths may differ.
     fn all_gather(&self, bytes: &[u8]) -> Result<Vec<Vec<u8>>>;
 
-    /// Collective: rank r gets `messages[r]`; answers what each rank has sent here, by rank. Lengths
-    /// may differ, and be of any size. There is one message for each rank.
+    /// Collective. Sends `messages[r]` to rank r; returns what each rank has sent here, by rank.
+    /// Lengths may differ, and be of any size. There is one message for each rank.
     fn all_to_all(&self, messages: Vec<Vec<u8>>) -> Result<Vec<Vec<u8>>>;
 
-    /// Sends to one rank, which calls [`Self::receive`]; may end only when that has begun. Messages of
-    /// one tag arrive in the order in which they were sent.
+    /// Sends to one rank, which calls [`Self::receive`]; may end only when that has begun. Messages
+    /// of one tag arrive in the order in which they were sent.
     fn send(&self, to: usize, tag: u16, bytes: &[u8]) -> Result<()>;
 
     /// Waits for the next message of a rank with a tag.
     fn receive(&self, from: usize, tag: u16) -> Result<Vec<u8>>;
 
-    /// Collective: the sum over the ranks before this one, and that over all.
+    /// Collective. Returns the sum over the ranks before this one, and that over all.
     fn exclusive_sum(&self, value: u64) -> Result<(u64, u64)>;
 
-    /// Collective: each of `values` over all ranks. Lengths are equal.
+    /// Collective. Reduces each of `values` over all ranks. Lengths are equal.
     fn all_reduce_integers(&self, values: &mut [u64], operation: Operation) -> Result<()>;
 
-    /// As [`Self::all_reduce_integers`]. A sum may depend on the number of ranks in its last bits.
+    /// Collective. Reduces each of `values` over all ranks. A sum may depend on the number of ranks
+    /// in its last bits.
     fn all_reduce_numbers(&self, values: &mut [f64], operation: Operation) -> Result<()>;
 
-    /// Bytes that this rank has sent to others, without what MPI adds.
+    /// Returns the number of bytes that this rank has sent to others, without what MPI adds.
     fn bytes_sent(&self) -> u64;
 
-    /// The ranks of MPI, where that is what there is.
+    /// Returns the ranks of MPI, where that is what there is.
     fn mpi(&self) -> Option<&mpi::Ranks>;
 
-    /// Tells all ranks that this one has failed; answers the error that all of them answer. Those that
-    /// have not failed learn it in their next call.
+    /// Tells all ranks that this one has failed; answers the error that all of them answer. Those
+    /// that have not failed learn it in their next call.
     fn fail(&self, error: Error) -> Error;
 }
 
-/// Collective: `local` where all ranks have succeeded, else the same error on all ranks.
+/// Collective. Returns `local` where all ranks have succeeded, else one error on all ranks.
 pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     match local {
         Ok(value) => comm.barrier().map(|()| value),
@@ -72,7 +73,7 @@ pub fn agree<T>(comm: &dyn Communicator, local: Result<T>) -> Result<T> {
     }
 }
 
-/// Collective: does what needs no other rank so that a panic on one is an error on all.
+/// Collective. Does what needs no other rank so that a panic on one is an error on all.
 pub fn agreed<T>(comm: &dyn Communicator, act: impl FnOnce() -> Result<T>) -> Result<T> {
     let local = catch_unwind(AssertUnwindSafe(act)).unwrap_or_else(|payload| {
         let reason = payload.downcast_ref::<&str>().copied();

@@ -1,8 +1,8 @@
 //! Ranks that are threads of one process: for tests, and for runs without MPI.
 
 use super::{Collective, Communicator, Operation, Transport};
-use crate::memory::copied;
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::distributed::memory::copied;
+use netmesh::{Error, Result};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -28,7 +28,7 @@ struct Thread {
     network: Arc<Network>,
 }
 
-/// What the ranks share.
+/// State that the ranks share.
 struct Network {
     size: usize,
     state: Mutex<State>,
@@ -36,13 +36,13 @@ struct Network {
 }
 
 struct State {
-    /// What the ranks have brought to the collective call under way, for each rank.
+    /// Messages that the ranks have brought to the collective call under way, for each rank.
     brought: Vec<Option<Vec<Vec<u8>>>>,
-    /// How many ranks have taken theirs from it.
+    /// Number of ranks that have taken theirs from it.
     taken: usize,
     /// Ranks may take, not bring.
     is_complete: bool,
-    /// By sender, receiver and tag.
+    /// Messages by sender, receiver and tag.
     messages: HashMap<(usize, usize, u16), VecDeque<Vec<u8>>>,
     is_failing: bool,
 }
@@ -174,7 +174,7 @@ impl Transport for Thread {
 
     fn send(&self, to: usize, tag: u16, bytes: &[u8]) -> Result<bool> {
         if to >= self.network.size {
-            return Err(Error::new(ErrorKind::InvalidArgument, "there is no such rank to send to"));
+            return Err(Error::invalid("there is no such rank to send to"));
         }
         let message = copied(bytes)?;
         let mut state = self.network.lock();

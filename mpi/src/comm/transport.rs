@@ -1,9 +1,9 @@
-//! What a network must do, without a word on failures of ranks.
+//! Operations of a network, without a word on failures of ranks.
 
 use super::mpi::Ranks;
 use netmesh::Result;
 
-/// What a reduction makes of the values of all ranks.
+/// Operation of a reduction of the values of all ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Operation {
@@ -37,35 +37,36 @@ pub trait Transport {
 
     fn size(&self) -> usize;
 
-    /// Collective.
+    /// Collective. Reduces each of `values` over all ranks.
     fn reduce_integers(&self, values: &mut [u64], operation: Operation) -> Result<()>;
 
-    /// Collective.
+    /// Collective. Reduces each of `values` over all ranks.
     fn reduce_numbers(&self, values: &mut [f64], operation: Operation) -> Result<()>;
 
-    /// Collective: `bytes` becomes that of rank `root`; lengths are equal.
+    /// Collective. Replaces `bytes` by those of rank `root`; lengths are equal.
     fn broadcast(&self, root: usize, bytes: &mut [u8]) -> Result<()>;
 
-    /// Collective: one value of each rank into `values`, by rank.
+    /// Collective. Gathers one value of each rank into `values`, by rank.
     fn gather_integers(&self, value: u64, values: &mut [u64]) -> Result<()>;
 
-    /// Collective: `values[r]` goes to rank r; `received[r]` becomes what that sent here.
+    /// Collective. Sends `values[r]` to rank r; `received[r]` becomes what that sent here.
     fn exchange_integers(&self, values: &[u64], received: &mut [u64]) -> Result<()>;
 
-    /// Collective: `gathered[r]` becomes what rank r has; each is as long as that already.
+    /// Collective. Gathers bytes: `gathered[r]` becomes what rank r has; each is as long as that
+    /// already.
     fn gather(&self, bytes: &[u8], gathered: &mut [Vec<u8>]) -> Result<()>;
 
-    /// Collective: `messages[r]` goes to rank r; `received[r]` becomes what that sent here, and is as
-    /// long as that already. The message of a rank to itself is not sent.
+    /// Collective. Sends `messages[r]` to rank r; `received[r]` becomes what that sent here, and is
+    /// as long as that already. The message of a rank to itself is not sent.
     fn exchange(&self, messages: &[Vec<u8>], received: &mut [Vec<u8>]) -> Result<()>;
 
-    /// False where a rank has failed meanwhile ([`Self::notify`]).
+    /// Sends bytes to a rank; returns false where a rank has failed meanwhile ([`Self::notify`]).
     fn send(&self, to: usize, tag: u16, bytes: &[u8]) -> Result<bool>;
 
-    /// `None` where a rank has failed meanwhile.
+    /// Waits for the next message of a rank with a tag; `None` where a rank has failed meanwhile.
     fn receive(&self, from: usize, tag: u16) -> Result<Option<Vec<u8>>>;
 
-    /// The ranks of MPI, where that is what there is.
+    /// Returns the ranks of MPI, where that is what there is.
     fn mpi(&self) -> Option<&Ranks> {
         None
     }

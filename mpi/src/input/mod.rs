@@ -18,14 +18,14 @@ pub struct Share {
     pub points: Vec<f64>,
 }
 
-/// Collective: reads the file, of which all ranks see the same, each under its path. Earlier rows are on
-/// lower ranks.
+/// Collective. Reads the file, of which all ranks see the same, each under its path. Earlier rows
+/// are on lower ranks.
 ///
 /// # Errors
-/// The same on all ranks, with the path of the rank that has the error: `InvalidArgument` (a format other
-/// than NumPy's and XYZ; a format or a file that is not the same on all ranks), `Io`, `Format`,
-/// `Dimension`, `NonFinite` and `OutOfMemory`, as the core's readers have them; lines and points count
-/// from the file's first.
+/// All ranks answer one error, with the path of the rank that has it: `InvalidArgument` (a format
+/// other than NumPy's and XYZ; a format or a file that is not the same on all ranks), `Io`,
+/// `Format`, `Dimension`, `NonFinite` and `OutOfMemory`, as the core's readers have them; lines and
+/// points count from the file's first.
 pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Share> {
     let (rank, ranks) = (comm.rank() as u64, comm.size() as u64);
     let in_file =
@@ -45,8 +45,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         let share = match format {
             Format::Npy => npy::read(file, rank, ranks),
             Format::Xyz => text::read(file, rank, ranks),
-            _ => Err(Error::new(
-                ErrorKind::InvalidArgument,
+            _ => Err(Error::invalid(
                 "ranks read NumPy's arrays (.npy) and points as text (.xyz) only",
             )),
         };
@@ -58,7 +57,7 @@ pub fn read(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Shar
         comm.all_reduce_integers(&mut least, Operation::Min)?;
         let mut most = [if share.points.is_empty() { 0 } else { own }];
         comm.all_reduce_integers(&mut most, Operation::Max)?;
-        let refused = |message| Err(in_file(Error::new(ErrorKind::Format, message)));
+        let refused = |message| Err(in_file(Error::format(message)));
         match (least[0], most[0]) {
             (u64::MAX, _) => refused("the file holds no points".to_owned()),
             (least, most) if least != most => refused(format!(
@@ -92,7 +91,7 @@ fn fingerprint(file: &mut File) -> Result<Arguments> {
     Ok(own.and("a digest of the file's content", content))
 }
 
-/// Where the share of a rank begins.
+/// Returns the row at which the share of a rank begins.
 fn start_of(rank: u64, ranks: u64, all: u64) -> u64 {
     (u128::from(all) * u128::from(rank) / u128::from(ranks)) as u64
 }

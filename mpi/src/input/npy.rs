@@ -1,7 +1,7 @@
 //! NumPy's `.npy`: an array of points in C order, of which a rank reads its rows.
 
 use super::{Share, io_error, start_of};
-use crate::memory::{filled, with_capacity};
+use netmesh::distributed::memory::{filled, with_capacity};
 use netmesh::mesh::{MAX_DIM, MIN_DIM};
 use netmesh::{Error, ErrorKind, Result};
 use std::fs::File;
@@ -12,13 +12,13 @@ const MAGIC: &[u8; 6] = b"\x93NUMPY";
 /// The longest header that is read.
 const MAX_HEADER: usize = 1 << 16;
 
-/// Bytes that are read at once.
+/// Number of bytes that are read at once.
 const BLOCK: usize = 1 << 20;
 
-/// What the header says.
+/// Header of a NumPy file.
 #[derive(Debug, PartialEq)]
 struct Header {
-    /// Of a number.
+    /// Number of bytes of a number.
     size: usize,
     is_big_endian: bool,
     points: u64,
@@ -33,7 +33,7 @@ pub fn read(mut file: File, rank: u64, ranks: u64) -> Result<Share> {
     if needed != Some(length) {
         let points = header.points;
         let message = format!("the file has {length} bytes; {points} points need another number");
-        return Err(Error::new(ErrorKind::Format, message));
+        return Err(Error::format(message));
     }
     let start = start_of(rank, ranks, header.points);
     let end = start_of(rank + 1, ranks, header.points);
@@ -80,7 +80,7 @@ fn read_header(file: &mut File) -> Result<(Header, u64)> {
 }
 
 impl Header {
-    /// From `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`.
+    /// Parses a header such as `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`.
     fn parse(text: &str) -> Result<Self> {
         let value = |key: &str| {
             let rest = text.split_once(&format!("'{key}'")).map(|(_, rest)| rest);
@@ -132,7 +132,7 @@ impl Header {
 }
 
 fn bad(why: &str) -> Error {
-    Error::new(ErrorKind::Format, why.to_owned())
+    Error::format(why.to_owned())
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Points as text: a line belongs to the rank that has its first byte. Lines are the core's business.
+//! Points as text: a line belongs to the rank that has its first byte. Lines are the core's
+//! business.
 
 use super::{Share, io_error, start_of};
 use netmesh::io::Format;
@@ -35,7 +36,7 @@ fn refuse_count(input: &mut impl BufRead) -> Result<()> {
         "line 1: {} is a number of points; ranks read files of points without it",
         line.escape_ascii()
     );
-    Err(Error::new(ErrorKind::Format, message))
+    Err(Error::format(message))
 }
 
 fn at(file: &mut File, offset: u64) -> Result<BufReader<&mut File>> {
@@ -43,7 +44,7 @@ fn at(file: &mut File, offset: u64) -> Result<BufReader<&mut File>> {
     Ok(BufReader::new(file))
 }
 
-/// The first line that begins at `offset` or after it.
+/// Returns the offset of the first line that begins at `offset` or after it.
 fn line_start(file: &mut File, offset: u64, length: u64) -> Result<u64> {
     if offset == 0 || offset >= length {
         return Ok(offset);
@@ -64,7 +65,7 @@ fn line_start(file: &mut File, offset: u64, length: u64) -> Result<u64> {
     }
 }
 
-/// The error of a line counted from `start`, with lines counted from the file's first.
+/// Returns the error of a line counted from `start`, with lines counted from the file's first.
 fn from_first_line(file: &mut File, start: u64, error: Error) -> Error {
     let Some(rest) = error.message().strip_prefix("line ") else { return error };
     let (number, rest) =

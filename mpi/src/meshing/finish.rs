@@ -1,13 +1,14 @@
-//! Pieces without what making them took. A domain may have been dissolved where others did not see it.
+//! Pieces without what making them took. A domain may have been dissolved where others did not see
+//! it.
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::{collected, with_capacity};
 use crate::piece::{self, HULL, INTERFACE, Piece, PieceDomain};
 use crate::words::{all_words, bytes_of};
+use netmesh::distributed::memory::{collected, with_capacity};
 use netmesh::distributed::{self, MADE, NO_DOMAIN, PlainPiece};
 use netmesh::{Result, VertexKind};
 
-/// Collective: the pieces of this rank with the domains that there are in the end.
+/// Collective. Returns the pieces of this rank with the domains that there are in the end.
 pub fn finish<const D: usize>(
     comm: &dyn Communicator,
     pieces: Vec<distributed::Piece<D>>,

@@ -1,7 +1,8 @@
 //! The algorithm (the core's `distributed` has its parts): all ranks make the same coarse mesh of a
-//! sample of the inputs ([`sample`]), which is cut into partitions ([`partitions`]). Each rank makes
-//! some of them; what they leave at their interfaces is cut anew and joined, in phases, and what is left
-//! then is taken out of all of them once more ([`phases`]). The pieces stay on the ranks where they were made.
+//! sample of the inputs ([`sample`]), which is divided into partitions ([`partitions`]). Each rank
+//! makes some of them; what they leave at their interfaces is divided anew and joined, in phases,
+//! and what is left then is taken out of all of them once more ([`phases`]). The pieces stay on the
+//! ranks where they were made.
 //!
 //! The partitions follow from the inputs alone, each is made of the same pieces on any rank, and no
 //! number of a rank enters any: so the mesh is the same on any number of ranks. A rank has its
@@ -13,18 +14,18 @@ mod phases;
 mod sample;
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::collected;
 use crate::piece::Piece;
 use crate::work::{Notes, Step};
 use netmesh::distributed::Coarse;
+use netmesh::distributed::memory::collected;
 use netmesh::options::ProgressFn;
 use netmesh::{Options, Progress, Result};
 
 /// Dimensions in which meshes are made in partitions: above, most of a mesh is at interfaces.
 pub const MAX_DIM: usize = 3;
 
-/// Collective: the mesh of what all ranks have; each answers its pieces. `points` of all ranks are
-/// finite and of one dimension, the options equal.
+/// Collective. Meshes the points of all ranks; each rank returns its pieces. `points` of all ranks
+/// are finite and of one dimension, the options equal.
 pub fn mesh(
     comm: &dyn Communicator,
     dim: usize,
@@ -67,7 +68,7 @@ fn mesh_in<const D: usize>(
     finish::finish(comm, pieces)
 }
 
-/// What the caller is told of all the parts that a run has on this rank, and what they took.
+/// Progress that the caller is told of all the parts that a run has on this rank, and their costs.
 pub struct Watch<'a, 'b, 'c> {
     progress: Option<&'a mut ProgressFn<'b>>,
     notes: &'a mut Notes<'c>,

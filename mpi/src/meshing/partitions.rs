@@ -1,27 +1,27 @@
-//! Inputs go to the ranks that make their partitions: those of the coarse simplices that they lie in.
-//! This is a sample sort along the order of locality of the coarse mesh.
+//! Inputs go to the ranks that make their partitions: those of the coarse simplices that they lie
+//! in. This is a sample sort along the order of locality of the coarse mesh.
 
 use super::Watch;
 use super::sample::{Input, keep_distinct, one_of};
 use crate::comm::{Communicator, agreed};
-use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{all_words, append, empty_messages, words_of};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 use netmesh::distributed::{Bisection, Coarse, Located, Piece};
 
 /// The least number of inputs of a partition in a large mesh, and in a small one.
 const LARGE: u64 = 1 << 19;
 pub const SMALL: u64 = 1 << 9;
 
-/// The least number of sampled inputs in a partition of a large mesh: with fewer, most of its inputs
-/// would be near an interface, and wait.
+/// The least number of sampled inputs in a partition of a large mesh: with fewer, most of its
+/// inputs would be near an interface, and wait.
 const SAMPLED: u64 = 1 << 10;
 
-/// A small mesh has at most so many partitions, and a large one a multiple of that, for equal shares on
-/// the usual numbers of ranks.
+/// A small mesh has at most so many partitions, and a large one a multiple of that, for equal
+/// shares on the usual numbers of ranks.
 const FEW: u64 = 8;
 
-/// How many partitions a mesh of so many inputs has: this does not depend on the ranks.
+/// Returns the number of partitions of a mesh of so many inputs: this does not depend on the ranks.
 fn partition_count(total: u64) -> usize {
     let large = LARGE.max(SAMPLED * one_of(total));
     match total / (FEW * large) {
@@ -33,28 +33,29 @@ fn partition_count(total: u64) -> usize {
 /// A cluster that has no more than this part of a partition is made by one partition.
 const CLUSTER: usize = 8;
 
-/// How many points of a sample of so many a cluster has that is one vertex of the coarse mesh.
+/// Returns the largest number of points of a sample that a cluster has which is one vertex of the
+/// coarse mesh.
 pub fn small_cluster(sample: usize, total: u64) -> usize {
     sample / (CLUSTER * partition_count(total))
 }
 
 /// The partitions, and which of them this rank makes.
 pub struct Share<const D: usize> {
-    /// Those of this rank, in order, each with inputs that wait.
+    /// Partitions of this rank, in order, each with inputs that wait.
     pub pieces: Vec<Piece<D>>,
     /// The first of them.
     pub first: usize,
-    /// How many there are on all ranks.
+    /// Number of partitions on all ranks.
     pub count: usize,
 }
 
-/// The rank that makes a partition of phase 0.
+/// Returns the rank that makes a partition of phase 0.
 pub fn owner(partition: usize, count: usize, ranks: usize) -> usize {
     partition * ranks / count
 }
 
-/// Collective: cuts the coarse mesh of `sample`, and sends each input to where its partition is made.
-/// `first`: the number of this rank's first point, `total` that of all points.
+/// Collective. Partitions the coarse mesh of `sample`, and sends each input to where its partition
+/// is made. `first` is the number of this rank's first point, `total` that of all points.
 pub fn share<const D: usize>(
     comm: &dyn Communicator,
     coarse: &mut Coarse<D>,
@@ -87,8 +88,8 @@ pub fn share<const D: usize>(
     agreed(comm, || own_partitions(comm, coarse, &received, &partition_of, count))
 }
 
-/// Collective: makes Steiner points of the coarse mesh that are where inputs are those inputs, on all
-/// ranks; of equal inputs that with the least name.
+/// Collective. Makes Steiner points of the coarse mesh that are where inputs are those inputs, on
+/// all ranks; of equal inputs that with the least name.
 fn yield_to<const D: usize>(
     comm: &dyn Communicator,
     coarse: &mut Coarse<D>,

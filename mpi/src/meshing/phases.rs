@@ -1,23 +1,23 @@
-//! Partitions, and the phases in which their seams are cut anew and joined.
+//! Partitions, and the phases in which their seams are divided anew and joined.
 
 use super::Watch;
 use super::partitions::{SMALL, Share, owner};
 use crate::comm::{Communicator, Operation, agreed};
-use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::words::{all_words, append, bytes_of, empty_messages, hash, words_of};
 use crate::work::Step;
 use netmesh::Result;
+use netmesh::distributed::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use netmesh::distributed::{Bisection, Coarse, Maker, Piece, RINGS};
 
-/// What is left in the end is taken out with twice so many steps around it, then with four times as
-/// many, and so on: in the end that is all.
+/// Number of rings about what is left at the end, when it is extracted first. Then there are twice
+/// as many, then four times as many, and so on: in the end that is all.
 const FIRST_RINGS: usize = 2;
 
-/// In so many phases there are as many partitions as at first. Then what is left is so little that
+/// Number of phases that have as many partitions as the first. Then what is left is so little that
 /// fewer leave less: those of the next phase are half as many, and so on.
 const WHOLE: u32 = 2;
 
-/// So many vertices of seams say, for each partition, where the next cuts are.
+/// Number of vertices of seams, for each partition, that say where the next planes are.
 const SAMPLES: u64 = 512;
 
 /// A vertex that a seam has takes this part of the time of an input that waits.
@@ -26,10 +26,10 @@ const WAITING: u64 = 8;
 /// A partition by its number, and the pieces that it is made of.
 type Joined<const D: usize> = (u32, Vec<Piece<D>>);
 
-/// Collective: makes all partitions, and what they leave. Answers the settled pieces of this rank.
+/// Collective. Makes all partitions, and what they leave. Returns the settled pieces of this rank.
 ///
-/// What a phase leaves lies along its planes and those of the phases before, so it gets less and less,
-/// and so do the partitions that it is cut into, until one of them has all.
+/// A phase leaves simplices along its planes and those of the phases before, so there are fewer and
+/// fewer of them and of the partitions that they make, until one partition has all.
 pub fn make<const D: usize>(
     comm: &dyn Communicator,
     coarse: &Coarse<D>,
@@ -49,15 +49,15 @@ pub fn make<const D: usize>(
         phase += 1;
         let most = if phase <= WHOLE { count } else { count / 2 };
         let seams = leave(comm, own, &mut settled)?;
-        let cut;
-        (cut, count) = cut_of(comm, &seams, phase, most)?;
+        let bisection;
+        (bisection, count) = bisection_of(comm, &seams, phase, most)?;
         let shared;
-        (owners, shared) = exchange(comm, seams, &cut, &mut loads, count)?;
+        (owners, shared) = exchange(comm, seams, &bisection, &mut loads, count)?;
         watch.notes.end(Step::Seams { phase }, 0, 0)?;
         own = agreed(comm, || make_phase(maker, shared, phase, made, watch))?;
         made += count as u32;
     }
-    settled.try_push_all(own)?;
+    push_all(&mut settled, own)?;
     let settled = make_rest(comm, maker, settled, owners[0] as usize, made, watch)?;
     watch.notes.end(Step::Rest, 0, 0)?;
     Ok(settled)
@@ -85,8 +85,8 @@ fn make_phase<const D: usize>(
     Ok(own)
 }
 
-/// Collective: the seams that the partitions `made` in a phase leave, and what they want of the pieces
-/// that are settled. Those are then all the others.
+/// Collective. Returns the seams that the partitions `made` in a phase leave, with what they want
+/// of the pieces that are settled. Those are then all the others.
 fn leave<const D: usize>(
     comm: &dyn Communicator,
     made: Vec<Piece<D>>,
@@ -94,7 +94,9 @@ fn leave<const D: usize>(
 ) -> Result<Vec<Piece<D>>> {
     let own = agreed(comm, || {
         let mut own = Vec::new();
-        made.iter().try_for_each(|piece| own.try_extend(&piece.wanted_names()?))?;
+        for piece in &made {
+            own.try_extend(&piece.wanted_names()?)?;
+        }
         Ok(own)
     })?;
     let wanted = all_names(comm, own)?;
@@ -102,21 +104,21 @@ fn leave<const D: usize>(
         let mut seams = Vec::new();
         for piece in std::mem::take(settled) {
             let (left, given) = piece.give(RINGS, &wanted)?;
-            settled.try_push_one(left)?;
-            seams.try_push_all(given)?;
+            settled.try_push(left)?;
+            push_all(&mut seams, given)?;
         }
         for piece in made {
             let (rest, seam) = piece.divide(RINGS, &wanted, || Ok(()))?;
-            settled.try_push_one(rest)?;
-            seams.try_push_all(seam)?;
+            settled.try_push(rest)?;
+            push_all(&mut seams, seam)?;
         }
         Ok(seams)
     })
 }
 
-/// Collective: where the seams of all ranks are cut, and into how many partitions. Vertices that their
-/// names choose say where.
-fn cut_of<const D: usize>(
+/// Collective. Returns the planes by which the seams of all ranks are partitioned, and the number
+/// of partitions. Vertices that their names choose say where.
+fn bisection_of<const D: usize>(
     comm: &dyn Communicator,
     seams: &[Piece<D>],
     phase: u32,
@@ -145,21 +147,21 @@ fn cut_of<const D: usize>(
         Ok(message)
     })?;
     let all = comm.all_gather(&message)?;
-    let cut = agreed(comm, || {
+    let bisection = agreed(comm, || {
         let words = all_words(&all)?;
         let point = |words: &[u64]| std::array::from_fn(|axis| f64::from_bits(words[axis]));
         Bisection::new(collected(words.chunks_exact(D).map(point))?, count, phase as usize)
     })?;
-    Ok((cut, count))
+    Ok((bisection, count))
 }
 
-/// Collective: cuts all seams, and brings the pieces to the ranks of their partitions. Those ranks, and
-/// the partitions that this rank makes, with their pieces in the order in which those were made.
-/// `loads`: by rank, how many partitions it has made.
+/// Collective. Partitions all seams, and brings the pieces to the ranks of their partitions.
+/// Returns those ranks, and the partitions that this rank makes, with their pieces in the order in
+/// which those were made. `loads` has by rank the number of partitions that it has made.
 fn exchange<const D: usize>(
     comm: &dyn Communicator,
     seams: Vec<Piece<D>>,
-    cut: &Bisection<D>,
+    bisection: &Bisection<D>,
     loads: &mut [u32],
     count: usize,
 ) -> Result<(Vec<u32>, Vec<Joined<D>>)> {
@@ -167,9 +169,9 @@ fn exchange<const D: usize>(
     let own = agreed(comm, || {
         let mut own = filled(count, 0u64)?;
         for seam in seams {
-            for (partition, piece) in seam.cut_apart(cut)? {
+            for (partition, piece) in seam.cut_apart(bisection)? {
                 own[partition as usize] += piece.simplex_count() as u64;
-                kept.try_push_one((partition, piece))?;
+                kept.try_push((partition, piece))?;
             }
         }
         bytes_of(&own)
@@ -180,7 +182,7 @@ fn exchange<const D: usize>(
         let mut messages = empty_messages(comm.size())?;
         for (partition, piece) in std::mem::take(&mut kept) {
             match owners[partition as usize] as usize {
-                to if to == comm.rank() => kept.try_push_one((partition, piece))?,
+                to if to == comm.rank() => kept.try_push((partition, piece))?,
                 to => append_piece(&mut messages[to], partition, &piece)?,
             }
         }
@@ -189,23 +191,23 @@ fn exchange<const D: usize>(
     let received = comm.all_to_all(messages)?;
     agreed(comm, || {
         for message in received {
-            read_pieces(&message, |partition, piece| kept.try_push_one((partition, piece)))?;
+            read_pieces(&message, |partition, piece| kept.try_push((partition, piece)))?;
         }
         kept.sort_by_key(|(partition, piece)| (*partition, piece.maker()));
         let mut shared: Vec<Joined<D>> = Vec::new();
         for (partition, piece) in kept {
             match shared.last_mut() {
-                Some((last, pieces)) if *last == partition => pieces.try_push_one(piece)?,
-                _ => shared.try_push_one((partition, vec![piece]))?,
+                Some((last, pieces)) if *last == partition => pieces.try_push(piece)?,
+                _ => shared.try_push((partition, vec![piece]))?,
             }
         }
         Ok((owners, shared))
     })
 }
 
-/// The rank that makes each partition: one that has much of it, so that little is sent, of those
-/// that have made the fewest until now. `shares`: by rank, how much of each partition it has. The
-/// mesh does not depend on it.
+/// Returns the rank that makes each partition: one that has much of it, so that little is sent, of
+/// those that have made the fewest until now. `shares` has by rank how much of each partition it
+/// has. The mesh does not depend on it.
 fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<u32>> {
     let most = most_load(loads, count);
     let mut wishes = Vec::new();
@@ -225,7 +227,7 @@ fn owners_of(shares: &[Vec<u8>], loads: &mut [u32], count: usize) -> Result<Vec<
     Ok(owners)
 }
 
-/// The least load of the rank with most, if `count` more partitions are made.
+/// Returns the least load of the rank with most, if `count` more partitions are made.
 fn most_load(loads: &[u32], count: usize) -> u32 {
     let room =
         |most: u32| loads.iter().map(|&load| most.saturating_sub(load) as usize).sum::<usize>();
@@ -236,7 +238,7 @@ fn most_load(loads: &[u32], count: usize) -> u32 {
     most
 }
 
-/// By rank, how many partitions of phase 0 it makes.
+/// Returns by rank how many partitions of phase 0 it makes.
 fn loads_of_all(count: usize, ranks: usize) -> Result<Vec<u32>> {
     let mut loads = filled(ranks, 0)?;
     (0..count).for_each(|partition| loads[owner(partition, count, ranks)] += 1);
@@ -250,12 +252,12 @@ fn append_piece<const D: usize>(
 ) -> Result<()> {
     let bytes = piece.to_bytes()?;
     append(message, &[partition.into(), bytes.len() as u64])?;
-    message.try_extend(&bytes)
+    Ok(message.try_extend(&bytes)?)
 }
 
 fn read_pieces<const D: usize>(
     mut message: &[u8],
-    mut take: impl FnMut(u32, Piece<D>) -> Result<()>,
+    mut take: impl FnMut(u32, Piece<D>) -> AllocResult<()>,
 ) -> Result<()> {
     while let Some((head, rest)) = message.split_at_checked(16) {
         let head: Vec<u64> = collected(words_of(head))?;
@@ -266,8 +268,8 @@ fn read_pieces<const D: usize>(
     Ok(())
 }
 
-/// Collective: what the last piece on `rank` has left to do is taken out of the pieces of all ranks,
-/// with so much around it that it can be done.
+/// Collective. Extracts what the last piece on `rank` has left to do from the pieces of all ranks,
+/// with so much around it that it can be done, and does it.
 fn make_rest<const D: usize>(
     comm: &dyn Communicator,
     maker: &Maker<D>,
@@ -306,14 +308,14 @@ fn make_rest<const D: usize>(
                 if from == rank {
                     continue;
                 }
-                read_pieces(message, |_, piece| pieces.try_push_one(piece))?;
+                read_pieces(message, |_, piece| pieces.try_push(piece))?;
             }
             if comm.rank() == rank {
                 let mut all = kept;
-                all.try_push_all(pieces)?;
+                push_all(&mut all, pieces)?;
                 // In the order in which the pieces were made, wherever that was.
                 all.sort_by_key(Piece::maker);
-                settled.try_push_one(
+                settled.try_push(
                     watch.next(0.1, |progress| maker.refine(all, number, Some(progress)))?,
                 )?;
             }
@@ -322,8 +324,8 @@ fn make_rest<const D: usize>(
     }
 }
 
-/// Takes the simplices beside vertices of these names out of all pieces: those that stay on this rank,
-/// if it is that which goes on, and messages with the others.
+/// Takes the simplices beside vertices of these names out of all pieces: those that stay on this
+/// rank, if it is that which goes on, and messages with the others.
 fn take_out<const D: usize>(
     comm: &dyn Communicator,
     settled: &mut Vec<Piece<D>>,
@@ -334,17 +336,17 @@ fn take_out<const D: usize>(
     let mut kept = Vec::new();
     for piece in std::mem::take(settled) {
         let (left, taken) = piece.give(0, names)?;
-        settled.try_push_one(left)?;
+        settled.try_push(left)?;
         let Some(taken) = taken else { continue };
         match comm.rank() == rank {
-            true => kept.try_push_one(taken)?,
+            true => kept.try_push(taken)?,
             false => append_piece(&mut messages[rank], 0, &taken)?,
         }
     }
     Ok((kept, messages))
 }
 
-/// Collective: the names of all ranks, rising.
+/// Collective. Returns the names of all ranks, rising.
 fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     own.sort_unstable();
     own.dedup();
@@ -354,20 +356,9 @@ fn all_names(comm: &dyn Communicator, mut own: Vec<u64>) -> Result<Vec<u64>> {
     Ok(all)
 }
 
-/// Growth of lists of pieces, which are not copied.
-trait Pieces<T> {
-    fn try_push_one(&mut self, piece: T) -> Result<()>;
-    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()>;
-}
-
-impl<T> Pieces<T> for Vec<T> {
-    fn try_push_one(&mut self, piece: T) -> Result<()> {
-        self.try_push(piece)
-    }
-
-    fn try_push_all(&mut self, pieces: impl IntoIterator<Item = T>) -> Result<()> {
-        pieces.into_iter().try_for_each(|piece| self.try_push(piece))
-    }
+/// Appends pieces, which are not copied.
+fn push_all<T>(list: &mut Vec<T>, pieces: impl IntoIterator<Item = T>) -> Result<()> {
+    Ok(pieces.into_iter().try_for_each(|piece| list.try_push(piece))?)
 }
 
 #[cfg(test)]

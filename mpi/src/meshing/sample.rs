@@ -2,21 +2,21 @@
 //! matter which rank has them, and those that say how far all of them reach.
 
 use crate::comm::{Communicator, agreed};
-use crate::memory::{TryGrow, collected};
 use crate::words::{append, hash, words_of};
+use netmesh::distributed::memory::{TryGrow, collected};
 use netmesh::{Error, ErrorKind, Result};
 use std::cmp::Ordering;
 
-/// One input in this many is of the sample, unless that would have more than [`MOST`]. With more the
-/// coarse mesh, which all ranks make, would take a share of the time that does not shrink with them;
-/// with fewer more inputs would wait at the seams, whose simplices are as large as those of the coarse
-/// mesh.
+/// Number of inputs of which one is in the sample, unless that would have more than [`MOST`]. With
+/// a larger sample the coarse mesh, which all ranks make, would take a share of the time that does
+/// not shrink with them; with a smaller one more inputs would wait at the seams, whose simplices
+/// are as large as those of the coarse mesh.
 const SAMPLED: u64 = 32;
 
-/// About so many inputs are in a sample at most: what all ranks make is bounded.
+/// Number of inputs that a sample has at most, about: what all ranks make is bounded.
 const MOST: u64 = 1 << 20;
 
-/// One input in this many is of the sample of so many.
+/// Returns the number of inputs of which one is in the sample.
 pub fn one_of(total: u64) -> u64 {
     SAMPLED.max(total / MOST)
 }
@@ -29,7 +29,7 @@ pub struct Input<const D: usize> {
 }
 
 impl<const D: usize> Input<D> {
-    /// Points are equal if their coordinates are, whatever the sign of zero.
+    /// Returns the bits of the coordinates, with zeros of one sign: points are equal if these are.
     pub fn bits(&self) -> [u64; D] {
         self.point.map(|x| (x + 0.0).to_bits())
     }
@@ -39,7 +39,7 @@ impl<const D: usize> Input<D> {
         append(bytes, &self.point.map(f64::to_bits))
     }
 
-    /// An order of points that knows nothing of ranks.
+    /// Orders points so that ranks make no difference.
     fn order(&self, other: &Self) -> Ordering {
         let coordinates = self.point.iter().zip(&other.point);
         // Zeros are equal, whatever their signs.
@@ -49,13 +49,13 @@ impl<const D: usize> Input<D> {
     }
 }
 
-/// The inputs of a message.
+/// Reads the inputs of a message.
 pub fn inputs_of<const D: usize>(bytes: &[u8]) -> Result<Vec<Input<D>>> {
     let words: Vec<u64> = collected(words_of(bytes))?;
-    collected(words.chunks_exact(1 + D).map(|words| Input {
+    Ok(collected(words.chunks_exact(1 + D).map(|words| Input {
         name: words[0],
         point: std::array::from_fn(|axis| f64::from_bits(words[1 + axis])),
-    }))
+    }))?)
 }
 
 /// Keeps the first of equal inputs, those with the least names, and puts all in the order of names.
@@ -65,8 +65,8 @@ pub fn keep_distinct<const D: usize>(inputs: &mut Vec<Input<D>>) {
     inputs.sort_unstable_by_key(|input| input.name);
 }
 
-/// Collective: the sample, the same on all ranks, by rising names. `first`: the number of this rank's
-/// first point, `total` that of all points.
+/// Collective. Returns the sample, equal on all ranks, by rising names. `first` is the number of
+/// this rank's first point, `total` that of all points.
 pub fn sample<const D: usize>(
     comm: &dyn Communicator,
     points: &[[f64; D]],
@@ -91,8 +91,8 @@ pub fn sample<const D: usize>(
     Ok(chosen)
 }
 
-/// Collective: the inputs at the ends of every axis, the one nearest to the middle of their box, and
-/// that farthest from the latter. The coarse mesh asks for them.
+/// Collective. Returns the inputs at the ends of every axis, the one nearest to the middle of their
+/// box, and that farthest from the latter. The coarse mesh asks for them.
 fn ends<const D: usize, I: Iterator<Item = Input<D>>>(
     comm: &dyn Communicator,
     inputs: impl Fn() -> I,
@@ -126,7 +126,7 @@ fn ends<const D: usize, I: Iterator<Item = Input<D>>>(
     Ok(found)
 }
 
-/// Collective: the input with the least measure, of several the first in [`Input::order`].
+/// Collective. Returns the input with the least measure, of several the first in [`Input::order`].
 fn least<const D: usize>(
     comm: &dyn Communicator,
     inputs: impl Iterator<Item = Input<D>>,

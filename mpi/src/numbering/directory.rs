@@ -3,15 +3,15 @@
 use super::defect;
 use super::merged::Merged;
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, filled, with_capacity};
 use crate::words::{Words, append, empty_messages, hash};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
 use netmesh::mesh::MAX_DIM;
 
 /// A facet whose other side is another rank's.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
-    /// Its place among the own neighbours.
+    /// Position of the facet among the own neighbours.
     pub slot: usize,
     /// The id of the simplex across.
     pub other: u64,
@@ -19,16 +19,16 @@ pub struct Crossing {
     pub rank: u32,
 }
 
-/// The rank that knows about something with these names.
+/// Returns the rank that knows about something with these names.
 fn keeper(names: &[u64], ranks: usize) -> usize {
     (hash(names) % ranks as u64) as usize
 }
 
-/// A facet as the directory sees it: the names of its vertices, the place among all neighbours of all
-/// ranks, and whose it is.
+/// A facet as the directory sees it: the names of its vertices, the place among all neighbours of
+/// all ranks, and whose it is.
 type Record = ([u64; MAX_DIM], u64, u32);
 
-/// Collective: what is across the facets at the places `open` of `neighbors`.
+/// Collective. Finds what is across the facets at the positions `open` of `neighbors`.
 pub fn join_facets(
     comm: &dyn Communicator,
     merged: &Merged,
@@ -94,8 +94,9 @@ pub struct Shared {
 }
 
 impl Shared {
-    /// Collective. A vertex that two ranks have lies on facets between ranks, in each of them: the
-    /// simplices round a vertex are connected through facets with it.
+    /// Collective. Finds the vertices that several ranks have. A vertex that two ranks have lies on
+    /// facets between ranks, in each of them: the simplices round a vertex are connected through
+    /// facets with it.
     pub fn find(comm: &dyn Communicator, merged: &Merged, open: &[usize]) -> Result<Self> {
         let mut vertices: Vec<u32> = with_capacity(open.len() * merged.dim)?;
         open.iter().for_each(|&slot| vertices.extend(&merged.facet(slot)[..merged.dim]));
@@ -137,7 +138,7 @@ impl Shared {
         Ok(Self { pairs })
     }
 
-    /// By vertex, the lowest rank that has it.
+    /// Returns for each vertex the lowest rank that has it.
     pub fn owners(&self, rank: u32, vertices: usize) -> Result<Vec<u32>> {
         let mut owners = filled(vertices, rank)?;
         for &(vertex, other) in &self.pairs {
@@ -147,7 +148,7 @@ impl Shared {
         Ok(owners)
     }
 
-    /// The other ranks that have a vertex.
+    /// Returns the other ranks that have a vertex.
     pub fn of(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
         let start = self.pairs.partition_point(|pair| pair.0 < vertex);
         let here = self.pairs[start..].iter().take_while(move |pair| pair.0 == vertex);

@@ -5,12 +5,12 @@
 use super::defect;
 use crate::comm::{Communicator, Operation};
 use crate::distributed::{DistributedMesh, Domain, NO_ID};
-use crate::memory::{TryGrow, collected};
 use crate::piece::{ADDED, PieceDomain};
 use crate::words::{append, distinct, empty_messages, words_of};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected};
 
-/// Id, version, parent, centre, radius and the centre's coordinates.
+/// Data of a domain: id, version, parent, centre, radius and the centre's coordinates.
 pub type Record = [u64; 8];
 
 const ID: usize = 0;
@@ -18,14 +18,14 @@ const VERSION: usize = 1;
 const PARENT: usize = 2;
 const CENTER: usize = 3;
 
-/// The names of vertices that are no inputs, which rise, and those at the centres of domains, which
-/// another rank may have.
+/// Returns the names of vertices that are no inputs, which rise, and those at the centres of
+/// domains, which another rank may have.
 pub fn with_centers(names: &[u64], copies: &[PieceDomain]) -> Result<Vec<u64>> {
     let centers = copies.iter().map(|copy| copy.center).filter(|name| name & ADDED != 0);
     distinct(names.iter().copied().chain(centers))
 }
 
-/// What a piece knows of a domain. `domain_id`, `vertex_id`: name -> id.
+/// Returns what a piece knows of a domain. `domain_id` and `vertex_id` turn names into ids.
 pub fn record(
     copy: &PieceDomain,
     domain_id: impl Fn(u64) -> u64,
@@ -37,7 +37,7 @@ pub fn record(
     [domain_id(copy.name), copy.version, parent, center, radius, x, y, z]
 }
 
-/// Collective: gives the mesh the domains that hold its vertices.
+/// Collective. Gives the mesh the domains that hold its vertices.
 pub fn exchange(
     comm: &dyn Communicator,
     mesh: &mut DistributedMesh,
@@ -67,7 +67,8 @@ fn keeper(id: u64, ranks: usize) -> usize {
     (id % ranks as u64) as usize
 }
 
-/// Collective: the latest of all copies of the domains that this rank keeps, by rising id.
+/// Collective. Delivers copies of domains; returns the latest of those that this rank keeps, by
+/// rising id.
 fn deliver(comm: &dyn Communicator, copies: &[Record]) -> Result<Vec<Record>> {
     let mut messages = empty_messages(comm.size())?;
     for copy in copies {
@@ -79,7 +80,7 @@ fn deliver(comm: &dyn Communicator, copies: &[Record]) -> Result<Vec<Record>> {
     Ok(kept)
 }
 
-/// Collective: the records of the domains that this rank wants.
+/// Collective. Asks for the records of the domains that this rank wants.
 fn ask(comm: &dyn Communicator, kept: &[Record], wanted: &[u64]) -> Result<Vec<Record>> {
     let mut questions = empty_messages(comm.size())?;
     for &id in wanted {
@@ -123,8 +124,8 @@ mod tests {
     use super::*;
     use crate::comm::threads;
 
-    /// A chain of domains, of which each rank knows some, one in an old state: each gets the latest
-    /// of those that hold its vertices, and no others.
+    /// Exchanges a chain of domains, of which each rank knows some, one in an old state: each gets
+    /// the latest of those that hold its vertices, and no others.
     #[test]
     fn a_rank_gets_the_latest_of_its_domains_and_of_those_around_them() {
         let record = |id, version, parent, radius: f64| -> Record {

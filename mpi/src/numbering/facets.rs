@@ -2,8 +2,8 @@
 
 use super::defect;
 use super::merged::{Merged, OPEN};
-use crate::memory::collected;
 use netmesh::Result;
+use netmesh::distributed::memory::collected;
 
 /// Joins the pieces of this rank; answers the places in `neighbors` behind which is another rank.
 pub fn join_own(merged: &mut Merged) -> Result<Vec<usize>> {
@@ -22,5 +22,5 @@ pub fn join_own(merged: &mut Merged) -> Result<Vec<usize>> {
         }
     }
     facets.retain(|(_, slot)| merged.neighbors[*slot] == OPEN);
-    collected(facets.into_iter().map(|(_, slot)| slot))
+    Ok(collected(facets.into_iter().map(|(_, slot)| slot))?)
 }

@@ -4,11 +4,11 @@ use super::defect;
 use super::directory::{Crossing, Shared};
 use crate::comm::Communicator;
 use crate::distributed::{DistributedMesh, Ghost, InterfaceFacet};
-use crate::memory::{TryGrow, collected, copied, with_capacity};
 use crate::words::{Words, append, empty_messages};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, copied, with_capacity};
 
-/// Collective: each rank sends the others its simplices that share a vertex with theirs.
+/// Collective. Sends the others those simplices that share a vertex with theirs.
 pub fn exchange(
     comm: &dyn Communicator,
     mesh: &mut DistributedMesh,
@@ -33,7 +33,7 @@ pub fn exchange(
     Received::read(mesh.dim, &messages)?.add_to(mesh)
 }
 
-/// The vertices of some simplices, then the simplices.
+/// Returns a message of the vertices of some simplices, then the simplices.
 fn message(mesh: &DistributedMesh, simplices: &[(u32, usize)]) -> Result<Vec<u8>> {
     let mut vertices = with_capacity(simplices.len() * (mesh.dim + 1))?;
     simplices.iter().for_each(|(_, simplex)| vertices.extend(mesh.simplex(*simplex)));
@@ -58,12 +58,12 @@ fn message(mesh: &DistributedMesh, simplices: &[(u32, usize)]) -> Result<Vec<u8>
     Ok(bytes)
 }
 
-/// What others have sent.
+/// Vertices and simplices that others have sent.
 struct Received {
     vertices: Vec<Vertex>,
-    /// With the ids of their vertices, one after another in `corners`.
+    /// Ghosts, and where the ids of their vertices begin in `vertex_ids`.
     ghosts: Vec<(Ghost, usize)>,
-    corners: Vec<u64>,
+    vertex_ids: Vec<u64>,
 }
 
 #[derive(Clone, Copy)]
@@ -78,7 +78,8 @@ struct Vertex {
 
 impl Received {
     fn read(dim: usize, messages: &[Vec<u8>]) -> Result<Self> {
-        let mut received = Self { vertices: Vec::new(), ghosts: Vec::new(), corners: Vec::new() };
+        let mut received =
+            Self { vertices: Vec::new(), ghosts: Vec::new(), vertex_ids: Vec::new() };
         for (rank, message) in messages.iter().enumerate().filter(|(_, bytes)| !bytes.is_empty()) {
             let mut words = Words::new(message);
             let first = received.vertices.len();
@@ -87,12 +88,12 @@ impl Received {
             }
             while !words.is_empty() {
                 let ghost = Ghost { id: words.next()?, owner: rank as u32 };
-                received.ghosts.try_push((ghost, received.corners.len()))?;
+                received.ghosts.try_push((ghost, received.vertex_ids.len()))?;
                 for _ in 0..=dim {
                     let at = first + words.next()? as usize;
                     let vertex = received.vertices.get(at);
                     let vertex = vertex.ok_or_else(|| defect("a vertex is missing"))?;
-                    received.corners.try_push(vertex.id)?;
+                    received.vertex_ids.try_push(vertex.id)?;
                 }
             }
         }
@@ -122,8 +123,10 @@ impl Received {
         self.ghosts.sort_unstable_by_key(|(ghost, _)| ghost.id);
         mesh.ghosts = collected(self.ghosts.iter().map(|(ghost, _)| *ghost))?;
         for (_, start) in &self.ghosts {
-            let corners = &self.corners[*start..][..=mesh.dim];
-            corners.iter().try_for_each(|id| mesh.ghost_simplices.try_push(index(id)?))?;
+            let vertex_ids = &self.vertex_ids[*start..][..=mesh.dim];
+            for id in vertex_ids {
+                mesh.ghost_simplices.try_push(index(id)?)?;
+            }
         }
         Ok(())
     }

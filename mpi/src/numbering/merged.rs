@@ -1,21 +1,22 @@
 //! The pieces of a rank as one, with every vertex once.
 
 use super::defect;
-use crate::memory::{TryGrow, filled, with_capacity};
 use crate::piece::{self, Piece, PieceDomain};
 use crate::words::distinct;
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, filled, with_capacity};
 
-/// Across a facet is nothing.
+/// Value for nothing across a facet: the hull of the whole mesh.
 pub const HULL: u64 = u64::MAX;
 
-/// Across a facet is another piece, not yet known which.
+/// Value for another piece across a facet, not yet known which.
 pub const OPEN: u64 = u64::MAX - 1;
 
 #[derive(Default)]
 pub struct Merged {
     pub dim: usize,
-    /// Rising, so inputs come first; by vertex, as `points` and what follows.
+    /// Names of the vertices, rising, so inputs come first; by vertex, as `points` and the arrays
+    /// after it.
     pub names: Vec<u64>,
     pub points: Vec<f64>,
     pub kinds: Vec<u8>,
@@ -28,7 +29,7 @@ pub struct Merged {
     pub neighbors: Vec<u64>,
     /// The names of all domains that are named, rising.
     pub domains: Vec<u64>,
-    /// What pieces know of them, a domain once or more.
+    /// Domains that pieces know, each once or more.
     pub copies: Vec<PieceDomain>,
 }
 
@@ -39,15 +40,15 @@ impl Merged {
         pieces.iter().for_each(|piece| names.extend_from_slice(&piece.names));
         names.sort_unstable();
         names.dedup();
-        let corners = pieces.iter().map(|piece| piece.simplices.len()).sum();
+        let entries = pieces.iter().map(|piece| piece.simplices.len()).sum();
         let mut merged = Self {
             dim,
             points: filled(names.len() * dim, f64::NAN)?,
             kinds: filled(names.len(), 0)?,
             vertex_domains: filled(names.len(), u64::MAX)?,
             vertex_cages: filled(names.len(), u64::MAX)?,
-            simplices: with_capacity(corners)?,
-            neighbors: with_capacity(corners)?,
+            simplices: with_capacity(entries)?,
+            neighbors: with_capacity(entries)?,
             domains: Vec::new(),
             copies: Vec::new(),
             names,
@@ -58,7 +59,8 @@ impl Merged {
         Ok(merged)
     }
 
-    /// A label or a parent may be a domain of which the rank knows nothing else.
+    /// Returns the names of all domains. A label or a parent may be a domain of which the rank
+    /// knows nothing else.
     fn domain_names(&self) -> Result<Vec<u64>> {
         let of_copies = self.copies.iter().flat_map(|copy| [Some(copy.name), copy.parent]);
         let of_vertices = self.vertex_domains.iter().chain(&self.vertex_cages).copied();
@@ -90,14 +92,15 @@ impl Merged {
             piece::INTERFACE => OPEN,
             neighbor => first + u64::from(neighbor),
         }));
-        self.copies.try_extend(&piece.domains)
+        Ok(self.copies.try_extend(&piece.domains)?)
     }
 
     pub fn simplex_count(&self) -> usize {
         self.simplices.len() / (self.dim + 1)
     }
 
-    /// The vertices of the facet at a place of `neighbors`, rising; as many as the dimension.
+    /// Returns the vertices of the facet at a position of `neighbors`, rising; as many as the
+    /// dimension.
     pub fn facet(&self, slot: usize) -> [u32; netmesh::mesh::MAX_DIM] {
         let size = self.dim + 1;
         let simplex = &self.simplices[slot / size * size..][..size];

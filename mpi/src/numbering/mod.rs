@@ -15,13 +15,13 @@ mod names;
 use crate::comm::Communicator;
 use crate::comm::Operation;
 use crate::distributed::{DistributedMesh, NO_ID, Totals};
-use crate::memory::{collected, copied, with_capacity};
 use crate::piece::{ADDED, Piece};
 use directory::Shared;
 use merged::Merged;
+use netmesh::distributed::memory::{collected, copied, with_capacity};
 use netmesh::{Error, ErrorKind, Result};
 
-/// Collective: the part of this rank. `inputs` are those that it has given.
+/// Collective. Makes the part of this rank. `inputs` are those that it has given.
 pub fn number(
     comm: &dyn Communicator,
     dim: usize,
@@ -97,7 +97,7 @@ pub fn number(
     Ok(mesh)
 }
 
-/// The pieces do not fit together.
+/// Returns the error of pieces that do not fit together.
 fn defect(what: &str) -> Error {
     Error::new(ErrorKind::Panic, format!("internal error: {what}; please report it"))
 }

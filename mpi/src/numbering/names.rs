@@ -1,15 +1,15 @@
 //! Numbers of names: each is that of the names below it on all ranks.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, collected, with_capacity};
 use crate::words::{bytes_of, empty_messages, words_of};
 use netmesh::Result;
+use netmesh::distributed::memory::{TryGrow, collected, with_capacity};
 
-/// How many of its names a rank tells all for the choice of ranges.
+/// Number of its names that a rank tells all for the choice of ranges.
 const SAMPLES: usize = 64;
 
-/// Collective: the numbers of rising names without repetition, and how many names there are on all
-/// ranks. A name of several ranks has one number.
+/// Collective. Returns the numbers of rising names without repetition, and how many names there are
+/// on all ranks. A name of several ranks has one number.
 ///
 /// Each rank counts the names of a range. The ranges are chosen by samples, so that they are about
 /// equally full; a rank whose names are next to each other sends few of them elsewhere.
@@ -43,7 +43,7 @@ pub fn number(comm: &dyn Communicator, names: &[u64]) -> Result<(Vec<u64>, u64)>
     Ok((collected(answers.iter().flat_map(|answer| words_of(answer)))?, count))
 }
 
-/// Where the ranges of the ranks but the first begin.
+/// Returns where the ranges of the ranks but the first begin.
 fn bounds(comm: &dyn Communicator, names: &[u64]) -> Result<Vec<u64>> {
     let samples = names.len().min(SAMPLES);
     let mut message = vec![names.len() as u64];

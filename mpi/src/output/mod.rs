@@ -21,7 +21,7 @@ pub use work::write_work;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum Format {
-    /// By the extension of the path.
+    /// Format that the extension of the path names.
     Auto = 0,
     /// VTK's parallel unstructured grid: NAME.pvtu and a NAME_RANK.vtu of each rank. 2D and 3D.
     Pvtu = 1,
@@ -32,36 +32,36 @@ pub enum Format {
 impl Format {
     fn resolved(self, path: &Path) -> Result<Self> {
         if path.file_stem().is_none() {
-            return Err(Error::new(ErrorKind::InvalidArgument, "the path names no file"));
+            return Err(Error::invalid("the path names no file"));
         }
         match (self, path.extension().and_then(|extension| extension.to_str())) {
             (Self::Auto, Some("pvtu")) => Ok(Self::Pvtu),
             (Self::Auto, Some("npy")) => Ok(Self::Npy),
-            (Self::Auto, _) => Err(Error::new(
-                ErrorKind::InvalidArgument,
-                format!("{}: the extension must be .pvtu or .npy", path.display()),
-            )),
+            (Self::Auto, _) => Err(Error::invalid(format!(
+                "{}: the extension must be .pvtu or .npy",
+                path.display()
+            ))),
             (format, _) => Ok(format),
         }
     }
 }
 
-/// Collective: finds out, before there is a mesh, whether [`write`] can write its files; nothing of what it
-/// makes for that stays.
+/// Collective. Finds out, before there is a mesh, whether [`write`] can write its files; nothing of
+/// what it makes for that stays.
 ///
 /// # Errors
-/// As [`write`], but for a disk that is full.
+/// Fails as [`write`] does, but for a disk that is full.
 pub fn require_writable(comm: &dyn Communicator, path: &Path, format: Format) -> Result<()> {
     let format = resolved(comm, path, format)?;
     Unfinished::new(comm, files_of(path, format, comm.size())).map(drop)
 }
 
-/// Collective: as [`require_writable`] for the one file of [`write_work`].
+/// Collective. Finds out whether [`write_work`] can write its file.
 pub fn require_writable_file(comm: &dyn Communicator, path: &Path) -> Result<()> {
     Unfinished::new(comm, vec![path.to_path_buf()]).map(drop)
 }
 
-/// The files that [`write`] makes on so many ranks.
+/// Returns the files that [`write`] makes on so many ranks.
 ///
 /// # Errors
 /// `InvalidArgument`: an extension that names no format; a path that names no file.
@@ -69,7 +69,7 @@ pub fn files(path: &Path, format: Format, ranks: usize) -> Result<Vec<PathBuf>> 
     Ok(files_of(path, format.resolved(path)?, ranks))
 }
 
-/// The last one is that which names the others.
+/// Returns the files, of which the last one is that which names the others.
 fn files_of(path: &Path, format: Format, ranks: usize) -> Vec<PathBuf> {
     match format {
         Format::Npy => npy::files(path).to_vec(),
@@ -77,12 +77,12 @@ fn files_of(path: &Path, format: Format, ranks: usize) -> Vec<PathBuf> {
     }
 }
 
-/// Collective: writes the mesh. All ranks must see the same files under `path`.
+/// Collective. Writes the mesh. All ranks must see the same files under `path`.
 ///
 /// # Errors
-/// The same on all ranks: `InvalidArgument` (the extension; a path or a format that is not the same on all
-/// ranks; a dimension that the format does not hold), `Io`, `OutOfMemory`. There is no file of this call
-/// then.
+/// All ranks answer one error: `InvalidArgument` (the extension; a path or a format that is not the
+/// same on all ranks; a dimension that the format does not hold), `Io`, `OutOfMemory`. There is no
+/// file of this call then.
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,
@@ -94,7 +94,7 @@ pub fn write(
         if format == Format::Pvtu && mesh.dim > 3 {
             let message =
                 format!("VTK's files hold 2 and 3 dimensions, not {}; use .npy", mesh.dim);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(())
     })?;
@@ -105,7 +105,7 @@ pub fn write(
     }
 }
 
-/// Collective: the format that all ranks ask for.
+/// Collective. Returns the format that all ranks ask for.
 fn resolved(comm: &dyn Communicator, path: &Path, format: Format) -> Result<Format> {
     require_same(comm, "", || {
         let own = Arguments::of_call("nm_mpi_export").and("path_utf8", format!("{path:?}"));

@@ -4,20 +4,21 @@ use super::unfinished::Unfinished;
 use super::{rows, shared};
 use crate::comm::{Communicator, agreed};
 use crate::distributed::DistributedMesh;
-use crate::memory::with_capacity;
 use netmesh::Result;
+use netmesh::distributed::memory::with_capacity;
 use std::path::{Path, PathBuf};
 
 /// Numbers begin here.
 const HEADER: usize = 128;
 
-/// The files of the array of points and of that of simplices.
+/// Returns the files of the array of points and of that of simplices.
 pub fn files(path: &Path) -> [PathBuf; 2] {
     ["points", "simplices"].map(|what| path.with_extension(format!("{what}.npy")))
 }
 
-/// Collective. `unfinished` are [`files`]. Row v of the points is vertex v, and that of an input which is equal to one before it is
-/// its point: row i is input i. The simplices are unsigned 64-bit ids of vertices.
+/// Collective. Writes the arrays to `unfinished`, which are [`files`]. Row v of the points is
+/// vertex v, and that of an input which is equal to one before it is its point: row i is input i.
+/// The simplices are unsigned 64-bit ids of vertices.
 pub fn write(
     comm: &dyn Communicator,
     mesh: &DistributedMesh,

@@ -1,8 +1,8 @@
 //! Rows of an array whose ids are anywhere, as blocks of rows that follow each other.
 
 use crate::comm::Communicator;
-use crate::memory::{TryGrow, collected, filled};
 use crate::words::{Words, append, empty_messages};
+use netmesh::distributed::memory::{TryGrow, collected, filled};
 use netmesh::{Error, ErrorKind, Result};
 
 /// The rows of a rank.
@@ -12,8 +12,8 @@ pub struct Block {
     pub bytes: Vec<u8>,
 }
 
-/// Collective: each rank gets a block of the rows 0 to `all`, of `columns` numbers; `rows` are those
-/// that this rank has, each of which no other rank has.
+/// Collective. Gathers a block of the rows 0 to `all`, of `columns` numbers, on each rank; `rows`
+/// are those that this rank has, each of which no other rank has.
 pub fn gather<'a>(
     comm: &dyn Communicator,
     all: u64,

@@ -8,11 +8,11 @@ use std::fs::{File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-/// Bytes, and where in the file they are.
-pub type Part<'a> = (u64, &'a [u8]);
+/// Chunk of a file: its offset and its bytes.
+pub type Chunk<'a> = (u64, &'a [u8]);
 
-/// Collective: writes a new file.
-pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result<()> {
+/// Collective. Writes a new file.
+pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Chunk<'_>]) -> Result<()> {
     match comm.mpi() {
         Some(ranks) => {
             let mut file = agreed(comm, || SharedFile::create(ranks, path))?;
@@ -33,7 +33,7 @@ pub fn write(comm: &dyn Communicator, path: &Path, parts: &[Part<'_>]) -> Result
     }
 }
 
-fn write_at(path: PathBuf, parts: &[Part<'_>]) -> Result<()> {
+fn write_at(path: PathBuf, parts: &[Chunk<'_>]) -> Result<()> {
     let failed = |error: std::io::Error| of_path(&path, "cannot write", &error);
     let mut file = OpenOptions::new().write(true).open(&path).map_err(failed)?;
     for (offset, bytes) in parts {

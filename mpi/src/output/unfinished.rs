@@ -7,9 +7,9 @@ use std::fs::{self, OpenOptions};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Files that belong together, as all ranks know them. Unless [`Self::take_place`] succeeds they are
-/// gone when this is, in whichever way the call ends; but for a process that is killed, whose files
-/// keep their temporary names.
+/// Files that belong together, as all ranks know them. Unless [`Self::take_place`] succeeds they
+/// are gone when this is, in whichever way the call ends; but for a process that is killed, whose
+/// files keep their temporary names.
 pub struct Unfinished {
     /// Temporary name and final one; the last is the one that names the others.
     files: Vec<(PathBuf, PathBuf)>,
@@ -18,11 +18,13 @@ pub struct Unfinished {
 }
 
 impl Unfinished {
-    /// Collective: finds out, before there is anything to write, that all ranks can write these files.
-    /// `names`: the final names, the same on all ranks; where one is a link, what it leads to.
+    /// Collective. Finds out, before there is anything to write, that all ranks can write these
+    /// files. `names` are the final names, the same on all ranks; where one is a link, what it
+    /// leads to.
     ///
     /// # Errors
-    /// `Io`: a rank that cannot write its file there, or one that does not see what rank 0 makes there.
+    /// `Io`: a rank that cannot write its file there, or one that does not see what rank 0 makes
+    /// there.
     pub fn new(comm: &dyn Communicator, names: Vec<PathBuf>) -> Result<Self> {
         static CALLS: AtomicU64 = AtomicU64::new(0);
         let names = agreed(comm, || {
@@ -42,12 +44,12 @@ impl Unfinished {
         Ok(Self { files, is_first_rank: comm.rank() == 0, are_in_place: false })
     }
 
-    /// Where to write a file meanwhile.
+    /// Returns the path to write a file to meanwhile.
     pub fn temporary(&self, file: usize) -> &Path {
         &self.files[file].0
     }
 
-    /// Collective, when all ranks have written: gives the files their names. The last one, without
+    /// Collective. Gives the files their names, when all ranks have written. The last one, without
     /// which nobody finds the others, is away before them and comes after them.
     pub fn take_place(mut self, comm: &dyn Communicator) -> Result<()> {
         agreed(comm, || if self.is_first_rank { self.rename() } else { Ok(()) })?;
@@ -73,15 +75,16 @@ impl Unfinished {
     }
 }
 
-/// Refuses names that no file can have. Each rank looks at some of them, rank 0 at the last as well.
+/// Refuses names that no file can have. Each rank looks at some of them, rank 0 at the last as
+/// well.
 fn require_writable(comm: &dyn Communicator, names: &[PathBuf]) -> Result<()> {
     let own = names.iter().skip(comm.rank()).step_by(comm.size());
     let last = names.last().filter(|_| comm.rank() == 0);
     own.chain(last).try_for_each(|name| io::require_writable(name))
 }
 
-/// Collective: refuses directories of the names that are not the same for all ranks, as the current ones
-/// of processes on several machines may be.
+/// Collective. Refuses directories of the names that are not the same for all ranks, as the current
+/// ones of processes on several machines may be.
 fn require_one_directory(comm: &dyn Communicator, names: &[PathBuf], token: &str) -> Result<()> {
     let probe = |name: &PathBuf| name.with_file_name(format!(".netmesh-mpi-{token}-probe.tmp"));
     let mut probes: Vec<(PathBuf, &PathBuf)> =
@@ -99,8 +102,8 @@ fn require_one_directory(comm: &dyn Communicator, names: &[PathBuf], token: &str
     let seen = agreed(comm, || {
         for (probe, name) in &probes {
             OpenOptions::new().write(true).open(probe).map_err(|error| {
-                let what = "what rank 0 has created beside it cannot be opened here; all ranks must \
-                            see the same directory";
+                let what = "what rank 0 has created beside it cannot be opened here; all ranks \
+                    must see the same directory";
                 of_path(name, what, &error)
             })?;
         }

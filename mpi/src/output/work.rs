@@ -1,4 +1,4 @@
-//! What a run took, as a table for spreadsheets and scripts.
+//! Costs of a run, as a table for spreadsheets and scripts.
 
 use super::of_path;
 use super::unfinished::Unfinished;
@@ -11,11 +11,11 @@ use std::path::Path;
 
 const HEAD: &str = "rank,step,phase,partition,inputs,simplices,seconds,sent\n";
 
-/// Collective: writes what the steps of the run took on all ranks ([`DistributedMesh::work`]) as
+/// Collective. Writes the costs of the steps of the run on all ranks ([`DistributedMesh::work`]) as
 /// comma-separated values, rank after rank.
 ///
 /// # Errors
-/// The same on all ranks: `Io`. There is no file of this call then.
+/// All ranks answer one error: `Io`. There is no file of this call then.
 pub fn write_work(comm: &dyn Communicator, mesh: &DistributedMesh, path: &Path) -> Result<()> {
     let mut own = String::new();
     let number = |value: Option<u32>| value.map_or(String::new(), |value| value.to_string());

@@ -4,15 +4,20 @@ use super::made::{assert_parts_broken, change_vertex, clusters, parts, ulp_up};
 use super::promises::{set_cage, set_kind};
 use netmesh::Options;
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::Rule;
+use netmesh_mpi::certificate::ViolationKind;
 use netmesh_mpi::distributed::{Domain, NO_ID};
 
-fn assert_broken(dim: usize, rule: Rule, level: u32, damage: impl FnOnce(&mut [DistributedMesh])) {
+fn assert_broken(
+    dim: usize,
+    rule: ViolationKind,
+    level: u32,
+    damage: impl FnOnce(&mut [DistributedMesh]),
+) {
     let parts = parts(dim, &clusters(dim, 200), 3, &Options::default());
     assert_parts_broken(parts, rule, level, damage);
 }
 
-/// A domain in the root, with another centre.
+/// Returns a domain in the root, with another centre.
 fn inner(parts: &[DistributedMesh]) -> Domain {
     let root = parts[0].domains[0];
     let mut all = parts.iter().flat_map(|part| &part.domains);
@@ -34,15 +39,17 @@ fn promise(parts: &mut [DistributedMesh], act: impl Fn(&mut DistributedMesh)) {
 #[test]
 fn what_ranks_have_of_a_domain_is_compared() {
     for dim in [2, 3] {
-        assert_broken(dim, Rule::SharedDomain, 0, |parts| ulp_up(&mut parts[1].domains[0].radius));
-        assert_broken(dim, Rule::SharedDomain, 0, |parts| parts[2].domains[0].center += 1);
-        assert_broken(dim, Rule::Ids, 0, |parts| parts[0].domains.swap(0, 1));
-        assert_broken(dim, Rule::Ids, 0, |parts| _ = parts[1].domains.remove(0));
-        assert_broken(dim, Rule::Totals, 0, |parts| {
+        assert_broken(dim, ViolationKind::SharedDomain, 0, |parts| {
+            ulp_up(&mut parts[1].domains[0].radius)
+        });
+        assert_broken(dim, ViolationKind::SharedDomain, 0, |parts| parts[2].domains[0].center += 1);
+        assert_broken(dim, ViolationKind::Ids, 0, |parts| parts[0].domains.swap(0, 1));
+        assert_broken(dim, ViolationKind::Ids, 0, |parts| _ = parts[1].domains.remove(0));
+        assert_broken(dim, ViolationKind::Totals, 0, |parts| {
             promise(parts, |part| part.totals.domains += 1);
         });
-        assert_broken(dim, Rule::ArrayLength, 0, |parts| _ = parts[0].vertex_cages.pop());
-        assert_broken(dim, Rule::SharedVertex, 0, |parts| {
+        assert_broken(dim, ViolationKind::ArrayLength, 0, |parts| _ = parts[0].vertex_cages.pop());
+        assert_broken(dim, ViolationKind::SharedVertex, 0, |parts| {
             let part = &mut parts[1];
             let at = part.own_vertices;
             part.vertex_cages[at] = if part.vertex_cages[at] == 0 { NO_ID } else { 0 };
@@ -56,23 +63,23 @@ fn domains_are_a_tree_of_balls() {
         let broken = |rule, act: fn(&mut Domain)| {
             assert_broken(dim, rule, 2, |parts| change(parts, inner(parts).id, act));
         };
-        broken(Rule::DomainTree, |domain| domain.parent = NO_ID);
-        broken(Rule::DomainTree, |domain| domain.radius *= 1e9);
-        broken(Rule::DomainBall, |domain| domain.radius = 0.0);
-        broken(Rule::DomainCenter, |domain| ulp_up(&mut domain.position[1]));
-        broken(Rule::DomainCenter, |domain| domain.center = 1 << 40);
-        assert_broken(dim, Rule::DomainCenter, 2, |parts| {
+        broken(ViolationKind::DomainTree, |domain| domain.parent = NO_ID);
+        broken(ViolationKind::DomainTree, |domain| domain.radius *= 1e9);
+        broken(ViolationKind::DomainBall, |domain| domain.radius = 0.0);
+        broken(ViolationKind::DomainCenter, |domain| ulp_up(&mut domain.position[1]));
+        broken(ViolationKind::DomainCenter, |domain| domain.center = 1 << 40);
+        assert_broken(dim, ViolationKind::DomainCenter, 2, |parts| {
             let center = inner(parts).center;
             label(parts, center, 0);
         });
-        assert_broken(dim, Rule::DomainOutsideParent, 2, |parts| {
+        assert_broken(dim, ViolationKind::DomainOutsideParent, 2, |parts| {
             let radius = parts[0].domains[0].radius;
             change(parts, inner(parts).id, |domain| domain.radius = radius.next_down());
         });
     }
 }
 
-/// A vertex on the hull, which is outside of all domains but the root.
+/// Returns a vertex on the hull, which is outside of all domains but the root.
 fn on_hull(part: &DistributedMesh) -> u64 {
     let slot = part.neighbors.iter().position(|neighbor| *neighbor == NO_ID).unwrap();
     let other = (slot + 1) % (part.dim + 1);
@@ -98,11 +105,11 @@ fn tell(parts: &mut [DistributedMesh], vertex: u64, domain: Domain) {
 fn vertices_are_in_their_domains() {
     for dim in [2, 3] {
         // A rank that does not have the domain, and all that know it.
-        assert_broken(dim, Rule::VertexDomain, 2, |parts| {
+        assert_broken(dim, ViolationKind::VertexDomain, 2, |parts| {
             let vertex = on_hull(&parts[0]);
             label(parts, vertex, 1 << 40);
         });
-        assert_broken(dim, Rule::VertexDomain, 2, |parts| {
+        assert_broken(dim, ViolationKind::VertexDomain, 2, |parts| {
             let (vertex, domain) = (on_hull(&parts[0]), inner(parts));
             tell(parts, vertex, domain);
             label(parts, vertex, domain.id);
@@ -110,7 +117,7 @@ fn vertices_are_in_their_domains() {
     }
 }
 
-/// The vertices of a cage, by their ids.
+/// Returns the vertices of a cage, by their ids.
 fn cage(parts: &[DistributedMesh], domain: u64) -> Vec<u64> {
     let of_part = |part: &DistributedMesh| -> Vec<u64> {
         let ids = part.vertex_ids.iter().zip(&part.vertex_cages);
@@ -125,45 +132,45 @@ fn cage(parts: &[DistributedMesh], domain: u64) -> Vec<u64> {
 #[test]
 fn cages_are_checked() {
     for dim in [2, 3] {
-        assert_broken(dim, Rule::CageOf, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageOf, 2, |parts| {
             let vertex = cage(parts, inner(parts).id)[0];
             set_cage(parts, vertex, NO_ID);
         });
-        assert_broken(dim, Rule::CageOf, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageOf, 2, |parts| {
             let vertex = cage(parts, inner(parts).id)[0];
             set_cage(parts, vertex, 1 << 40);
         });
-        assert_broken(dim, Rule::CageOf, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageOf, 2, |parts| {
             let (vertex, domain) = (on_hull(&parts[0]), inner(parts));
             tell(parts, vertex, domain);
             set_cage(parts, vertex, domain.id);
             // It is not near either.
             promise(parts, |part| part.promise.gamma = f64::INFINITY);
         });
-        assert_broken(dim, Rule::CageRadius, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageRadius, 2, |parts| {
             promise(parts, |part| {
                 part.promise.gamma = 0.05;
                 part.promise.cage_scale *= 1.1;
             });
         });
-        assert_broken(dim, Rule::CageIncomplete, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageIncomplete, 2, |parts| {
             promise(parts, |part| part.promise.quality_bound = f64::INFINITY);
             for vertex in cage(parts, inner(parts).id).split_off(dim) {
                 set_cage(parts, vertex, NO_ID);
                 set_kind(parts, vertex, 1);
             }
         });
-        assert_broken(dim, Rule::OuterEncroachment, 2, |parts| {
+        assert_broken(dim, ViolationKind::OuterEncroachment, 2, |parts| {
             promise(parts, |part| part.promise.encroachment = 100.0);
         });
-        assert_broken(dim, Rule::InnerEncroachment, 2, |parts| {
+        assert_broken(dim, ViolationKind::InnerEncroachment, 2, |parts| {
             promise(parts, |part| {
                 part.promise.epsilon = 0.01;
                 part.promise.encroachment = 0.0;
             });
         });
         // No vertex is without a cage, so none is bounded but the union cells.
-        assert_broken(dim, Rule::CageAspect, 2, |parts| {
+        assert_broken(dim, ViolationKind::CageAspect, 2, |parts| {
             promise(parts, |part| {
                 part.promise.gamma = f64::INFINITY;
                 part.promise.quality_bound = 1.0;
@@ -174,10 +181,10 @@ fn cages_are_checked() {
     }
 }
 
-/// As many domains around one as no mesh has: the certificate gives up, and says so.
+/// Makes as many domains around one as no mesh has: the certificate gives up, and says so.
 #[test]
 fn too_many_domains_around_each_other_are_found() {
-    assert_broken(2, Rule::DomainSpan, 2, |parts| {
+    assert_broken(2, ViolationKind::DomainSpan, 2, |parts| {
         let domain = inner(parts);
         let most = parts.iter().map(DistributedMesh::simplex_count).max().unwrap() as u64 * 64;
         let first = parts[0].totals.domains;

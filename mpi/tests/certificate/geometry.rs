@@ -4,16 +4,16 @@ use super::made::{assert_broken, certify, move_vertex, parts, uniform};
 use super::whole::Whole;
 use netmesh::Options;
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::Rule;
+use netmesh_mpi::certificate::ViolationKind;
 use netmesh_mpi::distributed::InterfaceFacet;
 
-/// The facet between ranks whose opposite vertices are both no inputs and off the hull.
+/// Returns the facet between ranks whose opposite vertices are both no inputs and off the hull.
 fn inner_interface(part: &DistributedMesh) -> (usize, usize) {
     let is_inner = |vertex: u32| part.kinds[vertex as usize] == 1;
     let own = |facet: &InterfaceFacet| part.simplex(facet.simplex)[facet.facet as usize];
     let other = |facet: &InterfaceFacet| {
-        let corners = part.ghost(facet.ghost);
-        *corners.iter().find(|v| !part.simplex(facet.simplex).contains(v)).unwrap()
+        let vertices = part.ghost(facet.ghost);
+        *vertices.iter().find(|v| !part.simplex(facet.simplex).contains(v)).unwrap()
     };
     let fits = |facet: &&InterfaceFacet| is_inner(own(facet));
     let facet = part.interface.iter().find(fits).expect("an inner facet");
@@ -24,14 +24,14 @@ fn inner_interface(part: &DistributedMesh) -> (usize, usize) {
 fn geometry_is_checked_across_ranks() {
     for dim in [2, 3] {
         // A simplex and all ghosts of it turned inside out.
-        assert_broken(dim, Rule::Orientation, 1, |parts| {
+        assert_broken(dim, ViolationKind::Orientation, 1, |parts| {
             let id = parts[0].first_simplex + parts[0].interface[0].simplex as u64;
             turn(parts, id);
         });
         // A vertex next to an interface is moved just towards the vertex on the other side, on all
-        // ranks alike, until a facet is not Delaunay: the topology holds, and what is found is found
-        // where the ranks meet.
-        let report = assert_broken(dim, Rule::Delaunay, 1, |parts| {
+        // ranks alike, until a facet is not Delaunay: the topology holds, and what is found is
+        // found where the ranks meet.
+        let report = assert_broken(dim, ViolationKind::Delaunay, 1, |parts| {
             let (own, other) = inner_interface(&parts[0]);
             let (id, steps) = (parts[0].vertex_ids[own], 200);
             let (from, to) =
@@ -70,14 +70,14 @@ fn turn(parts: &mut [DistributedMesh], id: u64) {
     }
 }
 
-/// The two triangles at a facet between ranks become those at the other diagonal: the quadrilateral is
-/// strictly convex, so all holds but that they are not Delaunay.
+/// Replaces the two triangles at a facet between ranks by those at the other diagonal: the
+/// quadrilateral is strictly convex, so all holds but that they are not Delaunay.
 #[test]
 fn a_facet_flipped_across_ranks_is_found_by_both() {
     let parts = parts(2, &uniform(2, 200), 2, &Options::default());
     let facet = parts[0].interface.iter().copied().find(|facet| is_convex(&parts[0], facet));
     let facet = facet.expect("a facet to flip");
-    let ids = corners(&parts[0], facet.simplex, facet.facet as usize, facet.ghost);
+    let ids = quadrilateral(&parts[0], facet.simplex, facet.facet as usize, facet.ghost);
     let [a, b, c, d] = ids.map(|vertex| parts[0].vertex_ids[vertex as usize]);
     let mut whole = Whole::of(&parts);
     whole.simplices[parts[0].first_simplex as usize + facet.simplex] = vec![a, b, d];
@@ -86,7 +86,7 @@ fn a_facet_flipped_across_ranks_is_found_by_both() {
     let parts = whole.parts(&begins, &parts);
     let report = certify(&parts, 3);
     let first = report.first.clone().unwrap();
-    assert_eq!((first.rule, report.level), (Rule::Delaunay, 1), "{first:?}");
+    assert_eq!((first.kind, report.level), (ViolationKind::Delaunay, 1), "{first:?}");
     // The new facet, from each of its sides.
     assert!(report.violations >= 2, "{report:?}");
 }
@@ -95,15 +95,15 @@ fn turns_left(a: &[f64], b: &[f64], c: &[f64]) -> bool {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 1e-9
 }
 
-/// Own a, b, c with the facet b, c and the ghost's d beyond it.
-fn corners(part: &DistributedMesh, simplex: usize, slot: usize, ghost: usize) -> [u32; 4] {
+/// Returns own a, b, c with the facet b, c and the ghost's d beyond it.
+fn quadrilateral(part: &DistributedMesh, simplex: usize, slot: usize, ghost: usize) -> [u32; 4] {
     let own = part.simplex(simplex);
     let d = *part.ghost(ghost).iter().find(|v| !own.contains(v)).unwrap();
     [own[slot], own[(slot + 1) % 3], own[(slot + 2) % 3], d]
 }
 
 fn is_convex(part: &DistributedMesh, facet: &InterfaceFacet) -> bool {
-    let [a, b, c, d] = corners(part, facet.simplex, facet.facet as usize, facet.ghost)
+    let [a, b, c, d] = quadrilateral(part, facet.simplex, facet.facet as usize, facet.ghost)
         .map(|vertex| part.point(vertex).to_vec());
     turns_left(&a, &b, &d) && turns_left(&a, &d, &c)
 }

@@ -2,14 +2,14 @@
 
 use netmesh::{Mesh, NONE, Options, Triangulation};
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::{Report, Rule, validate};
+use netmesh_mpi::certificate::{Report, ViolationKind, validate};
 use netmesh_mpi::comm::{Communicator, threads};
 use netmesh_mpi::distributed::Promise;
 use netmesh_mpi::numbering::number;
 use netmesh_mpi::piece::{ADDED, HULL, INTERFACE, NO_DOMAIN, Piece, PieceDomain};
 use std::collections::BTreeSet;
 
-/// Pseudorandom numbers in [0, 1).
+/// Returns pseudorandom numbers in [0, 1).
 pub fn numbers(count: usize) -> Vec<f64> {
     let mut state = 11u64;
     let mut number = || {
@@ -31,7 +31,7 @@ pub fn clusters(dim: usize, count: usize) -> Vec<f64> {
     numbers(dim * count).into_iter().enumerate().map(place).collect()
 }
 
-/// Each point several times, on several ranks, and zeros of either sign.
+/// Returns each point several times, on several ranks, and zeros of either sign.
 pub fn duplicates(dim: usize, count: usize) -> Vec<f64> {
     let once = numbers(dim * count / 3);
     let mut all = [once.as_slice(), &once, &vec![0.0; dim], &once].concat();
@@ -44,7 +44,7 @@ pub fn share(all: &[f64], dim: usize, comm: &dyn Communicator) -> Vec<f64> {
     all[start(comm.rank())..start(comm.rank() + 1)].to_vec()
 }
 
-/// The mesh of one process, of which each rank has patches here and there.
+/// Returns the mesh of one process, of which each rank has patches here and there.
 pub fn parts(dim: usize, all: &[f64], ranks: usize, options: &Options) -> Vec<DistributedMesh> {
     let mut mesh = Mesh::new(dim, all.len() / dim, all, 0).unwrap();
     mesh.run(options, None).unwrap();
@@ -62,7 +62,8 @@ pub fn parts(dim: usize, all: &[f64], ranks: usize, options: &Options) -> Vec<Di
     })
 }
 
-/// Simplex -> its rank: stretches along the first axis, those above the middle moved on by one.
+/// Returns the rank of each simplex: stretches along the first axis, those above the middle moved
+/// on by one.
 pub fn patches(whole: &Triangulation, ranks: usize) -> Vec<usize> {
     let place = |axis: usize| {
         let middle = |s: &usize| -> f64 {
@@ -82,8 +83,8 @@ pub fn patches(whole: &Triangulation, ranks: usize) -> Vec<usize> {
 
 pub fn piece(whole: &Triangulation, names: &[u64], patches: &[usize], rank: usize) -> Piece {
     let own: Vec<usize> = (0..patches.len()).filter(|s| patches[*s] == rank).collect();
-    let corners = || own.iter().flat_map(|s| whole.simplex(*s));
-    let vertices: Vec<u32> = corners().copied().collect::<BTreeSet<_>>().into_iter().collect();
+    let own_vertices = || own.iter().flat_map(|s| whole.simplex(*s));
+    let vertices: Vec<u32> = own_vertices().copied().collect::<BTreeSet<_>>().into_iter().collect();
     let pick = |v: &u32| *v as usize;
     let neighbor = |n: &u32| match own.binary_search(&(*n as usize)) {
         _ if *n == NONE => HULL,
@@ -99,7 +100,7 @@ pub fn piece(whole: &Triangulation, names: &[u64], patches: &[usize], rank: usiz
             .flat_map(|v| whole.points[pick(v) * whole.dim..][..whole.dim].to_vec())
             .collect(),
         kinds: vertices.iter().map(|v| whole.kinds[pick(v)] as u8).collect(),
-        simplices: corners().map(|v| vertices.binary_search(v).unwrap() as u32).collect(),
+        simplices: own_vertices().map(|v| vertices.binary_search(v).unwrap() as u32).collect(),
         neighbors: own.iter().flat_map(|s| whole.neighbors_of(*s)).map(neighbor).collect(),
         domains: domains
             .map(|(domain, name)| PieceDomain {
@@ -126,7 +127,7 @@ fn position(point: &[f64]) -> [f64; 3] {
     std::array::from_fn(|axis| point.get(axis).copied().unwrap_or(0.0))
 }
 
-/// All ranks answer the same.
+/// Checks parts of a mesh, of which all ranks must answer the same report.
 pub fn certify(parts: &[DistributedMesh], level: u32) -> Report {
     let mut reports =
         threads::run(parts.len(), |comm| validate(comm, &parts[comm.rank()], level).unwrap());
@@ -134,10 +135,11 @@ pub fn certify(parts: &[DistributedMesh], level: u32) -> Report {
     reports.remove(0)
 }
 
-/// A mesh on three ranks, whatever is done to the parts, breaks this rule first; `level` holds.
+/// Asserts that a mesh on three ranks breaks this rule first after `damage` to its parts; `level`
+/// holds.
 pub fn assert_broken(
     dim: usize,
-    rule: Rule,
+    rule: ViolationKind,
     level: u32,
     damage: impl FnOnce(&mut [DistributedMesh]),
 ) -> Report {
@@ -145,10 +147,10 @@ pub fn assert_broken(
     assert_parts_broken(parts, rule, level, damage)
 }
 
-/// The same of these parts of three ranks.
+/// Asserts that these parts of three ranks break this rule first after `damage`; `level` holds.
 pub fn assert_parts_broken(
     mut parts: Vec<DistributedMesh>,
-    rule: Rule,
+    rule: ViolationKind,
     level: u32,
     damage: impl FnOnce(&mut [DistributedMesh]),
 ) -> Report {
@@ -156,7 +158,7 @@ pub fn assert_parts_broken(
     damage(&mut parts);
     let report = certify(&parts, 3);
     let first = report.first.clone().unwrap_or_else(|| panic!("{rule:?} is not found in {dim}D"));
-    assert_eq!((first.rule, report.level), (rule, level), "{dim}D: {first:?}");
+    assert_eq!((first.kind, report.level), (rule, level), "{dim}D: {first:?}");
     assert!(report.violations > 0 && !first.message.is_empty() && first.rank < 3);
     report
 }

@@ -1,4 +1,5 @@
-//! The certificate of meshes of several ranks: meshes that hold, and for each rule one that is damaged.
+//! The certificate of meshes of several ranks: meshes that hold, and for each rule one that is
+//! damaged.
 
 mod between;
 mod complexes;

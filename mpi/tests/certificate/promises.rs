@@ -5,17 +5,17 @@ use super::made::{
 };
 use netmesh::{Criterion, Options, Output};
 use netmesh_mpi::DistributedMesh;
-use netmesh_mpi::certificate::Rule;
+use netmesh_mpi::certificate::ViolationKind;
 use netmesh_mpi::distributed::NO_ID;
 
 #[test]
 fn promises_are_checked() {
     for dim in [2, 3] {
-        assert_broken(dim, Rule::InputVertex, 2, |parts| parts[0].inputs[0] += 0.25);
+        assert_broken(dim, ViolationKind::InputVertex, 2, |parts| parts[0].inputs[0] += 0.25);
         // An input that moves by one bit is another point.
-        assert_broken(dim, Rule::InputVertex, 2, |parts| ulp_up(&mut parts[1].inputs[0]));
+        assert_broken(dim, ViolationKind::InputVertex, 2, |parts| ulp_up(&mut parts[1].inputs[0]));
         // Zeros compare equal, and have the bits of the first.
-        assert_broken(dim, Rule::InputBits, 2, |parts| {
+        assert_broken(dim, ViolationKind::InputBits, 2, |parts| {
             let zero = |part: &DistributedMesh| {
                 let is_zero = |v: &usize| part.point(*v as u32).iter().all(|x| *x == 0.0);
                 (0..part.vertex_ids.len()).find(is_zero).map(|v| part.vertex_ids[v])
@@ -23,11 +23,11 @@ fn promises_are_checked() {
             let id = parts.iter().find_map(zero).unwrap();
             move_vertex(parts, id, &vec![-0.0; dim]);
         });
-        assert_broken(dim, Rule::VertexKind, 2, |parts| set_kind(parts, 0, 1));
-        assert_broken(dim, Rule::VertexDomain, 2, |parts| {
+        assert_broken(dim, ViolationKind::VertexKind, 2, |parts| set_kind(parts, 0, 1));
+        assert_broken(dim, ViolationKind::VertexDomain, 2, |parts| {
             parts.iter_mut().for_each(|part| part.vertex_domains.fill(1 << 40));
         });
-        assert_broken(dim, Rule::HullVertex, 2, |parts| {
+        assert_broken(dim, ViolationKind::HullVertex, 2, |parts| {
             let part = &parts[0];
             let slot = part.neighbors.iter().position(|neighbor| *neighbor == NO_ID).unwrap();
             let (simplex, slot) = (slot / (dim + 1), slot % (dim + 1));
@@ -39,16 +39,16 @@ fn promises_are_checked() {
         // Without cages, whose union cells would be found first.
         let finished = Options { output: Output::WellSpaced, ..Options::default() };
         let finished = parts(dim, &duplicates(dim, 150), 3, &finished);
-        assert_parts_broken(finished, Rule::VertexAspect, 2, |parts| {
+        assert_parts_broken(finished, ViolationKind::VertexAspect, 2, |parts| {
             parts.iter_mut().for_each(|part| part.promise.quality_bound = 1.1);
         });
-        assert_broken(dim, Rule::RadiusEdge, 2, |parts| {
+        assert_broken(dim, ViolationKind::RadiusEdge, 2, |parts| {
             for part in parts {
                 part.promise.quality_bound = 0.6;
                 part.promise.criterion = Criterion::RadiusEdge;
             }
         });
-        assert_broken(dim, Rule::NotFinished, 2, |parts| {
+        assert_broken(dim, ViolationKind::NotFinished, 2, |parts| {
             parts.iter_mut().for_each(|part| part.promise.is_finished = true);
         });
     }

@@ -13,7 +13,7 @@ pub struct Whole {
 }
 
 impl Whole {
-    /// Without inputs and domains.
+    /// Makes a mesh without inputs and domains.
     pub fn new<const D: usize, const N: usize>(
         points: &[[f64; D]],
         simplices: &[[u64; N]],
@@ -26,7 +26,7 @@ impl Whole {
         }
     }
 
-    /// What all ranks have.
+    /// Makes the mesh that all ranks have together.
     pub fn of(parts: &[DistributedMesh]) -> Self {
         let dim = parts[0].dim;
         let mut whole = Self { dim, vertices: BTreeMap::new(), simplices: Vec::new() };
@@ -42,12 +42,13 @@ impl Whole {
         whole
     }
 
-    /// The parts of ranks whose simplices begin at these. Inputs and promises are those of `base`.
+    /// Returns the parts of ranks whose simplices begin at these. Inputs and promises are those of
+    /// `base`.
     pub fn parts(&self, begins: &[usize], base: &[DistributedMesh]) -> Vec<DistributedMesh> {
         (0..begins.len()).map(|rank| self.part(rank, begins, base[rank].clone())).collect()
     }
 
-    /// On this number of ranks, without inputs.
+    /// Returns the parts of this number of ranks, without inputs.
     pub fn shared_out(&self, ranks: usize) -> Vec<DistributedMesh> {
         let count = self.simplices.len();
         let begins: Vec<usize> = (0..ranks).map(|rank| count * rank / ranks).collect();
@@ -101,7 +102,7 @@ impl Whole {
         }
     }
 
-    /// Another simplex with the facet opposite a vertex.
+    /// Returns another simplex with the facet opposite a vertex.
     fn across(&self, simplex: usize, slot: usize) -> Option<usize> {
         let mut facet = self.simplices[simplex].clone();
         facet.remove(slot);

@@ -276,7 +276,7 @@ static void check_certificate(const nm_mpi_mesh *mesh)
     if (report.level != 3)
         fprintf(stderr, "%s (rank %u)\n", report.message, (unsigned)report.rank);
     CHECK(report.level == 3 && report.violations == 0 && report.checked > 0);
-    CHECK(report.kind == NM_MPI_VIOLATION_NONE && report.message[0] == '\0');
+    CHECK(report.kind == NM_VIOLATION_NONE && report.message[0] == '\0');
     CHECK(report.simplex == NM_MPI_NONE && report.vertex == NM_MPI_NONE && report.rank == NM_NONE);
 }
 

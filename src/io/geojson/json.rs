@@ -1,11 +1,11 @@
 //! JSON (RFC 8259), read a piece at a time: whoever reads says what may come, and skips the rest.
 
 use crate::error::{Error, Result};
-use crate::io::scanner::{Place, Scanner, Shown};
+use crate::io::scanner::{Scanner, Shown, TextPosition};
 use std::fmt;
 use std::io::BufRead;
 
-/// How many objects and lists may be in each other: reading them is recursive.
+/// Largest number of objects and lists inside each other: reading them is recursive.
 const MAX_DEPTH: u32 = 100;
 
 pub(super) struct Json<'a> {
@@ -13,14 +13,14 @@ pub(super) struct Json<'a> {
     depth: u32,
 }
 
-/// What a value is, by its first byte.
+/// Kind of a value, which its first byte tells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Object,
     Array,
     String,
     Number,
-    /// `true`, `false`, `null`, and what is no value.
+    /// `true`, `false`, `null`, and any bytes that are no value.
     Word,
 }
 
@@ -37,8 +37,8 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// The place of the next value.
-    pub fn place(&mut self) -> Result<Place> {
+    /// Returns the position of the next value.
+    pub fn place(&mut self) -> Result<TextPosition> {
         self.next_byte()?;
         Ok(self.text.place())
     }
@@ -83,7 +83,7 @@ impl<'a> Json<'a> {
         self.require(bracket, what)
     }
 
-    /// What stands between commas, up to `end`.
+    /// Reads what stands between commas, up to `end`.
     fn each(&mut self, end: u8, mut read: impl FnMut(&mut Self) -> Result<()>) -> Result<()> {
         if self.next_byte()? != Some(end) {
             read(self)?;
@@ -96,7 +96,7 @@ impl<'a> Json<'a> {
         Ok(())
     }
 
-    /// The characters of a string.
+    /// Reads the characters of a string.
     pub fn string(&mut self, what: &str) -> Result<Name> {
         self.require(b'"', what)?;
         let mut name = Name::default();
@@ -116,7 +116,7 @@ impl<'a> Json<'a> {
         Ok(name)
     }
 
-    /// The character of an escape; all that are not ASCII look the same here.
+    /// Reads the character of an escape; all that are not ASCII look the same here.
     fn escaped(&mut self) -> Result<u8> {
         self.text.take()?;
         let character = match self.text.ahead()? {
@@ -147,7 +147,7 @@ impl<'a> Json<'a> {
         Ok(u8::try_from(code).ok().filter(u8::is_ascii).unwrap_or(0xff))
     }
 
-    /// A coordinate.
+    /// Reads a coordinate.
     pub fn number(&mut self) -> Result<f64> {
         let place = self.place()?;
         let word = self.text.read_word(is_part_of_word)?;
@@ -161,7 +161,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// Whether the next value is `null`, which is taken.
+    /// Returns true if the next value is `null`, which is taken.
     pub fn is_null(&mut self) -> Result<bool> {
         if self.next_byte()? != Some(b'n') {
             return Ok(false);
@@ -180,7 +180,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// Besides what JSON has, what Python and JavaScript write where they have no number.
+    /// Skips a word of JSON, or one that Python and JavaScript write where they have no number.
     fn skip_word(&mut self) -> Result<()> {
         const WORDS: [&str; 6] = ["true", "false", "null", "NaN", "Infinity", "-Infinity"];
         let place = self.place()?;
@@ -194,7 +194,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// The error of the next value where something else is expected.
+    /// Returns the error of the next value where something else is expected.
     pub fn unexpected(&mut self, expected: &str) -> Error {
         match self.next_byte() {
             Ok(_) => self.text.unexpected(expected),
@@ -214,7 +214,7 @@ impl<'a> Json<'a> {
         self.text.next_is(byte)
     }
 
-    /// The next byte that is no blank.
+    /// Returns the next byte that is no blank.
     fn next_byte(&mut self) -> Result<Option<u8>> {
         self.text.pass_over(|byte| matches!(byte, b' ' | b'\t' | b'\n' | b'\r'))?;
         self.text.ahead()
@@ -225,7 +225,7 @@ fn is_part_of_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || matches!(byte, b'+' | b'-' | b'.')
 }
 
-/// RFC 8259, 6: `-0.5e+3` is one, `.5`, `5.`, `+5` and `05` are none.
+/// Returns true for a number of RFC 8259, 6: `-0.5e+3` is one, `.5`, `5.`, `+5` and `05` are none.
 fn is_number(word: &[u8]) -> bool {
     let word = word.strip_prefix(b"-").unwrap_or(word);
     let (mantissa, exponent) = match word.iter().position(|byte| matches!(byte, b'e' | b'E')) {

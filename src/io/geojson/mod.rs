@@ -4,7 +4,7 @@
 mod json;
 
 use super::features::{Features, Ring};
-use super::scanner::Place;
+use super::scanner::TextPosition;
 use super::values::Table;
 use crate::error::{ErrorKind, Result};
 use crate::memory::TryGrow;
@@ -19,7 +19,7 @@ pub(super) fn read(input: &mut dyn BufRead) -> Result<Table> {
     features.finish()
 }
 
-/// What may stand where an object is.
+/// Kind of object that may stand at a position of the file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Role {
     Whole,
@@ -41,12 +41,12 @@ fn read_object(json: &mut Json<'_>, features: &mut Features, role: Role) -> Resu
     object.finish(features, role)
 }
 
-/// What has been read of an object.
+/// Members that have been read of an object.
 struct Object {
-    place: Place,
+    place: TextPosition,
     /// The value of `type`.
     name: Option<Name>,
-    /// Of [`MEMBERS`].
+    /// True for each of [`MEMBERS`] that the object has.
     is_there: [bool; 4],
     coordinates: Option<Coordinates>,
 }
@@ -86,7 +86,7 @@ impl Object {
         }
     }
 
-    /// When all members are known.
+    /// Takes the object to the features when all members are known.
     fn finish(self, features: &mut Features, role: Role) -> Result<()> {
         let refuse = |message: std::fmt::Arguments<'_>| Err(self.place.error(message));
         let Some(name) = self.name else {
@@ -126,28 +126,28 @@ impl Object {
     }
 }
 
-/// What coordinates are of.
+/// Shape that coordinates are of.
 #[derive(Clone, Copy)]
 struct Shape {
     /// The number of lists around a number.
     level: usize,
-    part: Part,
+    primitive: Primitive,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum Primitive {
     Point,
     Line,
     Ring,
 }
 
 impl Shape {
-    const POINT: Self = Self { level: 1, part: Part::Point };
-    const MULTI_POINT: Self = Self { level: 2, part: Part::Point };
-    const LINE: Self = Self { level: 2, part: Part::Line };
-    const MULTI_LINE: Self = Self { level: 3, part: Part::Line };
-    const POLYGON: Self = Self { level: 3, part: Part::Ring };
-    const MULTI_POLYGON: Self = Self { level: MAX_LEVEL, part: Part::Ring };
+    const POINT: Self = Self { level: 1, primitive: Primitive::Point };
+    const MULTI_POINT: Self = Self { level: 2, primitive: Primitive::Point };
+    const LINE: Self = Self { level: 2, primitive: Primitive::Line };
+    const MULTI_LINE: Self = Self { level: 3, primitive: Primitive::Line };
+    const POLYGON: Self = Self { level: 3, primitive: Primitive::Ring };
+    const MULTI_POLYGON: Self = Self { level: MAX_LEVEL, primitive: Primitive::Ring };
 }
 
 /// The lists around a number of a MultiPolygon.
@@ -155,16 +155,16 @@ const MAX_LEVEL: usize = 4;
 
 /// Nested lists of numbers, before it is known what they are of.
 struct Coordinates {
-    place: Place,
+    place: TextPosition,
     /// The number of lists around each number; `None` before the first.
     level: Option<usize>,
     positions: Vec<[f64; 2]>,
     /// The lists of positions: where each begins, and the number of positions up to its end.
-    lines: Vec<(Place, usize)>,
+    lines: Vec<(TextPosition, usize)>,
     /// The lists of those: the number of lines up to the end of each.
     polygons: Vec<usize>,
-    /// By the number of lists around it, itself included: the first list without elements.
-    empty: [Option<Place>; MAX_LEVEL + 1],
+    /// First list without elements, by the number of lists around it, itself included.
+    empty: [Option<TextPosition>; MAX_LEVEL + 1],
 }
 
 impl Coordinates {
@@ -181,7 +181,7 @@ impl Coordinates {
         Ok(coordinates)
     }
 
-    /// `level`: the number of lists around an element.
+    /// Reads a list, whose elements have `level` lists around them.
     fn read_list(&mut self, json: &mut Json<'_>, level: usize) -> Result<()> {
         let place = json.place()?;
         if level > MAX_LEVEL {
@@ -209,7 +209,7 @@ impl Coordinates {
         Ok(())
     }
 
-    fn add(&mut self, position: [f64; 2], level: usize, place: Place) -> Result<()> {
+    fn add(&mut self, position: [f64; 2], level: usize, place: TextPosition) -> Result<()> {
         if *self.level.get_or_insert(level) != level {
             let message = "a position in more or fewer lists than those before it";
             return Err(place.error(message));
@@ -218,7 +218,7 @@ impl Coordinates {
     }
 
     fn add_to(&self, features: &mut Features, shape: Shape, name: Name) -> Result<()> {
-        let Shape { level, part } = shape;
+        let Shape { level, primitive } = shape;
         if self.level.is_some_and(|own| own != level) {
             let message = format_args!(
                 "positions in {} lists; those of a {name} are in {}",
@@ -228,18 +228,18 @@ impl Coordinates {
             return Err(self.place.error(message));
         }
         // Without elements a geometry may be, a ring or a position may not.
-        let deepest = if part == Part::Ring { level - 1 } else { level };
+        let deepest = if primitive == Primitive::Ring { level - 1 } else { level };
         let empty = self.empty.iter().skip(deepest.max(2)).flatten().next();
         if let Some(place) = empty {
             return Err(place.error("a list without elements"));
         }
-        match part {
-            Part::Point => features.add_points(&self.positions),
-            Part::Line => {
+        match primitive {
+            Primitive::Point => features.add_points(&self.positions),
+            Primitive::Line => {
                 let mut lines = self.polylines();
                 lines.try_for_each(|(place, positions)| features.add_line(positions, place))
             }
-            Part::Ring => {
+            Primitive::Ring => {
                 let mut polygons = self.polygons.iter().peekable();
                 let mut first = 0;
                 for (at, (place, positions)) in self.polylines().enumerate() {
@@ -253,14 +253,14 @@ impl Coordinates {
         }
     }
 
-    fn polylines(&self) -> impl Iterator<Item = (Place, &[[f64; 2]])> {
+    fn polylines(&self) -> impl Iterator<Item = (TextPosition, &[[f64; 2]])> {
         let begins = [0].into_iter().chain(self.lines.iter().map(|(_, end)| *end));
         let lines = begins.zip(&self.lines);
         lines.map(|(begin, (place, end))| (*place, &self.positions[begin..*end]))
     }
 }
 
-/// What has been read of a position.
+/// Coordinates that have been read of a position.
 #[derive(Default)]
 struct Position {
     coordinates: [f64; 2],
@@ -268,7 +268,7 @@ struct Position {
 }
 
 impl Position {
-    /// Two coordinates, and perhaps a height of zero.
+    /// Adds a coordinate: two of them, and perhaps a height of zero.
     fn add(&mut self, json: &mut Json<'_>) -> Result<()> {
         let place = json.place()?;
         let value = json.number()?;
@@ -288,7 +288,7 @@ impl Position {
         Ok(())
     }
 
-    fn finished(self, place: Place) -> Result<[f64; 2]> {
+    fn finished(self, place: TextPosition) -> Result<[f64; 2]> {
         match self.count {
             1 => Err(place.error("a position with one coordinate")),
             _ => Ok(self.coordinates),
@@ -366,7 +366,8 @@ mod tests {
     #[test]
     fn members_come_in_any_order_and_names_in_any_notation() {
         let text = "\u{feff}{\r\n\"coordinates\" : [ [1.5, -2e0 ] ,[3,\t4]],\"x\":{\
-            \"type\":[\"]\\\"}\",-0.5E+3,true,false,null,NaN,-Infinity,{}]},\"\\u0074ype\":\"Line\\u0053tring\",\
+            \"type\":[\"]\\\"}\",-0.5E+3,true,false,null,NaN,-Infinity,{}]},\
+            \"\\u0074ype\":\"Line\\u0053tring\",\
             \"coordinates_of_another_kind\":\"\\u00e9\\ud83d\\ude00 \\/\\n\" }  \n";
         let table = read(text).unwrap();
         assert_eq!(table.points.coordinates, [1.5, -2.0, 3.0, 4.0]);

@@ -18,7 +18,8 @@ pub(super) fn leave_out(
     require_end_of(lines, "Elements")
 }
 
-/// An element a line: its number, its type, and what is of no matter here.
+/// Reads an element a line, of which only its type matters here, and counts the elements that are
+/// left out.
 fn leave_out_rows(lines: &mut Lines<'_>, left_out: &mut LeftOut) -> Result<()> {
     let lacks = || "the number of elements is missing".into();
     let [elements] = lines.require(lacks)?.integers(["number of elements"])?;
@@ -60,8 +61,8 @@ fn leave_out_blocks(lines: &mut Lines<'_>, left_out: &mut LeftOut) -> Result<()>
     }
 }
 
-/// The dimension and the number of elements of a block: its line has the entity's tag, which may be
-/// negative, and the type between them.
+/// Reads the dimension and the number of elements of a block: its line has the entity's tag, which
+/// may be negative, and the type between them.
 fn block_of(line: &Line<'_>) -> Result<[u64; 2]> {
     line.require_words(4)?;
     let mut block = [0; 2];
@@ -80,7 +81,7 @@ fn block_of(line: &Line<'_>) -> Result<[u64; 2]> {
     Ok(block)
 }
 
-/// The dimension of a type of elements; all that are not listed are of three dimensions.
+/// Returns the dimension of a type of elements; all that are not listed are of three dimensions.
 fn dimension_of(element: u64) -> u64 {
     match element {
         15 => 0,

@@ -4,9 +4,9 @@ use crate::memory::{AllocResult, TryGrow, collected};
 
 /// Elements of one dimension, by their labels.
 pub(super) struct Groups {
-    /// By rising label, and of one label by rising number.
+    /// Elements, sorted by label and then by number.
     elements: Vec<u32>,
-    /// By rising label.
+    /// Groups, sorted by label.
     groups: Vec<Group>,
 }
 
@@ -15,12 +15,12 @@ pub(super) struct Group {
     pub label: i32,
     /// A positive number that no other group of the dimension has: the label if that is positive.
     pub tag: u32,
-    /// Where the elements of the group end.
+    /// End of the group's elements in those of all groups.
     end: usize,
 }
 
 impl Groups {
-    /// Of the elements 0 to `count`; where there are none, a group without elements.
+    /// Groups the elements 0 to `count`; where there are none, the only group has no elements.
     pub fn new(count: usize, label: impl Fn(usize) -> i32) -> AllocResult<Self> {
         let label = |element: u32| label(element as usize);
         let mut elements: Vec<u32> = collected(0..count as u32)?;
@@ -45,7 +45,7 @@ impl Groups {
         &self.groups
     }
 
-    /// Each group with its elements.
+    /// Returns each group with its elements.
     pub fn iter(&self) -> impl Iterator<Item = (Group, &[u32])> {
         let begins = [0].into_iter().chain(self.groups.iter().map(|group| group.end));
         let pairs = begins.zip(&self.groups);
@@ -53,8 +53,8 @@ impl Groups {
     }
 }
 
-/// The least numbers from 1 that are not taken. Gmsh has no group 0, and where a number is negative
-/// it reverses the elements.
+/// Gives the groups the least numbers from 1 that are not taken. Gmsh has no group 0, and where a
+/// number is negative it reverses the elements.
 fn give_free_tags(groups: &mut [Group], taken: &[Group]) {
     let mut taken = taken.iter().peekable();
     let mut tag = 0;

@@ -7,7 +7,7 @@ mod write;
 
 use super::text::{Line, Lines, Points, quoted};
 use super::{PointCloud, Table};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::mesh::LeftOut;
 pub(super) use write::write;
 
@@ -38,7 +38,7 @@ pub(super) fn read(mut lines: Lines<'_>) -> Result<Table> {
             }
         }
     }
-    let points = points.ok_or_else(|| Error::new(ErrorKind::Format, "no section $Nodes"))?;
+    let points = points.ok_or_else(|| Error::format("no section $Nodes"))?;
     Ok(Table { left_out, ..Table::new(in_the_plane(points.finish()?), Vec::new()) })
 }
 
@@ -144,7 +144,7 @@ fn read_blocks(lines: &mut Lines<'_>, points: &mut Points) -> Result<()> {
         0 => Ok(()),
         _ => {
             let message = format!("the blocks hold {} of {nodes} nodes", nodes - left);
-            Err(Error::new(ErrorKind::Format, message))
+            Err(Error::format(message))
         }
     }
 }
@@ -180,7 +180,7 @@ impl Block {
     }
 }
 
-/// Every node has three coordinates, those of planar meshes too.
+/// Drops the third coordinate where all are zero: every node has three, those of planar meshes too.
 fn in_the_plane(mut cloud: PointCloud) -> PointCloud {
     if cloud.coordinates.chunks_exact(3).any(|point| point[2] != 0.0) {
         return cloud;
@@ -207,10 +207,12 @@ mod tests {
         let expected = PointCloud { dim: 3, coordinates: vec![1.0, 2.0, 3.0, -4.0, 5e9, -0.0] };
         for text in [
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n7 1 2 3\n3 -4 5e9 -0.0\n$EndNodes\n",
-            "$MeshFormat\n2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"a # b\"\n$EndPhysicalNames\n\
+            "$MeshFormat\n2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"a # b\"\n\
+             $EndPhysicalNames\n\
              $Nodes\n2\n1 1 2 3\n2 -4 5e9 -0\n$EndNodes\n$Elements\n1\n1 15 0 1\n$EndElements\n",
             "$Comments\nanything $Nodes\n$EndComments\n$MeshFormat\n4.1 0 8\n$EndMeshFormat\n\
-             $Nodes\n3 2 1 9\n0 -1 0 1\n9\n1 2 3\n1 4 0 0\n2 1 1 1\n4\n-4 5e9 -0 0.5 0.25\n$EndNodes\n",
+             $Nodes\n3 2 1 9\n0 -1 0 1\n9\n1 2 3\n1 4 0 0\n2 1 1 1\n4\n-4 5e9 -0 0.5 0.25\n\
+             $EndNodes\n",
             "$MeshFormat\r\n4.1 0 8\r\n$EndMeshFormat\r\n\r\n\
              $Nodes\r\n1 2 1 2\r\n3 1 0 2\r\n1\r\n2\r\n1 2 3\r\n-4 5e9 -0\r\n$EndNodes\r\n",
         ] {

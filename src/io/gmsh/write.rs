@@ -10,7 +10,7 @@ use crate::memory::AllocResult;
 use crate::mesh::{Attribute, NONE, Triangulation};
 use std::io::{self, Write};
 
-/// The section names, entities and the mesh; then what is known of nodes and elements.
+/// Writes the section names, entities and the mesh; then the data of nodes and elements.
 pub(in crate::io) fn write(
     triangulation: &Triangulation,
     markers: &[i32],
@@ -35,7 +35,7 @@ pub(in crate::io) fn write(
 /// markers of these. Simplex s is element s + 1; the edges follow.
 struct Elements<'a> {
     mesh: &'a Triangulation,
-    /// Whether there are labels or markers at all.
+    /// True if there are labels or markers at all.
     is_labelled: bool,
     simplices: Groups,
     edges: Option<Groups>,
@@ -61,14 +61,14 @@ impl<'a> Elements<'a> {
         self.mesh.simplex_count() + self.mesh.boundary.subsegments.len()
     }
 
-    /// The groups of edges.
+    /// Returns the groups of edges.
     fn curves(&self) -> impl Iterator<Item = (Group, &[u32])> {
         self.edges.iter().flat_map(Groups::iter)
     }
 
     fn vertices_of(&self, simplex: u32) -> &[u32] {
-        let corners = self.mesh.dim + 1;
-        &self.mesh.simplices[simplex as usize * corners..][..corners]
+        let size = self.mesh.dim + 1;
+        &self.mesh.simplices[simplex as usize * size..][..size]
     }
 
     fn ends_of(&self, edge: u32) -> &[u32] {
@@ -110,7 +110,7 @@ impl<'a> Elements<'a> {
         out.write_all(b"$EndEntities\n")
     }
 
-    /// Number, box, physical groups, bounding entities.
+    /// Writes number, box, physical groups and bounding entities of an entity.
     fn write_entity<'v>(
         &self,
         Group { tag, .. }: Group,
@@ -132,7 +132,8 @@ impl<'a> Elements<'a> {
         writeln!(out, " 1 {tag} 0")
     }
 
-    /// All in the first entity of simplices: which one a node of several is in says nothing here.
+    /// Writes all nodes in the first entity of simplices: which one a node of several is in says
+    /// nothing here.
     fn write_nodes(&self, out: &mut dyn Write) -> io::Result<()> {
         let (dim, nodes) = (self.mesh.dim, self.mesh.vertex_count());
         let entity = self.simplices.all().first().map_or(1, |group| group.tag);
@@ -165,8 +166,8 @@ impl<'a> Elements<'a> {
         out.write_all(b"$EndElements\n")
     }
 
-    /// Each element with its domain, 0 where there is none, in the order of the file: programs
-    /// beside Gmsh take the values one after the other.
+    /// Returns each element with its domain, 0 where there is none, in the order of the file:
+    /// programs beside Gmsh take the values one after the other.
     fn domains(&self) -> impl Iterator<Item = (u64, u32)> {
         let simplices = self.simplices.iter().flat_map(|(_, simplices)| simplices);
         let simplices = simplices.map(|&s| (u64::from(s) + 1, self.vertices_of(s)));
@@ -189,7 +190,8 @@ fn write_element(out: &mut dyn Write, tag: u64, vertices: &[u32]) -> io::Result<
     out.write_all(b"\n")
 }
 
-/// Values at the nodes: Gmsh has scalars, and vectors of three components, which two are padded to.
+/// Writes values at the nodes: Gmsh has scalars, and vectors of three components, which two are
+/// padded to.
 fn write_attribute(attribute: &Attribute, out: &mut dyn Write) -> io::Result<()> {
     let Attribute { name, components, values, .. } = attribute;
     let nodes = values.len() / components;
@@ -215,7 +217,7 @@ fn write_attribute(attribute: &Attribute, out: &mut dyn Write) -> io::Result<()>
     out.write_all(b"$EndNodeData\n")
 }
 
-/// A number for each node or element, which Gmsh shows as a view.
+/// Writes a number for each node or element, which Gmsh shows as a view.
 fn write_data(
     out: &mut dyn Write,
     what: &str,
@@ -258,7 +260,8 @@ mod tests {
              1 1 \"marker_-5\"\n1 6 \"marker_6\"\n2 1 \"region_-8\"\n2 7 \"region_7\"\n\
              $EndPhysicalNames\n$Entities\n0 2 2 0\n1 0 0 0 1 1 0 1 1 0\n6 0 0 0 1 0 0 1 6 0\n\
              1 0 0 0 1 1 0 1 1 0\n7 0 0 0 1 1 0 1 7 0\n$EndEntities\n$Nodes\n{nodes}$EndNodes\n\
-             $Elements\n4 4 1 4\n2 1 2 1\n2 1 3 4\n2 7 2 1\n1 1 2 3\n1 1 1 1\n3 1 3\n1 6 1 1\n4 2 1\n\
+             $Elements\n4 4 1 4\n2 1 2 1\n2 1 3 4\n2 7 2 1\n1 1 2 3\n1 1 1 1\n3 1 3\n1 6 1 1\n\
+             4 2 1\n\
              $EndElements\n\
              $NodeData\n1\n\"kind\"\n1\n0\n3\n0\n1\n4\n1 0\n2 0\n3 1\n4 2\n$EndNodeData\n\
              $ElementData\n1\n\"domain\"\n1\n0\n3\n0\n1\n4\n2 0\n1 0\n3 0\n4 0\n$EndElementData\n"

@@ -7,7 +7,7 @@ use crate::mesh::{Attribute, Mesh};
 
 const NUMPY: &str = include_str!("numpy_table.py");
 
-/// A number and a vector at each vertex: whole numbers, as the scripts print nothing else.
+/// Returns a number and a vector at each vertex: whole numbers, as the scripts print nothing else.
 fn attributes(mesh: &Mesh) -> [Attribute; 2] {
     let vertices = mesh.triangulation().unwrap().vertex_count();
     let attribute = |name: &str, components: usize| Attribute {
@@ -19,7 +19,7 @@ fn attributes(mesh: &Mesh) -> [Attribute; 2] {
     [attribute("heat", 1), attribute("flow", 3)]
 }
 
-/// The last lines that a script prints of a file: those of arrays, in the order of `names`.
+/// Returns the last lines that a script prints of a file: those of arrays, in the order of `names`.
 fn arrays(script: &str, mesh: &Mesh, name: &str, cell_type: &str, names: &[&str]) -> Vec<String> {
     let arguments = [&[cell_type], names].concat();
     let read = read_with_attributes(script, mesh, &attributes(mesh), name, &arguments);

@@ -9,7 +9,7 @@ const MESHIO: &str = include_str!("meshio_labels.py");
 const VTK: &str = include_str!("vtk_labels.py");
 const GMSH: &str = include_str!("gmsh_labels.py");
 
-/// A square in three strips, one of which has no label, and all of whose sides have markers.
+/// Makes a square in three strips, one of which has no label, and all of whose sides have markers.
 fn strips() -> Mesh {
     let points = [0, 1, 2, 3].map(|x| [[f64::from(x), 0.0], [f64::from(x), 3.0]]);
     let mut mesh = Mesh::new(2, 8, points.as_flattened().as_flattened(), 0).unwrap();
@@ -25,7 +25,7 @@ fn strips() -> Mesh {
     mesh
 }
 
-/// What the scripts print.
+/// Returns what the scripts print.
 fn expected(mesh: &Mesh) -> String {
     let triangulation = mesh.triangulation().unwrap();
     let row = |vertices: &[u32], label: i32| {

@@ -9,13 +9,13 @@ pub(super) const MESHIO: &str = include_str!("meshio_mesh.py");
 pub(super) const VTK: &str = include_str!("vtk_mesh.py");
 pub(super) const GMSH: &str = include_str!("gmsh_mesh.py");
 
-/// The points with three coordinates.
+/// Returns the points with three coordinates.
 fn in_space(mesh: &Triangulation) -> Vec<f64> {
     let points = mesh.points.chunks_exact(mesh.dim);
     points.flat_map(|p| [p[0], p[1], p.get(2).copied().unwrap_or(0.0)]).collect()
 }
 
-/// A script's first two lines for `mesh`.
+/// Returns a script's first two lines for `mesh`.
 fn expected(mesh: &Triangulation, points: &[f64]) -> String {
     format!("{:?}\n{:?}\n", bits(points), mesh.simplices)
 }
@@ -161,7 +161,7 @@ fn gmsh_reads_medit() {
     }
 }
 
-/// The vertices of the facets that one simplex has alone, in order.
+/// Returns the vertices of the facets that one simplex has alone, in order.
 fn boundary(mesh: &Triangulation) -> Vec<Vec<u32>> {
     let mut facets: Vec<Vec<u32>> = mesh
         .simplices
@@ -180,7 +180,7 @@ fn boundary(mesh: &Triangulation) -> Vec<Vec<u32>> {
     alone.map(|same| same[0].clone()).collect()
 }
 
-/// What the script says of the triangles of a file, in order.
+/// Returns what the script says of the triangles of a file, in order.
 fn triangles(vertices: &str) -> Vec<Vec<u32>> {
     let numbers = vertices.trim_matches(['[', ']']).split(", ").map(|word| word.parse().unwrap());
     let numbers: Vec<u32> = numbers.collect();

@@ -40,13 +40,13 @@ impl Drop for Directory {
     }
 }
 
-/// What `script` finds in the file called `name` that `write_file` makes of `mesh`. Each test has
-/// names of its own.
+/// Returns what `script` finds in the file called `name` that `write_file` makes of `mesh`. Each
+/// test has names of its own.
 fn as_read_by(script: &str, mesh: &Mesh, name: &str, arguments: &[&str]) -> String {
     read_with_attributes(script, mesh, &[], name, arguments)
 }
 
-/// The same of a file with attributes.
+/// Returns what `script` finds in a file with attributes.
 fn read_with_attributes(
     script: &str,
     mesh: &Mesh,

@@ -14,26 +14,26 @@ pub(super) struct Header {
     pub row: Row,
 }
 
-/// What the file has of a point: its coordinates, and what else there may be.
+/// Columns that the file has of a point: its coordinates, and what else there may be.
 pub(super) enum Row {
-    Numbers { number: Number, count: u64 },
+    Numbers { number: NumberType, count: u64 },
     Fields(Vec<Field>),
 }
 
 /// A value of a structure.
 pub(super) struct Field {
     name: String,
-    number: Number,
+    number: NumberType,
 }
 
 /// An element of the array as the header describes it.
 enum Element {
-    Number(Number),
+    Number(NumberType),
     Structure(Vec<Field>),
 }
 
 impl Row {
-    /// Columns.
+    /// Returns the number of columns.
     pub fn count(&self) -> u64 {
         match self {
             Self::Numbers { count, .. } => *count,
@@ -41,15 +41,15 @@ impl Row {
         }
     }
 
-    /// What stands in a column.
-    pub fn number(&self, column: u64) -> Number {
+    /// Returns the type of the numbers in a column.
+    pub fn number(&self, column: u64) -> NumberType {
         match self {
             Self::Numbers { number, .. } => *number,
             Self::Fields(fields) => fields[column as usize].number,
         }
     }
 
-    /// The names of the columns, if they have any.
+    /// Returns the names of the columns, if they have any.
     pub fn names(&self) -> Option<Vec<&str>> {
         match self {
             Self::Numbers { .. } => None,
@@ -58,9 +58,9 @@ impl Row {
     }
 }
 
-/// What the bytes of a value mean.
+/// Meaning of the bytes of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(super) struct NumberType {
     kind: Kind,
     size: u64,
     big_endian: bool,
@@ -71,11 +71,11 @@ enum Kind {
     Float,
     Signed,
     Unsigned,
-    /// No number that is read.
+    /// Type of no number that is read.
     Other,
 }
 
-impl Number {
+impl NumberType {
     fn of_description(description: &str) -> Option<Self> {
         let (order, rest) = description.split_at_checked(1)?;
         let big_endian = match order {
@@ -106,12 +106,12 @@ impl Number {
         self.kind != Kind::Other
     }
 
-    /// In bytes.
+    /// Returns the number of bytes.
     pub fn size(self) -> u64 {
         self.size
     }
 
-    /// The next number; NaN in the place of what is none.
+    /// Reads the next number; NaN for a value that is none.
     pub fn read(self, binary: &mut Binary<'_>, lacks: impl FnOnce() -> String) -> Result<f64> {
         let bits = match self.size {
             _ if self.kind == Kind::Other => {
@@ -149,8 +149,8 @@ impl Number {
 }
 
 impl Header {
-    /// From `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`. `is_plain`: every number
-    /// of a point is a coordinate.
+    /// Parses a header such as `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }`. With
+    /// `is_plain` every number of a point is a coordinate.
     pub fn parse(text: &[u8], is_plain: bool) -> Result<Self> {
         let mut parser = Parser { rest: text };
         let (mut element, mut fortran_order, mut shape) = (None, None, None);
@@ -211,7 +211,7 @@ pub(super) fn check_dimension(columns: u64) -> Result<()> {
 }
 
 fn bad(why: String) -> Error {
-    Error::new(ErrorKind::Format, message!("in the header: {why}"))
+    Error::format(message!("in the header: {why}"))
 }
 
 /// Reads Python's notation, as much of it as headers have.
@@ -238,7 +238,7 @@ impl<'a> Parser<'a> {
         bad(message!("{} where {expected} is expected", quoted(rest.trim_ascii())))
     }
 
-    /// What is quoted once or twice, without escapes.
+    /// Reads what is quoted once or twice, without escapes.
     fn string(&mut self) -> Result<&'a str> {
         let quote = if self.skip("'") {
             b'\''
@@ -274,13 +274,13 @@ impl<'a> Parser<'a> {
         Ok(number)
     }
 
-    /// The type of an element.
+    /// Reads the type of an element.
     fn element(&mut self) -> Result<Element> {
         if self.skip("[") {
             return Ok(Element::Structure(self.fields()?));
         }
         let description = self.string()?;
-        match Number::of_description(description) {
+        match NumberType::of_description(description) {
             Some(number) if number.is_float() => Ok(Element::Number(number)),
             _ => Err(bad(message!(
                 "numbers of type {}; doubles ('<f8', '>f8') and floats ('<f4', '>f4') are read",
@@ -289,7 +289,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What follows `[` in `[('x', '<f8'), ('velocity', '<f4', (3,))]`.
+    /// Reads what follows `[` in `[('x', '<f8'), ('velocity', '<f4', (3,))]`.
     fn fields(&mut self) -> Result<Vec<Field>> {
         let mut fields = Vec::new();
         while !self.skip("]") {
@@ -297,7 +297,7 @@ impl<'a> Parser<'a> {
             let name = self.string()?;
             self.expect(",")?;
             let description = self.string()?;
-            let number = Number::of_description(description).ok_or_else(|| {
+            let number = NumberType::of_description(description).ok_or_else(|| {
                 let (name, kind) = (quoted(name), quoted(description));
                 bad(message!("the field {name} is of type {kind}, which is not read"))
             })?;

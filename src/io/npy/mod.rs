@@ -33,12 +33,12 @@ pub(super) fn read(input: &mut dyn BufRead, choice: &Choice) -> Result<Table> {
     array.finish()
 }
 
-/// The columns of the coordinates, and the attributes.
+/// Returns the columns of the coordinates, and the attributes.
 fn chosen(row: &Row, choice: &Choice) -> Result<(Vec<u64>, Values)> {
     let names = row.names();
     let otherwise = |_: &[u64]| {
         let rule = "the fields name no coordinates: x and y, x0 and x1, or points; choose them";
-        Err(Error::new(ErrorKind::Format, rule))
+        Err(Error::format(rule))
     };
     let (coordinates, values) = choice.of_table(row.count(), names.as_deref(), otherwise)?;
     check_dimension(coordinates.len() as u64)?;
@@ -46,7 +46,7 @@ fn chosen(row: &Row, choice: &Choice) -> Result<(Vec<u64>, Values)> {
         if let (Some(names), false) = (&names, row.number(column).is_number()) {
             let name = quoted(names[column as usize]);
             let message = message!("the field {name} has no numbers");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
     }
     Ok((coordinates, values))
@@ -63,7 +63,7 @@ struct Array<'a> {
 }
 
 impl Array<'_> {
-    /// C order.
+    /// Reads an array in C order: point by point.
     fn read_by_point(&mut self) -> Result<()> {
         let mut point = [0.0; MAX_DIM];
         for row in 0..self.header.points {
@@ -84,7 +84,7 @@ impl Array<'_> {
         self.binary.require_end("the array")
     }
 
-    /// Fortran's order: the coordinates are transposed at the end.
+    /// Reads an array in Fortran's order: the coordinates are transposed at the end.
     fn read_by_column(&mut self) -> Result<()> {
         for column in 0..self.header.row.count() {
             let is_coordinate = self.coordinates.contains(&column);
@@ -126,7 +126,7 @@ impl Array<'_> {
     }
 }
 
-/// `is_plain`: every column is a coordinate.
+/// Reads the header. With `is_plain` every column is a coordinate.
 fn read_header(binary: &mut Binary<'_>, is_plain: bool) -> Result<Header> {
     let lacks = || "the header of an .npy file is not complete".to_string();
     let magic: [u8; 6] = binary.next(lacks)?;
@@ -158,8 +158,8 @@ fn read_header(binary: &mut Binary<'_>, is_plain: bool) -> Result<Header> {
     })
 }
 
-/// The vertices, or before a run the inputs, in C order: without attributes an array of doubles,
-/// with them one of structures.
+/// Writes the vertices, or before a run the inputs, in C order: without attributes an array of
+/// doubles, with them one of structures.
 pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) -> io::Result<()> {
     let dim = mesh.inputs().dim();
     let points = mesh.triangulation().map_or(mesh.inputs().distinct(), |mesh| mesh.vertex_count());
@@ -181,7 +181,7 @@ pub(super) fn write(mesh: &Mesh, attributes: &[Attribute], out: &mut dyn Write) 
     })
 }
 
-/// The type of a structure with a point, its kind and its attributes.
+/// Returns the type of a structure with a point, its kind and its attributes.
 fn fields(dim: usize, attributes: &[Attribute]) -> String {
     let mut text = format!("[('points', '<f8', ({dim},)), ('kind', '|u1')");
     for Attribute { name, components, .. } in attributes {
@@ -223,7 +223,7 @@ mod tests {
     use super::super::{Format, read, read_table, samples, write};
     use super::*;
 
-    /// A file of version 1.0 with this header.
+    /// Returns a file of version 1.0 with this header.
     fn file(header: &str, data: &[u8]) -> Vec<u8> {
         let length = (header.len() as u16).to_le_bytes();
         [MAGIC, &[1, 0][..], &length, header.as_bytes(), data].concat()
@@ -353,7 +353,7 @@ mod tests {
         assert_eq!(error.message(), "attributes: more than 1000 columns; take fewer");
     }
 
-    /// Every type, padding, fields that are no numbers.
+    /// Reads every type, padding, and fields that are no numbers.
     #[test]
     fn structures_have_names_for_their_columns() {
         let header = "{'descr': [('id', '<U2'), ('y', '>f4'), ('', '|V3'), ('flag', '|b1'), \

@@ -7,7 +7,7 @@ use super::header::{Element, Header, Kind, Scalar};
 use crate::error::{ErrorKind, Result, message};
 use std::io::BufRead;
 
-/// A row per line.
+/// Reads a row per line.
 pub(super) fn read_text(header: &Header, lines: &mut Lines<'_>, rows: &mut Rows) -> Result<()> {
     for element in &header.elements {
         for index in 0..element.count {

@@ -1,4 +1,4 @@
-//! What a `.ply` file says of itself.
+//! Header of a `.ply` file.
 
 use super::super::choice::AttributeColumns;
 use super::super::text::{Line, Lines, quoted};
@@ -11,9 +11,9 @@ const MAX_DECLARATIONS: usize = 1000;
 
 pub(super) struct Header {
     pub encoding: Encoding,
-    /// In the order of the file.
+    /// Elements, in the order of the file.
     pub elements: Vec<Element>,
-    /// 2 where the vertices have no z.
+    /// Dimension of the points: 2 where the vertices have no z.
     pub dim: usize,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Element {
 pub(super) struct Property {
     pub name: String,
     pub kind: Kind,
-    /// Which of a point's coordinates it is.
+    /// Axis of the coordinate of a point that the property is, if it is one.
     pub axis: Option<usize>,
 }
 
@@ -114,8 +114,8 @@ impl Header {
         left_out
     }
 
-    /// Those properties of vertices that are wanted as attributes. Coordinates and lists are not
-    /// among all of them.
+    /// Returns those properties of vertices that are wanted as attributes. Coordinates and lists
+    /// are not among all of them.
     pub fn values(&self, wanted: &AttributeColumns) -> Result<Values> {
         let vertices = self.elements.iter().find(|element| element.holds_points());
         let properties = vertices.map_or(&[][..], |vertices| &vertices.properties);
@@ -134,7 +134,7 @@ impl Header {
                 let name = quoted(&property.name);
                 let rule = "an attribute has one number a point";
                 let message = say!(Name::Attributes, ": the property {name} is a list; {rule}");
-                Err(Error::new(ErrorKind::InvalidArgument, message))
+                Err(Error::invalid(message))
             }
         }
     }
@@ -168,7 +168,7 @@ fn read_encoding(line: &Line<'_>) -> Result<Encoding> {
 }
 
 impl Element {
-    /// From `element NAME COUNT`.
+    /// Reads `element NAME COUNT`.
     fn declared(line: &Line<'_>, others: &[Self]) -> Result<Self> {
         line.require_words(3)?;
         let mut element = Self { name: String::new(), count: 0, properties: Vec::new() };
@@ -185,7 +185,7 @@ impl Element {
         Ok(element)
     }
 
-    /// From `property TYPE NAME` or `property list TYPE TYPE NAME`.
+    /// Adds the property that `property TYPE NAME` or `property list TYPE TYPE NAME` declares.
     fn add_property(&mut self, line: &Line<'_>, rest: &str) -> Result<()> {
         let words: Vec<&str> = rest.split_ascii_whitespace().take(5).collect();
         let (kind, name) = match words[..] {
@@ -210,7 +210,7 @@ impl Element {
         Ok(())
     }
 
-    /// The bytes of a row, where all rows have the same.
+    /// Returns the bytes of a row, where all rows have equally many.
     pub fn row_size(&self) -> Option<u64> {
         self.properties.iter().try_fold(0, |sum, property| match property.kind {
             Kind::Scalar(scalar) => Some(sum + scalar.size() as u64),
@@ -247,7 +247,7 @@ impl Scalar {
         }
     }
 
-    /// The number in the first `size` of little-endian `bytes`; a double holds each of them
+    /// Returns the number in the first `size` of little-endian `bytes`; a double holds each of them
     /// exactly.
     pub fn value(self, bytes: [u8; 8]) -> f64 {
         let [a, b, c, d, ..] = bytes;

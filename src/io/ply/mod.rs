@@ -29,7 +29,7 @@ pub(super) fn read(input: &mut dyn BufRead, attributes: &AttributeColumns) -> Re
     Ok(Table { left_out, ..Table::new(rows.points.finish()?, rows.values.finish()) })
 }
 
-/// What was read of the vertices.
+/// Points and attributes that were read of the vertices.
 struct Rows {
     points: Points,
     values: Values,
@@ -84,7 +84,7 @@ fn write_vertices(
     Ok(())
 }
 
-/// The facets without a neighbour, counterclockwise as seen from outside.
+/// Writes the facets without a neighbour, counterclockwise as seen from outside.
 fn write_boundary(triangulation: &Triangulation, out: &mut dyn Write) -> io::Result<()> {
     const FACETS: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
     for simplex in 0..triangulation.simplex_count() {
@@ -116,13 +116,17 @@ mod tests {
             (format!("element vertex 2\n{VERTICES}"), "1 2\n-3 4e9"),
             (format!("comment c\nobj_info # o\nelement vertex 2\n{VERTICES}"), "1 2\n-3 4e9\n"),
             (
-                "element vertex 2\nproperty list uchar int more\nproperty double y\nproperty uchar red\n\
-                 property float x\nelement face 1\nproperty list uchar int vertex_indices\n"
+                "element vertex 2\nproperty list uchar int more\nproperty double y\n\
+                 property uchar red\nproperty float x\nelement face 1\n\
+                 property list uchar int vertex_indices\n"
                     .to_string(),
                 "0 2 9 1\n2 5 6 4e9 255 -3\n3 0 1 1\n",
             ),
             (
-                format!("element a 1\nproperty char x\nelement vertex 2\n{VERTICES}element b 0\nproperty int c\n"),
+                format!(
+                    "element a 1\nproperty char x\nelement vertex 2\n{VERTICES}element b 0\n\
+                     property int c\n"
+                ),
                 "7\n1 2\n-3 4e9\n",
             ),
         ] {
@@ -131,8 +135,8 @@ mod tests {
         }
     }
 
-    /// A vertex with every type of number beside its coordinates, an element before it and one
-    /// after.
+    /// Reads a vertex with every type of number beside its coordinates, an element before it and
+    /// one after.
     #[test]
     fn binary_of_both_orders_is_read() {
         let scalars = ["char", "uint8", "int16", "ushort", "int", "uint32", "float32", "double"];
@@ -141,8 +145,9 @@ mod tests {
         let header = |order: &str| {
             format!(
                 "ply\nformat binary_{order}_endian 1.0\nelement edge 2\nproperty short a\n\
-                 element vertex 2\nproperty float z\n{others}property list ushort int l\nproperty double x\n\
-                 property short y\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                 element vertex 2\nproperty float z\n{others}property list ushort int l\n\
+                 property double x\nproperty short y\nelement face 1\n\
+                 property list uchar int vertex_indices\nend_header\n"
             )
         };
         let rows = |big: bool| {
@@ -190,7 +195,7 @@ mod tests {
         }
     }
 
-    /// All facets of one tetrahedron, each with its normal away from the vertex that is left out.
+    /// Holds that all facets of one tetrahedron have normals away from the vertex that is left out.
     #[test]
     fn the_boundary_looks_outward() {
         let points = [0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.];

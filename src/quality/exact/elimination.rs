@@ -7,7 +7,7 @@ use crate::memory::{AllocResult, TryGrow, with_capacity};
 use crate::mesh::MAX_DIM;
 use std::cmp::Ordering;
 
-/// What stands beside the components of an edge.
+/// Additional last component of an edge in a lifted determinant.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lift {
     None,
@@ -15,7 +15,7 @@ pub(crate) enum Lift {
     Square,
 }
 
-/// The sign of the determinant of the edges from `origin` to `ends`, each with its `lift`.
+/// Returns the sign of the determinant of the edges from `origin` to `ends`, each with its `lift`.
 pub(crate) fn lifted_determinant_sign<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
@@ -32,12 +32,12 @@ pub(crate) fn lifted_determinant_sign<const D: usize>(
 
 /// A column of right sides.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Side {
+pub(crate) enum RightSide {
     /// The squares of the edges' lengths.
     Square,
-    /// One at each edge.
+    /// Right side with one at each edge.
     Ones,
-    /// One at this edge, zero at the others.
+    /// Right side with one at this edge, zero at the others.
     Unit(usize),
 }
 
@@ -62,7 +62,7 @@ impl Solution {
 pub(crate) fn solve<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
-    sides: &[Side],
+    sides: &[RightSide],
 ) -> AllocResult<Option<(Solution, i32)>> {
     let unit = unit(origin, ends);
     let mut matrix = unbounded(Matrix::<Integer>::edges(origin, ends, unit, sides))?;
@@ -70,7 +70,7 @@ pub(crate) fn solve<const D: usize>(
     Ok((sign != Ordering::Equal).then_some((Solution { matrix, dim: D }, unit)))
 }
 
-/// Numbers of any size are refused by memory only.
+/// Takes the result of numbers of any size, which are refused by memory only.
 pub(crate) fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
     result.map_err(|refusal| match refusal {
         Refusal::Memory(error) => error,
@@ -78,13 +78,13 @@ pub(crate) fn unbounded<T>(result: Result<T, Refusal>) -> AllocResult<T> {
     })
 }
 
-/// The exponent of the largest power of two that divides all coordinates.
+/// Returns the exponent of the largest power of two that divides all coordinates.
 pub(crate) fn unit<const D: usize>(origin: &[f64; D], ends: &[&[f64; D]]) -> i32 {
     let coordinates = ends.iter().copied().chain([origin]).flatten();
     coordinates.filter(|x| **x != 0.0).map(|&x| parts(x).1).min().unwrap_or(0)
 }
 
-/// A double as an odd integer times a power of two; zero as zero.
+/// Splits a double into an odd integer and the exponent of a power of two; zero gives zeros.
 pub(crate) fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let (biased, fraction) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)) as i64);
@@ -103,7 +103,7 @@ fn determinant_sign<N: Number, const D: usize>(
     lift: Lift,
     unit: i32,
 ) -> Result<Ordering, Refusal> {
-    let square = [Side::Square];
+    let square = [RightSide::Square];
     let sides = if lift == Lift::Square { &square[..] } else { &[] };
     Matrix::<N>::edges(origin, ends, unit, sides)?.eliminate(false)
 }
@@ -124,8 +124,8 @@ pub(crate) struct Matrix<N> {
 }
 
 impl<N: Number> Matrix<N> {
-    /// The products of the edges from `origin` to `ends` with each other, and in a last column with
-    /// themselves, in units of `2^(2 unit)`.
+    /// Returns the products of the edges from `origin` to `ends` with each other, and in a last
+    /// column with themselves, in units of `2^(2 unit)`.
     pub fn products<const D: usize>(
         origin: &[f64; D],
         ends: &[&[f64; D]],
@@ -143,12 +143,13 @@ impl<N: Number> Matrix<N> {
         Ok(Self { entries, height, width })
     }
 
-    /// A row for each of `ends`: its edge in units of `2^unit`, then its `sides`.
+    /// Returns a matrix with a row for each of `ends`: its edge in units of `2^unit`, then its
+    /// `sides`.
     fn edges<const D: usize>(
         origin: &[f64; D],
         ends: &[&[f64; D]],
         unit: i32,
-        sides: &[Side],
+        sides: &[RightSide],
     ) -> Result<Self, Refusal> {
         let whole = |x: f64| {
             let (odd, exponent) = parts(x);
@@ -166,12 +167,12 @@ impl<N: Number> Matrix<N> {
             }
             for side in sides {
                 let entry = match *side {
-                    Side::Square => {
+                    RightSide::Square => {
                         let edge = &entries[row * width..][..D];
                         product(edge, edge)?
                     }
-                    Side::Ones => N::shifted(1, 0)?,
-                    Side::Unit(at) => N::shifted(i64::from(at == row), 0)?,
+                    RightSide::Ones => N::shifted(1, 0)?,
+                    RightSide::Unit(at) => N::shifted(i64::from(at == row), 0)?,
                 };
                 entries.try_push(entry)?;
             }
@@ -213,7 +214,7 @@ impl<N: Number> Matrix<N> {
         Ok(if swapped { sign.reverse() } else { sign })
     }
 
-    /// The entry (i, j) after step k.
+    /// Returns the entry (i, j) after step k of the elimination.
     fn reduced(&self, i: usize, j: usize, k: usize) -> Result<N, Refusal> {
         let kept = self.at(k, k).times(self.at(i, j))?;
         // The pivot's row has a zero left of the pivot, which is not stored there.
@@ -232,15 +233,15 @@ mod tests {
     use crate::numerics::testing::*;
     use dashu_int::IBig;
 
-    /// Solutions for all sides at once, beside Cramer's rule on another library's integers.
+    /// Compares solutions for all sides at once with Cramer's rule on another library's integers.
     fn solutions_agree<const D: usize>(trials: usize) {
         let mut independent = 0;
         for family in FAMILIES {
             let mut random = Random(family as u64 * 100 + 70 + D as u64);
             for _ in 0..trials {
                 let points = points::<D>(family, D + 1, &mut random);
-                let mut sides = vec![Side::Square, Side::Ones];
-                sides.extend((0..D).map(Side::Unit));
+                let mut sides = vec![RightSide::Square, RightSide::Ones];
+                sides.extend((0..D).map(RightSide::Unit));
                 let ends = references(&points[1..]);
                 let solution = solve(&points[0], &ends, &sides).unwrap();
                 let edge = |i: usize, k: usize| integer(ends[i][k]) - integer(points[0][k]);
@@ -254,13 +255,13 @@ mod tests {
                 independent += 1;
                 for (at, side) in sides.iter().enumerate() {
                     let right = |i: usize| match *side {
-                        Side::Square => rows[i].iter().fold(IBig::ZERO, |sum, x| sum + x * x),
-                        Side::Ones => IBig::ONE,
-                        Side::Unit(row) => IBig::from(u8::from(row == i)),
+                        RightSide::Square => rows[i].iter().fold(IBig::ZERO, |sum, x| sum + x * x),
+                        RightSide::Ones => IBig::ONE,
+                        RightSide::Unit(row) => IBig::from(u8::from(row == i)),
                     };
                     // Edges are in units of 2^-1074 here: so are squares over edges, and 1 over
                     // edges in the inverse.
-                    let power = if *side == Side::Square { unit + 1074 } else { -unit - 1074 };
+                    let power = if *side == RightSide::Square { unit + 1074 } else { -unit - 1074 };
                     for k in 0..D {
                         let mut replaced = rows.clone();
                         (0..D).for_each(|i| replaced[i][k] = right(i));

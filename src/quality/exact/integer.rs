@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 #[derive(Debug)]
 pub(crate) struct Integer {
     negative: bool,
-    /// From the lowest; the highest is not zero, and zero has none.
+    /// Words of the magnitude, from the lowest; the highest is not zero, and zero has none.
     limbs: Vec<u64>,
 }
 
@@ -31,7 +31,8 @@ impl Integer {
         })
     }
 
-    /// The magnitude's highest 64 bits, and the power of two of their unit.
+    /// Returns the highest 64 bits of the magnitude, and the exponent of the power of two that is
+    /// their unit.
     fn top(&self) -> (u64, i64) {
         let Some((&high, rest)) = self.limbs.split_last() else {
             return (0, 0);
@@ -76,8 +77,8 @@ impl Number for Integer {
         Ok(Self::new(self.negative != other.negative, limbs))
     }
 
-    /// From the lowest word, by the inverse of an odd number modulo a power of two (Hensel,
-    /// Jebelean): for that the powers of two in the divisor go first.
+    /// Divides without remainder from the lowest word, by the inverse of an odd number modulo a
+    /// power of two (Hensel, Jebelean). For that the powers of two in the divisor go first.
     fn over(&self, divisor: &Self) -> Result<Self, Refusal> {
         if self.limbs.is_empty() {
             return Ok(Self::new(false, Vec::new()));
@@ -119,7 +120,8 @@ impl Number for Integer {
     }
 }
 
-/// `numerator / denominator` as a double times a power of two, with a relative error below 2^-50.
+/// Returns `numerator / denominator` as a double and the exponent of a power of two that it is to
+/// be multiplied by, with a relative error below 2^-50.
 pub(crate) fn ratio(numerator: &Integer, denominator: &Integer) -> (f64, i64) {
     let ((a, a_unit), (b, b_unit)) = (numerator.top(), denominator.top());
     let magnitude = a as f64 / b as f64;
@@ -145,7 +147,7 @@ fn added(a: &[u64], b: &[u64]) -> AllocResult<Vec<u64>> {
     Ok(limbs)
 }
 
-/// `a - b` for `a >= b`.
+/// Returns `a - b` for `a >= b`.
 fn subtracted(a: &[u64], b: &[u64]) -> AllocResult<Vec<u64>> {
     let mut limbs = with_capacity(a.len())?;
     let mut borrow = false;
@@ -163,7 +165,7 @@ fn trailing_zeros(limbs: &[u64]) -> usize {
     64 * words + limbs[words].trailing_zeros() as usize
 }
 
-/// `limbs / 2^shift`, rounded down.
+/// Returns `limbs / 2^shift`, rounded down.
 fn halved(limbs: &[u64], shift: usize) -> AllocResult<Vec<u64>> {
     let (words, bits) = (shift / 64, shift % 64);
     let kept = &limbs[words.min(limbs.len())..];
@@ -181,7 +183,8 @@ fn halved(limbs: &[u64], shift: usize) -> AllocResult<Vec<u64>> {
     Ok(halved)
 }
 
-/// Modulo 2^64, by Newton's iteration: each step doubles the bits that are right, three at first.
+/// Returns the inverse of an odd number modulo 2^64, by Newton's iteration: each step doubles the
+/// bits that are right, three at first.
 fn inverse_of_odd(odd: u64) -> u64 {
     let mut inverse = odd;
     for _ in 0..5 {
@@ -204,7 +207,7 @@ mod tests {
         if integer.negative { -magnitude } else { magnitude }
     }
 
-    /// Numbers of up to five words, with words of zeros and of ones among them.
+    /// Draws numbers of up to five words, with words of zeros and of ones among them.
     fn draw(random: &mut impl FnMut() -> u64) -> Integer {
         let word = |bits: u64, any: u64| [0, u64::MAX, 1 << (any % 64), any][bits as usize % 4];
         let length = random() % 6;

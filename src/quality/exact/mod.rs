@@ -6,7 +6,7 @@ mod elimination;
 mod integer;
 
 pub(crate) use elimination::{
-    Lift, Matrix, Side, Solution, lifted_determinant_sign, parts, solve, unbounded, unit,
+    Lift, Matrix, RightSide, Solution, lifted_determinant_sign, parts, solve, unbounded, unit,
 };
 pub(crate) use integer::{Integer, ratio};
 
@@ -28,12 +28,12 @@ impl From<AllocError> for Refusal {
 
 /// The integers that an elimination may run in.
 pub(crate) trait Number: Sized {
-    /// `mantissa * 2^shift`.
+    /// Returns `mantissa * 2^shift`.
     fn shifted(mantissa: i64, shift: u32) -> Result<Self, Refusal>;
     fn plus(&self, other: &Self) -> Result<Self, Refusal>;
     fn minus(&self, other: &Self) -> Result<Self, Refusal>;
     fn times(&self, other: &Self) -> Result<Self, Refusal>;
-    /// The quotient by a divisor of this number.
+    /// Returns the quotient by a divisor of this number.
     fn over(&self, divisor: &Self) -> Result<Self, Refusal>;
     fn sign(&self) -> std::cmp::Ordering;
 }

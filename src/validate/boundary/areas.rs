@@ -16,7 +16,8 @@ struct Bound {
     is_on_left: bool,
 }
 
-/// `count`: the number of triangles in the domain, which come first.
+/// Checks that the area of each label is what its bounding edges enclose. The first `count`
+/// triangles are those in the domain.
 pub(super) fn check(
     view: View<'_, 2>,
     edges: &Edges,
@@ -65,7 +66,7 @@ fn add_triangle(view: View<'_, 2>, edges: &Edges, triangle: usize, sum: &mut Sum
     }
 }
 
-/// By labels.
+/// Returns the edges that bound the triangles of each label, sorted by label.
 fn bounds(view: View<'_, 2>, edges: &Edges, count: usize) -> AllocResult<Vec<Bound>> {
     let labels = &view.mesh.boundary.simplex_regions;
     let label = |side: u32| ((side as usize) < count).then(|| labels[side as usize]);

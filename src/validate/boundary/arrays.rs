@@ -1,4 +1,4 @@
-//! Level 1: the arrays of segments and regions fit the mesh, and those of a domain that is cut out
+//! Level 1: the arrays of segments and regions fit the mesh, and those of a domain that is cropped
 //! are the first parts of those of the whole.
 
 use super::Outline;
@@ -10,7 +10,7 @@ use crate::options::Extent;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
-/// Checks the arrays of `result`, which is cut from `whole` or the same.
+/// Checks the arrays of `result`, which is cropped from `whole` or equal to it.
 pub(super) fn check(
     outline: Option<Outline<'_>>,
     result: &Triangulation,
@@ -77,8 +77,8 @@ fn misplaced(mesh: &Triangulation) -> bool {
     !mesh.boundary.forced.is_empty() && mesh.boundary.subsegments.is_empty()
 }
 
-/// Subsegments name two vertices and a segment, and stand by segments. An extent has a boundary
-/// of no segment.
+/// Checks that subsegments name two vertices and a segment, and stand by segments. An extent has a
+/// boundary of no segment.
 fn check_ids(outline: Option<Outline<'_>>, mesh: &Triangulation, findings: &mut Findings) {
     let vertices = mesh.vertex_count();
     let segments = outline.map_or(NONE as usize, |outline| outline.segments.count());
@@ -114,7 +114,7 @@ fn check_forced(result: &Triangulation, whole: &Triangulation, findings: &mut Fi
     });
 }
 
-/// Whether `part` is what comes first of `whole`.
+/// Returns true if `whole` begins with `part`.
 fn begins<T: PartialEq>(part: &[T], whole: &[T]) -> bool {
     whole.starts_with(part)
 }
@@ -155,12 +155,12 @@ fn check_parts(result: &Triangulation, whole: &Triangulation, findings: &mut Fin
     }
 }
 
-/// Neighbours are those of the whole, but none where the domain ends.
+/// Checks that neighbours are those of the whole, but none where the domain ends.
 fn check_neighbors(result: &Triangulation, whole: &Triangulation, findings: &mut Findings) {
     let count = result.simplex_count();
     let end = result.simplices.len().min(whole.neighbors.len());
-    let is_cut = |&id: &u32| if (id as usize) < count { id } else { NONE };
-    let expected = whole.neighbors[..end].iter().map(is_cut);
+    let cropped = |&id: &u32| if (id as usize) < count { id } else { NONE };
+    let expected = whole.neighbors[..end].iter().map(cropped);
     let differs = match result.neighbors.len() == end {
         true => expected.zip(&result.neighbors).position(|(a, &b)| a != b),
         false => Some(0),

@@ -57,7 +57,7 @@ pub(super) fn check(
 }
 
 impl Way {
-    /// That of a segment of the caller's; [`NONE`] for an end that is no input.
+    /// Returns the way of a segment of the caller's; [`NONE`] for an end that is no input.
     pub fn of(inputs: &Inputs, segments: &Segments, segment: usize) -> Self {
         let vertex = |end: u32| inputs.vertices().get(end as usize).copied().unwrap_or(NONE);
         Self { segment: segment as u32, ends: segments.inputs[segment].map(vertex) }
@@ -81,7 +81,7 @@ impl<'a> Chains<'a> {
         Ok(Self { view, edges, inputs, reached, searches: 0, path, waiting })
     }
 
-    /// The vertices of the way that was found last, from end to end.
+    /// Returns the vertices of the way that was found last, from end to end.
     pub fn found(&self) -> &[u32] {
         &self.path
     }
@@ -172,7 +172,7 @@ impl<'a> Chains<'a> {
         Ok(false)
     }
 
-    /// The other end of a subsegment of an earlier segment, if it is on the way to `to`.
+    /// Returns the other end of a subsegment of an earlier segment, if it is on the way to `to`.
     fn next_of_gap(
         &self,
         way: Way,
@@ -202,7 +202,7 @@ impl<'a> Chains<'a> {
         Ok(true)
     }
 
-    /// Whether `vertex` is within half a unit in the last place of the segment, or if that
+    /// Returns true if `vertex` is within half a unit in the last place of the segment, or if that
     /// `is_bent` within some units of its ends.
     fn is_near(&self, way: Way, vertex: u32, is_bent: bool) -> AllocResult<bool> {
         let [from, to]: [&Point; 2] = way.ends.map(|end| self.view.point(end));

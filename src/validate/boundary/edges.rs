@@ -8,14 +8,15 @@ use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 use std::cmp::Ordering;
 
-/// A subsegment may lack room for a vertex on it if it is no longer than so many units in the last
-/// place of the mesh's largest coordinates.
+/// Largest length, in units in the last place of the mesh's largest coordinates, of a subsegment
+/// that may lack room for a vertex on it.
 const SHORT: f64 = 64.0;
-/// It may, too, if a vertex opposite to it is no farther from its line than so many. Splits are
-/// fractions of the caller's segments, and as coarse as doubles near their ends.
+/// Largest distance, in the same units, of an opposite vertex from a subsegment's line for which
+/// the subsegment may lack room. Splits are fractions of the caller's segments, and as coarse as
+/// doubles near their ends.
 const NO_ROOM: f64 = 8.0;
 
-/// Which edges of the triangles are subsegments.
+/// Edges of the triangles that are subsegments.
 pub(super) struct Edges {
     /// Vertex -> the subsegments that end there.
     pub at: Lists,
@@ -26,7 +27,8 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// Ids must be in range. O(simplices) but for vertices with many subsegments.
+    /// Finds the subsegments among the edges. Ids must be in range. O(simplices) but for vertices
+    /// with many subsegments.
     pub fn new(view: View<'_, 2>) -> AllocResult<Self> {
         let subsegments = &view.mesh.boundary.subsegments;
         let at = Lists::of_pairs(view.vertex_count(), || {
@@ -49,26 +51,26 @@ impl Edges {
         Ok(Self { at, of_slots, sides })
     }
 
-    /// The first subsegment between two vertices, and whether it runs from `a` to `b`.
+    /// Returns the first subsegment between two vertices, and whether it runs from `a` to `b`.
     pub fn between(&self, view: View<'_, 2>, [a, b]: [u32; 2]) -> Option<(u32, bool)> {
         let subsegments = &view.mesh.boundary.subsegments;
         let found = between(subsegments, &self.at, [a, b])?;
         Some((found, subsegments[found as usize] == [a, b]))
     }
 
-    /// The subsegment across which `simplex` has its neighbour at `slot`, or [`NONE`].
+    /// Returns the subsegment across which `simplex` has its neighbour at `slot`, or [`NONE`].
     pub fn across(&self, simplex: usize, slot: usize) -> u32 {
         self.of_slots[3 * simplex + slot]
     }
 }
 
-/// The edge opposite the vertex at `slot`, in the direction of the triangle.
+/// Returns the edge opposite the vertex at `slot`, in the direction of the triangle.
 fn edge(view: View<'_, 2>, simplex: usize, slot: usize) -> [u32; 2] {
     let vertices = view.simplex(simplex);
     [vertices[(slot + 1) % 3], vertices[(slot + 2) % 3]]
 }
 
-/// The first subsegment between two vertices.
+/// Returns the first subsegment between two vertices.
 fn between(subsegments: &[[u32; 2]], at: &Lists, [a, b]: [u32; 2]) -> Option<u32> {
     let [of_a, of_b] = [a, b].map(|vertex| at.of(vertex as usize));
     let shorter = if of_a.len() < of_b.len() { of_a } else { of_b };
@@ -129,7 +131,8 @@ fn may_lack_room(
     Ok(false)
 }
 
-/// With the mesh Delaunay, the vertices of the two triangles speak for all.
+/// Checks that a subsegment is Gabriel. With the mesh Delaunay, the vertices of the two triangles
+/// speak for all.
 fn check_gabriel(
     view: View<'_, 2>,
     at: usize,
@@ -144,8 +147,10 @@ fn check_gabriel(
             let sign = side_of_diametral_circle(a, b, view.point(apex))?;
             findings.check(sign != Ordering::Less, || {
                 let message = message!(
-                    "vertex {apex} is inside the diametral circle of subsegment {at}, from {} to {}",
-                    ends[0], ends[1]
+                    "vertex {apex} is inside the diametral circle of subsegment {at}, from {} to \
+                     {}",
+                    ends[0],
+                    ends[1]
                 );
                 let violation = Violation::new(ViolationKind::SubsegmentGabriel, message);
                 violation.simplex(side as usize).vertex(apex as usize)

@@ -27,14 +27,15 @@ fn circle<N: Number>(values: &[N]) -> Result<Ordering, Refusal> {
     Ok(x.plus(&y)?.sign())
 }
 
-/// Whether the line through `a` and `b` meets the rectangle of these widths with its middle at `p`.
+/// Returns true if the line through `a` and `b` meets the rectangle of these widths with its middle
+/// at `p`.
 pub(super) fn meets(a: &Point, b: &Point, p: &Point, widths: Point) -> AllocResult<bool> {
     let values = [a[0], a[1], b[0], b[1], p[0], p[1], widths[0], widths[1]];
     Ok(in_integers(&values, rectangle::<i128>, rectangle::<Integer>)? != Ordering::Greater)
 }
 
-/// The sign of 2 |(b - a) x (p - a)| - |b - a|_x w_y - |b - a|_y w_x: the line's distances from two
-/// opposite corners of the rectangle have different signs if it is not positive.
+/// Returns the sign of 2 |(b - a) x (p - a)| - |b - a|_x w_y - |b - a|_y w_x: the line's distances
+/// from two opposite corners of the rectangle have different signs if it is not positive.
 fn rectangle<N: Number>(values: &[N]) -> Result<Ordering, Refusal> {
     let [ax, ay, bx, by, px, py, wx, wy] = values else { unreachable!("three points and widths") };
     let (dx, dy) = (bx.minus(ax)?, by.minus(ay)?);
@@ -49,8 +50,8 @@ fn magnitude<N: Number>(number: &N) -> Result<N, Refusal> {
     if number.sign() == Ordering::Less { zero.minus(number) } else { number.plus(&zero) }
 }
 
-/// The answer of `narrow` or, where 128 bits do not suffice, of `wide`, about `values` in units of
-/// the largest power of two that divides them all.
+/// Returns the answer of `narrow` or, where 128 bits do not suffice, of `wide`, about `values` in
+/// units of the largest power of two that divides them all.
 fn in_integers(
     values: &[f64],
     narrow: fn(&[i128]) -> Result<Ordering, Refusal>,
@@ -75,7 +76,7 @@ fn integers<N: Number>(values: &[f64]) -> Result<Vec<N>, Refusal> {
     Ok(integers)
 }
 
-/// The gap between doubles of the magnitude of `x`.
+/// Returns the gap between doubles of the magnitude of `x`.
 pub(super) fn unit_in_last_place(x: f64) -> f64 {
     let magnitude = x.abs();
     match magnitude.next_up() {

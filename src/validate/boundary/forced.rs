@@ -54,8 +54,8 @@ pub(super) fn check(
     Ok(())
 }
 
-/// Whether two vertices are between the ends of two lines, at the same distance from an end of both
-/// where these make a small angle.
+/// Returns true if two vertices are between the ends of two lines, at the same distance from an end
+/// of both where these make a small angle.
 fn spans(view: View<'_, 2>, edges: &Edges, lines: &Lines, inputs: usize, pair: [u32; 2]) -> bool {
     if pair.iter().any(|&vertex| is_anchor(view.mesh, inputs, edges, vertex)) {
         return false;

@@ -1,4 +1,4 @@
-//! Level 2: the boundary of a hull or box that the mesh is cut to goes round the inputs, from
+//! Level 2: the boundary of a hull or box that the mesh is cropped to goes round the inputs, from
 //! corner to corner, and no other subsegment belongs to no segment.
 
 use super::chains::{Chains, Way};
@@ -32,8 +32,8 @@ pub(super) fn check(
         let is_closed = exist && chains.lead(way)?;
         findings.check(is_closed, || {
             let message = message!(
-                "no subsegments lead along the boundary of the extent from corner {at} to the next, \
-                 vertex {from} to vertex {to}"
+                "no subsegments lead along the boundary of the extent from corner {at} to the \
+                 next, vertex {from} to vertex {to}"
             );
             Violation::new(ViolationKind::SegmentChain, message)
         });
@@ -48,7 +48,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// What belongs to no segment is one of `pieces`.
+/// Checks that each subsegment that belongs to no segment is one of `pieces`.
 fn check_pieces(view: View<'_, 2>, pieces: &[[u32; 2]], findings: &mut Findings) {
     let boundary = &view.mesh.boundary;
     for (at, (&[a, b], &parent)) in boundary.subsegments.iter().zip(&boundary.parents).enumerate() {
@@ -63,7 +63,8 @@ fn check_pieces(view: View<'_, 2>, pieces: &[[u32; 2]], findings: &mut Findings)
     }
 }
 
-/// The vertices at the corners of the box of the inputs, counterclockwise; [`NONE`] where none is.
+/// Returns the vertices at the corners of the box of the inputs, counterclockwise; [`NONE`] where
+/// none is.
 fn corners_of_box(inputs: &Inputs, view: View<'_, 2>) -> [u32; 4] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for vertex in 0..inputs.distinct() {
@@ -77,8 +78,9 @@ fn corners_of_box(inputs: &Inputs, view: View<'_, 2>) -> [u32; 4] {
     })
 }
 
-/// The corners of the convex hull of the inputs, counterclockwise, without those within its edges:
-/// what is above the lines from point to point in their order, and below them on the way back.
+/// Returns the vertices of the convex hull of the inputs, counterclockwise, without those within
+/// its edges: those above the lines from point to point in their order, and those below them on the
+/// way back.
 fn hull(inputs: &Inputs) -> AllocResult<Vec<u32>> {
     let point = |vertex: u32| -> &[f64; 2] {
         inputs.distinct_point(vertex as usize).try_into().expect("two coordinates")

@@ -1,11 +1,11 @@
-//! Level 3: where closed curves tell what is inside, each part has a winding number. It is found
-//! by the chains of the caller's segments, each followed from end to end: it differs on both sides
-//! of a subsegment by how many segments run along that, less those that run against it, and is 0
-//! where the mesh ends. For parity it counts whether the number is odd.
+//! Level 3: where closed curves tell what is inside, each component has a winding number. It is
+//! found by the chains of the caller's segments, each followed from end to end: it differs on both
+//! sides of a subsegment by how many segments run along that, less those that run against it, and
+//! is 0 where the mesh ends. For parity it counts whether the number is odd.
 
 use super::chains::{Chains, Way};
 use super::edges::Edges;
-use super::regions::Parts;
+use super::regions::Components;
 use crate::error::message;
 use crate::memory::{AllocResult, Lists, TryGrow, filled};
 use crate::mesh::{Inputs, NONE, Segments};
@@ -13,13 +13,13 @@ use crate::options::Interior;
 use crate::quality::view::View;
 use crate::validate::report::{Findings, Violation, ViolationKind};
 
-/// Fills in the winding numbers of `parts`, if curves tell what is inside.
+/// Fills in the winding numbers of `components`, if curves tell what is inside.
 pub(super) fn judge(
     inputs: &Inputs,
     segments: &Segments,
     view: View<'_, 2>,
     edges: &Edges,
-    parts: &mut Parts,
+    components: &mut Components,
     findings: &mut Findings,
 ) -> AllocResult<()> {
     let interior = view.mesh.parameters.interior;
@@ -30,12 +30,13 @@ pub(super) fn judge(
     if interior == Interior::Parity {
         steps.iter_mut().for_each(|step| *step = step.rem_euclid(2));
     }
-    spread(edges, &steps, interior, parts)?;
-    check_steps(view, edges, &steps, interior, parts, findings);
+    spread(edges, &steps, interior, components)?;
+    check_steps(view, edges, &steps, interior, components, findings);
     Ok(())
 }
 
-/// Subsegment -> by how much the winding number on its left exceeds that on its right.
+/// Returns for each subsegment by how much the winding number on its left exceeds that on its
+/// right.
 fn steps(
     inputs: &Inputs,
     segments: &Segments,
@@ -61,28 +62,34 @@ fn reduced(number: i64, interior: Interior) -> i64 {
     if interior == Interior::Parity { number.rem_euclid(2) } else { number }
 }
 
-/// Gives all parts their numbers, from those that reach to the hull on.
-fn spread(edges: &Edges, steps: &[i64], interior: Interior, parts: &mut Parts) -> AllocResult<()> {
-    let part_of = |triangle: u32| parts.of.get(triangle as usize).copied().unwrap_or(NONE);
-    let beside = Lists::of_pairs(parts.parts.len(), || {
+/// Gives all components their numbers, from those that reach to the hull on.
+fn spread(
+    edges: &Edges,
+    steps: &[i64],
+    interior: Interior,
+    components: &mut Components,
+) -> AllocResult<()> {
+    let component_of =
+        |triangle: u32| components.of.get(triangle as usize).copied().unwrap_or(NONE);
+    let beside = Lists::of_pairs(components.all.len(), || {
         let sides = edges.sides.iter().zip(0u32..);
-        sides.flat_map(|(sides, subsegment)| sides.map(|side| (part_of(side), subsegment)))
+        sides.flat_map(|(sides, subsegment)| sides.map(|side| (component_of(side), subsegment)))
     })?;
     let mut waiting = Vec::new();
-    for (part, number) in parts.parts.iter_mut().zip(0u32..) {
-        if part.is_outside {
-            part.winding = Some(0);
+    for (component, number) in components.all.iter_mut().zip(0u32..) {
+        if component.is_outside {
+            component.winding = Some(0);
             waiting.try_push(number)?;
         }
     }
-    while let Some(part) = waiting.pop() {
-        let own = parts.parts[part as usize].winding.unwrap_or(0);
-        for &subsegment in beside.of(part as usize) {
-            let [left, right] = edges.sides[subsegment as usize].map(part_of);
+    while let Some(component) = waiting.pop() {
+        let own = components.all[component as usize].winding.unwrap_or(0);
+        for &subsegment in beside.of(component as usize) {
+            let [left, right] = edges.sides[subsegment as usize].map(component_of);
             let step = steps[subsegment as usize];
             let (beyond, number) =
-                if left == part { (right, own - step) } else { (left, own + step) };
-            let Some(other) = parts.parts.get_mut(beyond as usize) else { continue };
+                if left == component { (right, own - step) } else { (left, own + step) };
+            let Some(other) = components.all.get_mut(beyond as usize) else { continue };
             if other.winding.is_none() {
                 other.winding = Some(reduced(number, interior));
                 waiting.try_push(beyond)?;
@@ -92,26 +99,30 @@ fn spread(edges: &Edges, steps: &[i64], interior: Interior, parts: &mut Parts) -
     Ok(())
 }
 
-/// The numbers on both sides of each subsegment differ by its step: curves close.
+/// Checks that the numbers on both sides of each subsegment differ by its step: curves close.
 fn check_steps(
     view: View<'_, 2>,
     edges: &Edges,
     steps: &[i64],
     interior: Interior,
-    parts: &Parts,
+    components: &Components,
     findings: &mut Findings,
 ) {
     let number = |triangle: u32| {
-        let part = parts.of.get(triangle as usize).map(|&part| &parts.parts[part as usize]);
-        part.map_or(0, |part| part.winding.unwrap_or(0))
+        let component = components
+            .of
+            .get(triangle as usize)
+            .map(|&component| &components.all[component as usize]);
+        component.map_or(0, |component| component.winding.unwrap_or(0))
     };
     for (at, (&sides, &step)) in edges.sides.iter().zip(steps).enumerate() {
         let [left, right] = sides.map(number);
         findings.check(left == reduced(right + step, interior), || {
             let [a, b] = view.mesh.boundary.subsegments[at];
             let message = message!(
-                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and {right} on \
-                 its sides, and segments run along it {step} times: the curves do not close"
+                "subsegment {at} from vertex {a} to {b} has the winding numbers {left} and \
+                 {right} on its sides, and segments run along it {step} times: the curves do \
+                 not close"
             );
             Violation::new(ViolationKind::DomainPlace, message).vertex(a as usize)
         });

@@ -24,7 +24,7 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// Ids must be in range.
+    /// Finds the lines of the segments. Ids must be in range.
     pub fn new(mesh: &Triangulation, inputs: usize, edges: &Edges) -> AllocResult<Self> {
         let boundary = &mesh.boundary;
         let mut of = with_capacity(boundary.subsegments.len())?;
@@ -46,7 +46,7 @@ impl Lines {
         Ok(Self { of, ends, starts })
     }
 
-    /// The subsegments of a line.
+    /// Returns the subsegments of a line.
     fn subsegments(&self, line: usize) -> Range<usize> {
         let end = self.starts.get(line + 1).map_or(self.of.len(), |&end| end as usize);
         self.starts[line] as usize..end
@@ -82,7 +82,8 @@ fn is_corner(mesh: &Triangulation, subsegments: [u32; 2], is_of_segment: bool) -
     mesh.parameters.extent == Extent::Box && may_be
 }
 
-/// Whether the way from `a` to `b` goes nowhere against that from `from` to `to`, on either axis.
+/// Returns true if the way from `a` to `b` goes nowhere against that from `from` to `to`, on either
+/// axis.
 pub(super) fn advances(from: &[f64; 2], to: &[f64; 2], a: &[f64; 2], b: &[f64; 2]) -> bool {
     let agrees = |axis: usize| match (from[axis] + 0.0).total_cmp(&(to[axis] + 0.0)) {
         Ordering::Less => a[axis] <= b[axis],

@@ -1,12 +1,12 @@
-//! The rules of boundaries in the plane: segments, regions, and the domain that is cut out.
+//! The rules of boundaries in the plane: segments, regions, and the domain that is cropped.
 //!
 //! - Level 1, `arrays`: they fit each other and the mesh.
-//! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as near
-//!   to them as doubles can be; `chains`, subsegments lead from end to end of every segment; `frame`,
-//!   those of a hull or box go round the inputs.
-//! - Level 3: `regions`, what segments separate, with the labels of seeds; `interior`, which of them
-//!   closed curves enclose; `areas`, of the regions;
-//!   `forced`, the triangles that small angles between segments excuse.
+//! - Level 2: `edges`, every subsegment is a Gabriel edge; `lines`, vertices on segments are as
+//!   near to them as doubles can be; `chains`, subsegments lead from end to end of every segment;
+//!   `frame`, those of a hull or box go round the inputs.
+//! - Level 3: `regions`, what segments separate, with the labels of seeds; `interior`, which of
+//!   them closed curves enclose; `areas`, of the regions; `forced`, the triangles that small angles
+//!   between segments excuse.
 //!
 //! `exact` and `sum` are the arithmetic. What an edge is on both sides of is found here from the
 //! triangles alone.
@@ -33,7 +33,7 @@ use crate::quality::view::View;
 use edges::Edges;
 use lines::Lines;
 
-/// What the caller of a run gave beside the points.
+/// Segments and regions that the caller of a run gave beside the points.
 #[derive(Clone, Copy, Debug)]
 pub struct Outline<'a> {
     pub segments: &'a Segments,
@@ -45,15 +45,15 @@ pub struct Outline<'a> {
 pub(super) struct Promised<'a> {
     /// The number of simplices in the domain, which come first.
     count: usize,
-    /// Others are cut away.
-    is_cut: bool,
+    /// Others are cropped.
+    is_cropped: bool,
     forced: &'a [u32],
 }
 
 impl<'a> Promised<'a> {
     pub fn of(result: &'a Triangulation) -> Self {
         let (count, boundary) = (result.simplex_count(), &result.boundary);
-        Self { count, is_cut: boundary.whole.is_some(), forced: &boundary.forced }
+        Self { count, is_cropped: boundary.whole.is_some(), forced: &boundary.forced }
     }
 
     pub fn count(self) -> usize {
@@ -65,7 +65,7 @@ impl<'a> Promised<'a> {
     }
 }
 
-/// Level 1, of `result`, which is cut from `whole` or the same.
+/// Checks level 1 of `result`, which is cropped from `whole` or equal to it.
 pub(super) fn check_arrays<const D: usize>(
     outline: Option<Outline<'_>>,
     result: &Triangulation,
@@ -80,7 +80,7 @@ pub(super) fn check_arrays<const D: usize>(
     Ok(())
 }
 
-/// Level 2, of a mesh for which level 1 holds.
+/// Checks level 2 of a mesh for which level 1 holds.
 pub(super) fn check_geometry<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
@@ -97,7 +97,7 @@ pub(super) fn check_geometry<const D: usize>(
     lines::check(view, &Lines::new(view.mesh, inputs.distinct(), &edges)?, findings)
 }
 
-/// Level 3, of a mesh for which level 1 holds.
+/// Checks level 3 of a mesh for which level 1 holds.
 pub(super) fn check_regions<const D: usize>(
     inputs: &Inputs,
     outline: Option<Outline<'_>>,
@@ -115,8 +115,8 @@ pub(super) fn check_regions<const D: usize>(
     forced::check(view, &edges, &lines, inputs.distinct(), findings)
 }
 
-/// Simplex -> the largest edge that the seed of its region asks for, or infinity; empty if none
-/// does.
+/// Returns for each simplex the largest edge that the seed of its region asks for, or infinity;
+/// empty if none does.
 pub(super) fn largest_edges<const D: usize>(
     outline: Option<Outline<'_>>,
     whole: View<'_, D>,
@@ -130,13 +130,14 @@ pub(super) fn largest_edges<const D: usize>(
     }
 }
 
-/// `None` without segments or the boundary of an extent, which only the plane has.
+/// Returns the mesh as one of the plane; `None` without segments or the boundary of an extent,
+/// which only the plane has.
 fn in_the_plane<'a, const D: usize>(
     outline: Option<Outline<'_>>,
     whole: View<'a, D>,
 ) -> Option<View<'a, 2>> {
-    let is_any = !whole.mesh.boundary.subsegments.is_empty()
+    let has_boundary = !whole.mesh.boundary.subsegments.is_empty()
         || matches!(whole.mesh.parameters.extent, Extent::Hull | Extent::Box)
         || outline.is_some_and(|outline| outline.segments.count() > 0);
-    (D == 2 && is_any).then_some(View { mesh: whole.mesh })
+    (D == 2 && has_boundary).then_some(View { mesh: whole.mesh })
 }

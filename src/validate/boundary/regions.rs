@@ -13,20 +13,21 @@ use crate::validate::signs::{Robust, Signs};
 use std::cmp::Ordering;
 
 /// The sets of triangles that are connected without crossing a subsegment.
-pub(super) struct Parts {
-    /// Triangle -> its part.
+pub(super) struct Components {
+    /// Triangle -> its component.
     pub of: Vec<u32>,
-    pub parts: Vec<Part>,
+    pub all: Vec<Component>,
 }
 
-pub(super) struct Part {
-    /// Its first triangle.
+pub(super) struct Component {
+    /// First triangle of the region.
     first: usize,
-    /// It reaches to the hull.
+    /// True if the region reaches to the hull.
     pub is_outside: bool,
     /// The extent reaches to the hull, too.
     is_of_all: bool,
-    /// Where closed curves tell what is inside: its winding number, or whether that is odd.
+    /// Winding number, or its remainder by 2, that tells whether the component is inside: where
+    /// curves are closed.
     pub winding: Option<i64>,
     /// The seed in it.
     seed: Option<usize>,
@@ -44,35 +45,35 @@ pub(super) fn check(
     findings: &mut Findings,
 ) -> AllocResult<()> {
     check_neighbors(view, edges, promised.count, findings);
-    let mut parts = Parts::find(view, edges)?;
+    let mut components = Components::find(view, edges)?;
     if let Some(outline) = outline {
-        interior::judge(inputs, outline.segments, view, edges, &mut parts, findings)?;
-        parts.add_seeds(view, outline.regions, findings)?;
+        interior::judge(inputs, outline.segments, view, edges, &mut components, findings)?;
+        components.add_seeds(view, outline.regions, findings)?;
     }
-    for part in &parts.parts {
-        if promised.is_cut || part.is_of_all {
-            check_place(part, part.first < promised.count, outline.is_some(), findings);
+    for component in &components.all {
+        if promised.is_cropped || component.is_of_all {
+            check_place(component, component.first < promised.count, outline.is_some(), findings);
         }
         if outline.is_some() {
-            check_label(view, part, findings);
+            check_label(view, component, findings);
         }
     }
     Ok(())
 }
 
-/// Simplex -> the largest edge that its region may have.
+/// Returns for each simplex the largest edge that its region may have.
 pub(super) fn largest_edges(
     view: View<'_, 2>,
     edges: &Edges,
     regions: &[Region],
 ) -> AllocResult<Vec<f64>> {
-    let mut parts = Parts::find(view, edges)?;
-    parts.add_seeds(view, regions, &mut Findings::default())?;
-    collected(parts.of.iter().map(|&part| parts.parts[part as usize].max_edge))
+    let mut components = Components::find(view, edges)?;
+    components.add_seeds(view, regions, &mut Findings::default())?;
+    collected(components.of.iter().map(|&component| components.all[component as usize].max_edge))
 }
 
-/// Neighbours without a subsegment between them have the same label, and both or neither of them
-/// are in the domain.
+/// Checks that neighbours without a subsegment between them have one label, and that both or
+/// neither of them are in the domain.
 fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mut Findings) {
     let labels = &view.mesh.boundary.simplex_regions;
     for simplex in 0..view.simplex_count() {
@@ -101,21 +102,21 @@ fn check_neighbors(view: View<'_, 2>, edges: &Edges, count: usize, findings: &mu
     }
 }
 
-fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut Findings) {
-    let first = part.first;
-    findings.check(!is_inside || part.is_enclosed(), || {
-        let message = match part.winding {
+fn check_place(component: &Component, is_inside: bool, knows_holes: bool, findings: &mut Findings) {
+    let first = component.first;
+    findings.check(!is_inside || component.is_enclosed(), || {
+        let message = match component.winding {
             None => message!("simplex {first} of the domain can be reached from outside"),
             Some(_) => message!("simplex {first} of the domain is in no curve, as curves count"),
         };
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
-    findings.check(!is_inside || !part.is_hole, || {
-        let seed = part.seed.unwrap_or(0);
+    findings.check(!is_inside || !component.is_hole, || {
+        let seed = component.seed.unwrap_or(0);
         let message = message!("simplex {first} of the domain is in the hole of regions[{seed}]");
         Violation::new(ViolationKind::DomainPlace, message).simplex(first)
     });
-    let belongs = knows_holes && part.is_enclosed() && !part.is_hole;
+    let belongs = knows_holes && component.is_enclosed() && !component.is_hole;
     findings.check(is_inside || !belongs, || {
         let message =
             message!("simplex {first} is neither outside nor in a hole, and not in the domain");
@@ -123,8 +124,8 @@ fn check_place(part: &Part, is_inside: bool, knows_holes: bool, findings: &mut F
     });
 }
 
-fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
-    let (first, expected) = (part.first, part.label);
+fn check_label(view: View<'_, 2>, component: &Component, findings: &mut Findings) {
+    let (first, expected) = (component.first, component.label);
     let label = view.mesh.boundary.simplex_regions[first];
     findings.check(label == expected, || {
         let message =
@@ -133,7 +134,7 @@ fn check_label(view: View<'_, 2>, part: &Part, findings: &mut Findings) {
     });
 }
 
-impl Part {
+impl Component {
     fn new(first: usize, extent: Extent) -> Self {
         Self {
             first,
@@ -147,22 +148,22 @@ impl Part {
         }
     }
 
-    /// Returns true if the part is inside unless its seed says that it is a hole.
+    /// Returns true if the component is inside unless its seed says that it is a hole.
     fn is_enclosed(&self) -> bool {
         self.winding.map_or(!self.is_outside || self.is_of_all, |winding| winding != 0)
     }
 }
 
-impl Parts {
+impl Components {
     fn find(view: View<'_, 2>, edges: &Edges) -> AllocResult<Self> {
-        let mut found = Self { of: filled(view.simplex_count(), NONE)?, parts: Vec::new() };
+        let mut found = Self { of: filled(view.simplex_count(), NONE)?, all: Vec::new() };
         let mut waiting = Vec::new();
         for first in 0..view.simplex_count() {
             if found.of[first] != NONE {
                 continue;
             }
-            let number = found.parts.len() as u32;
-            let mut part = Part::new(first, view.mesh.parameters.extent);
+            let number = found.all.len() as u32;
+            let mut component = Component::new(first, view.mesh.parameters.extent);
             found.of[first] = number;
             waiting.try_push(first)?;
             while let Some(simplex) = waiting.pop() {
@@ -171,20 +172,20 @@ impl Parts {
                         continue;
                     }
                     if neighbor == NONE {
-                        part.is_outside = true;
+                        component.is_outside = true;
                     } else if found.of[neighbor as usize] == NONE {
                         found.of[neighbor as usize] = number;
                         waiting.try_push(neighbor as usize)?;
                     }
                 }
             }
-            found.parts.try_push(part)?;
+            found.all.try_push(component)?;
         }
         Ok(found)
     }
 
-    /// Notes what seeds say of their parts. Each seed is in a part of the domain, or makes a hole
-    /// where the rule for closed curves has one, and no part has two.
+    /// Notes what seeds say of their components. Each seed is in a component of the domain, or
+    /// makes a hole where the rule for closed curves has one, and no component has two.
     fn add_seeds(
         &mut self,
         view: View<'_, 2>,
@@ -192,40 +193,40 @@ impl Parts {
         findings: &mut Findings,
     ) -> AllocResult<()> {
         let (mut signs, mut near) = (Signs::<Robust>::default(), 0);
-        // With the extent all, what is beyond the hull is of the part that reaches to it.
-        let is_at_hull = |part: &Part| part.is_outside;
-        let beyond = self.parts.iter().position(is_at_hull).unwrap_or(0);
+        // With the extent all, what is beyond the hull is of the component that reaches to it.
+        let is_at_hull = |component: &Component| component.is_outside;
+        let beyond = self.all.iter().position(is_at_hull).unwrap_or(0);
         for (number, region) in regions.iter().enumerate() {
             let simplex = locate(view, near, &region.seed, &mut signs)?;
             near = simplex.unwrap_or(near);
             let own = simplex.map_or(beyond, |simplex| self.of[simplex] as usize);
-            let part = &mut self.parts[own];
-            let has_place = part.is_enclosed() || region.is_hole && !part.is_outside;
+            let component = &mut self.all[own];
+            let has_place = component.is_enclosed() || region.is_hole && !component.is_outside;
             findings.check(has_place, || {
                 let message = message!("regions[{number}].seed is in no region of the domain");
-                Violation::new(ViolationKind::RegionLabel, message).simplex(part.first)
+                Violation::new(ViolationKind::RegionLabel, message).simplex(component.first)
             });
-            findings.check(part.seed.is_none(), || {
-                let other = part.seed.unwrap_or(0);
+            findings.check(component.seed.is_none(), || {
+                let other = component.seed.unwrap_or(0);
                 let message = message!("regions[{other}] and regions[{number}] are one region");
-                Violation::new(ViolationKind::RegionLabel, message).simplex(part.first)
+                Violation::new(ViolationKind::RegionLabel, message).simplex(component.first)
             });
-            part.seed = Some(number);
-            part.is_hole |= region.is_hole;
+            component.seed = Some(number);
+            component.is_hole |= region.is_hole;
             if !region.is_hole {
-                part.label = region.label;
+                component.label = region.label;
             }
             if region.max_edge > 0.0 && !region.is_hole {
-                part.max_edge = region.max_edge;
+                component.max_edge = region.max_edge;
             }
         }
         Ok(())
     }
 }
 
-/// A triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None` outside of
-/// the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity theorem for
-/// cell complexes in d dimensions", 1990); in another it is given up.
+/// Returns a triangle that holds `x`, by a walk that goes wherever `x` is beyond an edge; `None`
+/// outside of the hull. In a Delaunay triangulation the walk ends (H. Edelsbrunner, "An acyclicity
+/// theorem for cell complexes in d dimensions", 1990); in another it is given up.
 fn locate(
     view: View<'_, 2>,
     near: usize,

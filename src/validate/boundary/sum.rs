@@ -5,10 +5,11 @@ use crate::quality::exact::parts;
 
 /// The unit is the product of two smallest doubles.
 const UNIT: i32 = -2148;
-/// 2^4096 is a product of two largest doubles in units, and 2^128 of them can be added up.
+/// Number of words of a sum: 2^4096 is a product of two largest doubles in units, and 2^128 of them
+/// can be added up.
 const LIMBS: usize = 68;
 
-/// In two's complement, from the lowest word.
+/// Integer in two's complement, from the lowest word.
 pub(super) struct Sum {
     limbs: [u64; LIMBS],
 }
@@ -56,14 +57,14 @@ impl Sum {
     }
 }
 
-/// `limb + word + carry`, and what is carried.
+/// Returns `limb + word + carry`, and what is carried.
 fn added(limb: u64, word: u64, carry: bool) -> (u64, bool) {
     let (sum, first) = limb.overflowing_add(word);
     let (sum, second) = sum.overflowing_add(u64::from(carry));
     (sum, first || second)
 }
 
-/// `limb - word - borrow`, and what is borrowed.
+/// Returns `limb - word - borrow`, and what is borrowed.
 fn subtracted(limb: u64, word: u64, borrow: bool) -> (u64, bool) {
     let (rest, first) = limb.overflowing_sub(word);
     let (rest, second) = rest.overflowing_sub(u64::from(borrow));

@@ -8,7 +8,7 @@ use crate::options::{Algorithm, Extent, Options, Output};
 use crate::quality::view::View;
 use crate::validate::report::{Findings, ViolationKind};
 
-/// A square in a square, cut to the larger. No edge is on a line with the origin.
+/// Makes a square in a square, cropped to the larger. No edge is on a line with the origin.
 fn squares() -> Triangulation {
     let square = |half: f64| {
         let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
@@ -67,7 +67,7 @@ fn regions_need_no_seeds() {
     assert_eq!(check(&result), None, "without seeds any region may be a hole");
 }
 
-/// A segment that passes its end and comes back to it.
+/// Holds that a segment that passes its end and comes back to it is refused.
 #[test]
 fn lines_do_not_go_back() {
     let check = |ends: &[u32], subsegments: &[[u32; 2]]| {
@@ -88,8 +88,8 @@ fn lines_do_not_go_back() {
     assert_eq!(check(&[0, 2], &[[0, 3], [3, 2]]), Some(ViolationKind::SegmentLine));
 }
 
-/// A triangle whose shortest edge is between two segments from the origin: at `angle` degrees, and
-/// at the distances 1 and `distance`.
+/// Checks a triangle whose shortest edge is between two segments from the origin: at `angle`
+/// degrees, and at the distances 1 and `distance`.
 fn between_segments(angle: f64, distance: f64) -> Option<ViolationKind> {
     let (sine, cosine) = angle.to_radians().sin_cos();
     let far = [4.0 * cosine, 4.0 * sine];

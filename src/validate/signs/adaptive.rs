@@ -100,7 +100,7 @@ fn lifted_sign(first: [[f64; 3]; 3], last: [f64; 3]) -> Option<Ordering> {
     (sum.value.abs() > ERROR * sum.magnitude).then(|| sign(sum.value))
 }
 
-/// Whether no step of the expansions over- or underflows for a point.
+/// Returns true if no step of the expansions over- or underflows for a point.
 fn is_in_window<const D: usize>(point: &[f64; D]) -> bool {
     point.iter().all(|x| *x == 0.0 || (SMALLEST..=LARGEST).contains(&x.abs()))
 }

@@ -43,17 +43,17 @@ impl Interval {
         Self::around(low, products.iter().copied().fold(f64::NEG_INFINITY, f64::max))
     }
 
-    /// By a divisor that is not zero.
+    /// Divides by an interval that does not hold zero.
     fn over(self, divisor: Self) -> Self {
         self.times(Self::around(1.0 / divisor.high, 1.0 / divisor.low))
     }
 
-    /// `2^exponent` times this.
+    /// Returns `2^exponent` times this interval.
     fn scaled(self, exponent: i32) -> Self {
         Self::around(scale(self.low, exponent), scale(self.high, exponent))
     }
 
-    /// `None` if it may be zero.
+    /// Returns the sign; `None` if the number may be zero.
     fn sign(self) -> Option<Ordering> {
         if self.low > 0.0 {
             Some(Ordering::Greater)
@@ -64,7 +64,7 @@ impl Interval {
         }
     }
 
-    /// The least magnitude it may have.
+    /// Returns the least magnitude that the number may have.
     fn least(self) -> f64 {
         self.low.max(-self.high).max(0.0)
     }
@@ -72,8 +72,8 @@ impl Interval {
 
 const SIZE: usize = MAX_DIM + 1;
 
-/// The sign of the determinant of the edges from `origin` to `ends`, each with its `lift`; `None`
-/// if the intervals do not tell.
+/// Returns the sign of the determinant of the edges from `origin` to `ends`, each with its `lift`;
+/// `None` if the intervals do not tell.
 pub(super) fn determinant_sign<const D: usize>(
     origin: &[f64; D],
     ends: &[&[f64; D]],
@@ -102,8 +102,8 @@ pub(super) fn determinant_sign<const D: usize>(
     eliminate(&mut rows, ends.len())
 }
 
-/// The sign of the determinant of the first `size` rows and columns: that of the product of the
-/// pivots.
+/// Returns the sign of the determinant of the first `size` rows and columns: that of the product of
+/// the pivots.
 fn eliminate(rows: &mut [[Interval; SIZE]; SIZE], size: usize) -> Option<Ordering> {
     let mut sign = Ordering::Greater;
     for k in 0..size {

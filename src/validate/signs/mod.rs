@@ -24,7 +24,7 @@ pub(super) struct Signs<A = Robust> {
 }
 
 impl<A: Adaptive> Signs<A> {
-    /// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points.
+    /// Returns the sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points.
     pub fn orientation<const D: usize>(&mut self, simplex: &[&[f64; D]]) -> AllocResult<Ordering> {
         if let Some(sign) = self.adaptive.orientation(simplex) {
             self.by_expansions += 1;
@@ -33,8 +33,8 @@ impl<A: Adaptive> Signs<A> {
         self.determinant(simplex[0], &simplex[1..], Lift::None)
     }
 
-    /// Whether `q` is strictly inside (greater), on (equal) or strictly outside (less) the sphere
-    /// through the `D + 1` finite points of a positively oriented simplex.
+    /// Tells whether `q` is strictly inside (greater), on (equal) or strictly outside (less) the
+    /// sphere through the `D + 1` finite points of a positively oriented simplex.
     pub fn in_ball<const D: usize>(
         &mut self,
         simplex: &[&[f64; D]],

@@ -39,7 +39,7 @@ pub struct SharedFile {
 }
 
 impl SharedFile {
-    /// Collective: a new file; one that is there already is an error.
+    /// Collective. Creates a file; one that is there already is an error.
     pub fn create(ranks: &Ranks, path: &Path) -> Result<Self> {
         let text = CString::new(path.as_os_str().as_encoded_bytes());
         let text = text.map_err(|_| Error::new(ErrorKind::Io, "a path with a NUL"))?;

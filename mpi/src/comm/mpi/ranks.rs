@@ -4,7 +4,7 @@
 #![warn(clippy::undocumented_unsafe_blocks, unsafe_op_in_unsafe_fn)]
 
 use super::super::{Operation, Transport};
-use crate::memory::{collected, filled};
+use netmesh::distributed::memory::{collected, filled};
 use netmesh::{Error, ErrorKind, Result};
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::ptr::null_mut;
@@ -104,7 +104,7 @@ pub fn end() -> Result<()> {
     checked("MPI_Finalize", unsafe { netmesh_mpi_end() })
 }
 
-/// The processor time of this thread, in seconds from some beginning.
+/// Returns the processor time of this thread, in seconds from some beginning.
 pub fn processor_seconds() -> f64 {
     // SAFETY: no condition.
     unsafe { netmesh_processor_seconds() }
@@ -119,7 +119,7 @@ pub struct Ranks {
 }
 
 impl Ranks {
-    /// Collective: those of the program.
+    /// Collective. Opens the ranks of the program.
     pub fn of_world() -> Result<Self> {
         let mut raw = null_mut();
         // SAFETY: the layer checks that MPI runs.
@@ -127,7 +127,7 @@ impl Ranks {
         Self::opened(code, raw)
     }
 
-    /// Collective: those of the caller's communicator.
+    /// Collective. Opens the ranks of the caller's communicator.
     ///
     /// # Safety
     /// `of` points to an `MPI_Comm` of the MPI that this was compiled with.
@@ -145,7 +145,7 @@ impl Ranks {
         Ok(Self { raw, rank: rank as usize, size: size as usize, chunk: CHUNK })
     }
 
-    /// The same with messages cut into pieces of at most `chunk` bytes, for tests.
+    /// Splits messages into pieces of at most `chunk` bytes from now on, for tests.
     pub fn in_chunks_of(self, chunk: u32) -> Self {
         let mut ranks = self;
         ranks.chunk = u64::from(chunk).clamp(1, CHUNK);
@@ -159,7 +159,7 @@ impl Ranks {
     fn rank_of(&self, rank: usize) -> Result<c_int> {
         if rank >= self.size {
             let message = format!("rank {rank} of {}: there is no such rank", self.size);
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         Ok(rank as c_int)
     }
@@ -172,7 +172,7 @@ impl Drop for Ranks {
     }
 }
 
-/// The error of a code of MPI's.
+/// Turns a code of MPI's into an error, if it is one.
 pub(super) fn checked(what: &str, code: c_int) -> Result<()> {
     if code == 0 {
         return Ok(());
@@ -191,11 +191,11 @@ pub(super) fn checked(what: &str, code: c_int) -> Result<()> {
 }
 
 fn pointers(buffers: &mut [Vec<u8>]) -> Result<Vec<*mut c_void>> {
-    collected(buffers.iter_mut().map(|buffer| buffer.as_mut_ptr().cast()))
+    Ok(collected(buffers.iter_mut().map(|buffer| buffer.as_mut_ptr().cast()))?)
 }
 
 fn sizes(buffers: &[Vec<u8>]) -> Result<Vec<u64>> {
-    collected(buffers.iter().map(|buffer| buffer.len() as u64))
+    Ok(collected(buffers.iter().map(|buffer| buffer.len() as u64))?)
 }
 
 impl Transport for Ranks {
@@ -279,8 +279,8 @@ impl Transport for Ranks {
     fn send(&self, to: usize, tag: u16, bytes: &[u8]) -> Result<bool> {
         let (to, tag, size) = (self.rank_of(to)?, c_int::from(tag), bytes.len() as u64);
         let pointer = bytes.as_ptr().cast();
-        // SAFETY: so many bytes. Of a wait that was ended nothing reads them later: the next call is
-        // a checkpoint, before which every message is either taken or never will be.
+        // SAFETY: so many bytes. Of a wait that was ended nothing reads them later: the next call
+        // is a checkpoint, before which every message is either taken or never will be.
         match unsafe { netmesh_ranks_send(self.raw, to, tag, pointer, size, self.chunk) } {
             INTERRUPTED => Ok(false),
             code => checked("MPI_Isend", code).map(|()| true),

@@ -46,8 +46,6 @@ const EXEMPT: &[(&str, usize)] = &[
     ("mpi/src/program", 12),
     ("python/src", 83),
     ("src", 73),
-    ("src/arrangement", 54),
-    ("src/arrays", 103),
     ("src/capi", 122),
     ("src/complex", 44),
     ("src/delaunay", 46),

@@ -1,5 +1,5 @@
-//! Pieces of segments bent through the vertices near them, until nothing is so near: see
-//! [`super::reach`]. Every piece is bent for itself, since the vertices stay where they are.
+//! Bending of pieces of segments through the vertices near them, until no vertex is so near: see
+//! [`super::reach`]. Pieces are bent one by one, since the vertices stay where they are.
 //!
 //! This ends: the vertices of a bent segment follow each other in its order.
 
@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::memory::{TryGrow, with_capacity};
 use crate::mesh::Subsegment;
 
-/// The work of a piece, as polls count it.
+/// Number of polls' units of work for one piece.
 const WORK: u32 = 8;
 
 /// Bends pieces through vertices near them.
@@ -18,23 +18,24 @@ pub(super) struct Bender<'a, const D: usize> {
     vertices: &'a [[f64; D]],
     reaches: &'a [Reach<D>],
     near: Near<D>,
-    /// The vertices near the piece at hand.
+    /// Vertices near the piece that is being bent.
     found: Vec<u32>,
     /// Pieces that may have to be bent again, the next one last.
     waiting: Vec<[u32; 2]>,
 }
 
 impl<'a, const D: usize> Bender<'a, D> {
-    /// `reaches` are those of the segments. O(n log n) for n vertices.
+    /// Builds the tree of the vertices, to bend pieces of the segments with these `reaches`. O(n
+    /// log n) for n vertices.
     pub fn new(vertices: &'a [[f64; D]], reaches: &'a [Reach<D>]) -> Result<Self> {
         let near = Near::new(vertices)?;
         let (found, waiting) = Default::default();
         Ok(Self { vertices, reaches, near, found, waiting })
     }
 
-    /// Returns the pieces through the vertices near them, in the direction of each, but for the
-    /// vertices that a piece `passes`. `bent` is told of each vertex that a piece now goes through,
-    /// and of the segment.
+    /// Returns the pieces led through the vertices near them, each in its own direction, except for
+    /// vertices for which `passes` is true. `bent` is called with each vertex that a piece now goes
+    /// through, and with the piece's segment.
     ///
     /// # Errors
     /// `OutOfMemory`, and those of `poll`.

@@ -1,18 +1,19 @@
 //! The caller's segments as pieces that meet only at their ends, exactly.
 //!
-//! - [`closed`] tells whether segments are closed curves.
-//! - [`extent`] has the boundary of a hull or box; [`inner`] tells that most inputs are far from it,
-//!   [`frame`] which vertices near it it leaves inside.
-//! - [`bend`] leads segments through the vertices near them: [`reach`] says which are, [`near`] finds
-//!   them.
-//! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
-//!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
-//! - [`crossings`] says which crossings become vertices, [`split`] makes them.
-//! - [`straighten`] removes those that are no crossings any more.
+//! - [`closed`] tells whether segments are closed curves, and whether they enclose something.
+//! - [`extent`] makes segments of the boundary of a hull or box; [`inner`] finds inputs that are
+//!   surely far from it, [`frame`] the vertices near its corners that it is not bent through.
+//! - [`reach`] defines which vertices are near a segment, [`near`] finds them, and [`bend`] leads
+//!   segments through them.
+//! - [`sweep`] splits pieces at the vertices on them, joins those that overlap and finds their
+//!   crossings; [`places`] has the vertices in the order of the sweep, [`status`] the lines that it
+//!   meets.
+//! - [`crossings`] chooses the crossings that become vertices, [`split`] splits pieces there.
+//! - [`straighten`] removes vertices that are no crossings any more.
 //!
-//! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
-//! bends them: the pieces may pass other vertices than before, and cross others. So all are bent
-//! and swept again, until a sweep finds no crossing; it proves by that that there is none.
+//! A crossing becomes a vertex of both segments at the nearest doubles, which bends them: their
+//! pieces may then come near other vertices than before, and cross other pieces. So all pieces are
+//! bent and swept again, until a sweep finds no crossing, which proves that there is none.
 
 mod bend;
 mod closed;
@@ -49,31 +50,31 @@ use split::split;
 use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
 
-/// What is told of work, in units of some 100 ns.
+/// Function that is told of work done, in units of some 100 ns, and may end the operation by an
+/// error.
 pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 
-/// The most sweeps. All but inputs that are made for it need two or three.
+/// Largest number of sweeps. Two or three are enough for all but contrived inputs.
 const MOST_SWEEPS: usize = 100;
 
-/// Segments to arrange, and what is asked of them.
+/// Segments to arrange, and the rules for their crossings.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub inputs: &'a Inputs,
     pub segments: &'a Segments,
-    /// The number of the caller's segments; those that follow are the boundary of an extent,
+    /// Number of the caller's segments; those that follow are the boundary of an extent,
     /// counterclockwise.
     pub own: usize,
-    /// Further vertices, as if segments crossed there; none of them is an input.
+    /// Further vertices, which are treated as crossings of segments; none of them is an input.
     pub crowded: &'a [[f64; 2]],
     pub crossings: Crossings,
 }
 
-/// Returns the arrangement of segments between inputs in the plane. Of pieces that overlap there is
-/// one, the first segment's, with the balance of all.
+/// Returns the arrangement of segments between inputs in the plane. Pieces that overlap become one,
+/// which belongs to the first of their segments and has the sum of their balances.
 ///
 /// Expected O((n + k) log n) for n inputs and segments and k crossings, where segments do not pass
-/// between many inputs. `poll` is told of each piece of work how long it was, and may end all of
-/// it.
+/// between many inputs. `poll` is told of the work of each step, and may end the operation.
 ///
 /// # Errors
 /// `InvalidArgument` (the caller's segments cross, where `crossings` refuses that), `Limit`,
@@ -104,8 +105,8 @@ pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     })
 }
 
-/// Returns the arrangement of segments with these reaches, or `None` where they still cross after
-/// [`MOST_SWEEPS`], or would go back.
+/// Returns the arrangement of segments with these reaches. `None` if segments still cross after
+/// [`MOST_SWEEPS`] sweeps, or if the pieces of one would not be in their order along it.
 fn arrange_within(
     task: &Task<'_>,
     mut points: Vec<[f64; 2]>,
@@ -163,7 +164,8 @@ fn arrange_within(
     Ok(None)
 }
 
-/// Returns the parts by segments, along each in its direction; `None` if one goes back.
+/// Returns the pieces sorted by segment and by their order along it, each in the segment's
+/// direction; `None` if a piece begins before its predecessor ends.
 fn in_order(
     places: &Places,
     reaches: &[Reach<2>],

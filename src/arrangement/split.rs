@@ -1,4 +1,4 @@
-//! Vertices of crossings, and pieces that end there.
+//! Vertices at crossings, and the pieces that end there.
 
 use super::places::{Places, key, key_along};
 use super::sweep::{Found, OnLine, Part, Swept};
@@ -6,8 +6,8 @@ use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{NONE, Subsegment};
 
-/// The parts of a sweep, split where crossings were found and accepted; appends new vertices to
-/// `points`.
+/// Splits the parts of a sweep at its accepted crossings and returns the pieces; appends new
+/// vertices to `points`.
 pub(super) fn split(
     places: &Places,
     mut swept: Swept,
@@ -53,7 +53,7 @@ pub(super) fn split(
     Ok(pieces)
 }
 
-/// Appends the crossings that are no vertices yet, each once.
+/// Appends the crossings at which there is no vertex yet, each once.
 fn add_crossings(places: &Places, found: &[OnLine], points: &mut Vec<[f64; 2]>) -> Result<()> {
     let known = points.len();
     let mut new = Vec::new();
@@ -79,7 +79,8 @@ fn add_crossings(places: &Places, found: &[OnLine], points: &mut Vec<[f64; 2]>) 
 mod tests {
     use super::*;
 
-    /// Line 0 is (0, 0) to (4, 4), line 1 the diagonal above it, from (0, 1) to (4, 5).
+    /// Splits two lines at the crossings `found` and returns the pieces and the number of vertices.
+    /// Line 0 goes from (0, 0) to (4, 4), line 1 from (0, 1) to (4, 5).
     fn pieces(found: &[(u32, [f64; 2])]) -> (Vec<[u32; 2]>, usize) {
         let mut points = vec![[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [4.0, 5.0]];
         let places = Places::new(&points).unwrap();

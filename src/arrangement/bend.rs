@@ -3,8 +3,8 @@
 //!
 //! This ends: the vertices of a bent segment follow each other in its order.
 
-use super::Poll;
 use super::near::Near;
+use super::poll::Poll;
 use super::reach::Reach;
 use crate::error::Result;
 use crate::memory::{TryGrow, with_capacity};
@@ -77,13 +77,13 @@ impl<'a, const D: usize> Bender<'a, D> {
         let reach = &reaches[part.segment as usize];
         let point = |vertex: u32| &vertices[vertex as usize];
         let piece = part.ends.map(point);
-        let places = piece.map(|end| reach.place(end));
-        let (low, high) = (places[0].min(places[1]), places[0].max(places[1]));
+        let positions = piece.map(|end| reach.position(end));
+        let (low, high) = (positions[0].min(positions[1]), positions[0].max(positions[1]));
         found.clear();
         near.collect(reach, piece, found)?;
         found.retain(|&vertex| {
-            let place = reach.place(point(vertex));
-            low < place && place < high && reach.is_near(piece, point(vertex))
+            let position = reach.position(point(vertex));
+            low < position && position < high && reach.is_near(piece, point(vertex))
         });
         let mut kept = 0;
         for at in 0..found.len() {
@@ -93,8 +93,8 @@ impl<'a, const D: usize> Bender<'a, D> {
             }
         }
         found.truncate(kept);
-        found.sort_unstable_by_key(|&vertex| reach.place(point(vertex)));
-        if places[0] > places[1] {
+        found.sort_unstable_by_key(|&vertex| reach.position(point(vertex)));
+        if positions[0] > positions[1] {
             found.reverse();
         }
         Ok(())

@@ -105,7 +105,8 @@ fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: I
             " that number must be even at every input, so that all curves are closed"
         ),
         _ => say!(
-            "input {input} is the first end of {starts} segments and the second end of {ends}; with ",
+            "input {input} is the first end of {starts} segments and the second end of \
+             {ends}; with ",
             rule,
             " these must be equally many at every input, so that all curves are closed"
         ),
@@ -193,11 +194,12 @@ mod tests {
     #[test]
     fn the_input_where_a_curve_is_open_is_named() {
         let parity = "input 0 is an end of 1 segments; with options.interior = \
-                      Interior::Parity that number must be even at every input, so that all curves are closed";
+                      Interior::Parity that number must be even at every input, so that all \
+                      curves are closed";
         assert_eq!(refusal(&[[0, 1], [1, 2], [2, 3]], Interior::Parity), parity);
         let winding = "input 1 is the first end of 0 segments and the second end of 2; with \
-                       options.interior = Interior::Winding these must be equally many at every input, so that \
-                       all curves are closed";
+                       options.interior = Interior::Winding these must be equally many at every \
+                       input, so that all curves are closed";
         let turned = [[0, 1], [2, 1], [2, 3], [3, 4]];
         assert_eq!(refusal(&turned, Interior::Winding), winding);
     }

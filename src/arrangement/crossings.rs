@@ -3,7 +3,7 @@
 //! vertex they no longer cross.
 
 use super::near::Near;
-use super::places::{key, key_along};
+use super::ranked::{key, key_along};
 use super::reach::Reach;
 use super::sweep::Found;
 use crate::memory::{AllocResult, Lists, collected, filled};

@@ -1,8 +1,8 @@
 //! Segments along the boundary of the convex hull or of the bounding box of the inputs.
 
-use super::Poll;
 use super::inner::Inner;
-use super::places::{key, ordered_bits};
+use super::poll::Poll;
+use super::ranked::{key, ordered_bits};
 use super::reach::Reach;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{TryGrow, collected, with_capacity};

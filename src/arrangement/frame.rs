@@ -47,7 +47,7 @@ impl<'a> Frame<'a> {
         let Some(other) = beside.into_iter().find(is_near) else { return false };
         let reach = &self.reaches[edge as usize];
         let [mut from, mut to] = part.ends.map(point);
-        if reach.place(from) > reach.place(to) {
+        if reach.position(from) > reach.position(to) {
             (from, to) = (to, from);
         }
         let is_outside = orientation(&[from, to, point(vertex)]).is_negative();

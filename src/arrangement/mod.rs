@@ -6,7 +6,7 @@
 //! - [`reach`] defines which vertices are near a segment, [`near`] finds them, and [`bend`] leads
 //!   segments through them.
 //! - [`sweep`] splits pieces at the vertices on them, joins those that overlap and finds their
-//!   crossings; [`places`] has the vertices in the order of the sweep, [`status`] the lines that it
+//!   crossings; [`ranked`] has the vertices in the order of the sweep, [`status`] the lines that it
 //!   meets.
 //! - [`crossings`] chooses the crossings that become vertices, [`split`] splits pieces there.
 //! - [`straighten`] removes vertices that are no crossings any more.
@@ -24,7 +24,8 @@ mod inner;
 mod near;
 #[cfg(test)]
 mod near_tests;
-mod places;
+mod poll;
+mod ranked;
 mod reach;
 mod split;
 mod status;
@@ -35,6 +36,7 @@ mod tests;
 
 pub use closed::{check_closed, encloses};
 pub use extent::with_extent;
+pub use poll::Poll;
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, copied, filled, with_capacity};
@@ -44,15 +46,11 @@ use crate::options::Crossings;
 use bend::Bender;
 use crossings::{Straight, accept};
 use frame::Frame;
-use places::Places;
-use reach::{Place, Reach};
+use ranked::RankedVertices;
+use reach::{Position, Reach};
 use split::split;
 use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
-
-/// Function that is told of work done, in units of some 100 ns, and may end the operation by an
-/// error.
-pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
 
 /// Largest number of sweeps. Two or three are enough for all but contrived inputs.
 const MOST_SWEEPS: usize = 100;
@@ -133,14 +131,14 @@ fn arrange_within(
             }
         };
         pieces = Bender::new(&points, reaches)?.bend(&pieces, poll, passes, bent)?;
-        let places = Places::new(&points)?;
+        let ranked = RankedVertices::new(&points)?;
         let snaps = |segments: [u32; 2]| {
             has_split && segments.iter().all(|&segment| !reaches[segment as usize].is_long())
         };
         let handling = Handling { refuses: &refuses, snaps: &snaps };
-        let swept = sweep(&places, &pieces, handling, poll)?;
+        let swept = sweep(&ranked, &pieces, handling, poll)?;
         if swept.found.is_empty() && swept.snapped.is_empty() {
-            let Some(mut ordered) = in_order(&places, reaches, &swept)? else { return Ok(None) };
+            let Some(mut ordered) = in_order(&ranked, reaches, &swept)? else { return Ok(None) };
             if straighten(inputs, &mut points, &mut ordered)? {
                 pieces = ordered;
                 continue;
@@ -157,7 +155,7 @@ fn arrange_within(
         };
         let is_accepted = accept(&swept.found, pieces.len(), line)?;
         let parts = swept.parts.len();
-        pieces = split(&places, swept, &is_accepted, &mut points)?;
+        pieces = split(&ranked, swept, &is_accepted, &mut points)?;
         // A vertex that is rounded to an end splits nothing.
         has_split = pieces.len() > parts;
     }
@@ -167,12 +165,12 @@ fn arrange_within(
 /// Returns the pieces sorted by segment and by their order along it, each in the segment's
 /// direction; `None` if a piece begins before its predecessor ends.
 fn in_order(
-    places: &Places,
+    ranked: &RankedVertices,
     reaches: &[Reach<2>],
     swept: &Swept,
 ) -> AllocResult<Option<Vec<Subsegment>>> {
-    let along = |segment: u32, vertex: u32| -> Place<2> {
-        reaches[segment as usize].place(places.point(places.ranks[vertex as usize]))
+    let along = |segment: u32, vertex: u32| -> Position<2> {
+        reaches[segment as usize].position(ranked.point(ranked.ranks[vertex as usize]))
     };
     let parts = || swept.parts.iter().zip(0u32..).map(|(part, number)| (part.segment, number));
     let of_segments = Lists::of_pairs(reaches.len(), parts)?;
@@ -181,7 +179,7 @@ fn in_order(
         let first = pieces.len();
         pieces.extend(of_segments.of(segment as usize).iter().map(|&number| {
             let part = &swept.parts[number as usize];
-            let [left, right] = part.ends.map(|rank| places.vertices[rank as usize]);
+            let [left, right] = part.ends.map(|rank| ranked.vertices[rank as usize]);
             match along(segment, left) < along(segment, right) {
                 true => Subsegment { ends: [left, right], segment, balance: part.balance },
                 false => Subsegment { ends: [right, left], segment, balance: -part.balance },

@@ -45,8 +45,8 @@ fn check(inputs: &Inputs, segments: &Segments, arrangement: &Arrangement) {
         let reach = Reach::of(ends.map(|end| &vertices[inputs.vertices()[end as usize] as usize]));
         let ends = piece.ends.map(|end| &vertices[end as usize]);
         for x in &vertices {
-            let is_between =
-                reach.place(ends[0]) < reach.place(x) && reach.place(x) < reach.place(ends[1]);
+            let is_between = reach.position(ends[0]) < reach.position(x)
+                && reach.position(x) < reach.position(ends[1]);
             assert!(!is_between || !reach.is_near(ends, x), "{x:?} is near {ends:?}");
         }
         assert!(ends.iter().all(|end| reach.offset_from_segment(end) <= 12.0));

@@ -7,7 +7,7 @@
 //! snap rounding", 2002), with rectangles about vertices whose size is in units of the segment's
 //! own coordinates.
 
-use super::places::ordered_bits;
+use super::ranked::ordered_bits;
 use crate::numerics::{crossing, offset_from_line, orientation};
 
 /// Half the width of the rectangle about a vertex along each axis, in units in the last place of
@@ -37,7 +37,7 @@ pub(super) struct Reach<const D: usize> {
 }
 
 /// Position of a point along a segment, as a key: larger for points nearer to its second end.
-pub(super) type Place<const D: usize> = [u64; D];
+pub(super) type Position<const D: usize> = [u64; D];
 
 impl<const D: usize> Reach<D> {
     pub fn of([from, to]: [&[f64; D]; 2]) -> Self {
@@ -56,7 +56,7 @@ impl<const D: usize> Reach<D> {
 
     /// Returns the position of a point along the segment: by the axis on which the segment is
     /// longest, and by the other axes where that is equal.
-    pub fn place(&self, x: &[f64; D]) -> Place<D> {
+    pub fn position(&self, x: &[f64; D]) -> Position<D> {
         let bits = |k: usize| match self.falls[k] {
             true => !ordered_bits(x[k]),
             false => ordered_bits(x[k]),
@@ -92,8 +92,8 @@ impl<const D: usize> Reach<D> {
 
     /// Returns true if a point is near the straight segment and between its ends.
     pub fn holds(&self, x: &[f64; D]) -> bool {
-        let [from, place, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.place(x));
-        from < place && place < to && self.is_near(self.ends.each_ref(), x)
+        let [from, position, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.position(x));
+        from < position && position < to && self.is_near(self.ends.each_ref(), x)
     }
 
     /// Returns the distance of a point from the straight segment, in units in the last place.

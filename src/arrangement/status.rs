@@ -3,6 +3,7 @@
 
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
+use crate::numerics::SplitMix;
 
 #[derive(Clone, Copy)]
 struct Node {
@@ -171,10 +172,7 @@ impl Status {
 /// Returns a pseudo-random priority of a node by its number. No input can choose priorities, so the
 /// treap stays balanced.
 fn priority(node: u32) -> u64 {
-    let mixed = u64::from(node).wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed ^ mixed >> 31
+    SplitMix(u64::from(node)).next_word()
 }
 
 #[cfg(test)]

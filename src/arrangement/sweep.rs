@@ -5,8 +5,8 @@
 //! Vertices and crossings come in their exact order, so that the order of the lines in the status
 //! is exact. Two lines that cross are neighbours in it before their crossing, which is found then.
 
-use super::Poll;
-use super::places::{Key, Places, key};
+use super::poll::Poll;
+use super::ranked::{Key, RankedVertices, key};
 use super::status::{ABOVE, BELOW, Status};
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{AllocError, AllocResult, Lists, TryGrow, collected, filled};
@@ -18,7 +18,7 @@ use std::collections::BinaryHeap;
 
 /// Part of a line between two vertices, which are given by rank, the left end first.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct LinePart {
     pub line: u32,
     pub ends: [u32; 2],
     pub segment: u32,
@@ -58,7 +58,7 @@ pub(super) struct Handling<'a> {
 /// parts.
 #[derive(Default)]
 pub(super) struct Swept {
-    pub parts: Vec<Part>,
+    pub parts: Vec<LinePart>,
     pub found: Vec<Found>,
     pub snapped: Vec<OnLine>,
 }
@@ -129,7 +129,7 @@ impl PartialEq for Swap {
 impl Eq for Swap {}
 
 struct Sweep<'a> {
-    places: &'a Places,
+    ranked: &'a RankedVertices,
     pieces: &'a [Subsegment],
     handling: Handling<'a>,
     /// Lines by number; a line has the number of the piece that it began with.
@@ -155,31 +155,31 @@ struct Around {
 /// Number of polls' units of work for a vertex, an end of a piece or a crossing.
 const WORK: u32 = 8;
 
-/// Sweeps over pieces between the vertices of `places`, and returns their parts and crossings.
+/// Sweeps over pieces between the vertices of `ranked`, and returns their parts and crossings.
 /// Expected O((n + k) log n) for k crossings.
 ///
 /// # Errors
 /// `InvalidArgument` (a crossing that `handling` refuses), `OutOfMemory`, and those of `poll`.
 pub(super) fn sweep<'a>(
-    places: &'a Places,
+    ranked: &'a RankedVertices,
     pieces: &'a [Subsegment],
     handling: Handling<'a>,
     poll: Poll<'_>,
 ) -> Result<Swept> {
     let count = pieces.len();
     let line = |piece: &Subsegment| {
-        let [a, b] = piece.ends.map(|end| places.ranks[end as usize]);
-        let balance = balance_to_right(places, piece);
+        let [a, b] = piece.ends.map(|end| ranked.ranks[end as usize]);
+        let balance = balance_to_right(ranked, piece);
         Line { from: a.min(b), to: a.max(b), node: NONE, bundle: NONE, balance }
     };
     let lines = collected(pieces.iter().map(line))?;
-    let vertices = places.points.len();
+    let vertices = ranked.points.len();
     let starts = || lines.iter().zip(0u32..).map(|(line, piece)| (line.from, piece));
     let ends = || lines.iter().zip(0u32..).map(|(line, piece)| (line.to, piece));
     let starts = Lists::of_pairs(vertices, starts)?;
     let ends = Lists::of_pairs(vertices, ends)?;
     let mut sweep = Sweep {
-        places,
+        ranked,
         pieces,
         handling,
         lines,
@@ -209,8 +209,8 @@ pub(super) fn sweep<'a>(
 }
 
 /// Returns the balance of a piece as seen from its left end.
-fn balance_to_right(places: &Places, piece: &Subsegment) -> i64 {
-    let [from, to] = piece.ends.map(|end| places.ranks[end as usize]);
+fn balance_to_right(ranked: &RankedVertices, piece: &Subsegment) -> i64 {
+    let [from, to] = piece.ends.map(|end| ranked.ranks[end as usize]);
     if from < to { piece.balance } else { -piece.balance }
 }
 
@@ -219,14 +219,14 @@ impl Sweep<'_> {
     #[inline]
     fn side(&self, line: u32, vertex: u32) -> Sign {
         let Line { from, to, .. } = self.lines[line as usize];
-        orientation(&[from, to, vertex].map(|rank| self.places.point(rank)))
+        orientation(&[from, to, vertex].map(|rank| self.ranked.point(rank)))
     }
 
     /// Returns how two lines through a vertex lie to the right of it: positive if the second is
     /// above.
     fn turn(&self, vertex: u32, first: u32, second: u32) -> Sign {
         let [first, second] = [first, second].map(|line| self.lines[line as usize].to);
-        orientation(&[vertex, first, second].map(|rank| self.places.point(rank)))
+        orientation(&[vertex, first, second].map(|rank| self.ranked.point(rank)))
     }
 
     fn is_on(&self, line: u32, vertex: u32) -> bool {
@@ -234,7 +234,7 @@ impl Sweep<'_> {
         if !(from < vertex && vertex < to) {
             return vertex == to;
         }
-        let [a, b, y] = [from, to, vertex].map(|rank| self.places.point(rank)[1]);
+        let [a, b, y] = [from, to, vertex].map(|rank| self.ranked.point(rank)[1]);
         a.min(b) <= y && y <= a.max(b) && self.side(line, vertex).is_zero()
     }
 
@@ -274,7 +274,7 @@ impl Sweep<'_> {
         for &piece in ends {
             self.has_ended[piece as usize] = true;
             let line = &mut self.lines[self.line_of[piece as usize] as usize];
-            line.balance -= balance_to_right(self.places, &self.pieces[piece as usize]);
+            line.balance -= balance_to_right(self.ranked, &self.pieces[piece as usize]);
         }
         Ok(())
     }
@@ -282,7 +282,7 @@ impl Sweep<'_> {
     fn end_part(&mut self, line: u32, vertex: u32) -> AllocResult<()> {
         let Line { from, balance, .. } = self.lines[line as usize];
         if let Some(segment) = self.segment(line) {
-            self.swept.parts.try_push(Part { line, ends: [from, vertex], segment, balance })?;
+            self.swept.parts.try_push(LinePart { line, ends: [from, vertex], segment, balance })?;
         }
         self.lines[line as usize].from = vertex;
         Ok(())
@@ -421,12 +421,12 @@ impl Sweep<'_> {
     fn record(&mut self, lower: u32, upper: u32) -> Result<()> {
         let ends = [lower, upper].map(|line| {
             let Line { from, to, .. } = self.lines[line as usize];
-            [from, to].map(|rank| *self.places.point(rank))
+            [from, to].map(|rank| *self.ranked.point(rank))
         });
         let swap = Swap { key: [0; 2], lower, upper, ends };
         // There is one: the lines are not parallel.
         let Some(point) = crossing(swap.lines()) else { return Ok(()) };
-        if let Some(vertex) = self.places.find(&point) {
+        if let Some(vertex) = self.ranked.find(&point) {
             // If it is the exact crossing, it cuts both.
             if [lower, upper].iter().all(|&line| self.side(line, vertex).is_zero()) {
                 return Ok(());
@@ -472,7 +472,7 @@ impl Sweep<'_> {
     fn check_crossing(&self, lower: u32, upper: u32) -> Result<()> {
         // The first of those that overlap and reach the other line.
         let reaches = |piece: usize, other: u32, side: Sign| {
-            let ends = self.pieces[piece].ends.map(|end| self.places.ranks[end as usize]);
+            let ends = self.pieces[piece].ends.map(|end| self.ranked.ranks[end as usize]);
             self.side(other, ends[0].max(ends[1])) == side
         };
         let first = |line: u32, other: u32, side: Sign| {
@@ -487,8 +487,8 @@ impl Sweep<'_> {
         let Some([x, y]) = (self.handling.refuses)(segments) else { return Ok(()) };
         let [first, second] = segments;
         let message = say!(
-            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input is; \
-             with ",
+            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input \
+             is; with ",
             Choice::Crossings(Crossings::Split),
             " they are split there"
         );
@@ -497,8 +497,8 @@ impl Sweep<'_> {
 
     /// Exchanges, in the status, the lines that cross before a vertex.
     fn swap_before(&mut self, vertex: u32, poll: Poll<'_>) -> Result<()> {
-        let places = self.places;
-        while self.swaps.peek().is_some_and(|swap| swap.is_before(places.point(vertex))) {
+        let ranked = self.ranked;
+        while self.swaps.peek().is_some_and(|swap| swap.is_before(ranked.point(vertex))) {
             poll(WORK)?;
             let Some(Swap { lower, upper, .. }) = self.swaps.pop() else { break };
             let [below, above] = [lower, upper].map(|line| self.lines[line as usize].node);

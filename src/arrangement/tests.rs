@@ -128,7 +128,7 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
         }
         let ends = case.ends(piece.segment as usize).map(point);
         let reach = Reach::of(ends);
-        let place = |x: &Point| reach.place(x);
+        let place = |x: &Point| reach.position(x);
         assert!(
             place(ends[0]) <= place(a) && place(a) < place(b) && place(b) <= place(ends[1]),
             "{piece:?}: {a:?} {b:?}"
@@ -173,8 +173,8 @@ fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segme
         let before = reached.len();
         for piece in &arrangement.subsegments {
             for [a, b] in [piece.ends, [piece.ends[1], piece.ends[0]]] {
-                let [p, q] = [a, b].map(|v| reach.place(&vertices[v as usize]));
-                if reached.contains(&a) && p < q && q <= reach.place(to) {
+                let [p, q] = [a, b].map(|v| reach.position(&vertices[v as usize]));
+                if reached.contains(&a) && p < q && q <= reach.position(to) {
                     reached.insert(b);
                 }
             }

@@ -1,6 +1,7 @@
 //! Oracles, point generators and random numbers for unit tests. The oracles share nothing with the
 //! code under test: coordinates in units of 2^-1074, homogeneous matrices, Laplace expansion.
 
+use super::random::{SplitMix, mixed};
 use super::sign::Sign;
 use dashu_int::IBig;
 use std::collections::HashMap;
@@ -10,11 +11,8 @@ pub struct Random(pub u64);
 
 impl Random {
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0 = self.0.wrapping_add(SplitMix::STEP);
+        mixed(self.0)
     }
 
     /// An integer from `low` to `high`, both possible.

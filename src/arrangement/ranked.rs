@@ -16,7 +16,7 @@ pub(super) fn ordered_bits(x: f64) -> u64 {
 }
 
 /// Distinct points in the order of the sweep; the position of a point in it is its rank.
-pub(super) struct Places {
+pub(super) struct RankedVertices {
     /// Rank -> point.
     pub points: Vec<[f64; 2]>,
     /// Rank -> the vertex at that point.
@@ -25,7 +25,7 @@ pub(super) struct Places {
     pub ranks: Vec<u32>,
 }
 
-impl Places {
+impl RankedVertices {
     /// Sorts vertices at distinct points, of which there are fewer than 2^32. O(n log n).
     pub fn new(points: &[[f64; 2]]) -> AllocResult<Self> {
         let keys = points.iter().zip(0u32..).map(|(point, vertex)| (key(point), vertex));

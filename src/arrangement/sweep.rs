@@ -427,7 +427,7 @@ impl Sweep<'_> {
         // There is one: the lines are not parallel.
         let Some(point) = crossing(swap.lines()) else { return Ok(()) };
         if let Some(vertex) = self.ranked.find(&point) {
-            // If it is the exact crossing, it cuts both.
+            // If it is the exact crossing, it splits both.
             if [lower, upper].iter().all(|&line| self.side(line, vertex).is_zero()) {
                 return Ok(());
             }

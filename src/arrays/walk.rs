@@ -263,13 +263,13 @@ mod tests {
     fn one_by_one<const D: usize>(
         mesh: &Triangulation,
         points: &[[f64; D]],
-        is_in: impl Fn(u32) -> bool,
+        is_inside: impl Fn(u32) -> bool,
     ) -> Vec<Placement> {
         let view = View::<D> { mesh };
         let place = |simplex: u32| {
             let vertices = view.simplex(simplex);
             match () {
-                () if vertices.iter().all(|&vertex| is_in(vertex)) => Placement::Inside,
+                () if vertices.iter().all(|&vertex| is_inside(vertex)) => Placement::Inside,
                 () if meets_slowly(&view.points_of(vertices)[..=D], points) => Placement::Across,
                 () => Placement::Outside,
             }
@@ -305,12 +305,12 @@ mod tests {
             std::array::from_fn(|axis| if set >> axis & 1 == 1 { high[axis] } else { low[axis] })
         };
         let corners: Vec<[f64; D]> = (0..1 << D).map(corner).collect();
-        let is_in = |vertex: u32| {
+        let is_inside = |vertex: u32| {
             let point = result.point(vertex).iter().enumerate();
             { point }.all(|(axis, x)| (low[axis]..=high[axis]).contains(x))
         };
         let found = placements_in_box(result, &inputs).unwrap();
-        assert!(found == one_by_one(result, &corners, is_in), "{name}: the box of {points:?}");
+        assert!(found == one_by_one(result, &corners, is_inside), "{name}: the box of {points:?}");
     }
 
     fn placements_are_right<const D: usize>(count: usize) {

@@ -92,7 +92,7 @@ impl<const D: usize> Delaunay<D> {
             let vertex = self.add_point(*point)?;
             local_to_global.vertices.try_push(vertex)?;
         }
-        // A vertex that is in several partitions was inserted before they were cut.
+        // A vertex that is in several partitions was inserted before they were extracted.
         for (&vertex, &turn) in local_to_global.vertices.iter().zip(&partition.turns) {
             self.turns[vertex] = self.turns[vertex].max(turn);
         }

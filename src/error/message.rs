@@ -101,7 +101,7 @@ impl<W: Words> Display for InWords<'_, W> {
         let Message { text, names } = self.message;
         let mut end = 0;
         for place in names {
-            // A message that was cut off ends before its last names.
+            // A message that was truncated ends before its last names.
             f.write_str(text.get(end..place.start).unwrap_or_default())?;
             self.words.write(place.name, f)?;
             end = place.end;

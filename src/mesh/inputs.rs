@@ -3,7 +3,6 @@
 use super::{MAX_DIM, MIN_DIM, NONE};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocError, AllocResult, TryGrow, copied, filled, with_capacity};
-use crate::numerics::{SplitMix, mixed};
 
 /// The caller's points with their own bits; exact duplicates are identified.
 #[derive(Clone, Debug)]
@@ -192,8 +191,14 @@ fn identify_duplicates(
 /// Returns the hash of a point, of all bits of its coordinates. Adding zero makes a negative zero
 /// positive.
 fn hash(point: &[f64]) -> usize {
-    let mix = |hash: u64, x: &f64| mixed(hash ^ (x + 0.0).to_bits());
-    point.iter().fold(SplitMix::STEP, mix) as usize
+    // The finaliser of SplitMix64, as in `numerics`, which plain data does not use.
+    let mix = |hash: u64, x: &f64| {
+        let mixed = hash ^ (x + 0.0).to_bits();
+        let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        mixed ^ mixed >> 31
+    };
+    point.iter().fold(0x9e37_79b9_7f4a_7c15, mix) as usize
 }
 
 #[cfg(test)]

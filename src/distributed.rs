@@ -1,5 +1,6 @@
-//! Meshes that no process has all of: what a program that makes one on several machines needs, and
-//! what it sends. Communication is its own. [`Coarse`] tells the way.
+//! Meshes on several machines, of which no process has all: the parts of the algorithm that a
+//! program needs to make one, and the plain data that it sends. Communication is up to the program.
+//! [`Coarse`] shows the order of the steps.
 
 pub use crate::netmesh::distributed::{
     Bisection, Coarse, HULL, INTERFACE, Located, MADE, Maker, NO_DOMAIN, Piece, PlainDomain,

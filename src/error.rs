@@ -1,6 +1,6 @@
-//! What a fallible call answers: a kind that maps one to one to `nm_status`, and a message that
-//! names the argument, the index and the rule. A message that names an option knows which, so that
-//! C, the command line and Python say it in their callers' words.
+//! Errors of fallible calls: a kind that maps one to one to `nm_status`, and a message that names
+//! the argument, the index and the rule. A message knows which options it names, so that C, the
+//! command line and Python say it in their callers' words.
 
 mod message;
 mod name;
@@ -14,7 +14,7 @@ pub(crate) use text::{message, written};
 use message::InWords;
 use std::fmt::{self, Display};
 
-/// The kinds of failure. The C ABI's `nm_status` carries the same values (append only).
+/// Kinds of failure. The C ABI's `nm_status` has the same values, to which new ones are appended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(i32)]
 pub enum ErrorKind {
@@ -33,13 +33,13 @@ pub enum ErrorKind {
     Panic = 13,
 }
 
-/// A failure: its kind and one sentence for a person.
+/// Failure of a call: its kind, and one sentence for a person.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     kind: ErrorKind,
     message: Message,
     is_of_content: bool,
-    /// The system's number for the reason, where the system gave one.
+    /// Number of the reason, `errno`, if the system gave one.
     system_code: Option<i32>,
 }
 
@@ -53,8 +53,8 @@ impl Error {
         Self::new(ErrorKind::InvalidArgument, message)
     }
 
-    /// Marks a failure as one of what an input says: it could be read as what it is, and what it
-    /// says cannot be meshed.
+    /// Marks a failure as caused by the content of an input: it could be read in its format, but it
+    /// cannot be meshed.
     pub fn of_content(self) -> Self {
         Self { is_of_content: true, ..self }
     }
@@ -64,12 +64,12 @@ impl Error {
         self.is_of_content
     }
 
-    /// Returns the same error with the system's number for its reason (`errno`).
+    /// Returns the error with the system's number for its reason (`errno`).
     pub fn with_system_code(self, system_code: Option<i32>) -> Self {
         Self { system_code, ..self }
     }
 
-    /// Returns the system's number for the reason (`errno`), where the system gave one.
+    /// Returns the system's number for the reason (`errno`), if the system gave one.
     pub fn system_code(&self) -> Option<i32> {
         self.system_code
     }
@@ -83,12 +83,12 @@ impl Error {
         self.message.text()
     }
 
-    /// Returns the name that the message begins with: what is to blame.
+    /// Returns the name that the message begins with: the argument or option at fault.
     pub fn subject(&self) -> Option<Name> {
         self.message.subject()
     }
 
-    /// Returns the message as others say it.
+    /// Returns the message with all names in the given words.
     pub fn in_words(&self, words: impl Words) -> impl Display {
         InWords { message: &self.message, words }
     }
@@ -112,5 +112,5 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// Shorthand for results of this crate.
+/// Result of a fallible call of this crate.
 pub type Result<T> = std::result::Result<T, Error>;

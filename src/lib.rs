@@ -1,10 +1,10 @@
 //! netmesh: conforming quality Delaunay meshes of points in any fixed dimension, of linear size in
 //! O(n log n) time whatever the spread (NETMESH, "Beating the Spread: Time-Optimal Point Meshing").
 //!
-//! Like all Rust code this crate assumes the default floating-point environment: rounding to
+//! This crate, as all Rust code, assumes the default floating-point environment: rounding to
 //! nearest, subnormal numbers, no traps. A program that has another one, for instance because a
-//! shared object in it sets flush-to-zero, restores the default before it calls. The C ABI and the
-//! Python package do so themselves.
+//! shared object in it sets flush-to-zero, must restore the default before it calls. The C ABI and
+//! the Python package do so themselves.
 
 #![deny(unsafe_code)]
 

@@ -1,4 +1,4 @@
-//! How a mesh gets its result: the one place between the arrays below and the algorithm above them.
+//! Runs of a mesh: the one place between the arrays below and the algorithm above them.
 
 use crate::arrangement::{
     Poll, SharedVertices, Task, arrange, check_closed, encloses, with_extent,
@@ -11,27 +11,28 @@ use crate::options::{Extent, Interior, Options, Progress, ProgressFn, SizeFn};
 use crate::parameters::{check_sized, with_interior};
 use crate::sizes::Field;
 
-/// How often segments are led through further vertices where doubles have no room beside each
-/// other.
+/// Largest number of tries to lead segments through further vertices where doubles leave no room
+/// between them.
 const MOST_TRIES: usize = 64;
 
 impl Mesh {
-    /// Runs the algorithm and replaces the previous result; on any error the mesh is as it was.
+    /// Runs the algorithm and replaces the result. After an error the mesh is unchanged.
     ///
     /// # Errors
-    /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close;
-    /// a domain without a region; a seed on a segment, in no region or in that of another),
+    /// `InvalidArgument` (an option out of range; segments that cross; curves that do not close; a
+    /// domain without a region; a seed on a segment, in no region or in that of another),
     /// `DegenerateInput` (plain Delaunay of inputs of lower affine rank, a hull or box without
     /// area), `Limit`, `Cancelled`, `OutOfMemory`.
     pub fn run(&mut self, options: &Options, progress: Option<&mut ProgressFn<'_>>) -> Result<()> {
         self.run_sized(options, None, progress)
     }
 
-    /// As [`Mesh::run`], with a size for each point, beside [`Options::max_edge`] and the sizes
-    /// that the mesh was given by values: the least counts.
+    /// Runs the algorithm as [`Mesh::run`] does, with a function that gives a size for each point.
+    /// The smallest of its size, [`Options::max_edge`] and the sizes that the mesh was given by
+    /// values applies.
     ///
     /// # Errors
-    /// As those of [`Mesh::run`]; `InvalidArgument` (an answer of `size` that is no size).
+    /// The errors of [`Mesh::run`], and `InvalidArgument` (an answer of `size` that is no size).
     pub fn run_sized(
         &mut self,
         options: &Options,
@@ -63,7 +64,7 @@ impl Mesh {
         Ok(())
     }
 
-    /// Makes the mesh that an arrangement is of.
+    /// Makes a mesh that conforms to an arrangement.
     fn meshed(
         &self,
         options: &Options,
@@ -92,8 +93,8 @@ impl Mesh {
         Ok(())
     }
 
-    /// Returns the options with the extent that [`Extent::Auto`] stands for, and what the mesh must
-    /// conform to, if there is something.
+    /// Returns the options with the extent that [`Extent::Auto`] stands for, and the arrangement
+    /// that the mesh must conform to, if there is one.
     fn arrangement(
         &self,
         options: &Options,
@@ -137,8 +138,8 @@ impl Mesh {
         Ok((options, Some(arrangement)))
     }
 
-    /// Fails where the options do not go with the sizes that the mesh was given, and with a
-    /// function if there is one.
+    /// Fails if the options contradict the sizes that the mesh was given, or a function that gives
+    /// sizes.
     fn check_sizes(&self, options: &Options, has_function: bool) -> Result<()> {
         let given = self.given_sizes();
         let sources = [
@@ -165,7 +166,8 @@ impl Mesh {
         }
     }
 
-    /// Refuses seeds of regions, where nothing makes regions.
+    /// Fails if there are seeds of regions: called for runs without segments or an extent, which
+    /// have no regions.
     fn refuse_seeds(&self) -> Result<()> {
         if self.regions().is_empty() {
             return Ok(());
@@ -197,8 +199,9 @@ impl Mesh {
         }
     }
 
-    /// The arrangement of `extended` inputs and segments: corners of the extent that are no inputs
-    /// become the first crossings, and its edges belong to no segment ([`NONE`]).
+    /// Returns the arrangement of `extended` inputs and segments in terms of the caller's: corners
+    /// of the extent that are no inputs become the first crossings, and its edges belong to no
+    /// segment ([`NONE`]).
     fn in_own_numbers(&self, arrangement: Arrangement, extended: &Inputs) -> Result<Arrangement> {
         let corners = self.inputs().distinct()..extended.distinct();
         let mut crossings = with_capacity(corners.len() + arrangement.crossings.len())?;
@@ -217,7 +220,7 @@ impl Mesh {
     }
 }
 
-/// A progress function whose fraction does not fall where a run begins again.
+/// Returns a progress function whose fraction does not decrease when a run begins again.
 fn forwards<'a>(
     least: &'a mut f64,
     progress: &'a mut ProgressFn<'_>,
@@ -228,7 +231,7 @@ fn forwards<'a>(
     }
 }
 
-/// Returns the options of a run that nothing is cut out of, where no rule says what is inside.
+/// Returns the options of a run that keeps the whole mesh, without a rule for the interior.
 fn without_interior(options: Options) -> Options {
     Options { extent: Extent::All, interior: Interior::Seeds, ..options }
 }

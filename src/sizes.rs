@@ -1,5 +1,5 @@
-//! Sizes given by values, as a function: linear in a mesh, and those of the nearest vertex beyond
-//! it. Values at the inputs are so in their Delaunay triangulation, which is made for it.
+//! Sizes given by values, as a function: linear in a mesh, and those of its nearest vertex beyond
+//! it. Values at the inputs are linear in the inputs' Delaunay triangulation, which is made for it.
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::collected;
@@ -13,19 +13,19 @@ use crate::query::{Index, Interpolation, Method, Outside, Values};
 use std::borrow::Cow;
 use std::cell::RefCell;
 
-/// All that is asked of a run that its options have not.
+/// Sizes that are asked of a run beside its options.
 #[derive(Default)]
 pub(crate) struct Field<'a> {
     function: Option<&'a SizeFn<'a>>,
     at_inputs: Option<Interpolated<'a>>,
-    /// In place of `at_inputs`.
+    /// Sizes at the inputs if they lie in a hyperplane; replaces `at_inputs`.
     at_flat_inputs: Option<OfNearest>,
     on_background: Option<Interpolated<'a>>,
-    /// Why an answer could not be had.
+    /// Error that prevented an answer.
     failure: RefCell<Option<Error>>,
 }
 
-/// Values at the vertices of a mesh.
+/// Sizes at the vertices of a mesh, linear between them.
 struct Interpolated<'a> {
     background: Cow<'a, Background>,
     index: Index,
@@ -33,14 +33,14 @@ struct Interpolated<'a> {
     largest: f64,
 }
 
-/// Values at inputs in a hyperplane, which have no triangulation.
+/// Sizes at inputs in a hyperplane, which have no triangulation: that of the nearest input applies.
 struct OfNearest {
     tree: Tree,
     values: Vec<f64>,
 }
 
 impl<'a> Field<'a> {
-    /// The sizes that `mesh` was given, and those of a function; `None` if there are none.
+    /// Returns the sizes that `mesh` was given and those of a function; `None` if there are none.
     ///
     /// # Errors
     /// `OutOfMemory`, and those of a run of [`Algorithm::Delaunay`].
@@ -83,8 +83,8 @@ impl<'a> Field<'a> {
         Ok(())
     }
 
-    /// The least of the sizes at `x`; an answer that is none as it is, NaN where one could not be
-    /// had.
+    /// Returns the smallest of the sizes at `x`. An answer of the function that is no size is
+    /// returned unchanged; NaN if an error prevented an answer.
     pub fn at(&self, x: &[f64]) -> f64 {
         let answer = self.function.map_or(f64::INFINITY, |function| function(x));
         if answer.is_nan() || answer <= 0.0 {
@@ -104,7 +104,7 @@ impl<'a> Field<'a> {
         least
     }
 
-    /// What a run ended with: what lies behind an answer that was none goes first.
+    /// Returns the result of a run, or the error that prevented an answer, which is the cause.
     pub fn outcome<T>(&self, result: Result<T>) -> Result<T> {
         self.failure.take().map_or(result, Err)
     }

@@ -30,6 +30,7 @@ mod slivers;
 mod small_stacks;
 mod spread_curve;
 mod svr;
+mod words;
 mod written_files;
 
 #[path = "c/compiler.rs"]

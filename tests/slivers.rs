@@ -2,6 +2,7 @@
 //! every input is where it was.
 
 use crate::random::Random;
+use netmesh::numerics::SplitMix;
 use netmesh::quality::measure;
 use netmesh::validate::validate;
 use netmesh::{Criterion, ErrorKind, GivesWay, Mesh, NONE, Options, Output, Phase, Triangulation};
@@ -122,14 +123,8 @@ fn no_angle_is_smaller_than_asked_for() {
 /// Of these points, by SplitMix64, the last sliver goes when a point comes and its neighbours move.
 #[test]
 fn the_last_sliver_takes_a_relaxation() {
-    let mut state = 1u64;
-    let mut unit = || {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut words = SplitMix(1);
+    let mut unit = || (words.next_word() >> 11) as f64 / (1u64 << 53) as f64;
     let points: Vec<f64> = (0..3 * 2000).map(|_| unit()).collect();
     let mesh = run(&points, &options(22.0));
     assert_eq!(below(mesh.triangulation().unwrap(), 22.0), [0, 0]);

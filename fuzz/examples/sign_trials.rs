@@ -4,7 +4,7 @@
 //! are raw finite bit patterns (all finite doubles equally likely) or of a structured family. With
 //! scale 1 there are more than 1e8 of the former. Prints the counts; fails if any sign was wrong.
 
-use netmesh::numerics::{Circumball, Sign, in_ball, orientation, orientation_filtered};
+use netmesh::numerics::{Circumball, Sign, SplitMix, in_ball, orientation, orientation_filtered};
 use netmesh_fuzz::bytes::Bytes;
 use netmesh_fuzz::signs::{references, sign};
 use netmesh_fuzz::{families, oracle};
@@ -105,7 +105,7 @@ fn trials(dim: usize, plan: [u64; 3], seed: u64) -> [Counts; 2] {
 }
 
 fn trials_of<const D: usize>([turns, sides, both]: [u64; 3], seed: u64) -> [Counts; 2] {
-    let mut random = Random(seed);
+    let mut random = Random(SplitMix(seed));
     let (mut raw, mut structured) = (Counts::default(), Counts::default());
     let begun = Instant::now();
     for _ in 0..turns {
@@ -168,15 +168,11 @@ fn decided<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> 
 }
 
 /// Pseudo-random bits (SplitMix64): equal seeds, equal trials.
-struct Random(u64);
+struct Random(SplitMix);
 
 impl Random {
     fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0.next_word()
     }
 
     fn finite(&mut self) -> f64 {

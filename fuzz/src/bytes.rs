@@ -14,7 +14,7 @@ impl<'a> Bytes<'a> {
         self.rest.is_empty()
     }
 
-    /// All bytes that are left.
+    /// Returns all bytes that are left.
     pub fn rest(&mut self) -> &'a [u8] {
         std::mem::take(&mut self.rest)
     }
@@ -25,12 +25,12 @@ impl<'a> Bytes<'a> {
         *first
     }
 
-    /// One of `0..count`.
+    /// Returns one of `0..count`.
     pub fn below(&mut self, count: u8) -> usize {
         usize::from(self.byte() % count)
     }
 
-    /// True once in `count`.
+    /// Returns true once in `count`.
     pub fn once_in(&mut self, count: u8) -> bool {
         self.byte() % count == count - 1
     }
@@ -39,23 +39,23 @@ impl<'a> Bytes<'a> {
         u64::from_le_bytes(std::array::from_fn(|_| self.byte()))
     }
 
-    /// A small integer of either sign.
+    /// Returns a small integer of either sign.
     pub fn small(&mut self) -> i64 {
         i64::from(self.byte() as i8)
     }
 
-    /// Any double, by its bits.
+    /// Returns any double, by its bits.
     pub fn double(&mut self) -> f64 {
         f64::from_bits(self.word())
     }
 
-    /// Any finite double, by its bits.
+    /// Returns any finite double, by its bits.
     pub fn finite(&mut self) -> f64 {
         let value = self.double();
         if value.is_finite() { value } else { f64::from_bits(value.to_bits() & !(1 << 62)) }
     }
 
-    /// A power of two, anywhere in the range of doubles.
+    /// Returns a power of two, anywhere in the range of doubles.
     pub fn power_of_two(&mut self) -> f64 {
         let exponent = i32::from(self.byte()) * 8 - 1022 - 52;
         2f64.powi(exponent.max(-1022)) * 2f64.powi(exponent - exponent.max(-1022))

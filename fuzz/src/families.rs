@@ -2,7 +2,7 @@
 
 use super::bytes::Bytes;
 
-/// `count` points of dimension `dim`, all coordinates finite.
+/// Returns `count` points of dimension `dim`, with finite coordinates.
 pub fn points(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     match bytes.below(6) {
         0 => (0..count * dim).map(|_| bytes.finite()).collect(),
@@ -14,14 +14,14 @@ pub fn points(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     }
 }
 
-/// Small integers times one power of two.
+/// Returns small integers times one power of two.
 fn lattice(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     let scale = bytes.power_of_two();
     let side = 1 + bytes.small().abs() % 9;
     (0..count * dim).map(|_| finite((bytes.small() % side) as f64 * scale)).collect()
 }
 
-/// A few units in the last place around one value, which is often 1.
+/// Returns numbers a few units in the last place around one value, which is often 1.
 fn ulps(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     let base = if bytes.once_in(2) { bytes.finite() } else { 1.0 };
     (0..count * dim)
@@ -33,7 +33,7 @@ fn ulps(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Integer combinations of a few directions: points in an affine subspace of any rank.
+/// Returns integer combinations of a few directions: points in an affine subspace of any rank.
 fn flat_lattice(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     let scale = bytes.power_of_two();
     let rank = 1 + bytes.below(dim as u8);
@@ -50,7 +50,7 @@ fn flat_lattice(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     all
 }
 
-/// Signed rotations of one lattice vector: all on one sphere.
+/// Returns signed rotations of one lattice vector, which are on one sphere.
 fn cospherical(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     let scale = bytes.power_of_two();
     let vector: Vec<i64> = (0..dim).map(|_| bytes.small() % 5).collect();
@@ -67,7 +67,8 @@ fn cospherical(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     all
 }
 
-/// Every coordinate of its own kind, often made from an earlier one: equal, opposite, next to it.
+/// Returns coordinates each of its own kind, often made from an earlier one: equal, opposite, next
+/// to it.
 fn mixed(bytes: &mut Bytes<'_>, dim: usize, count: usize) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::with_capacity(count * dim);
     for _ in 0..count * dim {

@@ -1,6 +1,7 @@
-//! What must hold for any input, as functions of bytes: each panics if something does not. The fuzz
-//! targets call them with what libFuzzer invents, the library's own tests (`tests/properties`)
-//! include this file and call them with the corpus and with proptest's inventions.
+//! Properties that hold for any input, as functions of bytes: each panics if one does not hold. The
+//! fuzz targets call them with the inputs of libFuzzer; the library's own tests
+//! (`tests/properties`) include this file and call them with the corpus and with the inputs of
+//! proptest.
 
 pub mod bytes;
 pub mod c_api;

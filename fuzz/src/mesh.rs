@@ -1,5 +1,5 @@
-//! Whatever the points and the options: a mesh whose certificate holds, or a documented refusal
-//! that changes nothing.
+//! Meshes of any points with any options: the certificate holds, or a documented refusal changes
+//! nothing.
 
 use super::bytes::Bytes;
 use super::families;
@@ -10,10 +10,10 @@ use netmesh::validate::validate_mesh;
 use netmesh::{Algorithm, ErrorKind, Mesh, Options};
 use std::collections::HashSet;
 
-/// The most points, by dimension from 2.
+/// Largest number of points, by dimension from 2.
 const MAX_POINTS: [u8; 3] = [24, 20, 14];
 
-/// The bytes pick the dimension, the options, a family of points, and the points.
+/// Checks a mesh. The bytes pick the dimension, the options, a family of points, and the points.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let dim = 2 + bytes.below(3);
@@ -26,7 +26,7 @@ pub fn check(data: &[u8]) {
     check_points(dim, &points, &settings);
 }
 
-/// Makes and runs a mesh, twice and within one vertex less; whether it was meshed.
+/// Makes and runs a mesh, twice and within one vertex less; returns true if it was meshed.
 pub fn check_points(dim: usize, points: &[f64], settings: &Settings) -> bool {
     let made = Mesh::new(dim, points.len() / dim, points, 0);
     let expected = refusal_of_points(dim, points);
@@ -41,7 +41,7 @@ pub fn check_points(dim: usize, points: &[f64], settings: &Settings) -> bool {
     meshed
 }
 
-/// How points that cannot be meshed must be refused.
+/// Returns the kind of the error for points that cannot be meshed.
 pub fn refusal_of_points(dim: usize, points: &[f64]) -> Option<ErrorKind> {
     if points.iter().any(|x| !x.is_finite()) {
         return Some(ErrorKind::NonFinite);
@@ -91,7 +91,7 @@ fn check_certificate(mesh: &Mesh) {
     assert!(bits(&result.points)[..inputs.len()] == inputs, "inputs changed");
 }
 
-/// The same points and options give the same mesh, whatever the threads.
+/// Checks that equal points and options give equal meshes, for any number of threads.
 pub fn check_repetition(mesh: &Mesh, options: &Options) {
     let mut again = mesh.clone();
     let options = Options { threads: options.threads + 1, ..options.clone() };
@@ -100,7 +100,7 @@ pub fn check_repetition(mesh: &Mesh, options: &Options) {
     assert_same(results[0], results[1]);
 }
 
-/// A run that may not make as many vertices answers `Limit` and leaves the last result alone.
+/// Checks that a run which may not make as many vertices answers `Limit` and leaves the result.
 pub fn check_limit(mesh: &mut Mesh, options: &Options) {
     let before = mesh.triangulation().expect("it was meshed").clone();
     let max_vertices = before.vertex_count() as u64 - 1;

@@ -3,7 +3,7 @@
 
 use super::bytes::Bytes;
 
-/// The most points and segments.
+/// Largest number of points, and of segments.
 const MOST: usize = 28;
 
 /// Points of the plane, and segments between two of them each.

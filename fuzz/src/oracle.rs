@@ -3,13 +3,13 @@
 //! difference is taken, nothing is divided or rounded, no library is used: nothing here is shared
 //! with the signs under test.
 
-/// Digits of 32 bits: 8 factors of up to 2^2098 each, and their products' ends.
+/// Number of 32-bit digits: 8 factors of up to 2^2098 each, and their products' ends.
 const DIGITS: usize = 8 * 2045 / 32 + 20;
 
-/// The most factors of a product: 6 coordinates and the square of one.
+/// Largest number of factors of a product: 6 coordinates and the square of one.
 const FACTORS: usize = 8;
 
-/// -1, 0 or 1: the sign of det[p1 - p0, ..., pD - p0].
+/// Returns the sign of det[p1 - p0, ..., pD - p0] as -1, 0 or 1.
 pub fn orientation<const D: usize>(simplex: &[[f64; D]]) -> i8 {
     // Rows (p, 1). Taking the first row off the others leaves det[pi - p0] behind the 1 in the
     // last column of the first row.
@@ -17,7 +17,8 @@ pub fn orientation<const D: usize>(simplex: &[[f64; D]]) -> i8 {
     if D % 2 == 0 { sign } else { -sign }
 }
 
-/// 1 inside, 0 on, -1 outside the sphere through a positively oriented simplex.
+/// Returns 1 for a point inside, 0 on and -1 outside the sphere through a positively oriented
+/// simplex.
 pub fn in_ball<const D: usize>(simplex: &[[f64; D]], q: &[f64; D]) -> i8 {
     // Rows (p, |p|^2, 1). Likewise det[v, |v|^2] is left, v = p - p0, which is negative inside.
     let mut rows = simplex.to_vec();
@@ -26,7 +27,7 @@ pub fn in_ball<const D: usize>(simplex: &[[f64; D]], q: &[f64; D]) -> i8 {
     if D % 2 == 0 { sign } else { -sign }
 }
 
-/// The expansion of a determinant whose last column is 1, the one before it, if `lifted`, the
+/// Expansion of a determinant whose last column is 1. If `lifted`, the column before it is the
 /// square of the rest of the row.
 struct Expansion<'a, const D: usize> {
     rows: &'a [[f64; D]],
@@ -84,13 +85,13 @@ impl<'a, const D: usize> Expansion<'a, D> {
     }
 }
 
-/// A product of doubles: an integer times a power of two.
+/// Product of doubles: an integer times a power of two.
 #[derive(Clone, Copy)]
 struct Product {
     negative: bool,
-    /// The number of limbs in use.
+    /// Number of limbs in use.
     length: usize,
-    /// In bits: the product's unit is 2^-1074 for each factor, and this many bits more.
+    /// Exponent of the unit: 2^-1074 for each factor, times 2 to this power.
     shift: usize,
     limbs: [u64; FACTORS - 1],
 }
@@ -135,7 +136,7 @@ impl Product {
     }
 }
 
-/// A sum of products with the same number of factors. Digits are signed and carry only at the end.
+/// Sum of products with the same number of factors. Digits are signed and carry only at the end.
 struct Sum {
     digits: [i64; DIGITS],
     low: usize,

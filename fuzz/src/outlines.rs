@@ -5,7 +5,7 @@ use netmesh::io::{Choice, Format, Table, read_table};
 use netmesh::{ErrorKind, Mesh, Result};
 use std::io::{BufRead, BufReader};
 
-/// Whether the file was accepted.
+/// Checks a file; returns true if it was accepted.
 pub fn check_text(format: Format, text: &[u8]) -> bool {
     let read = |input: &mut dyn BufRead| -> Result<Table> {
         read_table(input, format, &Choice::default())

@@ -3,12 +3,12 @@
 use super::outlines;
 use netmesh::io::Format;
 
-/// The bytes are the file.
+/// Checks the bytes as a file.
 pub fn check(data: &[u8]) {
     check_text(data);
 }
 
-/// Whether the file was accepted.
+/// Checks a file; returns true if it was accepted.
 pub fn check_text(text: &[u8]) -> bool {
     outlines::check_text(Format::Poly, text)
 }

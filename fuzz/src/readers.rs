@@ -6,7 +6,7 @@ use netmesh::io::{Choice, Format, PointCloud, read, read_table, write};
 use netmesh::{Algorithm, ErrorKind, Mesh, Options, Result};
 use std::io::BufReader;
 
-/// New formats come last: the corpus names formats by their place.
+/// Formats by number. New formats come last, since the corpus has their numbers.
 pub const FORMATS: [Format; 8] = [
     Format::TetgenNode,
     Format::Off,
@@ -21,17 +21,17 @@ pub const FORMATS: [Format; 8] = [
 /// Kinds that bytes in memory can be refused with.
 const REFUSALS: [ErrorKind; 3] = [ErrorKind::Format, ErrorKind::NonFinite, ErrorKind::Dimension];
 
-/// The most points that are triangulated, for the formats that hold nothing less.
+/// Largest number of points that are triangulated, for formats that hold nothing less.
 const MAX_TRIANGULATED: usize = 12;
 
-/// The first byte picks the format; the rest is the file.
+/// Checks a file: the first byte picks the format, the rest is the file.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let format = FORMATS[bytes.below(FORMATS.len() as u8)];
     check_text(format, bytes.rest());
 }
 
-/// Whether the file was accepted.
+/// Checks a file; returns true if it was accepted.
 pub fn check_text(format: Format, text: &[u8]) -> bool {
     let whole = read(&mut &*text, format);
     let in_pieces = read(&mut BufReader::with_capacity(3, text), format);
@@ -50,7 +50,8 @@ pub fn check_text(format: Format, text: &[u8]) -> bool {
     }
 }
 
-/// With all other columns as attributes the points are the same, and each has its values.
+/// Checks that the points are the same with all other columns as attributes, and that each has its
+/// values.
 fn check_attributes(format: Format, text: &[u8], points: &Result<PointCloud>) {
     let attributes = "all".parse().expect("a choice");
     match read_table(&mut &*text, format, &Choice { attributes, ..Choice::default() }) {
@@ -79,7 +80,7 @@ fn check_cloud(cloud: &PointCloud) {
     }
 }
 
-/// Every format that can be written and read gives the points back, bit for bit.
+/// Checks that every format that can be written and read gives the points back, bit for bit.
 fn check_round_trip(mut mesh: Mesh) {
     let points = mesh.inputs().distinct_points();
     let dim = mesh.inputs().dim();
@@ -124,7 +125,7 @@ fn assert_reads_back(mesh: &Mesh, format: Format, dim: usize, points: &[f64]) {
     assert!(bits(&read.coordinates) == bits(points), "{format:?}: {points:?}");
 }
 
-/// What is read back: of the pair of TetGen's files the first.
+/// Returns a written file as it is read back: of TetGen's pair of files the first.
 fn written(mesh: &Mesh, format: Format) -> Result<Vec<u8>> {
     let mut text = Vec::new();
     write(mesh, format, &mut text)?;

@@ -11,13 +11,13 @@ use netmesh::query::Index;
 use netmesh::validate::validate_mesh;
 use netmesh::{Crossings, Error, ErrorKind, Extent, Interior, Mesh, Options, Output, Region};
 
-/// The most points, segments, seeds and vertices.
+/// Largest number of points.
 const MAX_POINTS: u8 = 24;
 const MAX_SEGMENTS: u8 = 28;
 const MAX_SEEDS: u8 = 4;
 const MAX_VERTICES: u64 = 1200;
 
-/// The choice for which points lie as near to segments as rounding brings them.
+/// Number of the choice that puts points as near to segments as rounding does.
 const NEAR_INCIDENCES: usize = 6;
 
 /// Points, pairs of them, and seeds.
@@ -29,8 +29,8 @@ struct Plane {
 }
 
 impl Plane {
-    /// Whether what is inside by a rule can be told: as many segments end at each place as the rule
-    /// asks for. Places are compared by coordinates.
+    /// Returns true if the rule can tell the inside: as many segments end at each place as it asks
+    /// for. Places are compared by coordinates.
     fn is_closed(&self, interior: Interior) -> bool {
         let place = |at: u32| [0, 1].map(|axis| self.points[2 * at as usize + axis] + 0.0);
         let all = || self.segments.iter().map(|&at| place(at));
@@ -45,7 +45,7 @@ impl Plane {
     }
 }
 
-/// The bytes pick the options, a family of points, the points, segments and seeds.
+/// Checks a plane. The bytes pick the options, a family of points, the points, segments and seeds.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let mut options = options(&mut bytes);
@@ -98,7 +98,7 @@ fn options(bytes: &mut Bytes<'_>) -> Options {
     }
 }
 
-/// With `of_curves` nearly all curves are closed.
+/// Draws points, segments and seeds; with `of_curves` nearly all curves are closed.
 fn plane(bytes: &mut Bytes<'_>, of_curves: bool) -> Plane {
     let count = 2 + bytes.below(MAX_POINTS - 1);
     let points = families::points(bytes, 2, count);
@@ -169,7 +169,7 @@ fn check_plane(plane: &Plane, options: &Options, size: Option<f64>) {
     }
 }
 
-/// Whether a run may end so.
+/// Returns true if a run may end with this error.
 fn is_documented(error: &Error, plane: &Plane, options: &Options, size: Option<f64>) -> bool {
     let message = error.message();
     let has_sizes = options.max_edge > 0.0 || size.is_some();

@@ -3,13 +3,14 @@
 use super::bytes::Bytes;
 use netmesh::{Algorithm, Criterion, GivesWay, NetOrdering, Options, Output};
 
-/// The most vertices of a run, by dimension from 2: enough for cages, few enough for many runs.
+/// Largest number of vertices of a run, by dimension from 2: enough for cages, few enough for many
+/// runs.
 const MAX_VERTICES: [u64; 3] = [2000, 1000, 500];
 
 #[derive(Clone, Debug)]
 pub struct Settings {
     pub options: Options,
-    /// Whether every number is in its documented range.
+    /// True if every number is in its documented range.
     pub valid: bool,
 }
 
@@ -94,7 +95,7 @@ fn choose_numbers(options: &mut Options, bytes: &mut Bytes<'_>, dim: usize) -> b
     valid
 }
 
-/// The default as a rule, else a number in the range or, seldom, outside.
+/// Returns mostly the default, else a number in the range or, seldom, outside.
 fn choose(bytes: &mut Bytes<'_>, lowest: f64, highest: f64) -> f64 {
     match bytes.byte() {
         0..200 => 0.0,

@@ -7,7 +7,7 @@ use netmesh::numerics::{
     Circumball, Sign, in_ball, in_ball_exact, orientation, orientation_exact, orientation_filtered,
 };
 
-/// The bytes pick the dimension, a family of points, and the points.
+/// Checks signs. The bytes pick the dimension, a family of points, and the points.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     match 2 + bytes.below(5) {
@@ -27,7 +27,7 @@ fn check_bytes<const D: usize>(bytes: &mut Bytes<'_>) {
     check_points(&points, swapped);
 }
 
-/// `D + 1` vertices and a query point; two vertices to exchange.
+/// Checks signs of `D + 1` vertices and a query point; two vertices are exchanged.
 pub fn check_points<const D: usize>(points: &[[f64; D]], swapped: (usize, usize)) {
     let signs = Signs::of(points);
     assert_eq!(signs, Signs::exact(points), "{points:?}");
@@ -38,7 +38,7 @@ pub fn check_points<const D: usize>(points: &[[f64; D]], swapped: (usize, usize)
     check_circumball(points, signs);
 }
 
-/// The orientation of the first `D + 1` points, and the side of the last.
+/// Orientation of the first `D + 1` points, and the side of the last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Signs {
     orientation: Sign,
@@ -105,7 +105,8 @@ fn check_symmetry<const D: usize>(points: &[[f64; D]], signs: Signs, swapped: (u
     assert_eq!(Signs::of(&mirrored), signs.flip(), "axis {} of {points:?}", swapped.0 % D);
 }
 
-/// What a ball decides is so, for the query point and for the vertices, which are on the sphere.
+/// Checks the decisions of a ball, for the query point and for the vertices, which are on the
+/// sphere.
 fn check_circumball<const D: usize>(points: &[[f64; D]], signs: Signs) {
     if signs.orientation == Sign::Zero {
         return;

@@ -7,11 +7,11 @@ use super::mesh::check_points;
 use super::settings::Settings;
 use netmesh::{Algorithm, Options};
 
-/// The most points, and vertices.
+/// Largest number of points.
 const MAX_POINTS: u8 = 40;
 const MAX_VERTICES: u64 = 3000;
 
-/// The bytes pick the angle, the options, a family of points, and the points.
+/// Checks slivers. The bytes pick the angle, the options, a family of points, and the points.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let min_dihedral = 1.0 + f64::from(bytes.below(22) as u32);
@@ -31,7 +31,7 @@ pub fn check(data: &[u8]) {
     check_points(3, &points, &Settings { options, valid });
 }
 
-/// A grid, some of whose points are moved a little.
+/// Returns a grid, some of whose points are moved a little.
 fn grid(bytes: &mut Bytes<'_>, count: usize) -> Vec<f64> {
     let side = 2 + bytes.below(3);
     let exponent = -(bytes.below(52) as i32);

@@ -1,16 +1,16 @@
-//! Pieces of segments bent through the vertices near them, until nothing is so near: see
-//! [`super::reach`]. Every piece is bent for itself, since the vertices stay where they are.
+//! Bending of pieces of segments through the vertices near them, until no vertex is so near: see
+//! [`super::reach`]. Pieces are bent one by one, since the vertices stay where they are.
 //!
 //! This ends: the vertices of a bent segment follow each other in its order.
 
-use super::Poll;
 use super::near::Near;
+use super::poll::Poll;
 use super::reach::Reach;
 use crate::error::Result;
 use crate::memory::{Lists, TryGrow, with_capacity};
 use crate::mesh::Subsegment;
 
-/// The work of a piece, as polls count it.
+/// Number of polls' units of work for one piece.
 const WORK: u32 = 8;
 
 /// Bends pieces through vertices near them.
@@ -18,16 +18,17 @@ pub(super) struct Bender<'a, const D: usize> {
     vertices: &'a [[f64; D]],
     reaches: &'a [Reach<D>],
     near: Near<D>,
-    /// Vertex -> the other ends of the pieces that end there.
+    /// Other ends of the pieces that end at each vertex.
     others: Lists,
-    /// The vertices near the piece at hand.
+    /// Vertices near the piece that is being bent.
     found: Vec<u32>,
     /// Pieces that may have to be bent again, the next one last.
     waiting: Vec<[u32; 2]>,
 }
 
 impl<'a, const D: usize> Bender<'a, D> {
-    /// `reaches` are those of the segments. O(n log n) for n vertices and pieces.
+    /// Builds the tree of the vertices, to bend `pieces` of the segments with these `reaches`. O(n
+    /// log n) for n vertices and pieces.
     pub fn new(
         vertices: &'a [[f64; D]],
         reaches: &'a [Reach<D>],
@@ -40,9 +41,10 @@ impl<'a, const D: usize> Bender<'a, D> {
         Ok(Self { vertices, reaches, near, others, found, waiting })
     }
 
-    /// Returns the pieces through the vertices near them, in the direction of each, but for the
-    /// vertices that a piece `passes`. Vertices that `is_shared` attract from farther off. `bent` is told of each vertex that a piece now goes through,
-    /// and of the segment.
+    /// Returns the pieces led through the vertices near them, each in its own direction, except for
+    /// vertices for which `passes` is true. Vertices for which `is_shared` is true attract from
+    /// farther off. `bent` is called with each vertex that a piece now goes through, and with the
+    /// piece's segment.
     ///
     /// # Errors
     /// `OutOfMemory`, and those of `poll`.
@@ -85,13 +87,13 @@ impl<'a, const D: usize> Bender<'a, D> {
         let reach = &reaches[part.segment as usize];
         let point = |vertex: u32| &vertices[vertex as usize];
         let piece = part.ends.map(point);
-        let places = piece.map(|end| reach.place(end));
-        let (low, high) = (places[0].min(places[1]), places[0].max(places[1]));
+        let positions = piece.map(|end| reach.position(end));
+        let (low, high) = (positions[0].min(positions[1]), positions[0].max(positions[1]));
         found.clear();
         near.collect(reach, piece, found)?;
         let is_between = |x: &[f64; D]| {
-            let place = reach.place(x);
-            low < place && place < high
+            let position = reach.position(x);
+            low < position && position < high
         };
         // Two lines that run so closely beside each other share their vertices: a mesh between
         // them would have as many as the gap fits into their length.
@@ -115,8 +117,8 @@ impl<'a, const D: usize> Bender<'a, D> {
             }
         }
         found.truncate(kept);
-        found.sort_unstable_by_key(|&vertex| reach.place(point(vertex)));
-        if places[0] > places[1] {
+        found.sort_unstable_by_key(|&vertex| reach.position(point(vertex)));
+        if positions[0] > positions[1] {
             found.reverse();
         }
         Ok(())

@@ -1,13 +1,14 @@
-//! Tells whether segments are closed curves, so that what they enclose is told by them alone, and
-//! whether they enclose something.
+//! Two questions about segments: do they form closed curves, so that they alone determine what they
+//! enclose, and do they enclose anything.
 
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{collected, filled};
 use crate::mesh::{Arrangement, Inputs, Segments};
 use crate::options::Interior;
 
-/// Fails unless every input is an end of an even number of segments (parity), or the first end of
-/// as many as it is the second (winding). Inputs that are equal are one. O(inputs + segments).
+/// Fails unless the segments form closed curves. For parity every input must be an end of an even
+/// number of segments; for winding, the first end of as many segments as it is the second end.
+/// Equal inputs count as one. O(inputs + segments).
 ///
 /// # Errors
 /// `InvalidArgument` (an input where curves do not close), `OutOfMemory`.
@@ -18,8 +19,8 @@ pub fn check_closed(inputs: &Inputs, segments: &Segments, interior: Interior) ->
     }
 }
 
-/// Returns true if a region that the segments bound is inside by the rule `interior`. `arrangement`
-/// is that of the segments. Curves that are not closed enclose nothing where the rule asks for
+/// Returns true if the rule `interior` puts a region that the segments bound inside. `arrangement`
+/// is the arrangement of the segments. Open curves enclose nothing under a rule that asks for
 /// closed ones. O((inputs + segments) log inputs).
 ///
 /// # Errors
@@ -43,8 +44,8 @@ pub fn encloses(
     }
 }
 
-/// Returns true if the pieces of the arrangement have a cycle: they meet only at their ends, so
-/// that the plane falls apart by one cycle of them, and by nothing else.
+/// Returns true if the pieces of the arrangement contain a cycle. Since pieces meet only at their
+/// ends, a cycle of them is the only thing that can divide the plane.
 fn has_cycle(distinct_inputs: usize, arrangement: &Arrangement) -> Result<bool> {
     let vertices = distinct_inputs + arrangement.crossings.len();
     // A forest with a tree for each connected part: vertex -> a vertex nearer to the root.
@@ -69,8 +70,8 @@ fn root_of(parents: &mut [u32], vertex: u32) -> u32 {
     vertex as u32
 }
 
-/// Returns the first vertex at which a curve is open, with the number of segments that begin and
-/// that end there. With [`Interior::Seeds`] curves need not be closed.
+/// Returns the first vertex at which a curve is open, with the numbers of segments that begin and
+/// that end there. [`Interior::Seeds`] does not need closed curves.
 fn first_open(
     inputs: &Inputs,
     segments: &Segments,
@@ -104,7 +105,8 @@ fn open_at(inputs: &Inputs, vertex: usize, [starts, ends]: [u32; 2], interior: I
             " that number must be even at every input, so that all curves are closed"
         ),
         _ => say!(
-            "input {input} is the first end of {starts} segments and the second end of {ends}; with ",
+            "input {input} is the first end of {starts} segments and the second end of \
+             {ends}; with ",
             rule,
             " these must be equally many at every input, so that all curves are closed"
         ),
@@ -118,7 +120,7 @@ mod tests {
     use crate::arrangement::{Task, arrange};
     use crate::options::Crossings;
 
-    /// Input 4 equals input 0.
+    /// Checks segments between the corners of a square, of which inputs 0 and 4 are equal.
     fn check(segments: &[[u32; 2]], interior: Interior) -> Result<()> {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0]];
         let inputs = Inputs::new(2, 5, points.as_flattened(), 0).unwrap();
@@ -147,7 +149,8 @@ mod tests {
         }
     }
 
-    /// As many points again, farther to the right.
+    /// Returns true if segments between the corners of a square and a point to the right of it
+    /// enclose something. Inputs 0 and 4 are equal.
     fn is_enclosing(segments: &[[u32; 2]], interior: Interior) -> bool {
         let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-0.0, 0.0], [3.0, 0.0]];
         let inputs = Inputs::new(2, 6, points.as_flattened(), 0).unwrap();
@@ -191,11 +194,12 @@ mod tests {
     #[test]
     fn the_input_where_a_curve_is_open_is_named() {
         let parity = "input 0 is an end of 1 segments; with options.interior = \
-                      Interior::Parity that number must be even at every input, so that all curves are closed";
+                      Interior::Parity that number must be even at every input, so that all \
+                      curves are closed";
         assert_eq!(refusal(&[[0, 1], [1, 2], [2, 3]], Interior::Parity), parity);
         let winding = "input 1 is the first end of 0 segments and the second end of 2; with \
-                       options.interior = Interior::Winding these must be equally many at every input, so that \
-                       all curves are closed";
+                       options.interior = Interior::Winding these must be equally many at every \
+                       input, so that all curves are closed";
         let turned = [[0, 1], [2, 1], [2, 3], [3, 4]];
         assert_eq!(refusal(&turned, Interior::Winding), winding);
     }

@@ -1,25 +1,25 @@
-//! Which crossings become vertices. Of lines through nearly one point each pair crosses some
-//! roundings from it, the farther the smaller their angle is. Bent through one vertex they no
-//! longer cross.
+//! Choice of the crossings that become vertices. Of lines through nearly one point each pair
+//! crosses a few roundings away from it, the farther the smaller their angle is. Bent through one
+//! vertex they no longer cross.
 
 use super::near::Near;
-use super::places::{key, key_along};
+use super::ranked::{key, key_along};
 use super::reach::Reach;
 use super::sweep::Found;
 use crate::memory::{AllocResult, Lists, collected, filled};
 
-/// How many crossings a search for a vertex on a line passes on either side.
+/// Largest number of crossings that a search for a vertex on a line passes on either side.
 const FARTHEST: usize = 1000;
 
-/// A line between two points, with the reach of its segment.
+/// Line between two points, with the reach of its segment.
 pub(super) struct Straight<'a> {
     pub ends: [&'a [f64; 2]; 2],
     pub reach: &'a Reach<2>,
 }
 
-/// Returns which crossings become vertices. Those at large angles come first; the others only
-/// where no such vertex is so near that both lines will go through it, nor one on either line that
-/// is near the other.
+/// Returns for each crossing true if it becomes a vertex. Crossings at large angles are accepted
+/// first. A later one is refused if both of its lines will go through an accepted vertex near it,
+/// or if one of its lines has an accepted vertex that is near the other line.
 ///
 /// O(k log k) for k crossings, unless very many are close to each other.
 pub(super) fn accept<'a>(
@@ -71,8 +71,8 @@ pub(super) fn accept<'a>(
     Ok(is_accepted)
 }
 
-/// Withdraws those of the `accepted` crossings that an earlier one is so near to that their lines
-/// go through that one.
+/// Withdraws each of the `accepted` crossings that is so near to an earlier one that both of its
+/// lines go through the earlier one.
 fn keep_apart<'a>(
     found: &[Found],
     accepted: &[u32],

@@ -1,8 +1,8 @@
-//! The boundary of the convex hull or of the bounding box of the inputs, as segments.
+//! Segments along the boundary of the convex hull or of the bounding box of the inputs.
 
-use super::Poll;
 use super::inner::Inner;
-use super::places::{key, ordered_bits};
+use super::poll::Poll;
+use super::ranked::{key, ordered_bits};
 use super::reach::Reach;
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{TryGrow, collected, with_capacity};
@@ -10,12 +10,12 @@ use crate::mesh::{Inputs, Segments};
 use crate::numerics::{Sign, coordinates, orientation};
 use crate::options::Extent;
 
-/// What a point takes, as polls count it.
+/// Number of polls' units of work for one point.
 const WORK: u32 = 2;
 
-/// The inputs and segments of the caller with those of the extent after them: the corners of a box
-/// that are no inputs, and the edges of a box or hull. In 2D. O(n log n); `poll` is as that of
-/// [`super::arrange`].
+/// Returns the caller's inputs and segments, followed by those of the extent: the corners of a box
+/// that are no inputs, and the edges of a box or hull. In 2D only. O(n log n). `poll` is told of
+/// work as by [`super::arrange`].
 ///
 /// # Errors
 /// `DegenerateInput` (a hull or box without an area), `OutOfMemory`, and those of `poll`.
@@ -53,7 +53,7 @@ pub fn with_extent(
     Ok((Inputs::new(2, points.len() / 2, &points, 0)?, all))
 }
 
-/// Returns false if the corners of a convex curve are on a line, but for roundings.
+/// Returns false if the corners of a convex curve are on one line, up to rounding.
 fn has_area<'a>(corners: impl Iterator<Item = &'a [f64; 2]> + Clone) -> bool {
     let ends = [0, 1].map(|axis| {
         let place = |corner: &&[f64; 2]| [corner[axis], corner[1 - axis]].map(ordered_bits);
@@ -67,7 +67,7 @@ fn has_area<'a>(corners: impl Iterator<Item = &'a [f64; 2]> + Clone) -> bool {
     })
 }
 
-/// The corners of the bounding box, counterclockwise.
+/// Returns the corners of the inputs' bounding box, counterclockwise.
 fn box_of(inputs: &Inputs) -> [[f64; 2]; 4] {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for input in 0..inputs.count() {
@@ -79,8 +79,9 @@ fn box_of(inputs: &Inputs) -> [[f64; 2]; 4] {
     [low, [high[0], low[1]], high, [low[0], high[1]]]
 }
 
-/// The inputs on the hull, counterclockwise, those within its edges too (A. M. Andrew, "Another
-/// efficient algorithm for convex hulls in two dimensions", 1979). O(n log n).
+/// Returns the inputs on the convex hull, counterclockwise, among them those in the interior of its
+/// edges (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
+/// O(n log n).
 fn hull(inputs: &Inputs, poll: Poll<'_>) -> Result<Vec<u32>> {
     let first = |vertex: u32| inputs.first_input(vertex as usize).expect("a distinct input");
     let point = |input: u32| -> &[f64; 2] {

@@ -1,24 +1,25 @@
-//! The boundary of an extent beside the vertices near it. It goes through them as segments do, but
-//! at a corner: a vertex near both edges there would leave the corner outside.
+//! The boundary of an extent and the vertices near it. The boundary bends through them as segments
+//! do, except at its corners: bent through a vertex near both edges of a corner, it would leave the
+//! corner outside.
 
 use super::reach::Reach;
 use crate::memory::{AllocResult, filled};
 use crate::mesh::{NONE, Subsegment};
 use crate::numerics::orientation;
 
-/// The boundary of an extent, a convex curve whose edges follow each other counterclockwise.
+/// Boundary of an extent: a convex curve whose edges follow each other counterclockwise.
 pub(super) struct Frame<'a> {
     segments: &'a [Subsegment],
     reaches: &'a [Reach<2>],
-    /// The number of the caller's segments; the edges follow them.
+    /// Number of the caller's segments; the edges of the boundary follow them.
     own: u32,
-    /// Vertex -> the edge that begins there, or [`NONE`].
+    /// Vertex -> the boundary edge that begins there, or [`NONE`].
     starting: Vec<u32>,
 }
 
 impl<'a> Frame<'a> {
-    /// Builds the boundary of the segments from number `own` on, between the first of so many
-    /// vertices.
+    /// Builds the boundary from the segments with numbers `own` and more, whose ends are among the
+    /// first `vertices` vertices.
     pub fn new(
         segments: &'a [Subsegment],
         own: usize,
@@ -32,9 +33,10 @@ impl<'a> Frame<'a> {
         Ok(Self { segments, reaches, own: own as u32, starting })
     }
 
-    /// Returns true if a piece of the boundary, or one of the caller's between the same ends,
-    /// leaves a vertex near it inside. One that is near the next edge as well, at a corner, is on
-    /// one of them at most: on the piece if it would be outside, or if a segment of the caller's
+    /// Returns true if a piece is not bent through a vertex near it, which then stays inside the
+    /// boundary. This is asked for pieces of the boundary, and for the caller's pieces between the
+    /// ends of a boundary edge. Near a corner a vertex is near two edges, and goes on one of them
+    /// at most: on the piece if it would be outside otherwise, or if a segment of the caller's
     /// leads to it along there.
     pub fn passes(&self, points: &[[f64; 2]], part: &Subsegment, vertex: u32) -> bool {
         let Some(edge) = self.edge_of(part) else { return false };
@@ -45,7 +47,7 @@ impl<'a> Frame<'a> {
         let Some(other) = beside.into_iter().find(is_near) else { return false };
         let reach = &self.reaches[edge as usize];
         let [mut from, mut to] = part.ends.map(point);
-        if reach.place(from) > reach.place(to) {
+        if reach.position(from) > reach.position(to) {
             (from, to) = (to, from);
         }
         let is_outside = orientation(&[from, to, point(vertex)]).is_negative();
@@ -53,7 +55,7 @@ impl<'a> Frame<'a> {
         !is_outside && !(leads(edge) && (edge < other || !leads(other)))
     }
 
-    /// Returns the edge that a piece belongs to, or is the same as.
+    /// Returns the boundary edge that a piece belongs to or coincides with.
     fn edge_of(&self, part: &Subsegment) -> Option<u32> {
         if part.segment >= self.own {
             return Some(part.segment);
@@ -65,7 +67,7 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Returns true if a segment of the caller's leads to a vertex along an edge.
+    /// Returns true if one of the caller's segments leads to a vertex along a boundary edge.
     fn leads_to(&self, points: &[[f64; 2]], vertex: u32, edge: u32) -> bool {
         let ends = self.segments[edge as usize].ends;
         let is_on = |end: u32| {

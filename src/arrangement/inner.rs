@@ -1,9 +1,9 @@
-//! What is surely well within a hull: most of many inputs. These need no place in the order that a hull
-//! is made in, and no look at its edges.
+//! A quick test for points that are surely well inside a hull, as most of many inputs are. Such
+//! points need not be sorted when the hull is made, nor compared with its edges.
 
 use std::ops::Range;
 
-/// The ways in which the outermost points are taken, counterclockwise.
+/// Directions in which the outermost points are sought, counterclockwise.
 const WAYS: [[f64; 2]; 8] = [
     [1.0, 0.0],
     [1.0, 1.0],
@@ -15,27 +15,28 @@ const WAYS: [[f64; 2]; 8] = [
     [1.0, -1.0],
 ];
 
-/// Outermost points nearer to each other than this part of the largest coordinate count as one: the
+/// Distance, relative to the largest coordinate, below which two outermost points count as one: the
 /// sides of a short edge say little.
 const APART: f64 = 1.0 / 256.0;
 
-/// Largest coordinates of which products neither overflow nor vanish.
+/// Largest coordinates for which products neither overflow nor vanish.
 const SAFE: Range<f64> = 1e-100..1e100;
 
-/// Twice the least area of a triangle of an edge and a point inside, relative to the square of the
-/// largest coordinate; roundings are millions of times smaller.
+/// Twice the least area of the triangle of an edge and a point inside, relative to the square of
+/// the largest coordinate; roundings are millions of times smaller.
 const MARGIN: f64 = 1.0 / (1 << 28) as f64;
 
-/// A polygon of outermost points (S. Akl and G. Toussaint, "A fast convex hull algorithm", 1978).
+/// Polygon of outermost points (S. Akl and G. Toussaint, "A fast convex hull algorithm", 1978).
 pub(super) struct Inner {
-    /// From a corner to the next, and the way there.
+    /// Edges of the polygon: a corner, and the vector from it to the next corner.
     edges: [([f64; 2], [f64; 2]); 8],
     count: usize,
     least: f64,
 }
 
 impl Inner {
-    /// Of all points that a hull is made of, or of the corners of a convex curve.
+    /// Builds the polygon from all points that a hull is made of, or from the corners of a convex
+    /// curve.
     pub fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Self {
         let mut outermost = [(f64::NEG_INFINITY, [0.0; 2]); 8];
         let mut largest: f64 = 0.0;
@@ -56,7 +57,7 @@ impl Inner {
         inner
     }
 
-    /// Makes edges between those of `corners` that are apart.
+    /// Adds the edges between consecutive `corners` that are more than `apart` from each other.
     fn join(&mut self, corners: &[[f64; 2]; 8], apart: f64) {
         let way = |a: &[f64; 2], b: &[f64; 2]| [b[0] - a[0], b[1] - a[1]];
         let are_apart =
@@ -73,9 +74,9 @@ impl Inner {
         self.count += 1;
     }
 
-    /// Whether a disc about `x` that reaches farther than any rounding is within the hull: where it is
-    /// to the left of all edges of a closed polygon, that goes round it. What is within may be told not
-    /// to be.
+    /// Returns true only if a disc about `x`, larger than any rounding, is inside the hull: `x` is
+    /// left of all edges of a closed polygon, which goes round it. May return false for a point
+    /// inside.
     pub fn holds(&self, x: &[f64; 2]) -> bool {
         let is_left = |&(from, way): &([f64; 2], [f64; 2])| {
             way[0] * (x[1] - from[1]) - way[1] * (x[0] - from[0]) > self.least
@@ -89,7 +90,7 @@ mod tests {
     use super::*;
     use crate::numerics::orientation;
 
-    /// A lattice of `side` squared points in the unit square, moved.
+    /// Returns the `side` squared points of a lattice in the unit square, each moved by `place`.
     fn lattice(side: u32, place: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
         let at = |i: u32| f64::from(i) / f64::from(side - 1);
         (0..side * side).map(|i| place([at(i % side), at(i / side)])).collect()
@@ -100,8 +101,9 @@ mod tests {
         points.iter().filter(|x| inner.holds(x)).count()
     }
 
-    /// All but the boundary, whatever way the square is turned. Turned by half a right angle it is
-    /// outermost at its corners, else also at points near these.
+    /// All points of a lattice except its boundary are inside, however the square is turned. Turned
+    /// by half a right angle, it has its outermost points at its corners only, else also near
+    /// these.
     #[test]
     fn most_of_a_lattice_is_within() {
         let turned = |cosine: f64, sine: f64| {
@@ -127,7 +129,8 @@ mod tests {
         assert_eq!(held(&lattice(9, |[x, _]| [x, 2.0 * x])), 0);
     }
 
-    /// What is held is to the left of all edges by far more than the units that `frame` counts.
+    /// Points that are held are left of all edges by far more than the roundings that `frame`
+    /// allows for.
     #[test]
     fn nothing_next_to_an_edge_is_within() {
         let corners = [[-0.8, 0.6], [-0.6, -0.8], [0.8, -0.6], [0.6, 0.8]];

@@ -1,18 +1,19 @@
 //! The caller's segments as pieces that meet only at their ends, exactly.
 //!
-//! - [`closed`] tells whether segments are closed curves.
-//! - [`extent`] has the boundary of a hull or box; [`inner`] tells that most inputs are far from it,
-//!   [`frame`] which vertices near it it leaves inside.
-//! - [`bend`] leads segments through the vertices near them: [`reach`] says which are, [`near`] finds
-//!   them.
-//! - [`sweep`] cuts pieces at the vertices on them, joins those that overlap and finds where they
-//!   cross; [`places`] are the points in its order, [`status`] the lines that it meets.
-//! - [`crossings`] says which crossings become vertices, [`split`] makes them.
-//! - [`straighten`] removes those that are no crossings any more.
+//! - [`closed`] tells whether segments are closed curves, and whether they enclose something.
+//! - [`extent`] makes segments of the boundary of a hull or box; [`inner`] finds inputs that are
+//!   surely far from it, [`frame`] the vertices near its corners that it is not bent through.
+//! - [`reach`] defines which vertices are near a segment, [`near`] finds them, and [`bend`] leads
+//!   segments through them.
+//! - [`sweep`] splits pieces at the vertices on them, joins those that overlap and finds their
+//!   crossings; [`ranked`] has the vertices in the order of the sweep, [`status`] the lines that it
+//!   meets.
+//! - [`crossings`] chooses the crossings that become vertices, [`split`] splits pieces there.
+//! - [`straighten`] removes vertices that are no crossings any more.
 //!
-//! Where segments cross, the double nearest to the exact crossing becomes a vertex of both, and
-//! bends them: the pieces may pass other vertices than before, and cross others. So all are bent
-//! and swept again, until a sweep finds no crossing; it proves by that that there is none.
+//! A crossing becomes a vertex of both segments at the nearest doubles, which bends them: their
+//! pieces may then come near other vertices than before, and cross other pieces. So all pieces are
+//! bent and swept again, until a sweep finds no crossing, which proves that there is none.
 
 mod bend;
 mod closed;
@@ -23,7 +24,8 @@ mod inner;
 mod near;
 #[cfg(test)]
 mod near_tests;
-mod places;
+mod poll;
+mod ranked;
 mod reach;
 mod shared;
 mod split;
@@ -35,6 +37,7 @@ mod tests;
 
 pub use closed::{check_closed, encloses};
 pub use extent::with_extent;
+pub use poll::Poll;
 pub use shared::SharedVertices;
 
 use crate::error::{Error, ErrorKind, Result, message};
@@ -45,37 +48,33 @@ use crate::options::Crossings;
 use bend::Bender;
 use crossings::{Straight, accept};
 use frame::Frame;
-use places::Places;
-use reach::{Place, Reach};
+use ranked::RankedVertices;
+use reach::{Position, Reach};
 use split::split;
 use straighten::straighten;
 use sweep::{Handling, Swept, sweep};
 
-/// What is told of work, in units of some 100 ns.
-pub type Poll<'a> = &'a mut dyn FnMut(u32) -> Result<()>;
-
-/// The most sweeps. All but inputs that are made for it need two or three.
+/// Largest number of sweeps. Two or three are enough for all but contrived inputs.
 const MOST_SWEEPS: usize = 100;
 
-/// Segments to arrange, and what is asked of them.
+/// Segments to arrange, and the rules for their crossings.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
     pub inputs: &'a Inputs,
     pub segments: &'a Segments,
-    /// The number of the caller's segments; those that follow are the boundary of an extent,
+    /// Number of the caller's segments; those that follow are the boundary of an extent,
     /// counterclockwise.
     pub own: usize,
-    /// Further vertices, as if segments crossed there; none of them is an input.
+    /// Further vertices, which are treated as crossings of segments; none of them is an input.
     pub shared: &'a [[f64; 2]],
     pub crossings: Crossings,
 }
 
-/// Returns the arrangement of segments between inputs in the plane. Of pieces that overlap there is
-/// one, the first segment's, with the balance of all.
+/// Returns the arrangement of segments between inputs in the plane. Pieces that overlap become one,
+/// which belongs to the first of their segments and has the sum of their balances.
 ///
 /// Expected O((n + k) log n) for n inputs and segments and k crossings, where segments do not pass
-/// between many inputs. `poll` is told of each piece of work how long it was, and may end all of
-/// it.
+/// between many inputs. `poll` is told of the work of each step, and may end the operation.
 ///
 /// # Errors
 /// `InvalidArgument` (the caller's segments cross, where `crossings` refuses that), `Limit`,
@@ -106,8 +105,8 @@ pub fn arrange(task: &Task<'_>, poll: Poll<'_>) -> Result<Arrangement> {
     })
 }
 
-/// Returns the arrangement of segments with these reaches, or `None` where they still cross after
-/// [`MOST_SWEEPS`], or would go back.
+/// Returns the arrangement of segments with these reaches. `None` if segments still cross after
+/// [`MOST_SWEEPS`] sweeps, or if the pieces of one would not be in their order along it.
 fn arrange_within(
     task: &Task<'_>,
     mut points: Vec<[f64; 2]>,
@@ -136,14 +135,14 @@ fn arrange_within(
         let is_shared = |x: &[f64; 2]| task.shared.contains(x);
         let mut bender = Bender::new(&points, reaches, &pieces)?;
         pieces = bender.bend(&pieces, poll, is_shared, passes, bent)?;
-        let places = Places::new(&points)?;
+        let ranked = RankedVertices::new(&points)?;
         let snaps = |segments: [u32; 2]| {
             has_split && segments.iter().all(|&segment| !reaches[segment as usize].is_long())
         };
         let handling = Handling { refuses: &refuses, snaps: &snaps };
-        let swept = sweep(&places, &pieces, handling, poll)?;
+        let swept = sweep(&ranked, &pieces, handling, poll)?;
         if swept.found.is_empty() && swept.snapped.is_empty() {
-            let Some(mut ordered) = in_order(&places, reaches, &swept)? else { return Ok(None) };
+            let Some(mut ordered) = in_order(&ranked, reaches, &swept)? else { return Ok(None) };
             if straighten(inputs, &mut points, &mut ordered)? {
                 pieces = ordered;
                 continue;
@@ -160,21 +159,22 @@ fn arrange_within(
         };
         let is_accepted = accept(&swept.found, pieces.len(), line)?;
         let parts = swept.parts.len();
-        pieces = split(&places, swept, &is_accepted, &mut points)?;
+        pieces = split(&ranked, swept, &is_accepted, &mut points)?;
         // A vertex that is rounded to an end splits nothing.
         has_split = pieces.len() > parts;
     }
     Ok(None)
 }
 
-/// Returns the parts by segments, along each in its direction; `None` if one goes back.
+/// Returns the pieces sorted by segment and by their order along it, each in the segment's
+/// direction; `None` if a piece begins before its predecessor ends.
 fn in_order(
-    places: &Places,
+    ranked: &RankedVertices,
     reaches: &[Reach<2>],
     swept: &Swept,
 ) -> AllocResult<Option<Vec<Subsegment>>> {
-    let along = |segment: u32, vertex: u32| -> Place<2> {
-        reaches[segment as usize].place(places.point(places.ranks[vertex as usize]))
+    let along = |segment: u32, vertex: u32| -> Position<2> {
+        reaches[segment as usize].position(ranked.point(ranked.ranks[vertex as usize]))
     };
     let parts = || swept.parts.iter().zip(0u32..).map(|(part, number)| (part.segment, number));
     let of_segments = Lists::of_pairs(reaches.len(), parts)?;
@@ -183,7 +183,7 @@ fn in_order(
         let first = pieces.len();
         pieces.extend(of_segments.of(segment as usize).iter().map(|&number| {
             let part = &swept.parts[number as usize];
-            let [left, right] = part.ends.map(|rank| places.vertices[rank as usize]);
+            let [left, right] = part.ends.map(|rank| ranked.vertices[rank as usize]);
             match along(segment, left) < along(segment, right) {
                 true => Subsegment { ends: [left, right], segment, balance: part.balance },
                 false => Subsegment { ends: [right, left], segment, balance: -part.balance },

@@ -1,24 +1,24 @@
-//! The vertices near a piece of a segment, by a k-d tree of them with a box for each node. A piece
-//! meets few boxes that hold no vertex near it, unless it passes between many vertices; then the
-//! mesh has as many edges along it.
+//! Search for the vertices near a piece of a segment, in a k-d tree with a box for each node. A
+//! piece meets few boxes that hold no vertex near it, unless it passes between many vertices; then
+//! the mesh has as many edges along it.
 
 use super::reach::Reach;
 use crate::memory::{AllocResult, TryGrow, filled};
 use crate::nearest::Tree;
 
-/// The vertices with the least and the largest coordinates of those below each node.
+/// Tree of vertices with the bounding box of the vertices below each node.
 pub(super) struct Near<const D: usize> {
     tree: Tree,
-    /// Node -> its box; those of leaves follow those of divisions.
+    /// Node -> its bounding box; those of leaves follow those of inner nodes.
     boxes: Vec<[[f64; D]; 2]>,
-    /// Nodes that a search has yet to visit.
+    /// Nodes that the search has yet to visit.
     waiting: Vec<usize>,
 }
 
-/// A piece as a filter in doubles sees it.
+/// Piece of a segment in the form that a filter in doubles needs.
 struct Beam<const D: usize> {
     from: [f64; D],
-    /// The way to its other end, relative to its longest component.
+    /// Vector to the other end, divided by its longest component.
     way: [f64; D],
     low: [f64; D],
     high: [f64; D],
@@ -40,8 +40,8 @@ impl<const D: usize> Near<D> {
         Ok(Self { tree, boxes, waiting: Vec::new() })
     }
 
-    /// Returns true if another vertex than `x` itself is in a box about it of half these widths.
-    /// O(log n) expected.
+    /// Returns true if a vertex other than `x` itself is in the box about `x` that extends by these
+    /// `widths` on both sides of each axis. Expected O(log n).
     pub fn has_beside(&mut self, x: &[f64; D], widths: &[f64; D]) -> AllocResult<bool> {
         let is_apart = |[low, high]: [&[f64; D]; 2]| {
             (0..D).any(|k| low[k] - x[k] > widths[k] || x[k] - high[k] > widths[k])
@@ -66,8 +66,8 @@ impl<const D: usize> Near<D> {
         Ok(false)
     }
 
-    /// Appends to `found` the vertices that may be near the piece between two points, among them
-    /// all that are.
+    /// Appends to `found` all vertices that are near the piece between two points, and perhaps some
+    /// that are not.
     pub fn collect(
         &mut self,
         reach: &Reach<D>,
@@ -96,7 +96,7 @@ impl<const D: usize> Near<D> {
     }
 }
 
-/// Returns the least box that holds others.
+/// Returns the smallest box that contains all `boxes`.
 fn box_of<'a, const D: usize>(boxes: impl IntoIterator<Item = [&'a [f64; D]; 2]>) -> [[f64; D]; 2] {
     let mut all = [[f64::INFINITY; D], [f64::NEG_INFINITY; D]];
     for [low, high] in boxes {
@@ -122,8 +122,8 @@ impl<const D: usize> Beam<D> {
         }
     }
 
-    /// Returns false only if no point of a box is near the piece. Comparisons with NaN, where ways
-    /// overflow, leave it true.
+    /// Returns false only if no point of the box is near the piece. Where vectors overflow,
+    /// comparisons with NaN leave it true.
     #[inline]
     fn meets(&self, [low, high]: [&[f64; D]; 2]) -> bool {
         for k in 0..D {

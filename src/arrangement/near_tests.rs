@@ -1,4 +1,5 @@
-//! Points that programs compute on slanted segments, and lines through nearly one point.
+//! Arrangements of points that programs compute on slanted segments, and of lines through nearly
+//! one point.
 
 use super::reach::{NEAR, Reach};
 use super::*;
@@ -7,7 +8,7 @@ use crate::numerics::testing::Random;
 
 type Point = [f64; 2];
 
-/// A short decimal of this many digits, as people write them.
+/// Returns a short decimal number with this many digits, as people write them.
 fn decimal(random: &mut Random, digits: i32) -> f64 {
     random.integer(0, 10i64.pow(digits as u32 + 1)) as f64 / 10f64.powi(digits)
 }
@@ -16,7 +17,7 @@ fn point(random: &mut Random) -> Point {
     [decimal(random, 1), decimal(random, 1)]
 }
 
-/// The point as a program computes it in doubles, with all its roundings.
+/// Returns a point of a segment as a program computes it in doubles, with all its roundings.
 fn computed(a: &Point, b: &Point, part: f64) -> Point {
     [0, 1].map(|k| a[k] + part * (b[k] - a[k]))
 }
@@ -33,8 +34,8 @@ fn arranged(points: &[Point], ends: &[[u32; 2]], crossings: Crossings) -> Result
     Ok(arrangement)
 }
 
-/// No vertex that comes between the ends of a piece is near it, and none of a piece is farther from
-/// its segment than twelve units.
+/// Checks that no vertex between the ends of a piece is near it, and that no end of a piece is
+/// farther from its segment than twelve units.
 fn check(inputs: &Inputs, segments: &Segments, arrangement: &Arrangement) {
     let mut vertices: Vec<Point> =
         (0..inputs.distinct()).map(|v| inputs.distinct_point(v).try_into().unwrap()).collect();
@@ -44,15 +45,15 @@ fn check(inputs: &Inputs, segments: &Segments, arrangement: &Arrangement) {
         let reach = Reach::of(ends.map(|end| &vertices[inputs.vertices()[end as usize] as usize]));
         let ends = piece.ends.map(|end| &vertices[end as usize]);
         for x in &vertices {
-            let is_between =
-                reach.place(ends[0]) < reach.place(x) && reach.place(x) < reach.place(ends[1]);
+            let is_between = reach.position(ends[0]) < reach.position(x)
+                && reach.position(x) < reach.position(ends[1]);
             assert!(!is_between || !reach.is_near(ends, x), "{x:?} is near {ends:?}");
         }
         assert!(ends.iter().all(|end| reach.offset_from_segment(end) <= 12.0));
     }
 }
 
-/// The chain of the first segment goes through a vertex.
+/// Returns true if the chain of the first segment goes through a vertex.
 fn goes_through(arrangement: &Arrangement, vertex: u32) -> bool {
     let own = arrangement.subsegments.iter().filter(|piece| piece.segment == 0);
     own.into_iter().any(|piece| piece.ends.contains(&vertex))
@@ -76,7 +77,7 @@ fn a_point_computed_on_a_segment_is_on_it() {
     assert!(near > 500, "{near}");
 }
 
-/// A gap that doubles have room for stays, and so does one between short segments.
+/// Gaps that doubles have room for stay, as do those between short segments.
 #[test]
 fn a_gap_is_a_gap() {
     let (a, b) = ([1.0, 2.0], [4.0, 3.0]);
@@ -94,7 +95,7 @@ fn a_gap_is_a_gap() {
     assert!(arrangement.is_err_and(|error| error.message().contains("cross near")));
 }
 
-/// Ends some units beyond the side of another segment or before it, in both modes.
+/// Segments that end some units beyond another segment or before it do not cross it, in both modes.
 #[test]
 fn junctions_are_no_crossings() {
     let mut random = Random(41);
@@ -119,7 +120,7 @@ fn junctions_are_no_crossings() {
     }
 }
 
-/// Overlaps of one slanted line, each with ends of its own.
+/// Overlapping parts of one slanted line, each with its own ends, become one chain.
 #[test]
 fn overlaps_of_nearly_parallel_segments_are_one() {
     let mut random = Random(42);

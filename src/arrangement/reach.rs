@@ -1,44 +1,47 @@
 //! Near incidence: which vertices count as on a segment, and their order along it.
 //!
-//! Points that programs compute on a slanted segment are some units in the last place off it. A
+//! Points that programs compute on a slanted segment are off it by some units in the last place. A
 //! mesh of the gap would need edges as short as that, for which doubles have no room. So a vertex
-//! that is nearer to a segment than rounding explains is on it, and the segment bends through it.
-//! That is the idea of iterated snap rounding (D. Halperin and E. Packer, "Iterated snap
-//! rounding", 2002), with rectangles about vertices whose size is in units of the segment's own
-//! coordinates.
+//! that is nearer to a segment than rounding explains counts as on it, and the segment bends
+//! through it. This is the idea of iterated snap rounding (D. Halperin and E. Packer, "Iterated
+//! snap rounding", 2002), with rectangles about vertices whose size is in units of the segment's
+//! own coordinates.
 
-use super::places::ordered_bits;
+use super::ranked::ordered_bits;
 use crate::numerics::{crossing, offset_from_line, orientation};
 
-/// A vertex is on a segment if a rectangle about it, that reaches so many units in the last place
-/// of the segment's larger coordinates along each axis, meets the segment.
+/// Half the width of the rectangle about a vertex along each axis, in units in the last place of
+/// the segment's larger coordinates. A vertex is on a segment if its rectangle meets the segment.
 pub(super) const NEAR: f64 = 3.0;
 
-/// A bent segment goes through no vertex that is farther from the straight one, in the same units.
+/// Largest distance from the straight segment, in units in the last place, of a vertex that the
+/// bent one goes through.
 const FARTHEST: f64 = 12.0;
 
-/// Two lines as far off each other as a segment may be bent share their vertices if they run beside
-/// each other for so many units.
+/// Length, in units in the last place, from which on two lines that run beside each other, no
+/// farther apart than a segment may be bent, share their vertices.
 const PARALLEL: f64 = 65536.0;
 
-/// A segment shorter than so many units is meant as it is: rounding explains no gap beside it.
+/// Length, in units in the last place, below which a segment is taken as it is: rounding explains
+/// no gap beside it.
 const SHORTEST: f64 = 4096.0;
 
-/// How far rounding reaches from a segment, and the order of points along it.
+/// Segment with the distance up to which rounding explains a gap beside it, and with the order of
+/// points along it.
 #[derive(Clone, Copy)]
 pub(super) struct Reach<const D: usize> {
-    /// The straight segment.
+    /// Ends of the straight segment.
     pub ends: [[f64; D]; 2],
-    /// Units in the last place of the larger coordinates of its ends.
+    /// Unit in the last place of the larger coordinate of the ends, for each axis.
     units: [f64; D],
-    /// The axis on which its ends are most units apart.
+    /// Axis on which the ends are most units apart.
     axis: usize,
     falls: [bool; D],
     is_long: bool,
 }
 
-/// A place along a segment: larger for points nearer to its second end.
-pub(super) type Place<const D: usize> = [u64; D];
+/// Position of a point along a segment, as a key: larger for points nearer to its second end.
+pub(super) type Position<const D: usize> = [u64; D];
 
 impl<const D: usize> Reach<D> {
     pub fn of([from, to]: [&[f64; D]; 2]) -> Self {
@@ -55,9 +58,9 @@ impl<const D: usize> Reach<D> {
         }
     }
 
-    /// Returns the order of a point along the segment: by the axis on which it is longest, where
-    /// that is equal by the others.
-    pub fn place(&self, x: &[f64; D]) -> Place<D> {
+    /// Returns the position of a point along the segment: by the axis on which the segment is
+    /// longest, and by the other axes where that is equal.
+    pub fn position(&self, x: &[f64; D]) -> Position<D> {
         let bits = |k: usize| match self.falls[k] {
             true => !ordered_bits(x[k]),
             false => ordered_bits(x[k]),
@@ -69,54 +72,55 @@ impl<const D: usize> Reach<D> {
         })
     }
 
-    /// Returns the reach of a segment that only vertices on it bend.
+    /// Returns a reach for which only vertices exactly on the segment bend it.
     pub fn exact(self) -> Self {
         Self { is_long: false, ..self }
     }
 
-    /// Returns true if rounding may explain a gap beside the segment.
+    /// Returns true if the segment is long enough for rounding to explain a gap beside it.
     pub fn is_long(&self) -> bool {
         self.is_long
     }
 
-    /// Returns true if a vertex is on the piece between two points of the bent segment, but for its
-    /// order along the segment.
+    /// Returns true if a vertex is near the piece between two points of the bent segment. The
+    /// caller compares its position along the segment with those of the piece's ends.
     pub fn is_near(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
         self.is_long && self.offset(piece, x) <= NEAR && self.offset_from_segment(x) <= FARTHEST
     }
 
-    /// Returns true if a vertex is beside the piece between two points of the bent segment, as far
-    /// off as the segment may be bent.
+    /// Returns true if a vertex is no farther from the piece between two points of the bent segment
+    /// than the segment may be bent.
     pub fn is_beside(&self, piece: [&[f64; D]; 2], x: &[f64; D]) -> bool {
         self.is_long && self.offset(piece, x).max(self.offset_from_segment(x)) <= FARTHEST
     }
 
-    /// Returns true if a line is beside the piece between two points of the bent segment, and long
-    /// beside the gap between them.
+    /// Returns true if both ends of a line are beside the piece between two points of the bent
+    /// segment, and the line is much longer than the gap between them.
     pub fn is_parallel(&self, piece: [&[f64; D]; 2], line: [&[f64; D]; 2]) -> bool {
         let [x, y] = line;
         let is_long = (0..D).any(|k| (x[k] - y[k]).abs() >= PARALLEL * self.units[k]);
         is_long && line.iter().all(|end| self.is_beside(piece, end))
     }
 
-    /// Returns true if the segment, which goes through one of two points, goes through the other
-    /// too.
+    /// Returns true if two points are so close that the segment, if it goes through one, goes
+    /// through the other too.
     pub fn are_close(&self, x: &[f64; D], y: &[f64; D]) -> bool {
         self.is_long && (0..D).all(|k| (x[k] - y[k]).abs() <= NEAR * self.units[k])
     }
 
-    /// Returns true if a point is on the straight segment.
+    /// Returns true if a point is near the straight segment and between its ends.
     pub fn holds(&self, x: &[f64; D]) -> bool {
-        let [from, place, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.place(x));
-        from < place && place < to && self.is_near(self.ends.each_ref(), x)
+        let [from, position, to] = [&self.ends[0], x, &self.ends[1]].map(|x| self.position(x));
+        from < position && position < to && self.is_near(self.ends.each_ref(), x)
     }
 
-    /// Returns how far a point is from the straight segment, in units in the last place.
+    /// Returns the distance of a point from the straight segment, in units in the last place.
     pub fn offset_from_segment(&self, x: &[f64; D]) -> f64 {
         self.offset(self.ends.each_ref(), x)
     }
 
-    /// Returns the largest offset from a line in any projection along the other axes.
+    /// Returns the largest distance from the line through two points, in units in the last place,
+    /// over the projections along the other axes.
     fn offset(&self, [a, b]: [&[f64; D]; 2], x: &[f64; D]) -> f64 {
         let mut offset = 0.0f64;
         for second in 1..D {
@@ -132,21 +136,21 @@ impl<const D: usize> Reach<D> {
         offset
     }
 
-    /// Returns half the widths of a rectangle about a vertex: where another vertex is in it,
-    /// doubles are finer there than the segment's roundings, which explain nothing then.
+    /// Returns half the widths of a rectangle about a vertex. If another vertex is in it, doubles
+    /// are finer there than the segment's roundings, which then explain nothing.
     pub fn grain(&self) -> [f64; D] {
         self.units.map(|unit| unit * f64::from_bits((1023 - 20) << 52))
     }
 
-    /// Returns half the widths of a rectangle that holds all points near to a point of the segment,
-    /// with room for the roundings of a filter.
+    /// Returns half the widths of a rectangle that contains all points near a point of the segment,
+    /// with a margin for the roundings of a filter.
     pub fn margin(&self) -> [f64; D] {
         self.units.map(|unit| 32.0 * unit)
     }
 }
 
 impl Reach<2> {
-    /// Returns the sine of the angle between two lines, with lengths in this segment's units.
+    /// Returns the sine of the angle between two lines, measured in this segment's units.
     pub fn sine(&self, first: [&[f64; 2]; 2], second: [&[f64; 2]; 2]) -> f64 {
         let [u, v] = [first, second].map(|[a, b]| {
             let way = [0, 1].map(|k| (0.5 * b[k] - 0.5 * a[k]) / self.units[k]);
@@ -156,8 +160,8 @@ impl Reach<2> {
         (u[0] * v[1] - u[1] * v[0]).abs()
     }
 
-    /// Returns where two straight segments cross, each coordinate the nearest double; `None` where
-    /// they do not in the interior of both.
+    /// Returns the point where two straight segments cross, with each coordinate the nearest
+    /// double; `None` unless the point is in the interior of both.
     pub fn crossing(&self, other: &Self) -> Option<[f64; 2]> {
         let parts = |one: &Self, other: &Self| {
             let [a, b] = &one.ends;
@@ -169,7 +173,7 @@ impl Reach<2> {
     }
 }
 
-/// Returns the gap between doubles of the size of `x`, which is not negative.
+/// Returns the gap between doubles at `x`, which must not be negative.
 fn unit_in_last_place(x: f64) -> f64 {
     match x.next_up() {
         above if above.is_finite() => above - x,

@@ -1,15 +1,15 @@
-//! Vertices of crossings, and pieces that end there.
+//! Vertices at crossings, and the pieces that end there.
 
-use super::places::{Places, key, key_along};
-use super::sweep::{Found, OnLine, Part, Swept};
+use super::ranked::{RankedVertices, key, key_along};
+use super::sweep::{Found, LinePart, OnLine, Swept};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{TryGrow, collected, with_capacity};
 use crate::mesh::{NONE, Subsegment};
 
-/// The parts of a sweep, split where crossings were found and accepted; appends new vertices to
-/// `points`.
+/// Splits the parts of a sweep at its accepted crossings and returns the pieces; appends new
+/// vertices to `points`.
 pub(super) fn split(
-    places: &Places,
+    ranked: &RankedVertices,
     mut swept: Swept,
     is_accepted: &[bool],
     points: &mut Vec<[f64; 2]>,
@@ -20,10 +20,10 @@ pub(super) fn split(
         [0, 1].map(|slot| OnLine { line: lines[slot], falls: falls[slot], point })
     });
     let mut found = collected(on_lines.chain(swept.snapped))?;
-    add_crossings(places, &found, points)?;
+    add_crossings(ranked, &found, points)?;
     let new = &points[known..];
-    let vertex = |point: &[f64; 2]| match places.find(point) {
-        Some(rank) => places.vertices[rank as usize],
+    let vertex = |point: &[f64; 2]| match ranked.find(point) {
+        Some(rank) => ranked.vertices[rank as usize],
         None => (known + new.partition_point(|other| key(other) < key(point))) as u32,
     };
     swept.parts.sort_unstable_by_key(|part| (part.line, part.ends[0]));
@@ -31,9 +31,9 @@ pub(super) fn split(
     found.sort_unstable_by_key(place);
     let mut pieces = with_capacity(swept.parts.len() + found.len())?;
     let mut found = found.iter().peekable();
-    for &Part { line, ends: [start, end], segment, balance } in &swept.parts {
-        let (mut from, mut from_point) = (places.vertices[start as usize], places.point(start));
-        let (end, end_point) = (places.vertices[end as usize], places.point(end));
+    for &LinePart { line, ends: [start, end], segment, balance } in &swept.parts {
+        let (mut from, mut from_point) = (ranked.vertices[start as usize], ranked.point(start));
+        let (end, end_point) = (ranked.vertices[end as usize], ranked.point(end));
         let is_within =
             |found: &&OnLine| place(found) < (line, key_along(end_point, [false, found.falls]));
         while let Some(OnLine { line: other, point, .. }) = found.next_if(is_within) {
@@ -53,12 +53,16 @@ pub(super) fn split(
     Ok(pieces)
 }
 
-/// Appends the crossings that are no vertices yet, each once.
-fn add_crossings(places: &Places, found: &[OnLine], points: &mut Vec<[f64; 2]>) -> Result<()> {
+/// Appends the crossings at which there is no vertex yet, each once.
+fn add_crossings(
+    ranked: &RankedVertices,
+    found: &[OnLine],
+    points: &mut Vec<[f64; 2]>,
+) -> Result<()> {
     let known = points.len();
     let mut new = Vec::new();
     for found in found {
-        if places.find(&found.point).is_none() {
+        if ranked.find(&found.point).is_none() {
             new.try_push(found.point)?;
         }
     }
@@ -79,13 +83,14 @@ fn add_crossings(places: &Places, found: &[OnLine], points: &mut Vec<[f64; 2]>) 
 mod tests {
     use super::*;
 
-    /// Line 0 is (0, 0) to (4, 4), line 1 the diagonal above it, from (0, 1) to (4, 5).
+    /// Splits two lines at the crossings `found` and returns the pieces and the number of vertices.
+    /// Line 0 goes from (0, 0) to (4, 4), line 1 from (0, 1) to (4, 5).
     fn pieces(found: &[(u32, [f64; 2])]) -> (Vec<[u32; 2]>, usize) {
         let mut points = vec![[0.0, 0.0], [4.0, 4.0], [0.0, 1.0], [4.0, 5.0]];
-        let places = Places::new(&points).unwrap();
+        let ranked = RankedVertices::new(&points).unwrap();
         let part = |line: u32| {
-            let ends = [2 * line, 2 * line + 1].map(|vertex| places.ranks[vertex as usize]);
-            Part { line, ends, segment: line, balance: 1 }
+            let ends = [2 * line, 2 * line + 1].map(|vertex| ranked.ranks[vertex as usize]);
+            LinePart { line, ends, segment: line, balance: 1 }
         };
         // The other line has a number of its own, and no part.
         let found = found.iter().zip(2..).map(|(&(line, point), other)| Found {
@@ -95,7 +100,7 @@ mod tests {
         });
         let swept =
             Swept { parts: vec![part(1), part(0)], found: found.collect(), snapped: Vec::new() };
-        let pieces = split(&places, swept, &[true; 9], &mut points).unwrap();
+        let pieces = split(&ranked, swept, &[true; 9], &mut points).unwrap();
         (pieces.iter().map(|piece| piece.ends).collect(), points.len())
     }
 

@@ -1,28 +1,30 @@
 //! The lines that the sweep meets, from below to above: a treap with a list through its nodes. It
-//! knows no order: who inserts says where.
+//! compares no lines itself: callers say where to insert.
 
 use crate::memory::{AllocResult, TryGrow};
 use crate::mesh::NONE;
+use crate::numerics::SplitMix;
 
 #[derive(Clone, Copy)]
 struct Node {
     line: u32,
     parent: u32,
-    /// Below and above.
+    /// Children in the tree, below and above.
     children: [u32; 2],
-    /// The next one below and the next one above.
+    /// Neighbours in the list, below and above.
     neighbors: [u32; 2],
 }
 
-/// What a direction is as an index.
+/// Index of the direction downwards.
 pub(super) const BELOW: usize = 0;
+/// Index of the direction upwards.
 pub(super) const ABOVE: usize = 1;
 
 pub(super) struct Status {
     nodes: Vec<Node>,
     free: Vec<u32>,
     root: u32,
-    /// The lowest and the highest.
+    /// Lowest and highest node.
     ends: [u32; 2],
 }
 
@@ -43,17 +45,18 @@ impl Status {
         self.nodes[node as usize].line = line;
     }
 
-    /// The next node in a direction, or [`NONE`].
+    /// Returns the next node in a direction, or [`NONE`].
     pub fn neighbor(&self, node: u32, direction: usize) -> u32 {
         self.nodes[node as usize].neighbors[direction]
     }
 
-    /// The lowest or the highest node.
+    /// Returns the lowest or the highest node, or [`NONE`] if there are none.
     pub fn extreme(&self, direction: usize) -> u32 {
         self.ends[direction]
     }
 
-    /// The lowest node whose line is not below something, or [`NONE`]. Expected O(log n) questions.
+    /// Returns the lowest node whose line is not below the point that `is_below` asks about, or
+    /// [`NONE`]. Calls `is_below` O(log n) times in expectation.
     pub fn lowest_not_below(&self, is_below: impl Fn(u32) -> bool) -> u32 {
         let (mut at, mut found) = (self.root, NONE);
         while at != NONE {
@@ -67,8 +70,8 @@ impl Status {
         found
     }
 
-    /// Inserts a line above a node, or below all of them if that is [`NONE`]. Expected O(1) beside
-    /// the place.
+    /// Inserts a line directly above a node, or below all of them if that is [`NONE`]. Expected
+    /// O(1).
     pub fn insert_above(&mut self, lower: u32, line: u32) -> AllocResult<u32> {
         let upper = match lower {
             NONE => self.ends[BELOW],
@@ -125,7 +128,7 @@ impl Status {
         self.free.try_push(node)
     }
 
-    /// Makes `other` what comes after `node` in a direction; without a node, the end there.
+    /// Makes `other` the neighbour of `node` in a direction; for [`NONE`] it becomes the end there.
     fn link(&mut self, node: u32, direction: usize, other: u32) {
         match node {
             NONE => self.ends[1 - direction] = other,
@@ -148,7 +151,7 @@ impl Status {
         }
     }
 
-    /// Puts a node in the place of its parent, which becomes its child.
+    /// Moves a node up to where its parent was; the parent becomes its child.
     fn rotate_up(&mut self, node: u32) {
         let parent = self.parent(node);
         let grandparent = self.parent(parent);
@@ -166,13 +169,10 @@ impl Status {
     }
 }
 
-/// No input can choose these, so that the treap is balanced: the finaliser of SplitMix64 (Steele,
-/// Lea and Flood, 2014) of a node's number.
+/// Returns a pseudo-random priority of a node by its number. No input can choose priorities, so the
+/// treap stays balanced.
 fn priority(node: u32) -> u64 {
-    let mixed = u64::from(node).wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    mixed ^ mixed >> 31
+    SplitMix(u64::from(node)).next_word()
 }
 
 #[cfg(test)]

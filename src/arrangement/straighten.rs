@@ -1,11 +1,12 @@
-//! Vertices of crossings that are none any more. Where two segments have crossed and run together
-//! since they were bent, the vertex between is one of a single segment, which goes straight again.
+//! Removal of vertices that are no crossings any more. Where two segments have crossed and since
+//! been bent together, the vertex between is on a single segment, which becomes straight again.
 
 use crate::memory::{AllocResult, filled, with_capacity};
 use crate::mesh::{NONE, Subsegment};
 
-/// Removes the vertices from number `inputs` on at which no more than two pieces end, both of one
-/// segment, and joins these. `pieces` stand by segments, along each. False if there is none.
+/// Removes the vertices with numbers `inputs` and more at which only two pieces of one segment end,
+/// and joins these pieces. `pieces` are sorted by segment and along each. Returns false if there is
+/// no such vertex.
 pub(super) fn straighten(
     inputs: usize,
     points: &mut Vec<[f64; 2]>,

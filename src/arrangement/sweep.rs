@@ -1,12 +1,12 @@
-//! One sweep over pieces of segments (Shamos and Hoey, "Geometric intersection problems", 1976;
-//! Bentley and Ottmann, 1979): cuts them at the vertices that they pass, exactly, and finds where
-//! they cross.
+//! A sweep over pieces of segments (Shamos and Hoey, "Geometric intersection problems", 1976;
+//! Bentley and Ottmann, 1979), which splits them exactly at the vertices on them, and finds their
+//! crossings.
 //!
 //! Vertices and crossings come in their exact order, so that the order of the lines in the status
-//! is exact. Of lines that cross, two are neighbours before, which finds the crossing.
+//! is exact. Two lines that cross are neighbours in it before their crossing, which is found then.
 
-use super::Poll;
-use super::places::{Key, Places, key};
+use super::poll::Poll;
+use super::ranked::{Key, RankedVertices, key};
 use super::status::{ABOVE, BELOW, Status};
 use crate::error::{Choice, Error, ErrorKind, Result, say};
 use crate::memory::{AllocError, AllocResult, Lists, TryGrow, collected, filled};
@@ -16,26 +16,26 @@ use crate::options::Crossings;
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-/// A piece of a line between two vertices, by their ranks, the left end first.
+/// Part of a line between two vertices, which are given by rank, the left end first.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
+pub(super) struct LinePart {
     pub line: u32,
     pub ends: [u32; 2],
     pub segment: u32,
-    /// Of the pieces that overlap there, from left to right.
+    /// Sum of the balances of the pieces that overlap here, counted from left to right.
     pub balance: i64,
 }
 
-/// A crossing of two lines, rounded.
+/// Crossing of two lines, at rounded coordinates.
 #[derive(Clone, Copy)]
 pub(super) struct Found {
     pub lines: [u32; 2],
-    /// The right end of a line is lower than its left one.
+    /// True for each line whose right end is lower than its left one.
     pub falls: [bool; 2],
     pub point: [f64; 2],
 }
 
-/// A vertex that a line goes through since it is the double nearest to it.
+/// Vertex that a line goes through because its coordinates are the doubles nearest to the line.
 #[derive(Clone, Copy)]
 pub(super) struct OnLine {
     pub line: u32,
@@ -46,41 +46,44 @@ pub(super) struct OnLine {
 /// Rules for lines that cross.
 #[derive(Clone, Copy)]
 pub(super) struct Handling<'a> {
-    /// Returns the place where two segments cross that may not; `None` for two that may.
+    /// Function that returns the point where two segments cross if they must not; `None` if they
+    /// may.
     pub refuses: &'a dyn Fn([u32; 2]) -> Option<[f64; 2]>,
-    /// Returns true if a line that passes an end of the other within a rounding goes through that end
-    /// instead of a new vertex; asked by their segments.
+    /// Function that returns true if lines of these two segments snap: a line that passes an end of
+    /// the other within a rounding goes through that end instead of a new vertex.
     pub snaps: &'a dyn Fn([u32; 2]) -> bool,
 }
 
-/// What a sweep makes of pieces: parts with no vertex in their interior, none of them twice, and
-/// the crossings of the parts.
+/// Result of a sweep: distinct parts without a vertex in their interior, and the crossings of the
+/// parts.
 #[derive(Default)]
 pub(super) struct Swept {
-    pub parts: Vec<Part>,
+    pub parts: Vec<LinePart>,
     pub found: Vec<Found>,
     pub snapped: Vec<OnLine>,
 }
 
-/// Pieces that overlap, as one: from the last vertex on them to the farthest end of them.
+/// Line of pieces that overlap: from the last vertex that the sweep has met on them to their
+/// farthest end.
 #[derive(Clone, Copy)]
 struct Line {
     from: u32,
     to: u32,
-    /// Its node in the status, if it has one.
+    /// Node of the line in the status, or [`NONE`].
     node: u32,
-    /// Which of the bundles has its pieces, if there are several.
+    /// Index of the bundle of the line's pieces, or [`NONE`] if it has one piece.
     bundle: u32,
-    /// Of its pieces that have not ended, from left to right.
+    /// Sum of the balances of the pieces that have not ended, counted from left to right.
     balance: i64,
 }
 
-/// Pieces of a line by rising segment, those that have ended perhaps among them.
+/// Pieces of a line, the smallest segment number first; some of them may have ended.
 type Bundle = BinaryHeap<Reverse<(u32, u32)>>;
 
-/// Two lines change places where they cross. The next is the greatest.
+/// Exchange of two lines at their crossing. The leftmost one compares as the greatest, so that the
+/// heap returns it first.
 struct Swap {
-    /// Of the rounded crossing: by rounding, two coordinates may become equal, no more.
+    /// Key of the rounded crossing. Rounding may make two coordinates equal, but exchanges no two.
     key: Key,
     lower: u32,
     upper: u32,
@@ -126,12 +129,12 @@ impl PartialEq for Swap {
 impl Eq for Swap {}
 
 struct Sweep<'a> {
-    places: &'a Places,
+    ranked: &'a RankedVertices,
     pieces: &'a [Subsegment],
     handling: Handling<'a>,
-    /// A line has the number of the piece that it began with; ...
+    /// Lines by number; a line has the number of the piece that it began with.
     lines: Vec<Line>,
-    /// ... and this is the line that has a piece.
+    /// Piece -> the number of the line that it is on.
     line_of: Vec<u32>,
     has_ended: Vec<bool>,
     bundles: Vec<Bundle>,
@@ -140,42 +143,43 @@ struct Sweep<'a> {
     swept: Swept,
 }
 
-/// Where a vertex is in the status.
+/// Position of a vertex in the status.
 #[derive(Default)]
 struct Around {
-    /// The nodes of the lines that it is on, from below to above.
+    /// Nodes of the lines through the vertex, from below to above.
     nodes: Vec<u32>,
-    /// The next ones below and above, or [`NONE`].
+    /// Nodes directly below and above these, or [`NONE`].
     sides: [u32; 2],
 }
 
-/// What a vertex, an end or a crossing takes, as polls count it.
+/// Number of polls' units of work for a vertex, an end of a piece or a crossing.
 const WORK: u32 = 8;
 
-/// Pieces between vertices of `places`; expected O((n + k) log n) for k crossings.
+/// Sweeps over pieces between the vertices of `ranked`, and returns their parts and crossings.
+/// Expected O((n + k) log n) for k crossings.
 ///
 /// # Errors
 /// `InvalidArgument` (a crossing that `handling` refuses), `OutOfMemory`, and those of `poll`.
 pub(super) fn sweep<'a>(
-    places: &'a Places,
+    ranked: &'a RankedVertices,
     pieces: &'a [Subsegment],
     handling: Handling<'a>,
     poll: Poll<'_>,
 ) -> Result<Swept> {
     let count = pieces.len();
     let line = |piece: &Subsegment| {
-        let [a, b] = piece.ends.map(|end| places.ranks[end as usize]);
-        let balance = balance_to_right(places, piece);
+        let [a, b] = piece.ends.map(|end| ranked.ranks[end as usize]);
+        let balance = balance_to_right(ranked, piece);
         Line { from: a.min(b), to: a.max(b), node: NONE, bundle: NONE, balance }
     };
     let lines = collected(pieces.iter().map(line))?;
-    let vertices = places.points.len();
+    let vertices = ranked.points.len();
     let starts = || lines.iter().zip(0u32..).map(|(line, piece)| (line.from, piece));
     let ends = || lines.iter().zip(0u32..).map(|(line, piece)| (line.to, piece));
     let starts = Lists::of_pairs(vertices, starts)?;
     let ends = Lists::of_pairs(vertices, ends)?;
     let mut sweep = Sweep {
-        places,
+        ranked,
         pieces,
         handling,
         lines,
@@ -204,24 +208,25 @@ pub(super) fn sweep<'a>(
     Ok(sweep.swept)
 }
 
-/// The balance of a piece seen from its left end.
-fn balance_to_right(places: &Places, piece: &Subsegment) -> i64 {
-    let [from, to] = piece.ends.map(|end| places.ranks[end as usize]);
+/// Returns the balance of a piece as seen from its left end.
+fn balance_to_right(ranked: &RankedVertices, piece: &Subsegment) -> i64 {
+    let [from, to] = piece.ends.map(|end| ranked.ranks[end as usize]);
     if from < to { piece.balance } else { -piece.balance }
 }
 
 impl Sweep<'_> {
-    /// The side of a line that a vertex is on: positive above it.
+    /// Returns the side of a line that a vertex is on: positive above the line.
     #[inline]
     fn side(&self, line: u32, vertex: u32) -> Sign {
         let Line { from, to, .. } = self.lines[line as usize];
-        orientation(&[from, to, vertex].map(|rank| self.places.point(rank)))
+        orientation(&[from, to, vertex].map(|rank| self.ranked.point(rank)))
     }
 
-    /// How two lines through a vertex lie to the right of it: positive if the second is above.
+    /// Returns how two lines through a vertex lie to the right of it: positive if the second is
+    /// above.
     fn turn(&self, vertex: u32, first: u32, second: u32) -> Sign {
         let [first, second] = [first, second].map(|line| self.lines[line as usize].to);
-        orientation(&[vertex, first, second].map(|rank| self.places.point(rank)))
+        orientation(&[vertex, first, second].map(|rank| self.ranked.point(rank)))
     }
 
     fn is_on(&self, line: u32, vertex: u32) -> bool {
@@ -229,11 +234,11 @@ impl Sweep<'_> {
         if !(from < vertex && vertex < to) {
             return vertex == to;
         }
-        let [a, b, y] = [from, to, vertex].map(|rank| self.places.point(rank)[1]);
+        let [a, b, y] = [from, to, vertex].map(|rank| self.ranked.point(rank)[1]);
         a.min(b) <= y && y <= a.max(b) && self.side(line, vertex).is_zero()
     }
 
-    /// Where a vertex is; the lines that it is on are neighbours.
+    /// Finds the position of a vertex in the status; the lines through it are neighbours there.
     fn find(&self, vertex: u32, ends: &[u32], around: &mut Around) -> AllocResult<()> {
         let status = &self.status;
         around.nodes.clear();
@@ -261,7 +266,7 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Ends the parts of the lines on a vertex there.
+    /// Ends, at a vertex, the parts of the lines through it.
     fn end_parts(&mut self, vertex: u32, ends: &[u32], around: &Around) -> AllocResult<()> {
         for &node in &around.nodes {
             self.end_part(self.status.line(node), vertex)?;
@@ -269,7 +274,7 @@ impl Sweep<'_> {
         for &piece in ends {
             self.has_ended[piece as usize] = true;
             let line = &mut self.lines[self.line_of[piece as usize] as usize];
-            line.balance -= balance_to_right(self.places, &self.pieces[piece as usize]);
+            line.balance -= balance_to_right(self.ranked, &self.pieces[piece as usize]);
         }
         Ok(())
     }
@@ -277,13 +282,13 @@ impl Sweep<'_> {
     fn end_part(&mut self, line: u32, vertex: u32) -> AllocResult<()> {
         let Line { from, balance, .. } = self.lines[line as usize];
         if let Some(segment) = self.segment(line) {
-            self.swept.parts.try_push(Part { line, ends: [from, vertex], segment, balance })?;
+            self.swept.parts.try_push(LinePart { line, ends: [from, vertex], segment, balance })?;
         }
         self.lines[line as usize].from = vertex;
         Ok(())
     }
 
-    /// The first segment with a piece on the line that has not ended; none for a line that has.
+    /// Returns the first segment with a piece on the line that has not ended; `None` if all have.
     fn segment(&mut self, line: u32) -> Option<u32> {
         let Line { bundle, .. } = self.lines[line as usize];
         if bundle == NONE {
@@ -300,7 +305,7 @@ impl Sweep<'_> {
         None
     }
 
-    /// The lines that leave a vertex to the right, from below to above.
+    /// Fills `fan` with the lines that leave a vertex to the right, from below to above.
     fn order_fan(
         &mut self,
         vertex: u32,
@@ -341,7 +346,7 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Adds a piece that starts on a line, in its direction, to it.
+    /// Adds a piece to a line that it starts on and runs along.
     fn join(&mut self, line: u32, piece: u32) -> AllocResult<()> {
         let entry = |piece: u32| Reverse((self.pieces[piece as usize].segment, piece));
         let entries = [entry(line), entry(piece)];
@@ -361,7 +366,7 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Puts the lines that leave a vertex in the place of those that reach it.
+    /// Replaces, in the status, the lines that reach a vertex by those that leave it.
     fn replace(&mut self, around: &mut Around, fan: &[u32]) -> AllocResult<()> {
         let mut lower = around.sides[BELOW];
         for (at, &line) in fan.iter().enumerate() {
@@ -385,7 +390,7 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Tests those that have become neighbours.
+    /// Tests lines that have become neighbours for crossings.
     fn test_sides(&mut self, around: &Around) -> Result<()> {
         let [below, above] = around.sides;
         match (around.nodes.first(), around.nodes.last()) {
@@ -397,7 +402,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// Records the crossing of two neighbours, if there is one to the right that is no vertex.
+    /// Records the crossing of two neighbours, if there is one to the right of the sweep that is no
+    /// vertex.
     fn test(&mut self, lower: u32, upper: u32) -> Result<()> {
         if lower == NONE || upper == NONE {
             return Ok(());
@@ -415,13 +421,13 @@ impl Sweep<'_> {
     fn record(&mut self, lower: u32, upper: u32) -> Result<()> {
         let ends = [lower, upper].map(|line| {
             let Line { from, to, .. } = self.lines[line as usize];
-            [from, to].map(|rank| *self.places.point(rank))
+            [from, to].map(|rank| *self.ranked.point(rank))
         });
         let swap = Swap { key: [0; 2], lower, upper, ends };
         // There is one: the lines are not parallel.
         let Some(point) = crossing(swap.lines()) else { return Ok(()) };
-        if let Some(vertex) = self.places.find(&point) {
-            // If it is the exact crossing, it cuts both.
+        if let Some(vertex) = self.ranked.find(&point) {
+            // If it is the exact crossing, it splits both.
             if [lower, upper].iter().all(|&line| self.side(line, vertex).is_zero()) {
                 return Ok(());
             }
@@ -439,8 +445,8 @@ impl Sweep<'_> {
         Ok(())
     }
 
-    /// Lets a line go through those ends of another that are the doubles nearest to it at their x
-    /// or at their y. Returns false if there is none.
+    /// Leads a line through each end of another line whose x or y is the double nearest to the line
+    /// there. Returns false if there is none.
     fn snap(&mut self, line: u32, ends: [[f64; 2]; 2], others: [[f64; 2]; 2]) -> AllocResult<bool> {
         let mut is_snapped = false;
         for other in others {
@@ -462,11 +468,11 @@ impl Sweep<'_> {
         Ok(is_snapped)
     }
 
-    /// Refuses the crossing of two lines if the first segments on them may not cross.
+    /// Fails if the first segments on two crossing lines must not cross.
     fn check_crossing(&self, lower: u32, upper: u32) -> Result<()> {
         // The first of those that overlap and reach the other line.
         let reaches = |piece: usize, other: u32, side: Sign| {
-            let ends = self.pieces[piece].ends.map(|end| self.places.ranks[end as usize]);
+            let ends = self.pieces[piece].ends.map(|end| self.ranked.ranks[end as usize]);
             self.side(other, ends[0].max(ends[1])) == side
         };
         let first = |line: u32, other: u32, side: Sign| {
@@ -481,18 +487,18 @@ impl Sweep<'_> {
         let Some([x, y]) = (self.handling.refuses)(segments) else { return Ok(()) };
         let [first, second] = segments;
         let message = say!(
-            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input is; \
-             with ",
+            "segments[{first}] and segments[{second}] cross near ({x:?}, {y:?}), where no input \
+             is; with ",
             Choice::Crossings(Crossings::Split),
             " they are split there"
         );
         Err(Error::new(ErrorKind::InvalidArgument, message))
     }
 
-    /// Lets lines change places that cross before a vertex.
+    /// Exchanges, in the status, the lines that cross before a vertex.
     fn swap_before(&mut self, vertex: u32, poll: Poll<'_>) -> Result<()> {
-        let places = self.places;
-        while self.swaps.peek().is_some_and(|swap| swap.is_before(places.point(vertex))) {
+        let ranked = self.ranked;
+        while self.swaps.peek().is_some_and(|swap| swap.is_before(ranked.point(vertex))) {
             poll(WORK)?;
             let Some(Swap { lower, upper, .. }) = self.swaps.pop() else { break };
             let [below, above] = [lower, upper].map(|line| self.lines[line as usize].node);

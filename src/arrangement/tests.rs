@@ -1,4 +1,4 @@
-//! Arrangements against brute force with exact signs.
+//! Arrangements compared with brute force by exact signs.
 
 use super::*;
 use crate::numerics::testing::{FAMILIES, Family, Random, points};
@@ -13,7 +13,8 @@ struct Case {
 }
 
 impl Case {
-    /// `None` if the points have too few distinct ones.
+    /// Builds a case of points and segments between them; `None` if there are too few distinct
+    /// points.
     fn new(points: &[Point], ends: &[[u32; 2]]) -> Option<Self> {
         let inputs = Inputs::new(2, points.len(), &points.concat(), 0).ok()?;
         let differ = |ends: &&[u32; 2]| {
@@ -59,7 +60,7 @@ fn is_between(p: &Point, a: &Point, b: &Point) -> bool {
     within(0) && within(1)
 }
 
-/// Strictly inside the segment.
+/// Returns true if a point is strictly inside a segment.
 fn is_on(p: &Point, a: &Point, b: &Point) -> bool {
     p != a && p != b && is_between(p, a, b) && orientation(&[a, b, p]) == Sign::Zero
 }
@@ -71,7 +72,7 @@ fn do_cross(a: [&Point; 2], b: [&Point; 2]) -> bool {
     sides(a, b).is_negative() && sides(b, a).is_negative()
 }
 
-/// The crossings of segments that are at no input, with both segments, each rounded.
+/// Returns the crossings of segments that are at no input, each rounded, after its two segments.
 fn crossings_oracle(case: &Case) -> Vec<(usize, usize, Point)> {
     let vertices = case.vertices();
     let ends = |segment: usize| case.ends(segment).map(|v| &vertices[v as usize]);
@@ -88,8 +89,8 @@ fn crossings_oracle(case: &Case) -> Vec<(usize, usize, Point)> {
     found
 }
 
-/// The pieces of segments cut at the inputs on them, from left to right, with the first segment of
-/// each and its balance.
+/// Returns the pieces of segments split at the inputs on them, from left to right, with the first
+/// segment of each and its balance.
 fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], (u32, i64)> {
     let vertices = case.vertices();
     let mut pieces: BTreeMap<[u32; 2], (u32, i64)> = BTreeMap::new();
@@ -109,7 +110,7 @@ fn pieces_oracle(case: &Case) -> BTreeMap<[u32; 2], (u32, i64)> {
     pieces
 }
 
-/// Nothing meets but at ends, and pieces are in order.
+/// Checks that pieces meet only at their ends, and are in order.
 fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
     let mut vertices = case.vertices();
     vertices.extend(&arrangement.crossings);
@@ -127,7 +128,7 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
         }
         let ends = case.ends(piece.segment as usize).map(point);
         let reach = Reach::of(ends);
-        let place = |x: &Point| reach.place(x);
+        let place = |x: &Point| reach.position(x);
         assert!(
             place(ends[0]) <= place(a) && place(a) < place(b) && place(b) <= place(ends[1]),
             "{piece:?}: {a:?} {b:?}"
@@ -146,8 +147,8 @@ fn check_is_arrangement(case: &Case, arrangement: &Arrangement) {
     check_balances(case, arrangement, vertices.len());
 }
 
-/// As many segments leave each vertex, less those that reach it, as begin there less those that
-/// end.
+/// Checks balances: at each vertex the pieces that leave it, less those that reach it, are as many
+/// as the segments that begin there, less those that end there.
 fn check_balances(case: &Case, arrangement: &Arrangement, vertices: usize) {
     let mut left = vec![0; vertices];
     for &Subsegment { ends: [from, to], balance, .. } in &arrangement.subsegments {
@@ -162,7 +163,7 @@ fn check_balances(case: &Case, arrangement: &Arrangement, vertices: usize) {
     assert!(left.iter().all(|&left| left == 0), "{left:?}");
 }
 
-/// From its first end a segment goes on to its second end, by pieces in its direction.
+/// Checks that pieces in a segment's direction lead from its first end to its second.
 fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segment: usize) {
     let ends = case.ends(segment);
     let [from, to] = ends.map(|v| &vertices[v as usize]);
@@ -172,8 +173,8 @@ fn check_chain(case: &Case, arrangement: &Arrangement, vertices: &[Point], segme
         let before = reached.len();
         for piece in &arrangement.subsegments {
             for [a, b] in [piece.ends, [piece.ends[1], piece.ends[0]]] {
-                let [p, q] = [a, b].map(|v| reach.place(&vertices[v as usize]));
-                if reached.contains(&a) && p < q && q <= reach.place(to) {
+                let [p, q] = [a, b].map(|v| reach.position(&vertices[v as usize]));
+                if reached.contains(&a) && p < q && q <= reach.position(to) {
                     reached.insert(b);
                 }
             }
@@ -263,7 +264,7 @@ fn crossings_become_vertices() {
     assert!(split > 2000, "{split}");
 }
 
-/// Many segments on one line, and lattices of lines, overlap in all ways.
+/// Overlapping segments on one line, and lattices of lines, are split at all of their ends.
 #[test]
 fn overlapping_segments_are_cut_at_all_ends() {
     let mut random = Random(17);
@@ -310,7 +311,7 @@ fn counts_say_what_was_done() {
     assert_eq!(arrangement.subsegments[4..], [piece(1, 6, 1, 0), piece(6, 3, 1, 0)]);
 }
 
-/// Lines a few roundings apart: their crossings are rounded onto each other and onto inputs.
+/// Lines a few roundings apart are arranged: their crossings round onto each other and onto inputs.
 #[test]
 fn bundles_of_lines_end() {
     let mut random = Random(23);
@@ -329,7 +330,7 @@ fn bundles_of_lines_end() {
     }
 }
 
-/// Chords of a circle: each crosses most others.
+/// Chords of a circle, each of which crosses most others, poll for all their work.
 #[test]
 fn all_work_is_told_and_can_be_ended() {
     let count = 160;

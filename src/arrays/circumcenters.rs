@@ -9,22 +9,23 @@ use crate::query::dual::Center;
 use crate::query::unit::{scaled, sum_of_scaled};
 use crate::query::view::View;
 
-/// A centre in floating point may be off by this much of the radius; otherwise it is computed in
-/// integers.
+/// Largest error, relative to the radius, of a circumcentre in floating point; a less certain one
+/// is computed in integers.
 const ACCEPTED: f64 = 1e-12;
 
-/// The circumballs of simplices.
+/// Circumballs of simplices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Circumcenters {
-    /// `simplices x dim`: exact up to 1e-12 of the radius and a rounding of the coordinate.
-    /// Infinite where a coordinate exceeds the doubles.
+    /// Circumcentres, `simplices x dim`, exact up to 1e-12 of the radius and a rounding of the
+    /// coordinate. Coordinates beyond the range of doubles are infinite.
     pub centers: Vec<f64>,
-    /// Exact up to a relative error of 1e-12, or 2^-1074 if subnormal. Infinite beyond the doubles.
+    /// Circumradii, exact up to a relative error of 1e-12, or 2^-1074 if subnormal. Radii beyond
+    /// the range of doubles are infinite.
     pub radii: Vec<f64>,
 }
 
 impl Part<'_> {
-    /// The circumcentres and radii of the simplices: a row for each, in the order of
+    /// Returns the circumcentre and the circumradius of each simplex, in the order of
     /// [`Part::simplices`]. O(simplices).
     ///
     /// # Errors
@@ -55,7 +56,8 @@ fn circumcenter<const D: usize>(mesh: &Triangulation, simplex: u32) -> ([f64; D]
     (std::array::from_fn(coordinate), scaled(norm(&offset), exponent))
 }
 
-/// The circumcentre up to [`ACCEPTED`]; NaN for a flat simplex.
+/// Returns the circumcentre of a simplex with an error of at most [`ACCEPTED`] radii; NaN for a
+/// flat simplex.
 pub(super) fn accurate_center<const D: usize>(points: &[&[f64; D]]) -> Center<D> {
     let ball = Circumball::new(points);
     // The error of one that cannot be used is infinite.

@@ -1,23 +1,22 @@
-//! Points in a tree of boxes, for the question whether any is beyond a plane.
+//! Points in a tree of boxes, which finds points beyond a plane.
 
-use super::placement::bounds;
-use super::separation::Plane;
+use super::plane::Plane;
 use crate::memory::{AllocResult, collected, filled};
 use crate::numerics::coordinates;
 use std::ops::Range;
 
-/// The most points of a leaf.
+/// Largest number of points in a leaf.
 const LEAF: usize = 8;
 
 pub(super) struct Cloud<const D: usize> {
     points: Vec<[f64; D]>,
-    /// Of the nodes: 0 is the root, 2 i + 1 and 2 i + 2 are the halves of i. The lows and highs of
-    /// the points.
+    /// Least and largest coordinates of the points below each node. Node 0 is the root, nodes 2 i +
+    /// 1 and 2 i + 2 have the halves of the points of node i.
     boxes: Vec<[[f64; D]; 2]>,
 }
 
 impl<const D: usize> Cloud<D> {
-    /// Of `points x D` coordinates. O(points log points).
+    /// Builds the tree of points given by `points x D` coordinates. O(points log points).
     pub fn new(points: &[f64]) -> AllocResult<Self> {
         let count = points.len() / D;
         let mut nodes = 1usize;
@@ -32,7 +31,7 @@ impl<const D: usize> Cloud<D> {
         Ok(cloud)
     }
 
-    /// Makes the boxes of a node and of those below it.
+    /// Computes the boxes of a node and of the nodes below it.
     fn divide(&mut self, node: usize, range: Range<usize>) {
         let Some(own) = self.boxes.get_mut(node) else { return };
         let points = &mut self.points[range.clone()];
@@ -54,7 +53,7 @@ impl<const D: usize> Cloud<D> {
         &self.points[at]
     }
 
-    /// The first point that is strictly on the positive side of a plane.
+    /// Returns the first point strictly on the positive side of a plane, or `None`.
     pub fn first_beyond(&self, plane: &Plane<D>) -> Option<usize> {
         self.first_in(0, 0..self.points.len(), plane)
     }
@@ -71,8 +70,8 @@ impl<const D: usize> Cloud<D> {
         self.first_in(2 * node + 1, range.start..middle, plane).or_else(second)
     }
 
-    /// A point that is strictly on the positive side of a plane, if there is one: one that is far
-    /// from it, since boxes that reach farther come first.
+    /// Returns a point strictly on the positive side of a plane, or `None` if there is none. The
+    /// point is far from the plane, since boxes that reach farther are searched first.
     pub fn far_beyond(&self, plane: &Plane<D>) -> Option<usize> {
         let mut farthest = Farthest { plane, height: 0.0, at: None };
         self.seek_far(0, 0..self.points.len(), &mut farthest);
@@ -104,10 +103,10 @@ impl<const D: usize> Cloud<D> {
     }
 }
 
-/// The farthest point beyond a plane, of those in one leaf.
+/// Farthest point beyond a plane among the points of one leaf.
 struct Farthest<'a, const D: usize> {
     plane: &'a Plane<D>,
-    /// A bound of its height from below.
+    /// Lower bound of the point's distance from the plane, in the units of [`Plane::least_at`].
     height: f64,
     at: Option<usize>,
 }
@@ -121,6 +120,18 @@ impl<const D: usize> Farthest<'_, D> {
             self.at = Some(at);
         }
     }
+}
+
+/// Returns the least and the largest coordinates of points.
+pub(super) fn bounds<const D: usize>(points: &[f64]) -> ([f64; D], [f64; D]) {
+    let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+    for at in 0..points.len() / D {
+        for (axis, &x) in coordinates::<D>(points, at).iter().enumerate() {
+            low[axis] = low[axis].min(x);
+            high[axis] = high[axis].max(x);
+        }
+    }
+    (low, high)
 }
 
 #[cfg(test)]
@@ -142,12 +153,12 @@ mod tests {
                 for i in 0..=D {
                     let plane = Plane::of_facet(&references, i);
                     for plane in [plane, plane.turned()] {
-                        let is_any = others.iter().any(|point| plane.has_beyond(point));
+                        let exists = others.iter().any(|point| plane.has_beyond(point));
                         for found in [cloud.first_beyond(&plane), cloud.far_beyond(&plane)] {
-                            assert_eq!(found.is_some(), is_any, "{family:?}");
+                            assert_eq!(found.is_some(), exists, "{family:?}");
                             assert!(found.is_none_or(|at| plane.has_beyond(cloud.point(at))));
                         }
-                        seen[usize::from(is_any)] += 1;
+                        seen[usize::from(exists)] += 1;
                     }
                 }
             }

@@ -1,17 +1,18 @@
-//! The domain of a simplex.
+//! The domains of simplices.
 
 use crate::mesh::{NONE, Triangulation};
 
-/// The innermost domain that holds all `vertices` of a simplex; [`NONE`] where there are no
-/// domains.
+/// Returns the innermost domain that contains all `vertices` of a simplex; [`NONE`] if the mesh has
+/// no domains.
 ///
-/// A parent stands before its children, so the later of two domains is not the other's ancestor.
+/// Parents are numbered before their children, so that the later of two domains is never an
+/// ancestor of the other.
 pub(crate) fn domain_of(triangulation: &Triangulation, vertices: &[u32]) -> u32 {
     let domains = vertices.iter().map(|&vertex| triangulation.vertex_domains[vertex as usize]);
     domains.reduce(|a, b| common_ancestor(triangulation, a, b)).unwrap_or(NONE)
 }
 
-/// Whether a domain is `outer` or in it.
+/// Returns true if `domain` is `outer` or a descendant of it.
 pub(super) fn is_within(triangulation: &Triangulation, mut domain: u32, outer: u32) -> bool {
     // A parent stands before its children.
     while domain != NONE && domain > outer {
@@ -32,8 +33,8 @@ fn common_ancestor(triangulation: &Triangulation, mut a: u32, mut b: u32) -> u32
     a
 }
 
-/// All simplices with their domains, 0 where there are none: for formats in which a number less
-/// than 2^31 must stand.
+/// Returns all simplices with their domains, for file formats that need a number less than 2^31:
+/// the domain is 0 where there are none.
 pub(crate) fn simplices(triangulation: &Triangulation) -> impl Iterator<Item = (&[u32], u32)> {
     let domain = |vertices: &[u32]| match domain_of(triangulation, vertices) {
         NONE => 0,

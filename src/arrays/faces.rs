@@ -5,30 +5,31 @@ use crate::error::Result;
 use crate::memory::{TryGrow, with_capacity};
 use crate::mesh::NONE;
 
-/// Facets with the simplices that have them.
+/// Facets, and the simplices that have them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Facets {
-    /// `facets x dim` vertex ids. They are oriented as on the boundary of the first simplex: its
-    /// opposite vertex before them makes a positively oriented simplex. So they go counterclockwise
-    /// round that simplex in 2D, and counterclockwise for who looks at it from outside in 3D.
+    /// Vertex ids, `facets x dim`. Facets are oriented as on the boundary of their first simplex:
+    /// the opposite vertex followed by the facet is a positively oriented simplex. So a facet goes
+    /// counterclockwise round its first simplex in 2D, and counterclockwise seen from outside that
+    /// simplex in 3D.
     pub vertices: Vec<u32>,
-    /// `facets x 2` simplex ids, the less first; the second is [`NONE`] if there is only one.
+    /// Simplex ids, `facets x 2`, the smaller first; the second is [`NONE`] if there is only one.
     pub simplices: Vec<u32>,
 }
 
-/// The facets that only one simplex has.
+/// Facets that only one simplex has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hull {
-    /// `facets x dim` vertex ids, oriented outwards: counterclockwise in 2D, counterclockwise seen
-    /// from outside in 3D; in any dimension a point inside before them makes a positively oriented
-    /// simplex.
+    /// Vertex ids, `facets x dim`. Facets are oriented outwards: counterclockwise in 2D, and
+    /// counterclockwise seen from outside in 3D. In any dimension a point inside followed by the
+    /// facet is a positively oriented simplex.
     pub vertices: Vec<u32>,
-    /// The simplex of each facet.
+    /// Id of the simplex that has each facet.
     pub simplices: Vec<u32>,
 }
 
 impl Part<'_> {
-    /// `edges x 2` vertex ids, the less first; the edges in lexicographic order.
+    /// Returns the edges as `edges x 2` vertex ids, the smaller first, in lexicographic order.
     /// O(simplices + edges log edges).
     ///
     /// # Errors
@@ -42,8 +43,8 @@ impl Part<'_> {
         Ok(edges)
     }
 
-    /// The facets, ordered by their first simplex and within that by the opposite vertex's place.
-    /// O(simplices).
+    /// Returns the facets, ordered by their first simplex, and within it by the position of the
+    /// opposite vertex. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -59,8 +60,8 @@ impl Part<'_> {
         Ok(facets)
     }
 
-    /// The facets on the hull: the boundary of the part. In the order of [`Part::facets`].
-    /// O(simplices).
+    /// Returns the facets on the hull, which is the boundary of the part, in the order of
+    /// [`Part::facets`]. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -76,7 +77,8 @@ impl Part<'_> {
         Ok(hull)
     }
 
-    /// Calls `act` with each simplex, the place of each vertex of it, and the neighbour there.
+    /// Calls `act` with each simplex, the position of each of its vertices, and the neighbour
+    /// across the facet opposite that vertex.
     fn each_facet(&self, mut act: impl FnMut(u32, usize, u32) -> Result<()>) -> Result<()> {
         for simplex in self.simplices() {
             (0..=self.mesh.dim).try_for_each(|i| act(simplex, i, self.neighbor(simplex, i)))?;
@@ -84,7 +86,7 @@ impl Part<'_> {
         Ok(())
     }
 
-    /// Appends the vertices of facet `i` of a simplex, oriented outwards.
+    /// Appends the vertices of the facet opposite vertex `i` of a simplex, oriented outwards.
     fn add_facet(&self, simplex: u32, i: usize, vertices: &mut Vec<u32>) -> Result<()> {
         let of_simplex = self.mesh.simplex(simplex as usize);
         let start = vertices.len();

@@ -1,38 +1,39 @@
-//! Arrays of a part that are made together, by one type for all of them: for callers that ask for
+//! Groups of arrays that are made together, in one type for all groups: for callers that ask for
 //! one array after the other.
 
 use super::{Cells, Circumcenters, Facets, Hull, Lists, Part, Ridges};
 use crate::error::Result;
 use crate::memory::collected;
 
-/// Which arrays: those of a group are made together.
+/// Group of arrays that are made together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// [`Part::simplices`]: ids.
+    /// Ids of [`Part::simplices`].
     Simplices,
-    /// [`Part::edges`]: ids.
+    /// Ids of [`Part::edges`].
     Edges,
-    /// [`Part::facets`]: ids of vertices, simplices.
+    /// Vertex ids and simplices of [`Part::facets`].
     Facets,
-    /// [`Part::hull`]: ids of vertices, simplices.
+    /// Vertex ids and simplices of [`Part::hull`].
     Hull,
-    /// [`Part::vertex_simplices`]: starts, ids.
+    /// Starts and ids of [`Part::vertex_simplices`].
     VertexSimplices,
-    /// [`Part::vertex_neighbors`]: starts, ids.
+    /// Starts and ids of [`Part::vertex_neighbors`].
     VertexNeighbors,
-    /// [`Part::circumcenters`]: centers, radii.
+    /// Centres and radii of [`Part::circumcenters`].
     Circumcenters,
-    /// [`Part::volumes`]: volumes.
+    /// Volumes of [`Part::volumes`].
     Volumes,
-    /// [`Part::regions`]: starts, ids.
+    /// Starts and ids of [`Part::regions`].
     Regions,
-    /// [`Part::cells`]: volumes, shares.
+    /// Volumes and shares of [`Part::cells`].
     Cells,
-    /// [`Part::ridges`] without the edges: starts, ids, is_bounded.
+    /// Starts, ids and `is_bounded` of [`Part::ridges`], without the edges.
     Ridges,
 }
 
-/// Arrays by name; `None` for those that a group does not have, or that have been taken out.
+/// Arrays of a group by name; `None` for arrays that the group does not have, or that have been
+/// taken out.
 #[derive(Debug, Default, PartialEq)]
 pub struct Arrays {
     pub ids: Option<Vec<u32>>,
@@ -46,7 +47,7 @@ pub struct Arrays {
 }
 
 impl Arrays {
-    /// Whether there is no array.
+    /// Returns true if no array is left.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
     }
@@ -65,7 +66,7 @@ impl Arrays {
 }
 
 impl Part<'_> {
-    /// The arrays of a group.
+    /// Returns the arrays of a group.
     ///
     /// # Errors
     /// `OutOfMemory`.

@@ -1,26 +1,27 @@
-//! Arrays ready to use, made of a result's arrays: edges, facets, hull, the simplices and the
-//! neighbours of each vertex, circumcentres, volumes, Voronoi cells, and where each simplex lies
-//! with respect to the inputs.
+//! Arrays derived from those of a result, ready to use: edges, facets, hull, the simplices and the
+//! neighbours of each vertex, circumcentres, volumes, Voronoi cells, and how each simplex lies with
+//! respect to the inputs.
 //!
 //! Each is made of a [`Part`]: the whole result ([`Part::whole`], or directly a function of
 //! [`Mesh`]), or the simplices that a [`Selection`] picks. A part is a mesh of its own: its hull is
-//! its boundary. Ids are those of the whole mesh all the same.
+//! its boundary. But its ids are those of the whole mesh.
 //!
 //! | function | array | shape |
 //! |---|---|---|
 //! | [`Part::simplices`] | ids of the part's simplices, ascending | simplices |
-//! | [`Part::edges`] | two vertices each, the less first; lexicographic order | edges x 2 |
-//! | [`Part::facets`] | vertices, and the one or two simplices that have it | facets x dim, facets x 2 |
-//! | [`Part::hull`] | facets of one simplex, oriented outwards, and that simplex | facets x dim, facets |
+//! | [`Part::edges`] | two vertices, the smaller first; lexicographic order | edges x 2 |
+//! | [`Part::facets`] | vertices, and the one or two simplices | facets x dim, facets x 2 |
+//! | [`Part::hull`] | facets of one simplex, oriented outwards, and it | facets x dim, facets |
 //! | [`Part::vertex_simplices`] | simplices of each vertex, ascending | a list a vertex |
 //! | [`Part::vertex_neighbors`] | vertices round each vertex, ascending | a list a vertex |
 //! | [`Part::circumcenters`] | circumcentres and radii | simplices x dim, simplices |
 //! | [`Part::volumes`] | volumes | simplices |
-//! | [`Part::regions`] | simplices whose circumcentres are the corners of each vertex's Voronoi cell | a list a vertex |
+//! | [`Part::regions`] | simplices at the corners of each Voronoi cell | a list a vertex |
 //! | [`Part::cells`] | which cells are bounded, their volumes | vertices |
 //! | [`Part::ridges`] | facets of Voronoi cells | edges x 2, a list an edge |
-//! | [`ConvexHull::placements`], [`placements_in_box`] | where each simplex lies | simplices |
+//! | [`ConvexHull::placements`], [`placements_in_box`] | how simplices lie | simplices |
 
+mod bounding_box;
 mod circumcenters;
 mod cloud;
 mod convex_hull;
@@ -29,8 +30,10 @@ mod faces;
 mod groups;
 mod part;
 mod placement;
+mod plane;
 mod selection;
 mod separation;
+mod solid;
 mod stars;
 #[cfg(test)]
 pub(crate) mod tests;
@@ -38,12 +41,13 @@ mod volumes;
 mod voronoi;
 mod walk;
 
+pub use bounding_box::placements_in_box;
 pub use circumcenters::Circumcenters;
 pub use convex_hull::ConvexHull;
 pub use faces::{Facets, Hull};
 pub use groups::{Arrays, Group};
 pub use part::Part;
-pub use placement::{Placement, placements_in_box};
+pub use placement::Placement;
 pub use selection::{Extent, Selection};
 pub use voronoi::{Cells, Ridges, Voronoi};
 
@@ -51,10 +55,10 @@ use crate::error::Result;
 pub use crate::memory::Lists;
 use crate::mesh::Mesh;
 
-/// The arrays of the whole result. All fail with `State` before a run, with `OutOfMemory` where
-/// memory is refused.
+/// Arrays of the whole result. All fail with `State` before a run, and with `OutOfMemory` if memory
+/// is refused.
 impl Mesh {
-    /// The whole result.
+    /// Returns the whole result as a part, from which all arrays are made.
     ///
     /// # Errors
     /// `State` before a run.
@@ -62,7 +66,7 @@ impl Mesh {
         Part::whole(self.result()?)
     }
 
-    /// As [`Part::edges`].
+    /// Returns the edges of the mesh: see [`Part::edges`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -70,7 +74,7 @@ impl Mesh {
         self.whole()?.edges()
     }
 
-    /// As [`Part::facets`].
+    /// Returns the facets of the mesh and their simplices: see [`Part::facets`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -78,7 +82,7 @@ impl Mesh {
         self.whole()?.facets()
     }
 
-    /// As [`Part::hull`].
+    /// Returns the facets on the hull of the mesh and their simplices: see [`Part::hull`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -86,7 +90,7 @@ impl Mesh {
         self.whole()?.hull()
     }
 
-    /// As [`Part::vertex_simplices`].
+    /// Returns the simplices at each vertex: see [`Part::vertex_simplices`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -94,7 +98,7 @@ impl Mesh {
         self.whole()?.vertex_simplices()
     }
 
-    /// As [`Part::vertex_neighbors`].
+    /// Returns the vertices that have an edge with each vertex: see [`Part::vertex_neighbors`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -102,7 +106,7 @@ impl Mesh {
         self.whole()?.vertex_neighbors()
     }
 
-    /// As [`Part::circumcenters`].
+    /// Returns the circumcentres and circumradii of the simplices: see [`Part::circumcenters`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -110,7 +114,7 @@ impl Mesh {
         self.whole()?.circumcenters()
     }
 
-    /// As [`Part::volumes`].
+    /// Returns the volumes of the simplices: see [`Part::volumes`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.
@@ -118,7 +122,7 @@ impl Mesh {
         self.whole()?.volumes()
     }
 
-    /// As [`Part::voronoi`].
+    /// Returns the Voronoi diagram of the vertices: see [`Part::voronoi`].
     ///
     /// # Errors
     /// `State`, `OutOfMemory`.

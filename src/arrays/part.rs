@@ -1,28 +1,28 @@
-//! What arrays are made of: a result, or some of its simplices.
+//! The source of all arrays: a result, or some of its simplices.
 
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::collected;
 use crate::mesh::{NONE, Triangulation};
 use crate::query::check_arrays;
 
-/// A result, or some of its simplices.
+/// Some or all of the simplices of a result.
 #[derive(Clone, Debug)]
 pub struct Part<'a> {
     pub(super) mesh: &'a Triangulation,
     pub(super) chosen: Option<Chosen>,
 }
 
-/// Simplices that are picked.
+/// Simplices that a part consists of.
 #[derive(Clone, Debug)]
 pub(super) struct Chosen {
-    /// Ascending.
+    /// Ids of the simplices, ascending.
     pub ids: Vec<u32>,
-    /// Simplex -> whether it is picked.
+    /// Simplex of the mesh -> true if it belongs to the part.
     pub is_chosen: Vec<bool>,
 }
 
 impl<'a> Part<'a> {
-    /// All simplices.
+    /// Returns the part that has all simplices of a mesh.
     ///
     /// # Errors
     /// `InvalidArgument`: arrays that do not fit together, or ids out of range.
@@ -31,10 +31,11 @@ impl<'a> Part<'a> {
         Ok(Self { mesh, chosen: None })
     }
 
-    /// The simplices that are picked: a truth value for each of the mesh.
+    /// Returns the part that has the simplices for which `is_chosen` is true; there is one value
+    /// for each simplex of the mesh.
     ///
     /// # Errors
-    /// `InvalidArgument` (another number of truth values; arrays that do not fit together),
+    /// `InvalidArgument` (another number of values; arrays that do not fit together),
     /// `OutOfMemory`.
     pub fn of_chosen(mesh: &'a Triangulation, is_chosen: Vec<bool>) -> Result<Self> {
         check_arrays(mesh)?;
@@ -48,19 +49,20 @@ impl<'a> Part<'a> {
         Ok(Self { mesh, chosen: Some(Chosen { ids, is_chosen }) })
     }
 
-    /// How many simplices there are.
+    /// Returns the number of simplices of the part.
     pub fn simplex_count(&self) -> usize {
         self.chosen.as_ref().map_or(self.mesh.simplex_count(), |chosen| chosen.ids.len())
     }
 
-    /// The ids of the simplices, ascending.
+    /// Returns the ids of the part's simplices, ascending.
     pub fn simplices(&self) -> impl ExactSizeIterator<Item = u32> + Clone + '_ {
         let chosen = self.chosen.as_ref();
         let id = move |at| chosen.map_or(at as u32, |chosen| chosen.ids[at]);
         (0..self.simplex_count()).map(id)
     }
 
-    /// The neighbour across facet `i` of a simplex; [`NONE`] also if it is not in the part.
+    /// Returns the neighbour across facet `i` of a simplex; [`NONE`] at the hull of the mesh, and
+    /// if the neighbour is not in the part.
     pub(super) fn neighbor(&self, simplex: u32, i: usize) -> u32 {
         let neighbor = self.mesh.neighbors_of(simplex as usize)[i];
         match &self.chosen {

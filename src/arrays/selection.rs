@@ -1,4 +1,4 @@
-//! Some of the simplices of a mesh.
+//! Selections: some of the simplices of a mesh.
 
 use super::domains::{domain_of, is_within};
 use super::{Part, Placement};
@@ -8,27 +8,27 @@ use crate::mesh::{Attribute, Boundary, Inputs, Mesh, NONE, Triangulation};
 use crate::options::Criterion;
 use crate::query::check_arrays;
 
-/// The region of a selection.
+/// Region of space that a selection is restricted to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Extent {
-    /// Everywhere.
+    /// The whole space.
     #[default]
     All,
     /// The convex hull of the inputs.
     Hull,
-    /// The least box that holds the inputs, its sides along the axes.
+    /// The bounding box of the inputs.
     Box,
 }
 
-/// Which simplices are wanted: those that fulfil all conditions.
+/// Conditions for simplices; a selection has the simplices that fulfil all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Selection {
-    /// The simplices inside this region.
+    /// Region in which the simplices must lie.
     pub extent: Extent,
-    /// Those that are partly inside, too.
+    /// True to include simplices whose interior is partly in the region.
     pub across: bool,
-    /// The simplices of this domain and of the domains in it; [`NONE`] for all. A simplex is of the
-    /// innermost domain that holds all its vertices.
+    /// Domain to which the simplices must belong, itself or in a domain inside it; [`NONE`] for
+    /// any. A simplex belongs to the innermost domain that contains all its vertices.
     pub domain: u32,
 }
 
@@ -39,11 +39,11 @@ impl Default for Selection {
 }
 
 impl<'a> Part<'a> {
-    /// The simplices of a selection. `placements` with respect to its extent, which
-    /// [`Extent::All`] does without.
+    /// Returns the part of the mesh that a selection picks. `placements` are those of all simplices
+    /// with respect to the selection's extent; [`Extent::All`] needs none.
     ///
     /// # Errors
-    /// `InvalidArgument` (a domain that is not there; a number of placements that is not that of
+    /// `InvalidArgument` (a domain that does not exist; a number of placements that is not that of
     /// the simplices; arrays that do not fit together), `OutOfMemory`.
     pub fn of(
         mesh: &'a Triangulation,
@@ -82,10 +82,9 @@ impl<'a> Part<'a> {
         Self::of_chosen(mesh, collected((0..mesh.simplex_count()).map(is_chosen))?)
     }
 
-    /// A mesh of the part's simplices and their vertices, numbered anew in the same order, for a
-    /// writer. Domains keep their numbers; the centre of one may be no vertex any more, and is 0
-    /// then.
-    /// Attributes at the vertices go with them.
+    /// Returns a mesh of the part's simplices and their vertices, for a writer, with the attributes
+    /// at these vertices. Vertices and simplices are numbered anew in the same order. Domains keep
+    /// their numbers; if the centre of a domain is no vertex any more, it becomes 0.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -148,7 +147,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// The new numbers of those of `ids` that have one.
+/// Returns the new numbers of those `ids` that have one.
 fn renumbered(ids: &[u32], new: &[u32]) -> AllocResult<Vec<u32>> {
     collected(ids.iter().map(|&id| new[id as usize]).filter(|&id| id != NONE))
 }

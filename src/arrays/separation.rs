@@ -1,113 +1,51 @@
-//! Whether the interior of a simplex meets the hull of some points, by exact signs.
+//! An exact test: does the interior of a simplex meet the hull of some points.
 //!
 //! The simplex has the vertices v. Its interior meets the hull of the points a just if for each
 //! vertex v_i there are factors, none negative, with v_i + sum of s_j v_j (j other than i) = sum of
 //! t a, where v and a stand for vectors with a one beside the coordinates: all these equations
 //! together have positive factors at all v. Each is a linear program. The dual simplex method
-//! solves it with nothing but signs of determinants, which are orientations. By the rule of the least
-//! index it ends (R. G. Bland, "New finite pivoting rules for the simplex method", 1977).
+//! solves it with nothing but signs of determinants, which are orientations. The rule of the least
+//! index makes it end (R. G. Bland, "New finite pivoting rules for the simplex method", 1977).
 
 use super::cloud::Cloud;
+use super::plane::Plane;
 use crate::mesh::MAX_DIM;
-use crate::numerics::{Hyperplane, Sign, orientation};
+use crate::numerics::{Sign, orientation};
 
-/// A hyperplane through `dim` points with no point of the hull strictly on its positive side.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Plane<const D: usize> {
-    points: [[f64; D]; D],
-    /// The orientation of those points and one on the positive side.
-    side: Sign,
-    /// The same for a filter; `None` where that cannot have it.
-    filter: Option<Hyperplane<D>>,
-}
-
-impl<const D: usize> Plane<D> {
-    fn new(points: [[f64; D]; D], side: Sign) -> Self {
-        let filter = Hyperplane::new(&points);
-        let filter = if side == Sign::Positive { filter } else { filter.map(Hyperplane::turned) };
-        Self { points, side, filter }
-    }
-
-    /// The plane of the facet opposite vertex `i` of a positively oriented simplex, which is on its
-    /// positive side.
-    pub fn of_facet(simplex: &[&[f64; D]], i: usize) -> Self {
-        let points = std::array::from_fn(|k| *simplex[k + usize::from(k >= i)]);
-        // The vertex passes D - i others on its way to the end.
-        let side = if (D - i) % 2 == 0 { Sign::Positive } else { Sign::Negative };
-        Self::new(points, side)
-    }
-
-    /// With the sides exchanged.
-    pub fn turned(self) -> Self {
-        Self { side: -self.side, filter: self.filter.map(Hyperplane::turned), ..self }
-    }
-
-    /// Whether no vertex of a simplex is strictly on the side of the hull.
-    pub fn separates(&self, simplex: &[&[f64; D]]) -> bool {
-        simplex.iter().all(|vertex| self.side_of(vertex) != Sign::Negative)
-    }
-
-    /// Whether a point is strictly on the positive side.
-    pub fn has_beyond(&self, point: &[f64; D]) -> bool {
-        self.side_of(point) == Sign::Positive
-    }
-
-    /// As [`Hyperplane::least_at`].
-    pub fn least_at(&self, point: &[f64; D]) -> f64 {
-        self.filter.as_ref().map_or(f64::NEG_INFINITY, |filter| filter.least_at(point))
-    }
-
-    /// As [`Hyperplane::most_in`].
-    pub fn most_in(&self, low: &[f64; D], high: &[f64; D]) -> f64 {
-        self.filter.as_ref().map_or(f64::INFINITY, |filter| filter.most_in(low, high))
-    }
-
-    fn side_of(&self, point: &[f64; D]) -> Sign {
-        if self.least_at(point) > 0.0 {
-            return Sign::Positive;
-        }
-        if self.most_in(point, point) < 0.0 {
-            return Sign::Negative;
-        }
-        let mut points = [point; MAX_DIM + 1];
-        points.iter_mut().zip(&self.points).for_each(|(to, point)| *to = point);
-        orientation(&points[..=D]) * self.side
-    }
-}
-
-/// A simplex that is positively oriented, and points.
+/// Positively oriented simplex, and the points whose hull it may meet.
 pub(super) struct Pair<'a, const D: usize> {
     pub simplex: &'a [&'a [f64; D]],
     pub points: &'a Cloud<D>,
 }
 
-/// A vector of the basis: a vertex of the simplex, negated, or one of the points.
+/// Vector of the basis: a vertex of the simplex, negated, or one of the points.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Column {
     Vertex(usize),
     Point(usize),
 }
 
-/// After so many exchanges the rule of the least index counts. Before, far points come into the
-/// basis, which takes a few exchanges where that rule may take hundreds.
+/// Number of exchanges after which the rule of the least index applies. Before, far points enter
+/// the basis, which takes a few exchanges where that rule may take hundreds.
 const FREE: usize = 50;
 
-/// `D + 1` independent vectors.
+/// Basis of the linear program: `D + 1` independent vectors.
 struct Basis<'a, const D: usize> {
     columns: [Column; MAX_DIM + 1],
     points: [&'a [f64; D]; MAX_DIM + 1],
-    /// Of all these points.
+    /// Orientation of the `D + 1` points of the basis.
     orientation: Sign,
 }
 
 impl<'a, const D: usize> Pair<'a, D> {
-    /// A plane that separates the interior of the simplex from the hull of the points; `None` if
-    /// they have a point in common.
+    /// Returns a plane that separates the interior of the simplex from the hull of the points;
+    /// `None` if they have a point in common.
     pub fn separation(&self) -> Option<Plane<D>> {
         (0..=D).find_map(|i| self.separation_at(i))
     }
 
-    /// The same as far as it is decided by whether v_i is such a sum.
+    /// Returns a separating plane if the equation of vertex `i` has no solution, and `None` if it
+    /// has one.
     fn separation_at(&self, i: usize) -> Option<Plane<D>> {
         let facet = Plane::of_facet(self.simplex, i);
         let Some(first) = self.points.far_beyond(&facet) else {
@@ -124,7 +62,7 @@ impl<'a, const D: usize> Pair<'a, D> {
         None
     }
 
-    /// The vertices other than `i`, and a point beyond their facet.
+    /// Returns the basis of the vertices other than `i`, and a point beyond their facet.
     fn first_basis(&self, i: usize, point: usize) -> Basis<'a, D> {
         let mut basis = Basis {
             columns: std::array::from_fn(Column::Vertex),
@@ -137,7 +75,8 @@ impl<'a, const D: usize> Pair<'a, D> {
         basis
     }
 
-    /// The least vector at which v_i has a negative coordinate.
+    /// Returns the row of the least vector of the basis at which vertex `i` has a negative
+    /// coordinate.
     fn negative_row(&self, basis: &mut Basis<'a, D>, i: usize) -> Option<usize> {
         let mut negative: Option<usize> = None;
         for row in 0..=D {
@@ -149,9 +88,10 @@ impl<'a, const D: usize> Pair<'a, D> {
         negative
     }
 
-    /// The least vector with a negative coordinate in a row, or any, as long as the choice is free; whose plane has them on its positive
-    /// side, and vertices, which are negated, on the other one. No vector of the basis is among
-    /// them.
+    /// Returns a vector with a negative coordinate in the row of `plane`: the least one, or, while
+    /// the choice is free, a far point. Points have one if they are on the plane's positive side;
+    /// vertices, which are negated, if they are on its negative side. No vector of the basis is
+    /// returned.
     fn entering(&self, plane: &Plane<D>, i: usize, is_free: bool) -> Option<Column> {
         let mut vertices = (0..=D).filter(|&at| at != i);
         let vertex = vertices.find(|&at| plane.side_of(self.simplex[at]) == Sign::Negative);
@@ -177,7 +117,7 @@ impl Column {
 }
 
 impl<'a, const D: usize> Basis<'a, D> {
-    /// The sign of a point's coordinate at the vector in `row`.
+    /// Returns the sign of a point's coordinate at the basis vector in `row`.
     fn coordinate(&mut self, row: usize, point: &'a [f64; D]) -> Sign {
         let kept = std::mem::replace(&mut self.points[row], point);
         let sign = orientation(&self.points[..=D]) * self.orientation;
@@ -185,15 +125,16 @@ impl<'a, const D: usize> Basis<'a, D> {
         if self.columns[row].is_negated() { -sign } else { sign }
     }
 
-    /// Puts another vector, whose coordinate in `row` is not zero, in that row's place.
+    /// Replaces the basis vector in `row` by another one, whose coordinate in that row must not be
+    /// zero.
     fn exchange(&mut self, row: usize, column: Column, point: &'a [f64; D]) {
         self.columns[row] = column;
         self.points[row] = point;
         self.orientation = orientation(&self.points[..=D]);
     }
 
-    /// The plane through all but the vector in `row`, with the points of the hull, whose
-    /// coordinates there are not negative, on its negative side or in it.
+    /// Returns the plane through all basis vectors but the one in `row`. The points of the hull, if
+    /// their coordinates in that row are not negative, are on its negative side or in it.
     fn plane(&self, row: usize) -> Plane<D> {
         let points = std::array::from_fn(|k| *self.points[k + usize::from(k >= row)]);
         // The point in `row` passes D - row others on its way to the end.

@@ -1,4 +1,4 @@
-//! What is round each vertex.
+//! The simplices and the neighbours of each vertex.
 
 use super::Part;
 use crate::error::Result;
@@ -6,7 +6,7 @@ use crate::memory::{Lists, TryGrow, filled};
 use crate::mesh::NONE;
 
 impl Part<'_> {
-    /// For each vertex of the mesh the simplices that have it, ascending. O(simplices).
+    /// Returns for each vertex of the mesh the simplices that have it, ascending. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -19,7 +19,7 @@ impl Part<'_> {
         Ok(Lists::of_pairs(self.mesh.vertex_count(), pairs)?)
     }
 
-    /// For each vertex of the mesh the vertices that have an edge with it, ascending.
+    /// Returns for each vertex of the mesh the vertices that have an edge with it, ascending.
     /// O(simplices + edges log edges).
     ///
     /// # Errors
@@ -28,7 +28,7 @@ impl Part<'_> {
         self.neighbors_from(|_| 0)
     }
 
-    /// For each vertex its neighbours from `first` of it on, ascending.
+    /// Returns for each vertex its neighbours with numbers of at least `first(vertex)`, ascending.
     pub(super) fn neighbors_from(&self, first: impl Fn(u32) -> u32) -> Result<Lists> {
         let stars = self.vertex_simplices()?;
         let count = self.mesh.vertex_count();

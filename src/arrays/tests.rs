@@ -1,4 +1,4 @@
-//! Every array against brute force, on points that have broken others.
+//! Every array compared with brute force, on points that have broken others.
 
 use crate::mesh::{NONE, Triangulation};
 use crate::numerics::testing::{
@@ -19,7 +19,7 @@ pub fn delaunay() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
 }
 
-/// Meshes of every family of points, with cages and plain.
+/// Meshes every family of points, with cages and without, and calls `act` with each mesh.
 pub fn each_mesh<const D: usize>(count: usize, act: impl Fn(&Mesh, Family)) {
     let mut made = 0;
     // Meshes with Steiner points are too large in 5D.
@@ -122,7 +122,8 @@ fn the_hull_of_a_square_goes_counterclockwise() {
     assert_eq!(edges, [[0, 1], [1, 2], [2, 3], [3, 0]]);
 }
 
-/// Whether `value` is within `share` of the root of a sum of squares of quotients.
+/// Returns true if `value` is, up to roundings, the root of the sum of the squares of the
+/// quotients.
 fn is_root(value: f64, numerators: &[IBig], denominator: &IBig) -> bool {
     let (unit, parts) = (IBig::from(10u64.pow(12)), |x: i64| IBig::from(10i64.pow(12) + x));
     let squares = numerators.iter().fold(IBig::ZERO, |sum, x| sum + x * x) * &unit * &unit;
@@ -181,7 +182,8 @@ fn a_centre_is_finite_where_its_distance_is_not() {
     assert_eq!((found.centers[1], found.radii[0]), (f64::NEG_INFINITY, f64::INFINITY));
 }
 
-/// Volumes in a unit in which they are neither too small nor too large.
+/// Checks that cells' shares add up to the volume of the mesh, where volumes are neither too small
+/// nor too large for doubles.
 fn shares_add_up<const D: usize>(count: usize) {
     each_mesh::<D>(count, |mesh, family| {
         let (volumes, voronoi) = (mesh.volumes().unwrap(), mesh.voronoi().unwrap());
@@ -233,7 +235,7 @@ fn cells_of_a_lattice_have_its_volume() {
     }
 }
 
-/// The centres of some simplices.
+/// Returns the circumcentres of some simplices.
 fn corners<const D: usize>(centers: &[f64], simplices: &[u32]) -> Vec<[f64; D]> {
     let center = |&s: &u32| centers[s as usize * D..][..D].try_into().unwrap();
     simplices.iter().map(center).collect()
@@ -272,7 +274,8 @@ fn length(a: [f64; 3]) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// The volume of a cell by its pyramids on the ridges, whose areas need their corners in order.
+/// The volume of a cell equals the sum of its pyramids on the ridges, whose areas need their
+/// corners in order.
 #[test]
 fn ridges_in_space_are_polygons_in_order() {
     let points = points::<3>(Family::Uniform, 60, &mut Random(2));

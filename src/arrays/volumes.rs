@@ -8,9 +8,9 @@ use crate::numerics::volume;
 use crate::query::view::View;
 
 impl Part<'_> {
-    /// The volumes of the simplices (areas in 2D), in the order of [`Part::simplices`]: exact up to
-    /// a relative error of 1e-12, or 2^-1074 if subnormal; 0 below the doubles and infinite beyond.
-    /// O(simplices).
+    /// Returns the volumes of the simplices (areas in 2D), in the order of [`Part::simplices`].
+    /// They are exact up to a relative error of 1e-12, or 2^-1074 if subnormal; below the range of
+    /// doubles they are 0, beyond it infinite. O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.

@@ -9,50 +9,57 @@ use crate::query::dual::Chains;
 use crate::query::unit::{Unit, largest, scaled};
 use crate::query::view::View;
 
-/// Voronoi cells: regions, and the ridges between them. The corner that belongs to a simplex is its
-/// circumcentre ([`Part::circumcenters`]); corners of cospherical simplices are one point.
+/// Voronoi diagram of the vertices: cells, and the ridges between them. Each simplex is a corner of
+/// it, at the simplex's circumcentre ([`Part::circumcenters`]); corners of cospherical simplices
+/// are one point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Voronoi {
-    /// As [`Part::regions`].
+    /// Corners of each cell: see [`Part::regions`].
     pub regions: Lists,
-    /// As those of [`Cells`].
+    /// Vertex -> true if its cell is bounded, as in [`Cells`].
     pub is_bounded: Vec<bool>,
+    /// Volume of each cell, as in [`Cells`].
     pub volumes: Vec<f64>,
+    /// Share of each cell in the volume of the mesh, as in [`Cells`].
     pub shares: Vec<f64>,
-    /// As the vertices, the corners and what is bounded in [`Ridges`].
+    /// Vertices of the edge of each ridge, as in [`Ridges`].
     pub ridges: Vec<u32>,
+    /// Corners of each ridge, as in [`Ridges`].
     pub ridge_corners: Lists,
+    /// Ridge -> true if it is bounded, as in [`Ridges`].
     pub is_ridge_bounded: Vec<bool>,
 }
 
-/// What the cell of each vertex is like.
+/// Voronoi cells of the vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cells {
-    /// Whether the cell is bounded: the vertex has simplices, and is not on the hull.
+    /// Vertex -> true if its cell is bounded: the vertex has simplices, and is not on the hull.
     pub is_bounded: Vec<bool>,
-    /// The volume of the cell, infinite if that is unbounded.
+    /// Volume of each cell, infinite if the cell is unbounded.
     pub volumes: Vec<f64>,
-    /// What the cell adds to the volume of the mesh: that of the cell if it is bounded; else what
-    /// the simplices at the vertex have of it, which may be negative next to obtuse simplices. All
-    /// together are the volume of the mesh.
+    /// Share of each cell in the volume of the mesh. The share of a bounded cell is its volume. The
+    /// share of an unbounded cell is the sum of the signed shares of the simplices at the vertex,
+    /// which may be negative next to obtuse simplices. The sum of all shares is the volume of the
+    /// mesh.
     pub shares: Vec<f64>,
 }
 
-/// The facets of cells, each between the cells of the two ends of an edge; in the order of
+/// Facets of Voronoi cells, each between the cells of the two ends of an edge; in the order of
 /// [`Part::edges`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ridges {
-    /// `ridges x 2` vertices: the edges.
+    /// Vertices of the edge of each ridge, `ridges x 2`.
     pub vertices: Vec<u32>,
-    /// For each ridge the simplices whose corners it has: in 3D in their order round the ridge,
-    /// from one end to the other where it is unbounded; else ascending.
+    /// Simplices at the corners of each ridge: in 3D in their order round the ridge, from one end
+    /// to the other where it is unbounded; in other dimensions ascending.
     pub corners: Lists,
-    /// For each ridge whether it is bounded: its edge is not on the hull.
+    /// Ridge -> true if it is bounded: its edge is not on the hull.
     pub is_bounded: Vec<bool>,
 }
 
 impl Part<'_> {
-    /// The Voronoi diagram: what the three functions below answer.
+    /// Returns the Voronoi diagram: regions, cells and ridges, as [`Part::regions`],
+    /// [`Part::cells`] and [`Part::ridges`] return them.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -74,8 +81,9 @@ impl Part<'_> {
         })
     }
 
-    /// For each vertex the simplices whose corners its Voronoi cell has: counterclockwise in 2D,
-    /// from one end to the other where the cell is unbounded; else ascending. O(simplices).
+    /// Returns for each vertex the simplices at the corners of its Voronoi cell: counterclockwise
+    /// in 2D, from one end to the other where the cell is unbounded; in other dimensions ascending.
+    /// O(simplices).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -83,8 +91,8 @@ impl Part<'_> {
         Ok(self.regions_of(self.vertex_simplices()?)?)
     }
 
-    /// Which cells are bounded, and their volumes. Of a part that is not all of the mesh, a cell is
-    /// bounded if all simplices at its vertex are in the part.
+    /// Returns which cells are bounded, and their volumes. In a part that is not all of the mesh, a
+    /// cell is bounded if all simplices at its vertex are in the part.
     ///
     /// Volumes are computed in doubles from circumcentres, in a unit of each cell: no step
     /// overflows or underflows where the cell's volume does not. Shares of unbounded cells are sums
@@ -97,7 +105,7 @@ impl Part<'_> {
         Ok(self.cells_of(self.boundary()?)?)
     }
 
-    /// The facets of the Voronoi cells. O(simplices at a vertex) for each edge.
+    /// Returns the facets of the Voronoi cells. O(simplices at a vertex) for each edge.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -161,8 +169,8 @@ impl Part<'_> {
         Ok(Ridges { vertices, corners, is_bounded })
     }
 
-    /// The edges from a vertex to later ones, each once for every simplex of it, as pairs of the
-    /// other end and the simplex, in ascending order.
+    /// Fills `pairs` with the edges from a vertex to later ones, each once for every simplex that
+    /// has it: the other end and the simplex, in ascending order.
     fn edges_up(&self, vertex: u32, star: &[u32], pairs: &mut Vec<(u32, u32)>) -> AllocResult<()> {
         pairs.clear();
         for &simplex in star {
@@ -175,7 +183,7 @@ impl Part<'_> {
         Ok(())
     }
 
-    /// The triangles round each vertex in counterclockwise order.
+    /// Returns the triangles round each vertex in counterclockwise order.
     fn in_order(&self, regions: &Lists) -> AllocResult<Lists> {
         let mut ordered = Lists::with_capacity(regions.count())?;
         let mut fans = Fans::default();
@@ -187,16 +195,16 @@ impl Part<'_> {
     }
 }
 
-/// What of a part is on its hull.
+/// Hull of a part: the cells and the simplices at it.
 struct Boundary {
-    /// Vertex -> whether its cell is bounded.
+    /// Vertex -> true if its cell is bounded.
     is_cell_bounded: Vec<bool>,
-    /// Simplex -> the places of its vertices opposite the hull, as bits.
+    /// Simplex -> the positions of its vertices opposite facets of the hull, as bits.
     opposite: Vec<u16>,
 }
 
 impl Boundary {
-    /// Whether a simplex has a facet on the hull that has both ends of an edge.
+    /// Returns true if a simplex has a facet on the hull that has both ends of an edge.
     fn has_on_hull(&self, part: &Part<'_>, simplex: u32, ends: &[u32; 2]) -> bool {
         let opposite = self.opposite[simplex as usize];
         let vertices = part.mesh.simplex(simplex as usize).iter().enumerate();
@@ -205,15 +213,15 @@ impl Boundary {
     }
 }
 
-/// The simplices round a face of codimension two, in order. In a part of a mesh they may be several
-/// fans.
+/// Workspace that brings the simplices round a face of codimension two into order. In a part of a
+/// mesh they may form several fans.
 #[derive(Default)]
 struct Fans {
-    /// Which of the simplices are in order already.
+    /// Position in the star -> true if that simplex is in order already.
     is_done: Vec<bool>,
 }
 
-/// A simplex, and the vertex that is left when going on across the facet opposite of it.
+/// Step round a face: a simplex, and its vertex opposite the facet that is crossed next.
 type Step = (u32, u32);
 
 impl Fans {
@@ -254,8 +262,8 @@ impl Fans {
 }
 
 impl Part<'_> {
-    /// The two vertices of a simplex that a face of codimension two does not have. Counterclockwise
-    /// after the face in 2D.
+    /// Returns the two vertices of a simplex that are not on a face of codimension two; in 2D in
+    /// counterclockwise order after the face.
     fn others(&self, simplex: u32, face: &[u32]) -> [u32; 2] {
         let vertices = self.mesh.simplex(simplex as usize);
         let mut others = vertices.iter().copied().filter(|vertex| !face.contains(vertex));
@@ -269,7 +277,7 @@ impl Part<'_> {
         if a == left { b } else { a }
     }
 
-    /// The next simplex round the face; [`NONE`] at the hull.
+    /// Returns the next step round the face; its simplex is [`NONE`] at the hull.
     fn across(&self, step: Step, face: &[u32]) -> Step {
         let (simplex, left) = step;
         let at = self.mesh.simplex(simplex as usize).iter().position(|&vertex| vertex == left);
@@ -277,7 +285,7 @@ impl Part<'_> {
     }
 }
 
-/// What the simplices at each vertex have of its cell.
+/// Returns for each vertex the sum of the shares that the simplices at it have in its cell.
 fn shares<const D: usize>(part: &Part<'_>) -> AllocResult<Vec<f64>> {
     let view = View::<D> { mesh: part.mesh };
     let units = units::<D>(part)?;
@@ -299,7 +307,8 @@ fn shares<const D: usize>(part: &Part<'_>) -> AllocResult<Vec<f64>> {
     Ok(shares)
 }
 
-/// For each vertex a unit in which the farthest vertex of its star is about 1 from it.
+/// Returns for each vertex a unit in which the farthest vertex of its star is at a distance of
+/// about 1.
 fn units<const D: usize>(part: &Part<'_>) -> AllocResult<Vec<Unit>> {
     let view = View::<D> { mesh: part.mesh };
     let mut sizes = filled(part.mesh.vertex_count(), 0.0f64)?;

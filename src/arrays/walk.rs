@@ -1,15 +1,16 @@
-//! Which simplices of a mesh meet a convex body, from simplex to neighbour.
+//! A walk from simplex to neighbour that finds the simplices of a mesh that meet a convex body.
 //!
 //! The simplices whose interior meets a solid body are connected by facets in whose interior the
 //! body has interior points: a path between two points that avoids all smaller faces goes through
-//! such simplices alone, if the union of the mesh is convex. So only the neighbours of those that
-//! are known to meet it are tested, and the neighbours of those that turn out to. What is not
-//! reached is outside.
+//! such simplices alone, if the union of the mesh is convex. So only the neighbours of simplices
+//! that are known to meet it are tested, and the neighbours of those that turn out to. Simplices
+//! that the walk does not reach are outside.
 
-use super::cloud::Cloud;
-use super::convex_hull::{Around, Solid};
-use super::placement::{Placement, Spot, bounds};
-use super::separation::{Pair, Plane};
+use super::cloud::{Cloud, bounds};
+use super::placement::{Placement, Spot};
+use super::plane::Plane;
+use super::separation::Pair;
+use super::solid::{HullCorner, Solid};
 use crate::memory::{AllocResult, TryGrow, collected, enqueue};
 use crate::mesh::{NONE, Triangulation};
 use crate::query::view::View;
@@ -17,33 +18,35 @@ use std::collections::VecDeque;
 
 pub(super) struct Walk<'a, const D: usize> {
     view: View<'a, D>,
-    /// Vertex -> where it is.
+    /// Vertex -> its position with respect to the body.
     spots: &'a [Spot],
-    /// Whose hull the body is.
+    /// Points whose hull is the body.
     points: Cloud<D>,
     low: [f64; D],
     high: [f64; D],
     is_solid: bool,
-    /// What the corners among the spots are vertices of.
+    /// Triangulation that has the vertices of [`Spot::Corner`].
     pub solid: Option<&'a Solid>,
-    around: Around<D>,
-    /// What separated the last simplices from the body: often it separates the next one, too.
+    /// Facets of the hull at the corner that was last looked at.
+    at_corner: HullCorner<D>,
+    /// Planes that separated the last simplices from the body; often one separates the next one,
+    /// too.
     planes: Vec<Plane<D>>,
-    /// Simplices from which the walk goes on, with a corner nearby.
+    /// Simplices from which the walk goes on, each with a corner nearby.
     queue: VecDeque<(u32, Option<u32>)>,
 }
 
-/// As many planes are kept, and tried at a simplex.
+/// Largest number of separating planes that are kept, and tried at a simplex.
 const RECENT: usize = 16;
 
-/// At so many corners of the hull facets are tried.
+/// Largest number of corners of the hull whose facets are tried.
 const STEPS: usize = 6;
 
-/// More facets than these at a corner take longer than a linear program.
+/// Number of facets at a corner above which trying them takes longer than a linear program.
 const MANY: usize = 32;
 
 impl<'a, const D: usize> Walk<'a, D> {
-    /// The body is the hull of the corners.
+    /// Prepares a walk about the body that is the hull of the `corners`.
     pub fn new(
         mesh: &'a Triangulation,
         spots: &'a [Spot],
@@ -59,13 +62,13 @@ impl<'a, const D: usize> Walk<'a, D> {
             high,
             is_solid,
             solid: None,
-            around: Around::default(),
+            at_corner: HullCorner::default(),
             planes: Vec::new(),
             queue: VecDeque::new(),
         })
     }
 
-    /// Where each simplex lies.
+    /// Returns how each simplex lies with respect to the body.
     pub fn placements(mut self) -> AllocResult<Vec<Placement>> {
         let simplices = 0..self.view.mesh.simplex_count() as u32;
         let mut placements = collected(simplices.map(|simplex| self.at_once(simplex)))?;
@@ -73,7 +76,7 @@ impl<'a, const D: usize> Walk<'a, D> {
         collected(placements.into_iter().map(|placement| placement.unwrap_or(Placement::Outside)))
     }
 
-    /// The placement of a simplex, if its vertices tell it.
+    /// Returns the placement of a simplex if its vertices determine it, else `None`.
     fn at_once(&self, simplex: u32) -> Option<Placement> {
         let vertices = self.view.simplex(simplex);
         let spot = |vertex: &u32| self.spots[*vertex as usize];
@@ -91,8 +94,8 @@ impl<'a, const D: usize> Walk<'a, D> {
         is_beyond.then_some(Placement::Outside)
     }
 
-    /// Finds the placements that are not known, but for those outside a solid body that the walk
-    /// does not come to.
+    /// Finds the placements that are still unknown. Simplices outside a solid body that the walk
+    /// does not reach stay unknown.
     fn settle(&mut self, placements: &mut [Option<Placement>]) -> AllocResult<()> {
         let simplices = 0..placements.len() as u32;
         let mut has_begun = false;
@@ -117,7 +120,7 @@ impl<'a, const D: usize> Walk<'a, D> {
         Ok(())
     }
 
-    /// Visits the neighbours of what is in the queue.
+    /// Visits the neighbours of the simplices in the queue until it is empty.
     fn go_on(&mut self, placements: &mut [Option<Placement>]) -> AllocResult<()> {
         while let Some((simplex, corner)) = self.queue.pop_front() {
             for &neighbor in self.view.neighbors(simplex) {
@@ -129,8 +132,9 @@ impl<'a, const D: usize> Walk<'a, D> {
         Ok(())
     }
 
-    /// Whether a simplex meets the body. The walk goes on from it if it does, or if the body has no
-    /// interior. `corner`: one nearby.
+    /// Finds the placement of a simplex, and returns true if its interior meets the body. The walk
+    /// goes on from the simplex if it meets the body, or if the body has no interior. `corner` is a
+    /// corner of the hull nearby, if one is known.
     fn visit(
         &mut self,
         simplex: u32,
@@ -147,7 +151,7 @@ impl<'a, const D: usize> Walk<'a, D> {
         Ok(meets)
     }
 
-    /// A vertex of the body's triangulation that a simplex has.
+    /// Returns the vertex of the hull's triangulation that a simplex has, if any.
     fn corner_of(&self, simplex: u32) -> Option<u32> {
         let mut vertices = self.view.simplex(simplex).iter();
         vertices.find_map(|&vertex| match self.spots[vertex as usize] {
@@ -176,8 +180,8 @@ impl<'a, const D: usize> Walk<'a, D> {
         Ok(meets)
     }
 
-    /// Whether a facet of the hull separates a simplex from it, of those at a few corners on the way
-    /// to the one that is nearest to the simplex.
+    /// Returns true if a facet of the hull separates a simplex from it. Facets are tried at a few
+    /// corners, on the way to the corner that is nearest to the simplex.
     fn is_beyond_facet(
         &mut self,
         points: &[&[f64; D]],
@@ -191,14 +195,14 @@ impl<'a, const D: usize> Walk<'a, D> {
             point.iter().zip(&middle).map(|(x, m)| (x - m) * (x - m)).sum()
         };
         for _ in 0..STEPS {
-            solid.look_around(corner, &mut self.around)?;
-            if self.around.facets.len() > MANY {
+            solid.look_around(corner, &mut self.at_corner)?;
+            if self.at_corner.facets.len() > MANY {
                 break;
             }
-            if self.around.facets.iter().any(|facet| facet.separates(points)) {
+            if self.at_corner.facets.iter().any(|facet| facet.separates(points)) {
                 return Ok(true);
             }
-            let neighbors = self.around.neighbors.iter();
+            let neighbors = self.at_corner.neighbors.iter();
             let nearest = { neighbors }.min_by(|a, b| distance(&a.1).total_cmp(&distance(&b.1)));
             match nearest {
                 Some(&(next, _)) if next != corner => corner = next,
@@ -221,8 +225,8 @@ mod tests {
     use crate::query::Index;
     use std::cell::Cell;
 
-    /// Whether the interior of a simplex meets the hull of some points: the linear programs of
-    /// `separation`, by the rule of the least index alone and over all points.
+    /// Returns true if the interior of a simplex meets the hull of some points, by the linear
+    /// programs of `separation` with the rule of the least index alone and over all points.
     fn meets_slowly<const D: usize>(simplex: &[&[f64; D]], points: &[[f64; D]]) -> bool {
         let vectors = D + 1 + points.len();
         let vector = |at: usize| if at <= D { simplex[at] } else { &points[at - D - 1] };
@@ -255,17 +259,17 @@ mod tests {
         (0..=D).all(is_sum)
     }
 
-    /// The placement of each simplex by itself.
+    /// Returns the placement of each simplex, found for itself.
     fn one_by_one<const D: usize>(
         mesh: &Triangulation,
         points: &[[f64; D]],
-        is_in: impl Fn(u32) -> bool,
+        is_inside: impl Fn(u32) -> bool,
     ) -> Vec<Placement> {
         let view = View::<D> { mesh };
         let place = |simplex: u32| {
             let vertices = view.simplex(simplex);
             match () {
-                () if vertices.iter().all(|&vertex| is_in(vertex)) => Placement::Inside,
+                () if vertices.iter().all(|&vertex| is_inside(vertex)) => Placement::Inside,
                 () if meets_slowly(&view.points_of(vertices)[..=D], points) => Placement::Across,
                 () => Placement::Outside,
             }
@@ -301,12 +305,12 @@ mod tests {
             std::array::from_fn(|axis| if set >> axis & 1 == 1 { high[axis] } else { low[axis] })
         };
         let corners: Vec<[f64; D]> = (0..1 << D).map(corner).collect();
-        let is_in = |vertex: u32| {
+        let is_inside = |vertex: u32| {
             let point = result.point(vertex).iter().enumerate();
             { point }.all(|(axis, x)| (low[axis]..=high[axis]).contains(x))
         };
         let found = placements_in_box(result, &inputs).unwrap();
-        assert!(found == one_by_one(result, &corners, is_in), "{name}: the box of {points:?}");
+        assert!(found == one_by_one(result, &corners, is_inside), "{name}: the box of {points:?}");
     }
 
     fn placements_are_right<const D: usize>(count: usize) {
@@ -323,7 +327,7 @@ mod tests {
         placements_are_right::<5>(8);
     }
 
-    /// Full of corners at which the hull's cone is a half-space, or nearly.
+    /// Placements are right at hulls with many corners whose cone is a half-space, or nearly.
     #[test]
     fn placements_at_flat_and_round_hulls_are_right() {
         let seen = Cell::default();

@@ -1,25 +1,28 @@
-//! The cone of a new vertex over the boundary of its cavity, and which two of its simplices share a
-//! ridge of the boundary. In the plane a ridge is a vertex, which remembers the edge that starts
-//! there; in space an edge of few vertices, a table of whose pairs is small; then a hash table
-//! knows them, and beyond that one pivots round each through the cavity. The first two are free of
-//! branches in the sense of [`Array::push_if`](crate::memory::Array::push_if).
+//! The cone of a new vertex over the boundary of its cavity, and the pairs of its simplices that
+//! share a ridge of the boundary. In the plane a ridge is a vertex, which remembers the edge that
+//! starts there. In space it is an edge; if the cavity has few vertices, a small table has all
+//! pairs of them. In higher dimensions a hash table has the ridges, and beyond [`MAX_TABLE_DIM`]
+//! the search pivots round each ridge through the cavity. The first two ways are free of branches
+//! in the sense of [`Array::push_if`](crate::memory::Array::push_if).
 
-use super::ridges::{MAX_TABLE_DIM, Side, ridges_of};
+use super::ridges::{MAX_TABLE_DIM, RidgeSide, ridges_of};
 use super::{Complex, Facet, SimplexId, VertexId, VertexSet, position};
 
-/// Vertices of a boundary, the infinite one counted, whose edges have a place in the table.
+/// Largest number of vertices round a cavity in space, the infinite one counted, whose edges fit in
+/// the table.
 const NUMBERS: usize = 64;
 
-/// Length of the table of the directed edges round a cavity in space: at `NUMBERS * i + j` is the
-/// simplex that passes from the vertex with number i to that with number j. It holds what earlier
-/// cones left where this one has no edge.
+/// Length of the table of the directed edges round a cavity in space. Entry `NUMBERS * i + j` is
+/// the simplex that passes from the vertex with number i to the vertex with number j; entries of
+/// earlier cones stay where this one has no edge.
 pub(super) const EDGES: usize = NUMBERS * NUMBERS;
 
-/// Triangles with an apex, as the tetrahedron with number `i` for its apex is turned: all cones
-/// look at theirs from the same side, so two that share an edge pass it in opposite directions.
+/// Vertices of the triangle opposite each vertex of a tetrahedron, all seen from the same side: two
+/// triangles of a cone's boundary that share an edge pass it in opposite directions.
 const TRIANGLES: [[usize; 3]; 4] = [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]];
 
-/// The same in the plane: where the edge opposite each vertex starts and ends.
+/// Start and end of the edge opposite each vertex of a triangle, all in the same direction round
+/// it.
 const SIDES: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 impl<const D: usize> Complex<D> {
@@ -50,7 +53,7 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// The simplex of `vertex` over `facet`, linked to the simplex beyond.
+    /// Makes the simplex of `vertex` over `facet`, links it to the simplex beyond, and returns it.
     #[inline(always)]
     fn cone(&mut self, vertex: VertexId, facet: &Facet) -> SimplexId {
         let simplex = self.allocate();
@@ -63,8 +66,8 @@ impl<const D: usize> Complex<D> {
         simplex
     }
 
-    /// Links the cones in the plane, which go round the cavity: each is followed by the one that
-    /// starts where its edge ends.
+    /// Links the simplices of a cone in the plane, which go round the cavity: each is followed by
+    /// the one that starts where its edge ends.
     #[inline(always)]
     fn link_round(&mut self, boundary: &[Facet], created: &[SimplexId]) {
         // Until the second loop is done with a vertex, it has the number of its edge instead of a
@@ -85,8 +88,8 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// The simplex that is incident to the vertex number `index` of `simplex`; `at_infinity` for
-    /// the infinite vertex.
+    /// Returns the entry for the simplex incident to vertex number `index` of `simplex`; it is
+    /// `at_infinity` for the infinite vertex.
     #[inline(always)]
     fn incident_or<'a>(
         &'a mut self,
@@ -99,7 +102,8 @@ impl<const D: usize> Complex<D> {
         if vertex == VertexId::INFINITE { at_infinity } else { &mut self.incident[vertex] }
     }
 
-    /// Links the cones in space, if the vertices round the cavity are few enough.
+    /// Links the simplices of a cone in space by the table of edges, if there are few vertices
+    /// round the cavity; returns false otherwise.
     #[inline(always)]
     fn link_by_edges(
         &mut self,
@@ -143,7 +147,8 @@ impl<const D: usize> Complex<D> {
         true
     }
 
-    /// Every vertex of new simplices is incident to the last one that has it.
+    /// Records for every vertex of the new simplices the last of them that has it, as incident to
+    /// it.
     pub(super) fn touch_vertices(&mut self, created: &[SimplexId]) {
         for &simplex in created {
             let record = &self.records[simplex.index() * Self::RECORD..];
@@ -155,12 +160,12 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// Links the cones by a table of the ridges.
+    /// Links the simplices of a cone by the hash table of ridges.
     fn link_by_table(&mut self, boundary: &[Facet], created: &[SimplexId]) {
         self.ridges.begin::<D>(boundary.len());
         for (facet, &simplex) in boundary.iter().zip(created) {
             for (ridge, index) in ridges_of::<D>(self.vertices(simplex), facet.index as usize) {
-                if let Some(other) = self.ridges.pair(ridge, Side { simplex, index }) {
+                if let Some(other) = self.ridges.pair(ridge, RidgeSide { simplex, index }) {
                     self.neighbors_mut(simplex)[index as usize] = other.simplex;
                     self.neighbors_mut(other.simplex)[other.index as usize] = simplex;
                 }
@@ -169,7 +174,7 @@ impl<const D: usize> Complex<D> {
         self.touch_vertices(created);
     }
 
-    /// Links the cones by pivoting round the ridges through the cavity.
+    /// Links the simplices of a cone by pivoting round each ridge through the cavity.
     fn link_by_pivots(&mut self, boundary: &[Facet], created: &[SimplexId]) {
         for (facet, &simplex) in boundary.iter().zip(created) {
             let neighbors = self.neighbors_mut(simplex);
@@ -191,8 +196,9 @@ impl<const D: usize> Complex<D> {
         self.touch_vertices(created);
     }
 
-    /// Turns round the ridge of `facet` without vertex `leave` until the cavity ends; returns the
-    /// cone there and the number of its vertex that is not on the ridge.
+    /// Pivots round the ridge of `facet` without vertex `leave` until the cavity ends; returns the
+    /// simplex of the cone there, and the number of its vertex that is neither on the ridge nor the
+    /// apex.
     #[inline]
     fn pivot(&self, facet: &Facet, leave: usize) -> (SimplexId, usize) {
         let (mut current, mut enter, mut leave) = (facet.simplex, facet.index as usize, leave);

@@ -3,12 +3,12 @@
 use super::{Complex, Facet, SimplexId, VertexId};
 use crate::memory::{AllocResult, Array, TryGrow};
 
-/// What a facet of a filling joins.
+/// Neighbour of a simplex of the filling across one of its facets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Beside {
     /// Another simplex of the filling, by its number.
     Filling(u32),
-    /// The facet of the hole's boundary that has this number.
+    /// Facet of the hole's boundary, by its number.
     Boundary(u32),
 }
 
@@ -27,12 +27,12 @@ impl<const D: usize> Filling<D> {
         self.beside.clear();
     }
 
-    /// The number of simplices.
+    /// Returns the number of simplices.
     pub fn len(&self) -> usize {
         self.vertices.len() / Self::VERTICES
     }
 
-    /// Adds a simplex; what it joins is set afterwards. Returns its number.
+    /// Adds a simplex and returns its number. Its neighbours are set afterwards.
     pub fn push(&mut self, vertices: &[VertexId]) -> AllocResult<u32> {
         let number = self.len();
         self.vertices.try_extend(vertices)?;
@@ -44,7 +44,7 @@ impl<const D: usize> Filling<D> {
         &self.vertices[number as usize * Self::VERTICES..][..Self::VERTICES]
     }
 
-    /// What the simplex joins opposite each of its vertices.
+    /// Returns the neighbours of a simplex opposite each of its vertices.
     pub fn beside(&self, number: u32) -> &[Beside] {
         &self.beside[number as usize * Self::VERTICES..][..Self::VERTICES]
     }
@@ -55,8 +55,8 @@ impl<const D: usize> Filling<D> {
 }
 
 impl<const D: usize> Complex<D> {
-    /// Replaces `star`, all simplices at `vertex`, by `filling`, for which there is a reserve.
-    /// `boundary` are the facets round the star; `created[i]` becomes simplex number i of the
+    /// Replaces `star`, all simplices at `vertex`, by `filling`, for which memory is reserved.
+    /// `boundary` has the facets round the star; `created[i]` becomes simplex number i of the
     /// filling. The vertex is not in the complex afterwards.
     pub fn fill(
         &mut self,

@@ -1,19 +1,20 @@
-//! An order of locality: simplices that are near each other in the complex come near each other.
+//! An order of locality: simplices that are near each other in the complex are near each other in
+//! it.
 
 use super::{Complex, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
 
-/// All live simplices, each with the vertex that it is near.
+/// All live simplices, each assigned to a vertex nearby, its anchor.
 pub(crate) struct Anchored {
-    /// The simplices, by anchor.
+    /// Simplices, sorted by anchor.
     pub order: Array<SimplexId>,
-    /// Anchor -> where its simplices begin in `order`; and their end.
+    /// Anchor -> the position in `order` where its simplices begin; one more entry has the end.
     starts: Array<u32>,
 }
 
 impl Anchored {
-    /// The simplices of `anchor`.
+    /// Returns the simplices of `anchor`.
     pub fn of(&self, anchor: VertexId) -> &[SimplexId] {
         let at = anchor.index();
         &self.order[self.starts[at] as usize..self.starts[at + 1] as usize]
@@ -21,11 +22,11 @@ impl Anchored {
 }
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices, by the vertex below `anchors` that has the smallest id among their own
-    /// or, where they have none, among those of the simplices that are fewest steps away. Simplices
-    /// that no such vertex is connected to, as a partition may have them, belong to the first
-    /// anchor. `tick` is called for every simplex, so that the caller can watch the time or give
-    /// up. O(simplices + anchors).
+    /// Assigns the live simplices to anchors, the vertices with ids below `anchors`. The anchor of
+    /// a simplex is the smallest such id among its vertices; if it has none, the one of the
+    /// simplices that are fewest steps away. Simplices that are connected to no anchor, as a
+    /// partition may have them, get the first. `tick` is called for every simplex, so that the
+    /// caller can watch the time or give up. O(simplices + anchors).
     pub fn order_by_anchor(
         &self,
         anchors: usize,

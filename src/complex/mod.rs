@@ -1,11 +1,11 @@
-//! The combinatorial complex: a triangulated sphere, that is a ball whose hull facets are joined to
-//! one infinite vertex. Knows vertex ids, simplices and adjacency; sees no coordinate.
+//! The combinatorial complex: a triangulated sphere, which is a ball whose hull facets are joined
+//! to one infinite vertex. It has vertex ids, simplices and adjacency, but no coordinates.
 //!
-//! A simplex is a record of numbers of 32 bits: the ids of its vertices, those of the neighbours
-//! opposite them and its mark, which a search wants one after the other and finds in a cache line
-//! or two. Dead ones wait in a LIFO list. All simplices are oriented alike: replacing a vertex of
-//! one by a point on the same side keeps the orientation, so a cavity is retriangulated without one
-//! orientation test.
+//! A simplex is a record of 32-bit numbers: the ids of its vertices, the ids of the neighbours
+//! opposite them, and its mark. A search reads them one after the other, so they are in one or two
+//! cache lines. Dead records wait in a stack for reuse. All simplices are oriented alike: replacing
+//! a vertex of one by a point on the same side keeps the orientation, so a cavity is retriangulated
+//! without a single orientation test.
 
 mod cone;
 mod hole;
@@ -28,37 +28,38 @@ pub(crate) use records::{Marking, Records};
 use ridges::{MAX_TABLE_DIM, Ridges};
 pub(crate) use vertices::{IdSet, VertexSet};
 
-/// The facet of `simplex` opposite its vertex number `index`, and the simplex beyond it.
+/// Facet of `simplex` opposite its vertex number `index`, with the simplex beyond it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Facet {
     pub simplex: SimplexId,
     pub index: u32,
     pub beyond: SimplexId,
-    /// Where `beyond` has `simplex` among its neighbours.
+    /// Position of `simplex` among the neighbours of `beyond`.
     pub mirror: u32,
 }
 
 pub(crate) struct Complex<const D: usize> {
     records: Array<u32>,
-    /// Dead simplices, reused last in first out.
+    /// Dead simplices, the last of which is reused first.
     free: Vec<SimplexId>,
-    /// One simplex at each vertex, none for a vertex that is not in the complex.
+    /// Vertex -> a simplex that has it; none if the vertex is not in the complex.
     incident: Array<SimplexId>,
     epoch: u32,
-    /// The directed edges round a cavity in space, see `cone`.
+    /// Table of the directed edges round a cavity in space: see `cone`.
     edges: Vec<SimplexId>,
     ridges: Ridges,
-    /// Simplices that ids can name: one fewer than 2^32, since one id names none.
+    /// Largest number of simplices that ids can name: one fewer than 2^32, since one id names none.
     id_limit: usize,
 }
 
 impl<const D: usize> Complex<D> {
     const VERTICES: usize = D + 1;
-    /// Where a record's mark is, and its length.
+    /// Position of the mark in a record.
     const MARK: usize = 2 * Self::VERTICES;
+    /// Number of words in a record.
     const RECORD: usize = Self::MARK + 1;
 
-    /// An empty complex that knows `vertices` ids, none of them inserted.
+    /// Returns an empty complex with `vertices` ids, none of them inserted.
     pub fn new(vertices: usize) -> AllocResult<Self> {
         Ok(Self {
             records: Array::new(),
@@ -71,24 +72,25 @@ impl<const D: usize> Complex<D> {
         })
     }
 
-    /// Forgets all vertices and simplices, but keeps their memory.
+    /// Removes all vertices and simplices, but keeps their memory.
     pub fn clear(&mut self) {
         self.records.clear();
         self.free.clear();
         self.incident.clear();
     }
 
-    /// One past the largest simplex id ever used; arrays over simplices have this length.
+    /// Returns one more than the largest simplex id ever used, which is the length of arrays over
+    /// simplices.
     pub fn simplex_bound(&self) -> usize {
         self.records.len() / Self::RECORD
     }
 
-    /// All simplices, dead ones too.
+    /// Returns all simplices, dead ones included.
     pub fn simplices(&self) -> impl ExactSizeIterator<Item = SimplexId> + Clone + use<D> {
         SimplexId::below(self.simplex_bound())
     }
 
-    /// Number of live simplices, infinite ones included.
+    /// Returns the number of live simplices, infinite ones included.
     pub fn simplex_count(&self) -> usize {
         self.simplex_bound() - self.free.len()
     }
@@ -111,7 +113,7 @@ impl<const D: usize> Complex<D> {
         self.vertices(simplex).contains(&VertexId::INFINITE)
     }
 
-    /// A simplex at `vertex`, none if the vertex is not in the complex.
+    /// Returns a simplex at `vertex`; none if the vertex is not in the complex.
     #[inline]
     pub fn incident(&self, vertex: VertexId) -> SimplexId {
         self.incident[vertex]
@@ -121,7 +123,7 @@ impl<const D: usize> Complex<D> {
         self.incident(vertex).is_valid()
     }
 
-    /// Gives out a new vertex id.
+    /// Returns a new vertex id.
     pub fn add_vertex(&mut self) -> AllocResult<VertexId> {
         self.incident.try_push(SimplexId::NONE)?;
         Ok(VertexId::new(self.incident.len() - 1))
@@ -149,7 +151,7 @@ impl<const D: usize> Complex<D> {
     }
 
     /// Reserves memory for `created` new simplices and for `released` more dead ones, so that
-    /// neither has to ask for it. The caller then makes at most `created`.
+    /// neither step has to allocate. The caller then makes at most `created`.
     pub fn reserve(&mut self, created: usize, released: usize) -> AllocResult<()> {
         let appended = created.saturating_sub(self.free.len());
         if appended > self.id_limit.saturating_sub(self.simplex_bound()) {
@@ -165,19 +167,19 @@ impl<const D: usize> Complex<D> {
         self.records.reserve(appended * Self::RECORD)
     }
 
-    /// Reserves memory for `simplices` simplices and `vertices` vertices if the system gives it.
+    /// Reserves memory for `simplices` simplices and `vertices` vertices, if the system grants it.
     pub fn expect(&mut self, simplices: usize, vertices: usize) {
         self.records.expect(simplices * Self::RECORD);
         self.incident.expect(vertices);
     }
 
-    /// Lets the complex run out of ids where a test can see it.
+    /// Limits the number of simplex ids, so that a test can exhaust them.
     #[cfg(test)]
     pub fn limit_ids(&mut self, limit: usize) {
         self.id_limit = limit;
     }
 
-    /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex
+    /// Links the D + 2 simplices of [`Self::begin`]: any two share the facet without one vertex of
     /// each.
     fn link_all(&mut self) {
         let all = self.simplices();
@@ -192,8 +194,8 @@ impl<const D: usize> Complex<D> {
         }
     }
 
-    /// Starts a search: afterwards no simplex is marked. The two marks are independent. Returns
-    /// what [`Self::has_marks_of`] knows the search by.
+    /// Starts a search: afterwards no simplex is marked, neither inside nor outside. Returns the
+    /// number of the search, for [`Self::has_marks_of`].
     pub fn begin_marks(&mut self) -> u32 {
         if self.epoch >= u32::MAX - 2 {
             self.records.chunks_exact_mut(Self::RECORD).for_each(|record| record[Self::MARK] = 0);
@@ -213,7 +215,7 @@ impl<const D: usize> Complex<D> {
         &mut self.records[simplex.index() * Self::RECORD + Self::MARK]
     }
 
-    /// Whether no other search began since the one that got this number.
+    /// Returns true if no search has begun since the one with this number.
     #[inline]
     pub fn has_marks_of(&self, search: u32) -> bool {
         self.epoch == search
@@ -240,7 +242,7 @@ impl<const D: usize> Complex<D> {
         *self.mark_mut(simplex) = self.epoch + u32::from(!is_inside);
     }
 
-    /// A record that the caller fills in; one that no simplex had is all zeros.
+    /// Returns a simplex whose record the caller fills in; the record of a new id is all zeros.
     #[inline(always)]
     fn allocate(&mut self) -> SimplexId {
         if let Some(simplex) = self.free.pop() {
@@ -272,13 +274,14 @@ impl<const D: usize> Complex<D> {
     }
 }
 
-/// Where `id` stands last in `ids`, 0 if nowhere. Without a branch, as `Array::push_if`.
+/// Returns the last position of `id` in `ids`, and 0 if it is not there. Free of branches, as
+/// `Array::push_if` is.
 #[inline(always)]
 fn index_of<Of>(ids: &[Id<Of>], id: Id<Of>) -> usize {
     ids.iter().enumerate().fold(0, |found, (at, &other)| if other == id { at } else { found })
 }
 
-/// Where `id` stands in `ids`; the caller knows that it does.
+/// Returns the position of `id` in `ids`, which must have it.
 #[inline]
 pub(crate) fn position<Of>(ids: &[Id<Of>], id: Id<Of>) -> usize {
     ids.iter().position(|&other| other == id).expect("adjacent simplices name each other")

@@ -1,26 +1,25 @@
-//! A partition of a complex is a complex of its own, which is changed apart from the rest and then
-//! joins it again.
+//! Partitions of a complex: each is a complex of its own, which is changed apart from the rest and
+//! then joined with it again.
 
 use super::{Complex, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected};
 
-/// The global ids of the simplices and vertices of a partition, by their local ids.
+/// Global ids of the simplices and vertices of a partition, by their local ids.
 #[derive(Default)]
 pub(crate) struct LocalToGlobal {
     pub simplices: Array<SimplexId>,
     pub vertices: Array<VertexId>,
 }
 
-/// The local ids in the partition that is being cut out, by global ids: simplex or vertex of the
-/// global mesh -> its id in the partition, none if it is not there. One serves for all
-/// partitions, one after the other.
+/// Local ids in the partition that is being extracted, by global ids; none for a simplex or vertex
+/// that is not in it. One serves for all partitions, one after the other.
 pub(crate) struct GlobalToLocal {
     pub simplices: Array<SimplexId>,
     pub vertices: Array<VertexId>,
 }
 
-/// The ids of the partition that is being cut out, both ways.
+/// Ids of the partition that is being extracted, in both directions.
 pub(crate) struct PartitionIds<'a> {
     pub local_to_global: LocalToGlobal,
     pub global_to_local: &'a mut GlobalToLocal,
@@ -34,7 +33,7 @@ impl GlobalToLocal {
         })
     }
 
-    /// Numbers the simplices of a partition in their order, and the vertices that it has so far.
+    /// Assigns local ids to the simplices of a partition, and to the vertices that it has so far.
     pub fn number(&mut self, local_to_global: LocalToGlobal) -> PartitionIds<'_> {
         for (local, &simplex) in local_to_global.simplices.iter().enumerate() {
             self.simplices[simplex] = SimplexId::new(local);
@@ -47,7 +46,7 @@ impl GlobalToLocal {
 }
 
 impl PartitionIds<'_> {
-    /// Forgets the local ids, so that those of the next partition can be noted.
+    /// Clears the local ids, so that those of the next partition can be recorded.
     pub fn forget_local(self) -> LocalToGlobal {
         for &simplex in &self.local_to_global.simplices {
             self.global_to_local.simplices[simplex] = SimplexId::NONE;
@@ -60,9 +59,9 @@ impl PartitionIds<'_> {
 }
 
 impl<const D: usize> Complex<D> {
-    /// The live simplices of `ids` as a complex of their own, whose other vertices are added to
-    /// `ids`. Where the global mesh continues beyond a facet, the simplex is its own neighbour, so
-    /// that no search leaves the partition. `tick` is called for every simplex.
+    /// Extracts the live simplices of `ids` as a complex of their own, and adds their other
+    /// vertices to `ids`. If the global mesh continues beyond a facet, the simplex is its own
+    /// neighbour there, so that no search leaves the partition. `tick` is called for every simplex.
     pub fn partition(
         &self,
         ids: &mut PartitionIds<'_>,
@@ -97,32 +96,34 @@ impl<const D: usize> Complex<D> {
         Ok(partition)
     }
 
-    /// The number of simplices that fit in the spare memory.
+    /// Returns the number of simplices that fit in the spare memory.
     pub fn spare_simplices(&self) -> usize {
         self.records.spare() / Self::RECORD
     }
 
-    /// Moves to `reserve`, which is empty.
+    /// Moves the simplices to `reserve`, which must be empty.
     pub fn move_to(&mut self, reserve: Array<u32>) -> AllocResult<()> {
         self.records.move_into(reserve)
     }
 
-    /// Splits the spare memory: `reserves` has the number of simplices for each share. `None` if it
-    /// is not enough.
+    /// Splits the spare memory: `reserves` has the number of simplices of each share. Returns
+    /// `None` if there is not enough.
     pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Array<u32>>> {
         let reserves = collected(reserves.iter().map(|reserve| reserve * Self::RECORD)).ok()?;
         self.records.split_reserve(&reserves)
     }
 
-    /// See [`Records::is_interface`](super::Records::is_interface).
+    /// Returns true if a facet is on the interface: see
+    /// [`Records::is_interface`](super::Records::is_interface).
     pub fn is_interface(&self, simplex: SimplexId, index: usize) -> bool {
         self.records().is_interface(simplex, index)
     }
 
-    /// Appends the simplices of `partition`, dead ones too, under new ids, which `local_to_global`
-    /// has afterwards; it has the new vertices already. At the interface simplices are their own
-    /// neighbours until all partitions have joined ([`Self::replace_joined`]). The simplices that
-    /// the partition was cut from stay until then.
+    /// Appends the simplices of `partition`, dead ones included, under new ids, which
+    /// `local_to_global` has afterwards; it must have the new vertices already. At the interface
+    /// simplices stay their own neighbours until all partitions have joined
+    /// ([`Self::replace_joined`]). The simplices from which the partition was extracted stay until
+    /// then.
     pub fn join(
         &mut self,
         partition: Self,
@@ -161,9 +162,9 @@ impl<const D: usize> Complex<D> {
         Ok(())
     }
 
-    /// Called when all partitions have joined. `moved`: simplex that became one of a partition ->
-    /// its new id. Links partitions at their interfaces, and releases the simplices that they were
-    /// cut from.
+    /// Links joined partitions at their interfaces, and releases the simplices from which they were
+    /// extracted. Called when all partitions have joined. `moved` gives each extracted simplex its
+    /// new id.
     pub fn replace_joined(
         &mut self,
         moved: &[SimplexId],

@@ -1,13 +1,13 @@
-//! A complex from plain arrays, as a partition comes that another process has made.
+//! A complex made of plain arrays, such as a partition from another process.
 
 use super::{Complex, SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocError, TryGrow};
 
 impl<const D: usize> Complex<D> {
-    /// The complex of simplices that are given by their vertices and their neighbours opposite
-    /// these, D + 1 each, over `vertices` ids. A simplex that is its own neighbour is at an
-    /// interface there.
+    /// Makes the complex of simplices that are given by their vertices and the neighbours opposite
+    /// these, D + 1 each. There are `vertices` vertex ids. A simplex that is its own neighbour is
+    /// at an interface there.
     pub fn of_arrays(
         vertices: usize,
         simplices: &[VertexId],

@@ -1,21 +1,21 @@
-//! The records of all simplices in one array, as searches read them.
+//! The records of all simplices in one array, for searches.
 
 use super::{Complex, SimplexId, VertexId, index_of};
 use crate::memory::prefetch_at;
 
-/// The vertices and neighbours of all simplices.
+/// Vertices and neighbours of all simplices, to read.
 #[derive(Clone, Copy)]
 pub(crate) struct Records<'a, const D: usize>(&'a [u32]);
 
-/// The same for a search that marks what it saw.
+/// Records of all simplices for a search that marks the simplices that it meets.
 pub(crate) struct Marking<'a, const D: usize> {
     records: &'a mut [u32],
     epoch: u32,
 }
 
-/// What a search sees of a simplex as it crosses a facet.
+/// Mark of a simplex as a search reads it when it crosses a facet, and the way back.
 pub(crate) struct Sighting {
-    /// Where the simplex has the one before among its neighbours.
+    /// Position of the simplex that the search came from, among the neighbours.
     pub mirror: u32,
     mark: u32,
 }
@@ -31,14 +31,14 @@ impl<'a, const D: usize> Records<'a, D> {
         neighbors_in::<D>(self.record(simplex))
     }
 
-    /// Begins to load the record of `simplex`.
+    /// Prefetches the record of `simplex`.
     #[inline(always)]
     pub fn prefetch(self, simplex: SimplexId) {
         prefetch_at(self.0, simplex.index() * Complex::<D>::RECORD, Complex::<D>::RECORD);
     }
 
-    /// Whether the facet of `simplex` opposite its vertex number `index` is a cut facet of a
-    /// partition.
+    /// Returns true if the facet of `simplex` opposite its vertex number `index` is on the
+    /// interface of a partition: the global mesh continues beyond it.
     pub fn is_interface(self, simplex: SimplexId, index: usize) -> bool {
         self.neighbors(simplex)[index] == simplex
     }
@@ -60,12 +60,12 @@ impl<const D: usize> Marking<'_, D> {
         Records(self.records)
     }
 
-    /// What [`Complex::has_marks_of`] knows the search by.
+    /// Returns the number of the search, for [`Complex::has_marks_of`].
     pub fn number(&self) -> u32 {
         self.epoch
     }
 
-    /// Comes to `simplex` from its neighbour `before`.
+    /// Reads the mark of `simplex`, reached from its neighbour `before`.
     #[inline(always)]
     pub fn see(&self, simplex: SimplexId, before: SimplexId) -> Sighting {
         let record = self.records().record(simplex);
@@ -73,13 +73,13 @@ impl<const D: usize> Marking<'_, D> {
         Sighting { mirror, mark: record[Complex::<D>::MARK] }
     }
 
-    /// Whether the simplex was marked before.
+    /// Returns true if this search had marked the simplex, inside or outside.
     #[inline(always)]
     pub fn is_marked(&self, seen: &Sighting) -> bool {
         seen.mark >= self.epoch
     }
 
-    /// Whether the simplex was marked inside before.
+    /// Returns true if this search had marked the simplex as inside.
     #[inline(always)]
     pub fn is_inside(&self, seen: &Sighting) -> bool {
         seen.mark == self.epoch
@@ -99,7 +99,7 @@ impl<const D: usize> Complex<D> {
         Records(&self.records)
     }
 
-    /// Starts a search as [`Self::begin_marks`] does.
+    /// Starts a search as [`Self::begin_marks`] does, and returns the records to mark.
     pub fn marking(&mut self) -> Marking<'_, D> {
         let epoch = self.begin_marks();
         Marking { records: &mut self.records, epoch }

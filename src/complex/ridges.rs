@@ -1,16 +1,16 @@
-//! Which two simplices of a new cone share a ridge: a small hash table of the ridges round the
-//! cavity, each of which comes up twice. Pivoting round a ridge through the cavity does without a
-//! table, but how many steps that takes no processor can foresee.
+//! A small hash table of the ridges round a cavity, which pairs the simplices of a new cone that
+//! share a ridge: each ridge comes up twice. Pivoting round a ridge through the cavity needs no
+//! table, but no processor can predict how many steps it takes.
 
 use super::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
 
-/// The highest dimension that a ridge fits an id of: that has D - 1 vertices.
+/// Largest dimension in which a ridge, which has D - 1 vertices, fits in a key of 128 bits.
 pub(super) const MAX_TABLE_DIM: usize = 5;
 
-/// Where a ridge was met: the simplex, and its vertex that is neither on the ridge nor the apex.
+/// Simplex at a ridge, and the number of its vertex that is neither on the ridge nor the apex.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Side {
+pub(super) struct RidgeSide {
     pub simplex: SimplexId,
     pub index: u32,
 }
@@ -18,32 +18,33 @@ pub(super) struct Side {
 #[derive(Clone, Copy, Debug)]
 struct Slot {
     ridge: u128,
-    side: Side,
-    /// The cone that it is of; those of earlier cones are free.
+    side: RidgeSide,
+    /// Number of the cone that filled the slot; slots of earlier cones are free.
     cone: u32,
 }
 
 impl Slot {
     const FREE: Self =
-        Self { ridge: 0, side: Side { simplex: SimplexId::NONE, index: 0 }, cone: 0 };
+        Self { ridge: 0, side: RidgeSide { simplex: SimplexId::NONE, index: 0 }, cone: 0 };
 }
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ridges {
     slots: Vec<Slot>,
     cone: u32,
-    /// One less than the slots in use, and how far a hash is shifted to be one.
+    /// Number of slots in use less one, a mask for their indices.
     mask: usize,
     shift: u32,
 }
 
 impl Ridges {
-    /// Reserves memory for the ridges between `facets` of dimension D - 1: D/2 of each.
+    /// Reserves memory for the ridges of `facets` facets of dimension D - 1; these have D/2 ridges
+    /// each.
     pub fn reserve<const D: usize>(&mut self, facets: usize) -> AllocResult<()> {
         self.slots.cover(slots(D, facets), Slot::FREE)
     }
 
-    /// Empties the table for the ridges of `facets` facets, for which there is memory.
+    /// Empties the table for the ridges of `facets` facets, for which memory is reserved.
     pub fn begin<const D: usize>(&mut self, facets: usize) {
         if self.cone == u32::MAX {
             self.slots.fill(Slot::FREE);
@@ -55,9 +56,10 @@ impl Ridges {
         self.shift = 64 - slots.trailing_zeros();
     }
 
-    /// The side that came with `ridge` the first time; that time nothing.
+    /// Returns the side that came with `ridge` the first time; the first time itself records `side`
+    /// and returns `None`.
     #[inline]
-    pub fn pair(&mut self, ridge: u128, side: Side) -> Option<Side> {
+    pub fn pair(&mut self, ridge: u128, side: RidgeSide) -> Option<RidgeSide> {
         let mut at = (hash(ridge) >> self.shift) as usize;
         loop {
             let slot = &mut self.slots[at];
@@ -73,7 +75,7 @@ impl Ridges {
     }
 }
 
-/// At least twice as many as ridges.
+/// Returns the number of slots for the ridges of `facets` facets: at least twice as many as ridges.
 fn slots(dim: usize, facets: usize) -> usize {
     (dim * facets).next_power_of_two().max(2)
 }
@@ -84,8 +86,8 @@ fn hash(ridge: u128) -> u64 {
     (high.wrapping_mul(0xd6e8_feb8_6659_fd93) ^ low).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }
 
-/// The ridges of the facet opposite the vertex `apex` of a simplex, each with the number of the
-/// facet's vertex that it lacks. The order of the facet's vertices does not matter.
+/// Returns the ridges of the facet opposite the vertex `apex` of a simplex, each with the number of
+/// the facet's vertex that it lacks. The order of the facet's vertices does not matter.
 #[inline]
 pub(super) fn ridges_of<const D: usize>(vertices: &[VertexId], apex: usize) -> [(u128, u32); D] {
     let mut facet: [u64; D] = std::array::from_fn(|i| {
@@ -108,8 +110,8 @@ pub(super) fn ridges_of<const D: usize>(vertices: &[VertexId], apex: usize) -> [
 mod tests {
     use super::*;
 
-    /// The cone of a vertex over the surface of a simplex, its vertices in orders that differ: each
-    /// ridge is met by two of the cone's simplices, and named alike by both.
+    /// Checks that each ridge is met by two simplices of the cone of a vertex over the surface of a
+    /// simplex, and has the same key in both, though their vertices are in different orders.
     fn ridges_come_in_pairs<const D: usize>() {
         let apex = VertexId::new(1000);
         let surface: Vec<VertexId> = (0..=D).map(|i| VertexId::new((7 * i + 3) % 11)).collect();
@@ -125,7 +127,7 @@ mod tests {
                 vertices.swap(0, lacking);
                 let at = vertices.iter().position(|&vertex| vertex == apex).unwrap();
                 for (ridge, index) in ridges_of::<D>(&vertices, at) {
-                    let side = Side { simplex: SimplexId::new(lacking), index };
+                    let side = RidgeSide { simplex: SimplexId::new(lacking), index };
                     let Some(other) = table.pair(ridge, side) else { continue };
                     pairs += 1;
                     // Each side lacks the vertex that the other simplex has not.
@@ -145,7 +147,7 @@ mod tests {
         ridges_come_in_pairs::<5>();
     }
 
-    /// Ridges of one slot stand behind each other.
+    /// Ridges with equal hashes take slots one after the other.
     #[test]
     fn ridges_with_one_hash_are_told_apart() {
         let mut table = Ridges::default();
@@ -155,13 +157,13 @@ mod tests {
         for round in 0..2 {
             for simplex in SimplexId::below(60) {
                 let ridge = u128::from(simplex.number()) << 32 | 5;
-                let known = table.pair(ridge, Side { simplex, index: 1 });
+                let known = table.pair(ridge, RidgeSide { simplex, index: 1 });
                 assert_eq!(known.map(|side| side.simplex), (round == 1).then_some(simplex));
             }
         }
     }
 
-    /// What earlier cones left is free, also when their numbers start again.
+    /// Slots filled by earlier cones are free, also when the numbers of cones start again.
     #[test]
     fn every_cone_begins_with_an_empty_table() {
         let mut table = Ridges::default();
@@ -170,7 +172,9 @@ mod tests {
             table.cone = cone;
             table.begin::<3>(4);
             for ridge in 0..6 {
-                assert!(table.pair(ridge, Side { simplex: SimplexId::new(1), index: 0 }).is_none());
+                assert!(
+                    table.pair(ridge, RidgeSide { simplex: SimplexId::new(1), index: 0 }).is_none()
+                );
             }
         }
     }

@@ -3,11 +3,10 @@
 use super::{Vertex, VertexId};
 use crate::memory::{AllocResult, Array, Id, TryGrow};
 
-/// A set of ids that is emptied in constant time, and numbers its members in the order in which
-/// they came.
+/// Set of ids that is emptied in constant time, and numbers its members in the order of insertion.
 pub(crate) struct IdSet<Of> {
     pub ids: Array<Id<Of>>,
-    /// Id -> its number and `base`; less than `base` if it is not in the set.
+    /// Id -> its number plus `base`; less than `base` if it is not in the set.
     marks: Vec<u32>,
     base: u32,
 }
@@ -49,7 +48,7 @@ impl<Of> IdSet<Of> {
 }
 
 impl VertexSet {
-    /// The same for a vertex of a simplex, which may be at infinity: that is in no set.
+    /// Inserts a vertex of a simplex, unless it is the infinite one, which is in no set.
     #[inline(always)]
     pub fn insert_finite(&mut self, vertex: VertexId) -> AllocResult<()> {
         match vertex.index() < self.marks.len() {
@@ -58,7 +57,7 @@ impl VertexSet {
         }
     }
 
-    /// The number of a member, from 1 on; 0 for the infinite vertex.
+    /// Returns the number of a member, from 1 on; 0 for the infinite vertex.
     #[inline(always)]
     pub fn number(&self, vertex: VertexId) -> u32 {
         // It is beyond all marks.

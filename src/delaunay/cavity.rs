@@ -1,4 +1,4 @@
-//! The search of a cavity, without branches on what a processor cannot guess ([`Array::push_if`]
+//! The search for a cavity, without branches that a processor cannot predict ([`Array::push_if`]
 //! tells why): a simplex is written where it may belong, and stays if it does.
 
 use super::Delaunay;
@@ -6,24 +6,25 @@ use super::conflict::Conflicts;
 use crate::complex::{Facet, Marking, SimplexId, VertexSet};
 use crate::memory::{AllocResult, Array, TryGrow};
 
-/// The simplices whose D-balls hold a point: what the point's insertion destroys.
+/// Simplices whose D-balls hold a point; the insertion of the point destroys them.
 #[derive(Default)]
 pub(crate) struct Cavity {
     pub simplices: Vec<SimplexId>,
-    /// The facets round the cavity, grouped by `simplices`.
+    /// Facets round the cavity, grouped by `simplices`.
     pub boundary: Array<Facet>,
-    /// `boundary[starts[i]..starts[i + 1]]` are the facets of `simplices[i]`.
+    /// Positions in `boundary`: the facets of `simplices[i]` are `boundary[starts[i]..starts[i +
+    /// 1]]`.
     pub starts: Vec<u32>,
-    /// The finite vertices of `simplices`. Those of the first, then one of each other, opposite the
-    /// facet where the search came in.
+    /// Finite vertices of `simplices`: all of the first simplex, then of each further one the
+    /// vertex opposite the facet through which the search reached it.
     pub vertices: VertexSet,
-    /// The search that marked `simplices`.
+    /// Number of the search that marked `simplices`.
     pub(super) search: u32,
     /// Simplices in conflict that the search has found.
     queue: Array<Found>,
 }
 
-/// A simplex in conflict, and the number of its facet where the search came in.
+/// Simplex in conflict, and the number of its facet through which the search reached it.
 #[derive(Clone, Copy)]
 struct Found {
     simplex: SimplexId,
@@ -39,7 +40,7 @@ impl Cavity {
         self.queue.clear();
     }
 
-    /// Goes on with `simplex`, whose facets fit in the reserve then.
+    /// Adds `simplex` to the cavity, and reserves memory for its facets.
     #[inline(always)]
     fn begin_simplex<const D: usize>(&mut self, simplex: SimplexId) -> AllocResult<()> {
         self.queue.reserve(D + 1)?;
@@ -50,7 +51,8 @@ impl Cavity {
 }
 
 impl<const D: usize> Delaunay<D> {
-    /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one.
+    /// Collects into `cavity` all simplices in conflict with `q`, from `start`, which is one of
+    /// them.
     pub fn find_cavity(
         &mut self,
         start: SimplexId,
@@ -106,8 +108,8 @@ struct Search<'a, const D: usize> {
 }
 
 impl<const D: usize> Search<'_, D> {
-    /// Crosses the facet with number `index` of the cavity's `simplex`, to `beyond`. What was seen
-    /// before is tested once more: that is faster than to go another way for it.
+    /// Crosses facet number `index` of the cavity's `simplex` to `beyond`. A simplex that is marked
+    /// already is tested once more: that is faster than a branch which avoids it.
     #[inline(always)]
     fn cross(&mut self, simplex: SimplexId, index: usize, beyond: SimplexId, cavity: &mut Cavity) {
         let seen = self.marking.see(beyond, simplex);
@@ -126,8 +128,8 @@ impl<const D: usize> Search<'_, D> {
         self.conflicts.test_with_care(self.marking.records(), simplex, self.q)
     }
 
-    /// Begins to load what a search that has come to `simplex` will look at next. In the plane a
-    /// search is over before that helps.
+    /// Prefetches the records and D-balls that a search will read next from `simplex`. In the plane
+    /// a search is over before that helps.
     #[inline(always)]
     fn prefetch_neighbors(&self, simplex: SimplexId) {
         if D > 2 {

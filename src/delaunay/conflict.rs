@@ -1,4 +1,4 @@
-//! Conflicts: whether a point is in a D-ball.
+//! Conflict tests: is a point inside a D-ball.
 
 use super::MAX_SIMPLEX_VERTICES;
 use crate::complex::{Records, SimplexId, VertexId, position};
@@ -6,7 +6,7 @@ use crate::memory::prefetch_at;
 use crate::numerics::{Circumball, Sign, in_ball_exact, orientation};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// What tells conflicts, beside the records of the simplices.
+/// Points and D-balls that conflict tests read, beside the records of the simplices.
 #[derive(Clone, Copy)]
 pub(super) struct Conflicts<'a, const D: usize> {
     pub points: &'a [[f64; D]],
@@ -15,14 +15,15 @@ pub(super) struct Conflicts<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Conflicts<'a, D> {
-    /// Whether `q` is strictly inside the D-ball of `simplex`; for an infinite simplex, strictly
-    /// beyond its facet, or on the facet's hyperplane and strictly inside the facet's disc.
+    /// Returns true if `q` is strictly inside the D-ball of `simplex`. For an infinite simplex:
+    /// strictly beyond its facet, or on the facet's hyperplane and strictly inside the facet's
+    /// disc.
     #[inline(always)]
     pub fn test(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> bool {
         self.side(simplex, q).unwrap_or_else(|| self.test_with_care(records, simplex, q))
     }
 
-    /// As [`Self::test`] if the D-ball as it is kept can tell.
+    /// Returns the result of [`Self::test`] if the rounded D-ball decides it, else `None`.
     #[inline(always)]
     pub fn side(&self, simplex: SimplexId, q: &[f64; D]) -> Option<bool> {
         let ball = &self.balls[simplex];
@@ -30,7 +31,8 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         ball.side(self.points.get(ball.anchor as usize)?, q)
     }
 
-    /// As [`Self::test`] where [`Self::side`] cannot tell.
+    /// Returns the result of [`Self::test`] by exact signs, for simplices whose rounded D-ball does
+    /// not decide it.
     #[cold]
     #[inline(never)]
     pub fn test_with_care(
@@ -50,7 +52,8 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         }
     }
 
-    /// A point on the hyperplane is inside the disc iff it is inside the finite neighbour's ball.
+    /// Returns true if `q` is in conflict with an infinite simplex. A point on the facet's
+    /// hyperplane is inside its disc iff it is inside the ball of the finite neighbour.
     fn beyond_hull(&self, records: Records<'_, D>, simplex: SimplexId, q: &[f64; D]) -> bool {
         let vertices = records.vertices(simplex);
         let infinite = position(vertices, VertexId::INFINITE);
@@ -66,7 +69,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         }
     }
 
-    /// The points of finite vertices.
+    /// Returns the points of a simplex' vertices; that of the infinite vertex is arbitrary.
     pub fn vertex_points(&self, vertices: &[VertexId]) -> [&'a [f64; D]; MAX_SIMPLEX_VERTICES] {
         let mut of_vertices = [&self.points[0]; MAX_SIMPLEX_VERTICES];
         for (point, &vertex) in of_vertices.iter_mut().zip(vertices) {
@@ -77,7 +80,7 @@ impl<'a, const D: usize> Conflicts<'a, D> {
         of_vertices
     }
 
-    /// Begins to load the D-ball of `simplex`.
+    /// Prefetches the D-ball of `simplex`.
     #[inline(always)]
     pub fn prefetch(&self, simplex: SimplexId) {
         prefetch_at(self.balls, simplex.index(), 1);

@@ -1,5 +1,5 @@
-//! Location of a point that no list knows (a cage vertex): a visibility walk with exact signs
-//! from a simplex nearby. Never used from far away.
+//! Location of a point that is in no conflict list (a cage vertex), by a visibility walk with exact
+//! signs from a simplex nearby. It is slow from far away.
 
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
 use crate::complex::{SimplexId, VertexId};
@@ -7,15 +7,16 @@ use crate::memory::{AllocResult, TryGrow};
 use crate::numerics::{Sign, orientation};
 
 impl<const D: usize> Delaunay<D> {
-    /// A simplex in conflict with `q`, found from the live simplex `start`. `None` iff `q` is a
-    /// vertex already, or not in the partition of a complex that this is. A visibility walk in a
-    /// Delaunay triangulation cannot cycle except among cospherical simplices; a counted bound and
-    /// a scan of all simplices cover those.
+    /// Returns a simplex in conflict with `q`, by a walk from the live simplex `start`. `None` iff
+    /// `q` is a vertex already, or outside the partition that this complex is. A visibility walk in
+    /// a Delaunay triangulation cannot cycle except among cospherical simplices; a bound of its
+    /// steps and a scan of all simplices cover those.
     pub fn locate(&self, start: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
         self.locate_and_count(start, q, &mut 0)
     }
 
-    /// As [`Self::locate`]; adds the D-balls that `q` was tested against to `tests`.
+    /// Returns the result of [`Self::locate`], and adds the number of D-balls that `q` was tested
+    /// against to `tests`.
     pub fn locate_and_count(
         &self,
         start: SimplexId,
@@ -32,8 +33,8 @@ impl<const D: usize> Delaunay<D> {
             .find(|&simplex| self.in_conflict(simplex, q))
     }
 
-    /// A simplex in conflict with `q`, if a walk from the live simplex `start` comes to one. In a
-    /// partition it may end at the interface: the simplex may be behind a bend of it.
+    /// Returns a simplex in conflict with `q` if a walk from the live simplex `start` reaches one.
+    /// In a partition the walk may end at the interface, with such a simplex behind a bend of it.
     pub fn walk_to_conflict(
         &self,
         start: SimplexId,
@@ -56,8 +57,8 @@ impl<const D: usize> Delaunay<D> {
         None
     }
 
-    /// The finite simplex whose closure holds `q`, by a walk from the live simplex `start` nearby;
-    /// `None` outside of the hull.
+    /// Returns the finite simplex whose closure contains `q`, by a walk from the live simplex
+    /// `start` nearby; `None` if `q` is outside the hull.
     pub fn simplex_at(&self, start: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
         let mut current = self.finite_near(start);
         for _ in 0..self.complex.simplex_count() {
@@ -70,8 +71,8 @@ impl<const D: usize> Delaunay<D> {
         None
     }
 
-    /// The simplex with the least id of those whose closures hold `q`, which is in the hull: it does
-    /// not depend on `start`.
+    /// Returns the simplex with the smallest id of those whose closures contain `q`, which must be
+    /// in the hull. The result does not depend on `start`.
     pub fn first_simplex_at(
         &self,
         start: SimplexId,
@@ -100,8 +101,8 @@ impl<const D: usize> Delaunay<D> {
         Ok(all.into_iter().min())
     }
 
-    /// Whether `q` is on the hyperplane of the facet of `simplex` opposite its vertex number
-    /// `index`.
+    /// Returns true if `q` is on the hyperplane of the facet of `simplex` opposite its vertex
+    /// number `index`.
     fn is_on_facet(&self, simplex: SimplexId, index: usize, q: &[f64; D]) -> bool {
         let mut points: [&[f64; D]; MAX_SIMPLEX_VERTICES] =
             self.vertex_points(self.complex.vertices(simplex));
@@ -109,13 +110,14 @@ impl<const D: usize> Delaunay<D> {
         orientation(&points[..=D]) == Sign::Zero
     }
 
-    /// The vertex that is at `q`, by a walk from the live simplex `start` nearby.
+    /// Returns the vertex at `q`, by a walk from the live simplex `start` nearby; `None` if there
+    /// is none.
     pub fn vertex_at(&self, start: SimplexId, q: &[f64; D]) -> Option<VertexId> {
         let vertices = self.complex.vertices(self.simplex_at(start, q)?);
         vertices.iter().copied().find(|&vertex| self.point(vertex) == q)
     }
 
-    /// `start`, or the finite neighbour of an infinite one.
+    /// Returns `start` if it is finite, else its finite neighbour.
     pub fn finite_near(&self, start: SimplexId) -> SimplexId {
         match self.complex.vertices(start).iter().position(|&v| v == VertexId::INFINITE) {
             Some(infinite) => self.complex.neighbors(start)[infinite],
@@ -123,7 +125,8 @@ impl<const D: usize> Delaunay<D> {
         }
     }
 
-    /// The neighbour across a facet that has `q` strictly on its other side.
+    /// Returns the neighbour across a facet that has `q` strictly on its other side; `None` if `q`
+    /// is in the closure of `simplex`.
     fn step_towards(&self, simplex: SimplexId, q: &[f64; D]) -> Option<SimplexId> {
         let vertices = self.complex.vertices(simplex);
         let mut points: [&[f64; D]; MAX_SIMPLEX_VERTICES] = self.vertex_points(vertices);

@@ -1,16 +1,16 @@
 //! The Delaunay complex: D-balls (§3), conflict regions, insertion, removal and relocation.
 //!
 //! Strict tests need no perturbation. A point conflicts only with a ball that it is strictly
-//! inside. A cavity built so is star-shaped from the point and yields no flat simplex: a point on a
-//! facet's hyperplane and strictly inside one side's ball is inside the facet's disc, hence inside
-//! the other side's ball.
+//! inside. The cavity is then star-shaped from the point, and the new simplices are not flat: a
+//! point on a facet's hyperplane and strictly inside one side's ball is inside the facet's disc,
+//! hence inside the other side's ball.
 //!
 //! ```text
-//!    a-------b         a-------b
-//!    |     / |         | \   / |    The D-balls of abc and bcd hold x: these two simplices are the
-//!    |   x   |  ---->  |   x   |    cavity of x. Its insertion replaces them by the cone of x over
-//!    | /     |         | /   \ |    the facets ab, bd, dc and ca round the cavity.
-//!    c-------d         c-------d
+//! a-------b         a-------b
+//! |     / |         | \   / |    The D-balls of abc and bcd hold x: these two simplices are the
+//! |   x   |  ---->  |   x   |    cavity of x. Its insertion replaces them by the cone of x over
+//! | /     |         | /   \ |    the facets ab, bd, dc and ca round the cavity.
+//! c-------d         c-------d
 //! ```
 
 mod cavity;
@@ -32,17 +32,17 @@ use conflict::Conflicts;
 pub(crate) use removal::Hole;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Vertices of a simplex of the highest dimension.
+/// Number of vertices of a simplex in the largest dimension.
 const MAX_SIMPLEX_VERTICES: usize = crate::mesh::MAX_DIM + 1;
 
 pub(crate) struct Delaunay<const D: usize> {
     complex: Complex<D>,
-    /// All points that have an id, inserted or not.
+    /// Points by vertex id, inserted or not.
     points: Array<[f64; D]>,
-    /// Simplex -> its D-ball, which is stale for a dead one. It is relative to the vertex `anchor`,
-    /// which an infinite simplex has not: that has no D-ball.
+    /// Simplex -> its D-ball, relative to its vertex `anchor`. The entry of a dead simplex is
+    /// stale. An infinite simplex has no D-ball and no anchor.
     balls: Array<Circumball<D>>,
-    /// Vertex -> which insertion was its last, from 1 on; 0 if it never was inserted.
+    /// Vertex -> the number of its last insertion, from 1 on; 0 if it never was inserted.
     turns: Array<u32>,
     last_turn: u32,
     exact_fallbacks: AtomicU64,
@@ -52,7 +52,7 @@ pub(crate) struct Delaunay<const D: usize> {
 impl<const D: usize> Delaunay<D> {
     const NO_BALL: Circumball<D> = Circumball::UNUSABLE.anchored(VertexId::NONE.number());
 
-    /// A complex without simplices over `points`, which get the ids 0, 1, ...
+    /// Returns a complex without simplices over `points`, which get the ids from 0 on.
     pub fn new(points: Array<[f64; D]>) -> AllocResult<Self> {
         Ok(Self {
             complex: Complex::new(points.len())?,
@@ -65,7 +65,7 @@ impl<const D: usize> Delaunay<D> {
         })
     }
 
-    /// Forgets all points and simplices, but keeps their memory.
+    /// Removes all points and simplices, but keeps their memory.
     pub fn clear(&mut self) {
         self.complex.clear();
         self.points.clear();
@@ -83,7 +83,7 @@ impl<const D: usize> Delaunay<D> {
         &self.points[vertex]
     }
 
-    /// Number of points with an id, inserted or not.
+    /// Returns the number of points with an id, inserted or not.
     pub fn point_count(&self) -> usize {
         self.points.len()
     }
@@ -92,12 +92,13 @@ impl<const D: usize> Delaunay<D> {
         self.exact_fallbacks.load(Ordering::Relaxed)
     }
 
-    /// Simplices made so far, infinite ones included. All but the live ones were destroyed again.
+    /// Returns the number of simplices made so far, infinite ones and those destroyed again
+    /// included.
     pub fn simplices_created(&self) -> u64 {
         self.simplices_created
     }
 
-    /// Reserves memory for `simplices` simplices and `points` points if the system gives it.
+    /// Reserves memory for `simplices` simplices and `points` points, if the system grants it.
     pub fn expect(&mut self, simplices: usize, points: usize) {
         self.complex.expect(simplices, points);
         self.balls.expect(simplices);
@@ -105,20 +106,20 @@ impl<const D: usize> Delaunay<D> {
         self.turns.expect(points);
     }
 
-    /// Gives `point` an id; it is not inserted yet.
+    /// Adds a point without inserting it, and returns its id.
     pub fn add_point(&mut self, point: [f64; D]) -> AllocResult<VertexId> {
         self.points.try_push(point)?;
         self.turns.try_push(0)?;
         self.complex.add_vertex()
     }
 
-    /// Gives a vertex that is not inserted another point.
+    /// Sets the point of a vertex that is not inserted.
     pub fn set_point(&mut self, vertex: VertexId, point: [f64; D]) {
         debug_assert!(!self.complex.contains_vertex(vertex));
         self.points[vertex] = point;
     }
 
-    /// See [`Complex::star`].
+    /// Collects the simplices at a vertex: see [`Complex::star`].
     pub fn star(&mut self, vertex: VertexId, star: &mut Array<SimplexId>) -> AllocResult<()> {
         self.complex.star(vertex, star)
     }
@@ -142,7 +143,7 @@ impl<const D: usize> Delaunay<D> {
         first.iter().try_for_each(|&vertex| self.note_insertion(vertex))
     }
 
-    /// The D-ball of a live finite simplex.
+    /// Returns the D-ball of a live simplex; `None` if it is infinite.
     #[inline]
     pub fn ball(&self, simplex: SimplexId) -> Option<&Circumball<D>> {
         let ball = &self.balls[simplex];
@@ -155,14 +156,15 @@ impl<const D: usize> Delaunay<D> {
         anchor(ball).map(|anchor| (ball, self.point(anchor)))
     }
 
-    /// The corner of the Voronoi diagram dual to `simplex`, rounded; not finite if out of range.
+    /// Returns the corner of the Voronoi diagram dual to `simplex`, rounded; its coordinates are
+    /// not finite if out of range. `None` for an infinite simplex.
     pub fn corner(&self, simplex: SimplexId) -> Option<[f64; D]> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
         Some(ball.center_point(anchor))
     }
 
-    /// Distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if out of
-    /// range.
+    /// Returns the distance of the unrounded corner dual to `simplex` from `x`; NaN or infinite if
+    /// out of range. `None` for an infinite simplex.
     pub fn corner_distance(&self, simplex: SimplexId, x: &[f64; D]) -> Option<f64> {
         let (ball, anchor) = self.ball_and_anchor(simplex)?;
         let unit = ball.unit();
@@ -171,7 +173,7 @@ impl<const D: usize> Delaunay<D> {
         Some(norm(&offset))
     }
 
-    /// See [`Conflicts::test`].
+    /// Returns true if `q` is in conflict with `simplex`: see [`Conflicts::test`].
     #[inline(always)]
     pub fn in_conflict(&self, simplex: SimplexId, q: &[f64; D]) -> bool {
         self.conflicts().test(self.complex.records(), simplex, q)
@@ -183,8 +185,8 @@ impl<const D: usize> Delaunay<D> {
         Conflicts { points, balls, exact_fallbacks }
     }
 
-    /// About the power of `q` to the D-ball of `simplex`, the lower the further inside; infinite or
-    /// NaN for an infinite simplex and out of range.
+    /// Returns the approximate power of `q` with respect to the D-ball of `simplex`: the lower, the
+    /// further inside. Infinite or NaN for an infinite simplex and out of range.
     #[inline]
     pub fn power(&self, simplex: SimplexId, q: &[f64; D]) -> f64 {
         match self.ball_and_anchor(simplex) {
@@ -193,8 +195,8 @@ impl<const D: usize> Delaunay<D> {
         }
     }
 
-    /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex
-    /// on `cavity.boundary[i]`. O(cavity). The complex is useless after an error.
+    /// Inserts the point `vertex`, whose conflicts are `cavity`; `created[i]` is the new simplex on
+    /// `cavity.boundary[i]`. O(cavity). The complex is unusable after an error.
     pub fn insert(
         &mut self,
         vertex: VertexId,
@@ -262,7 +264,7 @@ impl<const D: usize> Delaunay<D> {
         };
     }
 
-    /// Frees the D-balls: nothing is inserted or located any more.
+    /// Frees the memory of the D-balls, after which nothing can be inserted or located.
     pub fn forget_balls(&mut self) {
         self.balls = Array::new();
     }
@@ -272,7 +274,7 @@ impl<const D: usize> Delaunay<D> {
     }
 }
 
-/// The vertex that `ball` is relative to; an infinite simplex has none.
+/// Returns the vertex that `ball` is relative to; `None` for an infinite simplex.
 #[inline(always)]
 fn anchor<const D: usize>(ball: &Circumball<D>) -> Option<VertexId> {
     let anchor = VertexId::from_number(ball.anchor);

@@ -1,10 +1,10 @@
-//! Which of several Delaunay complexes cospherical points have: that of the order of insertion.
+//! The choice among the Delaunay complexes of cospherical points, by the order of insertion.
 //!
-//! A point that is on a D-ball's sphere does not conflict. So every insertion lifts its point by an
+//! A point on a D-ball's sphere does not conflict with it. So every insertion lifts its point by an
 //! infinitesimal that is larger than all before it, in the sense of Edelsbrunner and Mücke,
-//! "Simulation of Simplicity" (1990): to be on the sphere is then to be outside. The complex is
-//! the regular triangulation of the lifted points, of which there is one only. Whoever knows in
-//! which order the vertices came can tell each of its simplices, and so can a removal.
+//! "Simulation of Simplicity" (1990): a point on the sphere then counts as outside. The complex is
+//! the regular triangulation of the lifted points, which is unique. So the order of insertion alone
+//! decides each simplex of it, for a removal as well.
 
 use super::conflict::Conflicts;
 use super::{Delaunay, MAX_SIMPLEX_VERTICES};
@@ -14,7 +14,7 @@ use crate::numerics::{Sign, in_ball_exact, orientation};
 use std::sync::atomic::Ordering;
 
 impl<const D: usize> Delaunay<D> {
-    /// Makes `vertex` the last one that came.
+    /// Records that `vertex` is the last one that was inserted.
     pub(super) fn note_insertion(&mut self, vertex: VertexId) -> AllocResult<()> {
         let turn = self.last_turn.checked_add(1).ok_or(AllocError::Ids)?;
         self.last_turn = turn;
@@ -22,14 +22,14 @@ impl<const D: usize> Delaunay<D> {
         Ok(())
     }
 
-    /// What puts the vertices in the order of their insertion. Vertices of different partitions may
-    /// have the same turn: the order of those does not matter, for no cavity has two of them.
+    /// Returns a key that sorts vertices by their insertion. Vertices of different partitions may
+    /// have the same turn: their order does not matter, for no cavity has two of them.
     pub(super) fn turn(&self, vertex: VertexId) -> (u32, VertexId) {
         (self.turns[vertex], vertex)
     }
 
-    /// Whether `vertex` is inside the sphere of a positively oriented simplex; where it is on the
-    /// sphere, whether it is inside after all points are lifted.
+    /// Returns true if `vertex` is inside the sphere of a positively oriented simplex, by exact
+    /// signs. For a vertex on the sphere: if it is inside after all points are lifted.
     #[cold]
     #[inline(never)]
     pub(super) fn is_inside_with_care(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
@@ -43,9 +43,10 @@ impl<const D: usize> Delaunay<D> {
         }
     }
 
-    /// The same for a vertex on the sphere. The last point that came decides if it can: lifting
-    /// `vertex` puts it outside; lifting a vertex of the simplex lifts the sphere's hyperplane at
-    /// `vertex` by the barycentric coordinate.
+    /// Returns true if a vertex on the sphere of a simplex is inside after all points are lifted.
+    /// The point inserted last decides if it can: lifting `vertex` puts it outside; lifting a
+    /// vertex of the simplex lifts the sphere's hyperplane at `vertex` by the barycentric
+    /// coordinate.
     fn is_inside_by_order(&self, simplex: &[VertexId], vertex: VertexId) -> bool {
         let mut order: [usize; MAX_SIMPLEX_VERTICES] = std::array::from_fn(|index| index);
         let order = &mut order[..=D];

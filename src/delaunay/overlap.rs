@@ -1,8 +1,8 @@
-//! Which D-balls meet one D-ball (Theorem 4). They are connected in the Delaunay complex: let B'
-//! meet B, and take a point of both. The D-balls that hold this point are its cavity, which is
-//! connected, is within the balls that meet B since the point is in B, and has both simplices.
-//! Beyond the hull the cavity may be connected only through infinite simplices, so these are all
-//! passed through.
+//! The D-balls that meet a given D-ball (Theorem 4). They are connected in the Delaunay complex:
+//! let B' meet B, and take a point of both. The D-balls that hold this point are its cavity, which
+//! is connected, is within the balls that meet B since the point is in B, and has both simplices.
+//! Beyond the hull the cavity may be connected only through infinite simplices, so the search
+//! passes through all of these.
 
 use super::Delaunay;
 use crate::complex::SimplexId;
@@ -11,9 +11,9 @@ use crate::numerics::{Circumball, norm};
 use std::ops::RangeInclusive;
 
 impl<const D: usize> Delaunay<D> {
-    /// The number of other D-balls that meet that of the finite `simplex`. Distances are rounded:
-    /// which balls that only touch are counted is left open. No more than `most` simplices are
-    /// visited; `found` is a buffer.
+    /// Returns the number of other D-balls that meet the D-ball of the finite `simplex`. Distances
+    /// are rounded, so that balls which only touch may or may not count. At most `most` simplices
+    /// are visited; `found` is a buffer.
     pub fn count_meeting(
         &mut self,
         simplex: SimplexId,
@@ -45,10 +45,10 @@ impl<const D: usize> Delaunay<D> {
         Ok(count)
     }
 
-    /// Collects the simplices whose D-balls meet the shell of the given `radii` about `center` into
-    /// `found` (cleared first), and infinite ones beside them; whether that was all, which it is
-    /// not where they are more than `most`. `start` is one of them. Those that hold a point of the
-    /// shell are connected, so all of them are. Distances are rounded.
+    /// Collects into `found` (cleared first) the simplices whose D-balls meet the shell of the
+    /// given `radii` about `center`, and the infinite ones beside them. Returns false if it ended
+    /// before all were found, at `most` simplices. `start` must be one of them. D-balls that hold a
+    /// point of the shell are connected, so all of them are. Distances are rounded.
     pub fn meeting_shell(
         &mut self,
         start: SimplexId,
@@ -90,8 +90,8 @@ impl<const D: usize> Delaunay<D> {
         Ok(true)
     }
 
-    /// Whether the D-balls of two finite simplices meet. The centres are compared unrounded: those
-    /// of a tiny cluster are told apart too.
+    /// Returns true if the D-balls of two finite simplices meet. The centres are not rounded to
+    /// coordinates before they are compared, so that those of a tiny cluster are told apart too.
     fn balls_meet(&self, a: SimplexId, b: SimplexId) -> bool {
         let (Some((a, from)), Some((b, to))) = (self.ball_and_anchor(a), self.ball_and_anchor(b))
         else {

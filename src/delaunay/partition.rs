@@ -1,5 +1,5 @@
-//! A partition of a Delaunay complex, to be refined apart from the rest. Insertions leave the
-//! simplices at its interface as they are. Those are then Delaunay on both sides, and so is every
+//! A partition of a Delaunay complex, which is refined apart from the rest. Insertions leave the
+//! simplices at its interface unchanged. Those are then Delaunay on both sides, and so is every
 //! facet when all partitions have joined. A complex that is Delaunay at every facet is Delaunay.
 
 use super::{Delaunay, anchor};
@@ -8,14 +8,15 @@ use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled};
 use crate::numerics::Circumball;
 
-/// Memory that the simplices of a partition grow in.
+/// Memory in which the simplices of a partition grow.
 pub(crate) struct Reserve<const D: usize> {
     records: Array<u32>,
     balls: Array<Circumball<D>>,
 }
 
 impl<const D: usize> Delaunay<D> {
-    /// See [`crate::complex::Complex::partition`].
+    /// Extracts a partition with its points and D-balls: see
+    /// [`crate::complex::Complex::partition`].
     pub fn partition(
         &self,
         ids: &mut PartitionIds<'_>,
@@ -49,19 +50,19 @@ impl<const D: usize> Delaunay<D> {
         })
     }
 
-    /// The number of simplices that fit in the spare memory.
+    /// Returns the number of simplices that fit in the spare memory.
     pub fn spare_simplices(&self) -> usize {
         self.balls.spare().min(self.complex.spare_simplices())
     }
 
-    /// Moves to `reserve`, which is empty.
+    /// Moves the simplices and their D-balls to `reserve`, which must be empty.
     pub fn move_to(&mut self, reserve: Reserve<D>) -> AllocResult<()> {
         self.complex.move_to(reserve.records)?;
         self.balls.move_into(reserve.balls)
     }
 
-    /// Splits the spare memory: `reserves` has the number of simplices for each share. `None` if it
-    /// is not enough.
+    /// Splits the spare memory: `reserves` has the number of simplices of each share. Returns
+    /// `None` if there is not enough.
     pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Reserve<D>>> {
         let records = self.complex.split_reserve(reserves)?;
         let balls = self.balls.split_reserve(reserves)?;
@@ -69,8 +70,8 @@ impl<const D: usize> Delaunay<D> {
         collected(records.into_iter().zip(balls).map(reserve)).ok()
     }
 
-    /// Vertex of a partition -> whether the global mesh has simplices at it that the partition has
-    /// not. Then it is on a cut facet.
+    /// Returns for each vertex of a partition true if the global mesh has simplices at it that the
+    /// partition lacks. Then the vertex is on a facet of the interface.
     pub fn interface_vertices(&self) -> Result<Vec<bool>> {
         let mut is_at_interface = filled(self.points.len(), false)?;
         for simplex in self.complex.simplices() {
@@ -91,7 +92,7 @@ impl<const D: usize> Delaunay<D> {
             let vertex = self.add_point(*point)?;
             local_to_global.vertices.try_push(vertex)?;
         }
-        // A vertex that is in several partitions was inserted before they were cut.
+        // A vertex that is in several partitions was inserted before they were extracted.
         for (&vertex, &turn) in local_to_global.vertices.iter().zip(&partition.turns) {
             self.turns[vertex] = self.turns[vertex].max(turn);
         }
@@ -99,7 +100,8 @@ impl<const D: usize> Delaunay<D> {
         Ok(())
     }
 
-    /// See [`crate::complex::Complex::join`]. New vertices get their global ids here.
+    /// Joins a partition with its D-balls, and gives its new vertices global ids: see
+    /// [`crate::complex::Complex::join`].
     pub fn join(
         &mut self,
         partition: Self,
@@ -121,7 +123,8 @@ impl<const D: usize> Delaunay<D> {
         Ok(())
     }
 
-    /// See [`crate::complex::Complex::replace_joined`].
+    /// Links joined partitions at their interfaces: see
+    /// [`crate::complex::Complex::replace_joined`].
     pub fn replace_joined(
         &mut self,
         moved: &[SimplexId],
@@ -131,7 +134,7 @@ impl<const D: usize> Delaunay<D> {
     }
 }
 
-/// `ball` with the id that its anchor has elsewhere, given those of all vertices.
+/// Returns `ball` with its anchor replaced by the id that `ids` has for it.
 fn renamed<const D: usize>(ball: &Circumball<D>, ids: &[VertexId]) -> Circumball<D> {
     match anchor(ball) {
         Some(anchor) => ball.anchored(ids[anchor].number()),

@@ -6,7 +6,8 @@ use crate::error::Result;
 use crate::memory::Array;
 
 impl<const D: usize> Delaunay<D> {
-    /// The Delaunay complex that `complex` over `points` is, with its D-balls.
+    /// Makes a Delaunay complex of `complex` over `points`, and computes its D-balls. `complex`
+    /// must be Delaunay.
     pub fn of_complex(
         points: Array<[f64; D]>,
         complex: Complex<D>,

@@ -1,12 +1,13 @@
-//! Removal of a vertex, which may then be inserted elsewhere: the hole that its star leaves is filled
-//! with the Delaunay simplices of the vertices round it.
+//! Removal of a vertex, which may then be inserted elsewhere: the hole that its star leaves is
+//! filled with the Delaunay simplices of the vertices round it.
 //!
 //! Every facet of the boundary has one such simplex on the side of the hole. Its apex is the vertex
 //! whose sphere with the facet holds no other; that simplex has further facets, and so on until all
-//! have met. Cospherical vertices have many Delaunay complexes, and what is outside the hole is of
-//! one of them: the [order](super::order) of the vertices tells which, so the filling always fits.
+//! have met. Cospherical vertices have many Delaunay complexes, and the complex outside the hole
+//! belongs to one of them: the [order](super::order) of the vertices tells which, so the filling
+//! always fits.
 //!
-//! A vertex of the hull is not removed, nor is one at the interface of a partition.
+//! A vertex on the hull is not removed, nor is one at the interface of a partition.
 
 #[cfg(test)]
 mod tests;
@@ -16,36 +17,37 @@ use crate::complex::{Beside, Facet, Filling, SimplexId, VertexId, VertexSet, pos
 use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::numerics::{Circumball, Sign, orientation};
 
-/// The hole that a vertex would leave.
+/// Hole that the removal of a vertex would leave, with the simplices that fill it.
 #[derive(Default)]
 pub(crate) struct Hole<const D: usize> {
     /// All simplices at the vertex.
     pub star: Array<SimplexId>,
-    /// The facets round the star: of `star[i]` it is number i.
+    /// Facets round the star: facet number i belongs to `star[i]`.
     pub boundary: Vec<Facet>,
-    /// The vertices round the hole.
+    /// Vertices round the hole.
     pub vertices: VertexSet,
-    /// What fills it.
+    /// Simplices that fill the hole.
     pub filling: Filling<D>,
     /// Simplex of the filling -> its circumball.
     pub balls: Vec<Circumball<D>>,
-    /// The facets that have a simplex on one side only.
+    /// Facets that have a simplex on one side only.
     open: Vec<Open<D>>,
 }
 
-/// A facet with a simplex on one side, that is beside it, and by the number there of the vertex
-/// opposite.
+/// Facet with a simplex on one side only, which is `beside` it, and the number of that simplex'
+/// vertex opposite the facet.
 #[derive(Clone, Copy)]
 struct Open<const D: usize> {
-    /// The facet's vertices, in rising order.
+    /// Ids of the facet's vertices, ascending.
     facet: [u32; D],
     beside: Beside,
     index: u32,
 }
 
 impl<const D: usize> Delaunay<D> {
-    /// Finds the hole that the inserted `vertex` would leave, and what fills it. False if the
-    /// vertex is at the hull. O(s v) for s simplices of the filling and v vertices round it.
+    /// Finds the hole that the removal of `vertex` would leave, and the simplices that fill it.
+    /// Returns false if the vertex is on the hull. O(s v) for s simplices of the filling and v
+    /// vertices round it.
     pub fn find_hole(&mut self, vertex: VertexId, hole: &mut Hole<D>) -> AllocResult<bool> {
         self.complex.star(vertex, &mut hole.star)?;
         hole.boundary.clear();
@@ -81,7 +83,7 @@ impl<const D: usize> Delaunay<D> {
         Ok(true)
     }
 
-    /// Adds the simplex on the open side of a facet to the filling; false if there is none.
+    /// Adds the simplex on the open side of a facet to the filling; returns false if there is none.
     fn fill_at(&self, open: &Open<D>, hole: &mut Hole<D>) -> AllocResult<bool> {
         let mut vertices = [VertexId::NONE; MAX_SIMPLEX_VERTICES];
         let vertices = &mut vertices[..=D];
@@ -126,7 +128,7 @@ impl<const D: usize> Delaunay<D> {
     }
 
     /// Puts at `slot` the vertex of `around` that makes a Delaunay simplex with the others, on
-    /// their positive side, and returns its ball. What is inside the sphere of one such simplex is
+    /// their positive side, and returns its ball. A vertex inside the sphere of one such simplex is
     /// on that side too: the simplex on the other side is Delaunay.
     fn find_apex(
         &self,
@@ -159,9 +161,9 @@ impl<const D: usize> Delaunay<D> {
         ball
     }
 
-    /// Removes `vertex`, for which `hole` was found, and since then nothing has changed.
-    /// `created[i]` becomes simplex number i of the filling. The vertex keeps its id and may be
-    /// inserted again. After an error the complex is as it was.
+    /// Removes `vertex`, for which `hole` was found in the present complex. `created[i]` becomes
+    /// simplex number i of the filling. The vertex keeps its id and may be inserted again. After an
+    /// error the complex is unchanged.
     pub fn remove(
         &mut self,
         vertex: VertexId,
@@ -183,7 +185,7 @@ impl<const D: usize> Delaunay<D> {
     }
 }
 
-/// The vertices of a simplex but that number `index`, in rising order.
+/// Returns the ids of a simplex' vertices except number `index`, ascending.
 fn facet_of<const D: usize>(vertices: &[VertexId], index: usize) -> [u32; D] {
     let mut facet: [u32; D] =
         std::array::from_fn(|i| vertices[i + usize::from(i >= index)].number());

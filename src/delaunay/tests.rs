@@ -1,5 +1,5 @@
-//! Insertion against brute force: after every set of insertions each D-ball is empty of all points
-//! (exact signs), adjacency is closed, and every distinct point is a vertex.
+//! Insertion compared with brute force: after every set of insertions each D-ball is empty of all
+//! points (by exact signs), adjacency is closed, and every distinct point is a vertex.
 
 use super::{Cavity, Delaunay};
 use crate::complex::{SimplexId, VertexId};
@@ -9,7 +9,7 @@ use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
-/// Inserts all points in their order; those that coincide with a vertex are left out.
+/// Inserts all points in their order, except those that coincide with a vertex.
 fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     let basis = affine_basis::<D>(points.len(), |i| points[i]);
     if basis.len() < D + 1 {
@@ -38,7 +38,7 @@ fn triangulate<const D: usize>(points: &[[f64; D]]) -> Option<Delaunay<D>> {
     Some(delaunay)
 }
 
-/// The finite vertices of the cavity's simplices, one of each.
+/// Asserts that the cavity's vertices are the finite vertices of its simplices, each once.
 fn assert_corners<const D: usize>(delaunay: &Delaunay<D>, cavity: &Cavity) {
     let vertices = |simplex: &SimplexId| delaunay.complex().vertices(*simplex).iter().copied();
     let found_vertices =
@@ -75,7 +75,8 @@ pub(super) fn assert_delaunay<const D: usize>(delaunay: &Delaunay<D>) {
     }
 }
 
-/// Adjacent simplices share the facet and name each other; each of D + 1 facets has one neighbour.
+/// Asserts that adjacent simplices share their facet and name each other, and that each of the D +
+/// 1 facets has one neighbour.
 pub(super) fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     let complex = delaunay.complex();
     let live = live_simplices(delaunay);
@@ -95,7 +96,7 @@ pub(super) fn assert_closed<const D: usize>(delaunay: &Delaunay<D>) {
     }
 }
 
-/// The star of a vertex has all simplices there, each once.
+/// Asserts that the star of each vertex has all simplices at it, each once.
 fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     let live = live_simplices(delaunay);
     let mut star = Array::new();
@@ -110,8 +111,9 @@ fn assert_stars<const D: usize>(delaunay: &mut Delaunay<D>) {
     }
 }
 
-/// The order of locality has every live simplex once: by its least vertex where all vertices are
-/// anchors, and by the steps from the star of the only one where that is vertex 0.
+/// Asserts that the order of locality has every live simplex once: sorted by the least vertex where
+/// all vertices are anchors, and by the number of steps from its star where vertex 0 is the only
+/// anchor.
 fn assert_order<const D: usize>(delaunay: &Delaunay<D>) {
     let complex = delaunay.complex();
     let live = live_simplices(delaunay);
@@ -173,7 +175,8 @@ fn cospherical_points_leave_no_gap() {
     assert_eq!(check(&circle), Some(22));
 }
 
-/// More vertices round a cavity than a table has room for, and few before and afterwards.
+/// Cavities are linked, though one has more vertices round it than a table has room for, before and
+/// after small ones.
 #[test]
 fn cavities_of_any_size_are_linked() {
     fn check_round<const D: usize>(count: usize) {
@@ -269,7 +272,7 @@ proptest! {
     fn raw_bit_patterns_4d(points in points::<4>(raw_finite())) { check(&points); }
 }
 
-/// Ids that would run out are refused, not wrapped round.
+/// Simplices beyond the last id are refused; ids do not wrap round.
 #[test]
 fn too_many_simplices_are_refused() {
     let vertices = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [1.0, 1.0], [2.0, 1.0]];

@@ -1,30 +1,30 @@
-//! Messages that know what they name, so that each way into the library says it in its caller's
-//! words.
+//! Messages that know which things they name, so that each interface of the library can say them in
+//! its callers' words.
 
 use super::Name;
 use super::text::Text;
 use std::borrow::Cow;
 use std::fmt::{self, Display, Formatter, Write};
 
-/// The words of one way into the library.
+/// Words of one interface of the library for the things that messages name.
 pub trait Words {
-    /// Writes what the caller calls `name`.
+    /// Writes the caller's word for `name`.
     ///
     /// # Errors
-    /// Those of the formatter.
+    /// Errors of the formatter.
     fn write(&self, name: Name, f: &mut Formatter<'_>) -> fmt::Result;
 }
 
-/// A sentence, in the words of Rust, with the places where it names something. Where memory runs
-/// out it ends early.
+/// Sentence in the words of Rust, with the positions of the names in it. It ends early if memory
+/// runs out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Message {
     text: Cow<'static, str>,
-    /// In the order of the sentence.
+    /// Names in the sentence, in their order.
     names: Vec<Place>,
 }
 
-/// The bytes of a message that are a name.
+/// Name in a message, with the range of its bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Place {
     start: usize,
@@ -73,7 +73,7 @@ impl Message {
         within
     }
 
-    /// Returns the name that the message begins with.
+    /// Returns the name that the message begins with; `None` if it begins otherwise.
     pub(super) fn subject(&self) -> Option<Name> {
         self.names.first().filter(|place| place.start == 0).map(|place| place.name)
     }
@@ -90,7 +90,7 @@ impl<T: Into<Cow<'static, str>>> From<T> for Message {
     }
 }
 
-/// A message in the words of others.
+/// Message to be written in the words of another interface.
 pub(super) struct InWords<'a, W> {
     pub message: &'a Message,
     pub words: W,
@@ -101,7 +101,7 @@ impl<W: Words> Display for InWords<'_, W> {
         let Message { text, names } = self.message;
         let mut end = 0;
         for place in names {
-            // A message that was cut off ends before its last names.
+            // A message that was truncated ends before its last names.
             f.write_str(text.get(end..place.start).unwrap_or_default())?;
             self.words.write(place.name, f)?;
             end = place.end;
@@ -110,8 +110,8 @@ impl<W: Words> Display for InWords<'_, W> {
     }
 }
 
-/// A [`Message`] of parts, separated by commas: literals are texts with format arguments in them,
-/// all else are names.
+/// Makes a [`Message`] of parts separated by commas: literals are texts with format arguments in
+/// them, all others are names.
 macro_rules! say {
     (@ $message:ident) => {};
     (@ $message:ident $text:literal $(, $($rest:tt)*)?) => {
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
     use crate::options::Extent;
 
-    /// Words that are unlike those of Rust.
+    /// Words for tests, unlike those of Rust.
     struct Shouted;
 
     impl Words for Shouted {

@@ -1,13 +1,13 @@
-//! What messages name: options, their values, and other things that a caller has given.
+//! Names in messages: options, their values, and other things that a caller has given.
 
 use crate::options::{Algorithm, Criterion, Crossings, Extent, Interior, Output};
 use std::fmt::{self, Display, Formatter};
 
-/// Something that the caller has given. C, the command line and Python have words of their own for
-/// it; those of Rust are its [`Display`].
+/// Thing that the caller has given. C, the command line and Python have their own words for it;
+/// Rust's are its [`Display`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Name {
-    /// An option with the value that the caller has chosen.
+    /// Option with the value that the caller has chosen.
     Chosen(Choice),
     QualityBound,
     Epsilon,
@@ -23,29 +23,29 @@ pub enum Name {
     MinDihedral,
     MaxEdge,
     Instruments,
-    /// The function that tells sizes.
+    /// Function that gives sizes.
     Size,
     /// Sizes given by values at the inputs.
     Sizes,
     /// Sizes given by values at the vertices of a background.
     Background,
-    /// A size at an input, by the number of the input.
+    /// Size at an input, by the number of the input.
     SizeAt(usize),
-    /// A size at a vertex of a background.
+    /// Size at a vertex of a background, by the number of the vertex.
     BackgroundSizeAt(usize),
-    /// How a function goes on between vertices.
+    /// Choice of how values are interpolated between vertices.
     Interpolation,
-    /// The point of a region or hole, by its number among all regions.
+    /// Seed point of a region or hole, by its number among all regions.
     Seed(u32),
-    /// The columns that are coordinates.
+    /// Columns that are coordinates.
     Columns,
-    /// The columns that are attributes.
+    /// Columns that are attributes.
     Attributes,
-    /// The domain of a selection.
+    /// Domain of a selection.
     SelectedDomain,
 }
 
-/// An option that has words for values, with one of them.
+/// Option whose values have names, with one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
     Output(Output),
@@ -63,8 +63,8 @@ impl From<Choice> for Name {
 }
 
 impl Name {
-    /// Returns the name of the option, as C, Rust and Python have it; `None` for what is no option,
-    /// or one whose values have words.
+    /// Returns the option's name in C, Rust and Python; `None` for a name that is no option, or an
+    /// option whose values have names.
     pub fn option(self) -> Option<&'static str> {
         Some(match self {
             Self::QualityBound => "quality_bound",
@@ -96,7 +96,7 @@ impl Name {
     }
 }
 
-/// The words of Rust.
+/// Names in the words of Rust.
 impl Display for Name {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match *self {
@@ -115,7 +115,7 @@ impl Display for Name {
     }
 }
 
-/// The words of Rust.
+/// Options and values in the words of Rust.
 impl Display for Choice {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,8 +1,8 @@
-//! Text that ends where memory does.
+//! Text that ends where memory runs out.
 
 use std::fmt::{self, Write};
 
-/// `format!` for messages: where memory runs out the message ends, not the process.
+/// Formats a message as `format!` does; if memory runs out the message ends early, not the process.
 macro_rules! message {
     ($($argument:tt)*) => {
         $crate::error::written(format_args!($($argument)*))
@@ -10,7 +10,7 @@ macro_rules! message {
 }
 pub(crate) use message;
 
-/// What [`message!`] stands for.
+/// Returns the text of [`message!`], which calls it.
 pub(crate) fn written(arguments: fmt::Arguments<'_>) -> String {
     let mut text = Text(String::new());
     // Cut off where memory ran out; the error's kind says the rest.
@@ -18,7 +18,7 @@ pub(crate) fn written(arguments: fmt::Arguments<'_>) -> String {
     text.0
 }
 
-/// A string that refuses to grow where `String` ends the process.
+/// String that refuses to grow where `String` would end the process.
 pub(super) struct Text(pub String);
 
 impl Write for Text {

@@ -1,4 +1,4 @@
-//! Memory that several arrays have stretches of, and the last of them frees.
+//! Memory shared by several arrays, each with a stretch of it; the last of them frees it.
 
 use super::pages::give_back;
 use super::{AllocResult, with_capacity};
@@ -6,17 +6,17 @@ use std::mem::{ManuallyDrop, MaybeUninit};
 use std::ptr::NonNull;
 use std::sync::atomic::{AtomicUsize, Ordering, fence};
 
-/// An allocation that several arrays have stretches of. What `Arc` would be, were it not that
-/// making one of those cannot be refused.
+/// Reference to memory that several arrays share. `Arc` would do, if its allocation could be
+/// refused.
 pub(super) struct Allocation<T> {
     shared: NonNull<Shared<T>>,
 }
 
 struct Shared<T> {
-    /// The number of allocations that point here: one of each array with a stretch.
+    /// Number of references to this memory: one of each array with a stretch.
     holders: AtomicUsize,
     memory: Vec<MaybeUninit<T>>,
-    /// Of the vector that this is the one element of.
+    /// Capacity of the vector whose only element this is.
     capacity: usize,
 }
 
@@ -33,7 +33,7 @@ impl<T> Allocation<T> {
         self.shared == other.shared
     }
 
-    /// The memory, if no other array has a stretch of it.
+    /// Returns the memory if no other array has a stretch of it, else `None`.
     #[allow(unsafe_code)]
     pub fn exclusive(&mut self) -> Option<&mut Vec<MaybeUninit<T>>> {
         // SAFETY: it lives as long as an allocation points to it. If this is the only one nobody

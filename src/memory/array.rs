@@ -1,5 +1,5 @@
 //! A growing array whose reserve can be split: partitions of a mesh grow in it, each in a stretch
-//! of its own, on threads of their own, and what they made is taken back without being copied.
+//! of its own and on a thread of its own, and joining them does not copy.
 
 use super::allocation::Allocation;
 use super::pages::{give_back, prefer_large_pages};
@@ -9,14 +9,14 @@ use std::ops::{Deref, DerefMut, Index, IndexMut};
 use std::ptr::NonNull;
 use std::slice::SliceIndex;
 
-/// Allocations from this size on are the system's to move, by mapping them elsewhere.
+/// Size in bytes from which on the system can move an allocation by mapping it elsewhere.
 const MAPPED: usize = 32 << 20;
 
-/// As `Vec`, of plain values. Its memory may be a stretch of a larger allocation, whose other
-/// stretches belong to other arrays. What a large one frees goes back to the system at once, not
-/// only to the allocator.
+/// Growing array of plain values, as `Vec` is. Its memory may be a stretch of a larger allocation,
+/// whose other stretches belong to other arrays. Memory that a large array frees goes back to the
+/// system at once, not only to the allocator.
 ///
-/// What the unsafe code relies on: `[start, start + capacity)` lies in `allocation`, and no other
+/// The unsafe code relies on this: `[start, start + capacity)` lies in `allocation`, and no other
 /// array has any of it ([`Array::split_reserve`] divides a stretch, [`Array::absorb`] joins two,
 /// and growing makes a new one or has the allocation alone); its first `length` values are
 /// initialised. Nothing else looks into `allocation` while it is shared.
@@ -24,7 +24,7 @@ pub struct Array<T> {
     start: NonNull<T>,
     length: usize,
     capacity: usize,
-    /// Nothing where there is no capacity.
+    /// Reference to the memory; `None` if the capacity is 0.
     allocation: Option<Allocation<T>>,
 }
 
@@ -47,28 +47,28 @@ impl<T: Copy> Array<T> {
         Self::default()
     }
 
-    /// `length` times `value`.
+    /// Returns an array of `length` times `value`.
     pub fn filled(length: usize, value: T) -> AllocResult<Self> {
         let mut array = Self::with_capacity(length)?;
         array.resize_within(length, value);
         Ok(array)
     }
 
-    /// A copy of `values`.
+    /// Returns a copy of `values`.
     pub fn copied(values: &[T]) -> AllocResult<Self> {
         let mut array = Self::new();
         array.try_extend(values)?;
         Ok(array)
     }
 
-    /// An empty array with a reserve for `capacity` values.
+    /// Returns an empty array with a reserve for `capacity` values.
     pub fn with_capacity(capacity: usize) -> AllocResult<Self> {
         let mut array = Self::new();
         array.reserve(capacity)?;
         Ok(array)
     }
 
-    /// Keeps the first `length` values.
+    /// Removes all but the first `length` values.
     pub fn truncate(&mut self, length: usize) {
         self.length = self.length.min(length);
     }
@@ -77,13 +77,14 @@ impl<T: Copy> Array<T> {
         self.length = 0;
     }
 
-    /// Reserves memory for `additional` more values, amortised.
+    /// Reserves memory for `additional` more values, at amortised cost.
     #[inline]
     pub fn reserve(&mut self, additional: usize) -> AllocResult<()> {
         if additional > self.capacity - self.length { self.grow(additional) } else { Ok(()) }
     }
 
-    /// See [`super::expect`].
+    /// Reserves memory for `expected` values in all, if the system grants it: see
+    /// [`super::expect`].
     pub fn expect(&mut self, expected: usize) {
         if expected > self.capacity {
             // Refused, it is asked for when it is needed.
@@ -98,7 +99,7 @@ impl<T: Copy> Array<T> {
         self.move_to(needed.max(self.length.saturating_mul(2)).max(4))
     }
 
-    /// Moves to an allocation of its own for `capacity` values.
+    /// Moves the values to an allocation of their own, for `capacity` values.
     #[allow(unsafe_code)]
     fn move_to(&mut self, capacity: usize) -> AllocResult<()> {
         let own = self.allocation.as_mut().and_then(Allocation::exclusive);
@@ -124,26 +125,28 @@ impl<T: Copy> Array<T> {
         Ok(())
     }
 
-    /// Appends `value` if it is wanted, without a branch. It must fit in the reserve in any case.
+    /// Appends `value` if `condition` holds, without a branch. There must be room in the reserve in
+    /// any case.
     ///
     /// This is the branch-free idiom of the hot loops. A processor guesses which way a branch goes,
-    /// and a wrong guess costs as much time as some 20 instructions. Whether a simplex is in
-    /// conflict, a vertex is new or a neighbor is nearer cannot be guessed. So the loops do the
-    /// work of both ways and the condition only selects a value: here the value is always written,
-    /// and the length grows by one or by zero. That pays where the condition is unpredictable and
-    /// the work is a few instructions; a branch that nearly always goes the same way is cheaper.
+    /// and a wrong guess costs as much time as some 20 instructions. No processor can guess if a
+    /// simplex is in conflict, a vertex is new or a neighbor is nearer. So the loops do the work of
+    /// both ways and the condition only selects a value: here the value is always written, and the
+    /// length grows by one or by zero. That pays where the condition is unpredictable and the work
+    /// is a few instructions; a branch that nearly always goes the same way is cheaper.
     #[inline(always)]
-    pub fn push_if(&mut self, is_wanted: bool, value: T) {
+    pub fn push_if(&mut self, condition: bool, value: T) {
         assert!(self.length < self.capacity, "it is reserved before");
         // SAFETY: within the stretch, by the assertion.
         #[allow(unsafe_code)]
         unsafe {
             self.start.add(self.length).write(value);
         }
-        self.length += usize::from(is_wanted);
+        self.length += usize::from(condition);
     }
 
-    /// Appends `value` until there are `length`, which fit in the reserve.
+    /// Appends `value` until there are `length` values, for which there must be room in the
+    /// reserve.
     #[inline]
     pub fn resize_within(&mut self, length: usize, value: T) {
         assert!(length <= self.capacity, "it is reserved before");
@@ -157,7 +160,7 @@ impl<T: Copy> Array<T> {
         self.length = self.length.max(length);
     }
 
-    /// The values as a vector; not copied where they have an allocation of their own.
+    /// Returns the values as a vector. They are not copied if they have an allocation of their own.
     #[allow(unsafe_code)]
     pub fn into_vec(mut self) -> AllocResult<Vec<T>> {
         let (start, length, capacity) = (self.start, self.length, self.capacity);
@@ -174,13 +177,13 @@ impl<T: Copy> Array<T> {
         }
     }
 
-    /// The number of values that fit in the reserve.
+    /// Returns the number of values that fit in the reserve.
     pub fn spare(&self) -> usize {
         self.capacity - self.length
     }
 
     /// Splits the reserve among empty arrays: `reserves` has the number of values for each. The
-    /// last gets the rest as well. `None` if it is not enough.
+    /// last gets the remainder as well. Returns `None` if the reserve is too small.
     #[allow(unsafe_code)]
     pub fn split_reserve(&mut self, reserves: &[usize]) -> Option<Vec<Self>> {
         let spare = self.spare();
@@ -204,14 +207,15 @@ impl<T: Copy> Array<T> {
         Some(shares)
     }
 
-    /// Goes on in the reserve of `share`, an empty array.
+    /// Moves the values to the reserve of `share`, which must be empty.
     pub fn move_into(&mut self, mut share: Self) -> AllocResult<()> {
         share.try_extend(self)?;
         *self = share;
         Ok(())
     }
 
-    /// Appends the values of `other`. If that has the stretch after this array's, both become one.
+    /// Appends the values of `other`. If `other` has the stretch after this array's, both stretches
+    /// become one, without copying.
     #[allow(unsafe_code)]
     pub fn absorb(&mut self, other: Self) -> AllocResult<()> {
         let is_shared = match (&self.allocation, &other.allocation) {
@@ -347,9 +351,9 @@ mod tests {
     fn what_is_not_wanted_leaves_no_trace() {
         let mut array = filled(0..2);
         array.reserve(2).unwrap();
-        for (value, is_wanted) in [(7, false), (8, true), (9, false), (10, true), (11, false)] {
+        for (value, condition) in [(7, false), (8, true), (9, false), (10, true), (11, false)] {
             array.reserve(1).unwrap();
-            array.push_if(is_wanted, value);
+            array.push_if(condition, value);
         }
         assert_eq!(*array, [0, 1, 8, 10]);
     }
@@ -416,7 +420,7 @@ mod tests {
         assert_eq!(vec[998..], [998, 999, 5]);
     }
 
-    /// Pages that the system takes back hold nothing afterwards.
+    /// Only spare memory goes back to the system: its pages hold nothing afterwards.
     #[test]
     fn only_what_is_spare_goes_back_to_the_system() {
         // Miri would take hours, and nothing goes back there.

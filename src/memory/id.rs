@@ -1,5 +1,5 @@
-//! Ids that say what they are ids of. A vertex and a simplex are both known by a number of 32 bits;
-//! as ids of two types neither is taken for the other.
+//! Ids with a type for each kind of thing. Vertices and simplices are both known by 32-bit numbers;
+//! as ids of two types neither is mistaken for the other.
 
 use super::Array;
 use std::cmp::Ordering;
@@ -8,7 +8,7 @@ use std::hash::{Hash, Hasher};
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut, Range};
 
-/// The id of something; `Of` is an empty type that says of what. In memory an id is its number, so
+/// Id of a thing of the kind that the empty type `Of` stands for. In memory an id is its number, so
 /// that it costs nothing.
 #[repr(transparent)]
 pub struct Id<Of> {
@@ -17,10 +17,11 @@ pub struct Id<Of> {
 }
 
 impl<Of> Id<Of> {
-    /// The id of nothing.
+    /// Id of nothing.
     pub const NONE: Self = Self::from_number(u32::MAX);
 
-    /// The id of what has the place `index` in an array of all. It must fit.
+    /// Returns the id of the thing at position `index` in an array of all. The index must fit in 32
+    /// bits.
     #[inline(always)]
     pub const fn new(index: usize) -> Self {
         Self::from_number(index as u32)
@@ -36,19 +37,19 @@ impl<Of> Id<Of> {
         self.number
     }
 
-    /// The place in an array of all.
+    /// Returns the position in an array of all things of this kind.
     #[inline(always)]
     pub const fn index(self) -> usize {
         self.number as usize
     }
 
-    /// Whether this is the id of something.
+    /// Returns true unless this is the id of nothing.
     #[inline(always)]
     pub const fn is_valid(self) -> bool {
         self.number != Self::NONE.number
     }
 
-    /// The ids below `bound`, in their order.
+    /// Returns the ids below `bound`, ascending.
     #[inline]
     pub fn below(bound: usize) -> impl ExactSizeIterator<Item = Self> + Clone {
         Self::range(0..bound)
@@ -59,7 +60,7 @@ impl<Of> Id<Of> {
         (range.start as u32..range.end as u32).map(Self::from_number)
     }
 
-    /// The ids that have these `numbers`.
+    /// Returns `numbers` as ids, without copying.
     #[inline(always)]
     #[allow(unsafe_code)]
     pub fn from_numbers(numbers: &[u32]) -> &[Self] {
@@ -68,7 +69,7 @@ impl<Of> Id<Of> {
         unsafe { &*(std::ptr::from_ref(numbers) as *const [Self]) }
     }
 
-    /// As [`Self::from_numbers`].
+    /// Returns `numbers` as mutable ids, without copying.
     #[inline(always)]
     #[allow(unsafe_code)]
     pub fn from_numbers_mut(numbers: &mut [u32]) -> &mut [Self] {

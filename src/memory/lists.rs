@@ -1,20 +1,19 @@
-//! Lists of ids in one array: the simplices of each vertex, the children of each domain.
+//! Lists of ids in one array, such as the simplices of each vertex.
 
 use super::{AllocResult, TryGrow, filled, with_capacity};
 
-/// A list of ids for each vertex, or for another thing: list `i` is
-/// `ids[starts[i]..starts[i + 1]]`.
+/// Lists of ids, one for each vertex or another thing: list `i` is `ids[starts[i]..starts[i + 1]]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lists {
-    /// One more than there are lists; the last is the length of `ids`.
+    /// Positions in `ids` where the lists begin, and the length of `ids` as a last entry.
     pub starts: Vec<usize>,
     pub ids: Vec<u32>,
 }
 
 impl Lists {
-    /// The lists of `count` owners, by a counting sort of pairs (owner, id). `pairs` is called twice
-    /// and must give the same pairs in the same order. Pairs whose owner is not below `count` are
-    /// left out. Ids stand in the order of the pairs. O(`count` + pairs).
+    /// Makes the lists of `count` owners, by a counting sort of pairs (owner, id). `pairs` is
+    /// called twice and must give the same pairs in the same order. Pairs whose owner is not below
+    /// `count` are left out. Ids stand in the order of the pairs. O(`count` + pairs).
     pub(crate) fn of_pairs<I: Iterator<Item = (u32, u32)>>(
         count: usize,
         pairs: impl Fn() -> I,
@@ -39,7 +38,7 @@ impl Lists {
         Ok(Self { starts, ids })
     }
 
-    /// No list yet, with a reserve for `lists` of them.
+    /// Returns no lists, with a reserve for `lists` of them.
     pub(crate) fn with_capacity(lists: usize) -> AllocResult<Self> {
         let mut starts = with_capacity(lists + 1)?;
         starts.push(0);
@@ -51,7 +50,7 @@ impl Lists {
         self.starts.try_push(self.ids.len())
     }
 
-    /// The number of lists.
+    /// Returns the number of lists.
     pub fn count(&self) -> usize {
         self.starts.len() - 1
     }
@@ -60,7 +59,7 @@ impl Lists {
         &self.ids[self.starts[at]..self.starts[at + 1]]
     }
 
-    /// All lists in turn.
+    /// Returns all lists in their order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.count()).map(|at| self.of(at))
     }

@@ -1,5 +1,6 @@
-//! Memory that may be refused. `Vec` ends the process when the system has no more memory; what
-//! grows with the input grows through this module instead, which answers a [`AllocError`].
+//! Allocation that may be refused. `Vec` ends the process when the system has no more memory;
+//! arrays that grow with the input grow through this module instead, which returns an
+//! [`AllocError`].
 
 mod allocation;
 mod array;
@@ -16,12 +17,12 @@ use pages::prefer_large_pages;
 pub use prefetch::prefetch_at;
 use std::collections::{TryReserveError, VecDeque};
 
-/// What ran out. One byte: results that carry it cost what a `bool` costs.
+/// Resource that ran out. It takes one byte: results that carry it cost as much as a `bool`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AllocError {
-    /// The allocator refused.
+    /// Memory, which the allocator refused.
     Memory,
-    /// Simplices or domains beyond what 32-bit ids can name.
+    /// Ids of 32 bits, for simplices or domains.
     Ids,
 }
 
@@ -34,7 +35,7 @@ impl From<TryReserveError> for AllocError {
 }
 
 impl From<AllocError> for Error {
-    /// Allocates nothing: there may be nothing left.
+    /// Makes the error without an allocation, since there may be no memory left.
     fn from(error: AllocError) -> Self {
         match error {
             AllocError::Memory => Self::new(ErrorKind::OutOfMemory, "an allocation failed"),
@@ -46,13 +47,13 @@ impl From<AllocError> for Error {
     }
 }
 
-/// Growth that is refused instead of fatal, amortised as that of `Vec`.
+/// Growth that may be refused instead of ending the process, at the amortised cost of `Vec`'s.
 pub trait TryGrow<T> {
     fn try_push(&mut self, value: T) -> AllocResult<()>;
     fn try_extend(&mut self, values: &[T]) -> AllocResult<()>
     where
         T: Copy;
-    /// Appends `value` until there are `length` of them; never shortens.
+    /// Appends `value` until there are `length` elements; never shortens.
     fn cover(&mut self, length: usize, value: T) -> AllocResult<()>
     where
         T: Clone;
@@ -89,7 +90,7 @@ impl<T> TryGrow<T> for Vec<T> {
     }
 }
 
-/// Reserves memory for `additional` more elements, amortised.
+/// Reserves memory for `additional` more elements, at amortised cost.
 #[inline]
 pub fn reserve<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     if additional > vec.capacity() - vec.len() { grow(vec, additional) } else { Ok(()) }
@@ -103,8 +104,8 @@ fn grow<T>(vec: &mut Vec<T>, additional: usize) -> AllocResult<()> {
     Ok(())
 }
 
-/// Reserves memory for `expected` elements in all, if the system gives it: growing later would move
-/// what is there, which takes tenths of a second for the arrays of millions of simplices.
+/// Reserves memory for `expected` elements in all, if the system grants it. Growing later would
+/// move the elements, which takes tenths of a second for the arrays of millions of simplices.
 pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
     let additional = expected.saturating_sub(vec.len());
     if vec.try_reserve_exact(additional).is_ok() {
@@ -112,7 +113,7 @@ pub fn expect<T>(vec: &mut Vec<T>, expected: usize) {
     }
 }
 
-/// Appends to a queue, as [`TryGrow::try_push`].
+/// Appends to a queue, as [`TryGrow::try_push`] does to a vector.
 #[inline]
 pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> AllocResult<()> {
     if queue.len() == queue.capacity() {
@@ -122,7 +123,7 @@ pub fn enqueue<T>(queue: &mut VecDeque<T>, value: T) -> AllocResult<()> {
     Ok(())
 }
 
-/// An empty vector with a reserve for exactly `capacity` elements.
+/// Returns an empty vector with a reserve for exactly `capacity` elements.
 pub fn with_capacity<T>(capacity: usize) -> AllocResult<Vec<T>> {
     let mut vec = Vec::new();
     vec.try_reserve_exact(capacity)?;
@@ -130,14 +131,14 @@ pub fn with_capacity<T>(capacity: usize) -> AllocResult<Vec<T>> {
     Ok(vec)
 }
 
-/// `vec![value; length]`.
+/// Returns a vector of `length` times `value`, as `vec![value; length]` does.
 pub fn filled<T: Clone>(length: usize, value: T) -> AllocResult<Vec<T>> {
     let mut vec = with_capacity(length)?;
     vec.resize(length, value);
     Ok(vec)
 }
 
-/// `iterator.collect()`; exact where the iterator knows its length.
+/// Collects the items of an iterator, without spare capacity if the iterator knows its length.
 pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> AllocResult<Vec<T>> {
     let iterator = iterator.into_iter();
     let mut vec = with_capacity(iterator.size_hint().0)?;
@@ -147,7 +148,7 @@ pub fn collected<T>(iterator: impl IntoIterator<Item = T>) -> AllocResult<Vec<T>
     Ok(vec)
 }
 
-/// A copy of `values`.
+/// Returns a copy of `values` as a vector.
 pub fn copied<T: Copy>(values: &[T]) -> AllocResult<Vec<T>> {
     let mut vec = with_capacity(values.len())?;
     vec.extend_from_slice(values);

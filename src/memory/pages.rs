@@ -1,19 +1,18 @@
-//! What large arrays ask of the system. Large pages: with pages of 4 KiB it needs some 0.1 ms for
-//! each MiB that is given back, which a run that is cancelled would wait for, and as much again to
-//! provide it. And to take back what is free: an allocator keeps that where something is in use
-//! beyond it.
+//! Requests of large arrays to the system. Large pages: with pages of 4 KiB the system needs some
+//! 0.1 ms to take back each MiB, which a cancelled run would wait for, and as much again to provide
+//! it. And to take back free pages: an allocator keeps those before memory that is in use.
 
 use std::mem::MaybeUninit;
 
-/// Arrays from this size on are worth the call.
+/// Size in bytes from which on arrays ask for large pages.
 const LARGE: usize = 4 << 20;
-/// Large pages have at least this size and alignment.
+/// Least size and alignment of large pages, in bytes.
 const LARGE_PAGE: usize = 2 << 20;
 
-/// Memory from this size on is given back.
+/// Size in bytes from which on memory is given back.
 const GIVEN_BACK: usize = 1 << 20;
 
-/// Asks for large pages under the `capacity` of `vec`, where the system has such.
+/// Asks for large pages under the `capacity` of `vec`, if the system has them.
 pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
     let bytes = capacity * size_of::<T>();
     if bytes >= LARGE {
@@ -23,7 +22,7 @@ pub(super) fn prefer_large_pages<T>(vec: &[T], capacity: usize) {
     }
 }
 
-/// Gives the system back the pages of `memory`, whose values are not needed any more.
+/// Gives the pages of `memory` back to the system; the values in it are lost.
 pub(super) fn give_back<T>(memory: &mut [MaybeUninit<T>]) {
     if size_of_val(memory) >= GIVEN_BACK {
         system::give_back(memory);

@@ -1,8 +1,8 @@
-//! Memory asked for before it is needed: a search that hops from simplex to simplex waits for each
-//! of them otherwise, since the processor cannot foresee where it goes.
+//! Prefetching of memory: a search that hops from simplex to simplex would wait for each of them
+//! otherwise, since the processor cannot foresee where it goes.
 
-/// Begins to load the cache lines where `count` of `values` from `first` on begin and end, if there
-/// are so many. Changes nothing.
+/// Prefetches the cache lines where `count` of `values` from `first` on begin and end, if there are
+/// so many. Has no other effect.
 #[inline(always)]
 pub fn prefetch_at<T>(values: &[T], first: usize, count: usize) {
     let start = values.as_ptr().wrapping_add(first);

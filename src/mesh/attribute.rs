@@ -1,23 +1,23 @@
-//! Values of points under names.
+//! Named values of points.
 
 use crate::error::{Error, ErrorKind, Result, message};
 
-/// Values that belong to points, under a name.
+/// Named values of points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Attribute {
-    /// See [`Attribute::check_name`].
+    /// Name of the values, which fulfils [`Attribute::check_name`].
     pub name: String,
     pub components: usize,
-    /// `points x components`.
+    /// Values, `points x components`.
     pub values: Vec<f64>,
-    /// Whether other vertices than the inputs get values too; else NaN.
+    /// True if values are extended to vertices that are no inputs; else they are NaN there.
     pub is_extended: bool,
 }
 
-/// The longest name of an attribute.
+/// Largest length of a name, in bytes.
 const NAME_BYTES: usize = 64;
 
-/// Names that files have for something else, beside `x0`, `x1` and so on.
+/// Names that files use for something else, beside `x0`, `x1` and so on.
 const RESERVED: [&str; 13] = [
     "x",
     "y",
@@ -35,16 +35,16 @@ const RESERVED: [&str; 13] = [
 ];
 
 impl Attribute {
-    /// The values of a point.
+    /// Returns the values of a point.
     pub fn of(&self, point: usize) -> &[f64] {
         &self.values[point * self.components..][..self.components]
     }
 
-    /// Refuses a name that an attribute cannot have.
+    /// Fails for a name that an attribute cannot have.
     ///
     /// # Errors
-    /// `InvalidArgument`: it must be 1 to 64 ASCII letters, digits, `_`, `-` and `.`, and none that
-    /// files have for something else.
+    /// `InvalidArgument`: the name is not 1 to 64 ASCII letters, digits, `_`, `-` and `.`, or files
+    /// use it for something else.
     pub fn check_name(name: &str) -> Result<()> {
         match rule_against(name) {
             None => Ok(()),
@@ -56,7 +56,7 @@ impl Attribute {
     }
 }
 
-/// The rule that a name breaks.
+/// Returns the rule that a name breaks; `None` for a valid name.
 pub(crate) fn rule_against(name: &str) -> Option<&'static str> {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-.".contains(letter);
     if name.is_empty() || name.len() > NAME_BYTES || !name.chars().all(is_plain) {

@@ -1,40 +1,40 @@
-//! Boundaries in the plane: segments between inputs, seeds of regions, and segments without
-//! crossings.
+//! Boundaries in the plane: segments between inputs, seeds of regions, and arrangements of segments
+//! without crossings.
 
 use super::{Boxed, Inputs, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 
-/// The most segments: one less than what ids of 32 bits can tell apart.
+/// Largest number of segments that 32-bit ids can tell apart.
 const MAX_SEGMENTS: usize = u32::MAX as usize - 1;
 
 /// Segments as the caller gave them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Segments {
-    /// The ends, as numbers of inputs.
+    /// Ends of each segment, as numbers of inputs.
     pub inputs: Vec<[u32; 2]>,
-    /// A number of the caller's for each segment.
+    /// Number that the caller gave each segment.
     pub markers: Vec<i32>,
-    /// Tells for each segment of a file of polygons whether it is a side of one; empty for all
-    /// other segments.
+    /// Segment of a file of polygons -> true if it is a side of one; empty for all other segments.
     pub sides: Vec<bool>,
 }
 
-/// What a point of the plane says of the region around it, which has no other one.
+/// Properties that a seed point gives to the region around it; a region has at most one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Region {
     pub seed: [f64; 2],
-    /// A number of the caller's for the simplices of the region.
+    /// Number that the caller gave the simplices of the region.
     pub label: i32,
-    /// The region is no part of the result, whatever its extent.
+    /// True if the region is no part of the result, whatever its extent.
     pub is_hole: bool,
-    /// The longest edge that the region may have; 0: any.
+    /// Largest length of an edge in the region; 0 for no bound.
     pub max_edge: f64,
 }
 
 impl Region {
-    /// Returns true if region `number` is a hole, and how many of that kind come before it: for
-    /// those who give holes apart from other regions. A number of none is that of a region.
+    /// Returns true if region `number` is a hole, and the number of regions of its kind that come
+    /// before it: for interfaces that have holes apart from other regions. A number beyond the last
+    /// counts as that of a region.
     pub fn number_among_its_kind(regions: &[Self], number: usize) -> (bool, usize) {
         let Some(region) = regions.get(number) else { return (false, number) };
         let before = regions[..number].iter().filter(|other| other.is_hole == region.is_hole);
@@ -42,21 +42,21 @@ impl Region {
     }
 }
 
-/// A piece of a segment, with its direction. No vertex of the arrangement and no other piece is in
-/// its interior.
+/// Piece of a segment, with its direction. Its interior contains no vertex of the arrangement and
+/// meets no other piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Subsegment {
-    /// Distinct inputs, or [`Inputs::distinct`] and the index of a crossing.
+    /// Ends: distinct inputs, or [`Inputs::distinct`] plus the index of a crossing.
     pub ends: [u32; 2],
-    /// The segment that it is a piece of: the first, where several overlap;
-    /// [`NONE`](super::NONE) for an edge of a hull or box.
+    /// Segment to which the piece belongs, the first if several overlap; [`NONE`](super::NONE) for
+    /// an edge of a hull or box.
     pub segment: u32,
-    /// How many segments run along it, less those that run against it. Segments that enclose
-    /// nothing do not count.
+    /// Number of segments that run along the piece, less the number of those that run against it.
+    /// Segments that enclose nothing do not count.
     pub balance: i64,
 }
 
-/// A point where doubles have no room for a vertex of a subsegment, since another vertex is there.
+/// Point where doubles have no room for a vertex of a subsegment, since another vertex is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crowded {
     pub x: [f64; 2],
@@ -64,67 +64,67 @@ pub struct Crowded {
     pub ends: [[f64; 2]; 2],
 }
 
-/// Segments that meet only at their ends: what the caller's segments are cut into.
+/// Segments that meet only at their ends, into which the caller's segments are split.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Arrangement {
     /// Points where segments cross and no input is.
     pub crossings: Vec<[f64; 2]>,
-    /// By segments, and along each from its first end to its second.
+    /// Pieces of segments, sorted by segment, and along each from its first end to its second.
     pub subsegments: Vec<Subsegment>,
-    /// What the caller says of the regions between them.
+    /// Properties that the caller gave the regions between segments.
     pub regions: Vec<Region>,
-    /// Segments without a piece of their own: duplicates, and those that others cover.
+    /// Number of segments without a piece of their own: duplicates, and those that others cover.
     pub covered_segments: u64,
-    /// Points that a run could not make vertices of, since another is there: segments must go
-    /// through it together.
+    /// Points that a run could not make vertices of, since another vertex is in the way: segments
+    /// must go through it together.
     pub crowded: Vec<Crowded>,
-    /// How often an input that is not on a straight segment is taken as on it, since it is nearer
-    /// than rounding explains.
+    /// Number of cases in which an input counts as on a segment without being exactly on it,
+    /// because rounding may explain the gap.
     pub near_inputs: u64,
-    /// How far the farthest of these is from the straight segment, in units in the last place of
+    /// Largest distance of such an input from the straight segment, in units in the last place of
     /// the segment's larger coordinates.
     pub farthest_near_input: f64,
 }
 
-/// What a triangulation has of segments and regions: nothing without segments.
+/// Segments and regions of a triangulation; empty without segments.
 #[derive(Clone, Debug, Default)]
 pub struct Boundary {
-    /// The edges that segments have become, each in the direction of its segment; by segments, and
-    /// along each.
+    /// Edges into which segments are split, each in the direction of its segment; sorted by
+    /// segment, and along each.
     pub subsegments: Vec<[u32; 2]>,
-    /// Subsegment -> the segment that it is a part of; [`NONE`](super::NONE) for the boundary of a
+    /// Subsegment -> the segment to which it belongs; [`NONE`](super::NONE) for the boundary of a
     /// hull or box.
     pub parents: Vec<u32>,
     /// Simplex -> the label of its region, 0 where no seed gave one.
     pub simplex_regions: Vec<i32>,
-    /// The simplices beyond the bound that small angles between segments force, by rising id.
+    /// Simplices beyond the bound that small angles between segments force, ascending.
     pub forced: Vec<u32>,
-    /// The triangulation of the whole hull that this is the domain of: the first vertices and
-    /// simplices of it. `None` where nothing is cut away.
+    /// Triangulation of the whole hull, before it was cropped to the domain; its first vertices and
+    /// simplices are those of the domain. `None` if nothing was cropped.
     pub whole: Option<Boxed<Triangulation>>,
 }
 
 impl Arrangement {
-    /// Counts an input that a segment goes through, by its offset from the straight segment.
+    /// Counts an input that a segment goes through, given its distance from the straight segment.
     pub(crate) fn note_offset(&mut self, offset: f64) {
         self.near_inputs += u64::from(offset > 0.0);
         self.farthest_near_input = self.farthest_near_input.max(offset);
     }
 
-    /// Whether a region has a largest edge.
+    /// Returns true if a region has a largest edge.
     pub(crate) fn has_sizes(&self) -> bool {
         self.regions.iter().any(|region| region.max_edge > 0.0)
     }
 }
 
 impl Boundary {
-    /// Whether there are segments, or labels of regions.
+    /// Returns true if there are segments or labels of regions.
     pub(crate) fn has_any(&self) -> bool {
         !self.subsegments.is_empty() || !self.simplex_regions.is_empty()
     }
 
-    /// The edges that segments have become, with the markers of their segments; 0 for those that
-    /// have none.
+    /// Returns the edges into which segments are split, with the markers of their segments; 0 for
+    /// edges that belong to none.
     pub(crate) fn marked<'a>(
         &'a self,
         markers: &'a [i32],
@@ -134,7 +134,8 @@ impl Boundary {
     }
 
     /// Returns for each subsegment true if it is an edge of one of the given simplices, whose
-    /// vertices are below `vertices`. O(simplices + subsegments), but for vertices with many.
+    /// vertices are below `vertices`. O(simplices + subsegments), except at vertices with many
+    /// subsegments.
     pub(crate) fn edges_of<'a>(
         &self,
         vertices: usize,
@@ -162,7 +163,7 @@ impl Boundary {
         Ok(is_edge)
     }
 
-    /// Returns the boundary of a part of `mesh`: that of some simplices, whose vertices get new
+    /// Returns the boundary of a part of `mesh`: some of its simplices, whose vertices get new
     /// numbers.
     pub(crate) fn of_part(
         mesh: &Triangulation,
@@ -192,18 +193,18 @@ impl Segments {
         self.inputs.len()
     }
 
-    /// Returns true if the segments are those of a file of polygons.
+    /// Returns true if the segments come from a file of polygons.
     pub fn has_polygons(&self) -> bool {
         !self.sides.is_empty()
     }
 
     /// Returns true if a segment may enclose something: a side of a polygon does, a line of the
-    /// same file does not. Where there are no polygons all may.
+    /// same file does not. Without polygons all segments may.
     pub fn encloses(&self, segment: usize) -> bool {
         self.sides.get(segment).is_none_or(|is_side| *is_side)
     }
 
-    /// `ends` are two inputs a segment; without `markers` every segment has 0.
+    /// Makes segments of `ends`, two inputs for each; without `markers` every segment has 0.
     pub(super) fn new(inputs: &Inputs, ends: &[u32], markers: Option<&[i32]>) -> Result<Self> {
         check_plane(inputs, "segments")?;
         let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
@@ -240,8 +241,8 @@ impl Segments {
 }
 
 impl Mesh {
-    /// Says which of the segments are sides of polygons; of none that are, nothing. There is one
-    /// value for each segment.
+    /// Records which segments are sides of polygons, one value for each segment. If none is,
+    /// nothing is recorded.
     pub(crate) fn set_sides(&mut self, sides: &[bool]) -> AllocResult<()> {
         debug_assert_eq!(sides.len(), self.segments.count());
         let any = sides.contains(&true);
@@ -250,14 +251,14 @@ impl Mesh {
     }
 }
 
-/// The copied regions.
+/// Returns a copy of the regions after checking them.
 pub(super) fn checked_regions(inputs: &Inputs, regions: &[Region]) -> Result<Vec<Region>> {
     check_plane(inputs, "regions")?;
     for (at, Region { seed, max_edge, .. }) in regions.iter().enumerate() {
         if let Some(axis) = seed.iter().position(|x| !x.is_finite()) {
             let message = message!(
-                "regions[{at}].seed has a non-finite coordinate {axis}: {}; every coordinate must be \
-                 finite",
+                "regions[{at}].seed has a non-finite coordinate {axis}: {}; every coordinate \
+                 must be finite",
                 seed[axis]
             );
             return Err(Error::new(ErrorKind::NonFinite, message));
@@ -307,7 +308,7 @@ mod tests {
     use super::*;
     use crate::mesh::Mesh;
 
-    /// Four inputs; the last is a duplicate of the first.
+    /// Returns a mesh of four inputs, of which the last is a duplicate of the first.
     fn mesh() -> Mesh {
         Mesh::new(2, 4, &[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, -0.0, 0.0], 0).unwrap()
     }

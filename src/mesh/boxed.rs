@@ -1,9 +1,9 @@
-//! `Box` whose memory may be refused.
+//! A `Box` whose memory may be refused.
 
 use crate::memory::{AllocResult, with_capacity};
 use std::ops::{Deref, DerefMut};
 
-/// A value in memory of its own. `Box::new` ends the process where there is none; the array is what
+/// Value in memory of its own. `Box::new` ends the process if there is no memory; the array is what
 /// the standard library makes of a vector without another allocation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Boxed<T>(Box<[T; 1]>);

@@ -1,21 +1,21 @@
-//! What a file has beside what a mesh has of it.
+//! Counts of the elements that a file has and a mesh of it has not.
 
 use super::Mesh;
 
-/// Numbers of elements of a mesh or a surface that a file has beside its points, and that nothing
-/// is made of.
+/// Numbers of elements of a mesh or a surface that a file has beside its points, and that are not
+/// used.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LeftOut {
-    /// Elements with two ends.
+    /// Number of elements with two ends.
     pub edges: u64,
-    /// Triangles and other polygons.
+    /// Number of triangles and other polygons.
     pub faces: u64,
-    /// Tetrahedra and other elements of three dimensions or more.
+    /// Number of tetrahedra and other elements of three dimensions or more.
     pub cells: u64,
 }
 
 impl LeftOut {
-    /// Adds elements of a dimension; points are no elements.
+    /// Adds `count` elements of a dimension; points do not count.
     pub(crate) fn add(&mut self, dimension: u64, count: u64) {
         match dimension {
             0 => {}
@@ -32,12 +32,12 @@ impl LeftOut {
 }
 
 impl Mesh {
-    /// Returns what the file of the inputs has beside what this mesh has of it.
+    /// Returns the numbers of elements that the file of the inputs has and this mesh has not.
     pub fn left_out(&self) -> LeftOut {
         self.left_out
     }
 
-    /// Keeps what the file of the inputs has beside what this mesh has of it.
+    /// Records the numbers of elements that the file of the inputs has and this mesh has not.
     pub(crate) fn set_left_out(&mut self, left_out: LeftOut) {
         self.left_out = left_out;
     }

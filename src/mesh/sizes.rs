@@ -5,7 +5,7 @@ use super::{Boundary, Boxed, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{AllocResult, copied, filled};
 
-/// Values of sizes.
+/// Sizes given by values.
 #[derive(Clone, Debug, Default)]
 pub struct GivenSizes {
     /// Input -> size; empty if there are none.
@@ -13,7 +13,7 @@ pub struct GivenSizes {
     pub background: Option<Background>,
 }
 
-/// A mesh with a size at each vertex.
+/// Mesh with a size at each vertex.
 #[derive(Clone, Debug)]
 pub struct Background {
     pub mesh: Triangulation,
@@ -27,9 +27,9 @@ impl GivenSizes {
 }
 
 impl Mesh {
-    /// Sizes at the inputs, for the runs that follow: `sizes` has one for each, in the caller's
-    /// order (of equal inputs the first counts), or none. Between them sizes are linear in the
-    /// Delaunay triangulation of the inputs.
+    /// Sets sizes at the inputs for the runs that follow: one for each, in the caller's order (of
+    /// equal inputs the first counts), or none. Between inputs sizes are linear in their Delaunay
+    /// triangulation.
     ///
     /// # Errors
     /// `InvalidArgument` (the length; a size that is not above 0), `OutOfMemory`.
@@ -45,9 +45,9 @@ impl Mesh {
         Ok(())
     }
 
-    /// Sizes at the vertices of `background`, for the runs that follow; both are copied. Between
-    /// them sizes are linear, and beyond the background they are those of its nearest vertex. None
-    /// removes it.
+    /// Sets sizes at the vertices of `background` for the runs that follow; both are copied.
+    /// Between vertices sizes are linear, and beyond the background they are those of its nearest
+    /// vertex. `None` removes them.
     ///
     /// # Errors
     /// `Dimension` (another one), `InvalidArgument` (the length; a size that is not above 0),
@@ -61,10 +61,12 @@ impl Mesh {
         Ok(())
     }
 
-    /// As [`Mesh::set_background`] with the result of the mesh itself, for a run that adapts it.
+    /// Sets sizes at the vertices of the mesh's own result, for a run that adapts it: see
+    /// [`Mesh::set_background`].
     ///
     /// # Errors
-    /// As those of [`Mesh::set_background`]; `State` before a run.
+    /// `InvalidArgument` (the length; a size that is not above 0), `OutOfMemory`; `State` before a
+    /// run.
     pub fn set_own_background(&mut self, sizes: &[f64]) -> Result<()> {
         let background = self.checked_background(self.result()?, sizes)?;
         self.given_sizes.background = Some(background);
@@ -88,7 +90,7 @@ impl Mesh {
     }
 }
 
-/// Fails unless all are sizes; `name` is that of the size with a number.
+/// Fails unless all are sizes; `name` makes the name of a size from its number.
 fn check(sizes: &[f64], name: fn(usize) -> Name) -> Result<()> {
     match sizes.iter().position(|size| size.is_nan() || *size <= 0.0) {
         None => Ok(()),
@@ -100,7 +102,8 @@ fn check(sizes: &[f64], name: fn(usize) -> Name) -> Result<()> {
     }
 }
 
-/// What a query needs of a result, and of what that is cut from.
+/// Returns a copy of the arrays that queries need, of a result and of the triangulation that it was
+/// cropped from.
 fn arrays_of(mesh: &Triangulation) -> AllocResult<Triangulation> {
     let vertices = mesh.vertex_count();
     let whole = mesh.boundary.whole.as_deref().map(arrays_of).transpose()?;

@@ -1,4 +1,4 @@
-//! The points nearest to others: a k-d tree, and the search of it.
+//! The points nearest to others: a k-d tree, and the search in it.
 
 mod search;
 mod tree;

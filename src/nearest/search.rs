@@ -1,25 +1,26 @@
-//! The point of a tree nearest to another: a search of a k-d tree. Lengths in doubles with a bound
-//! of their error decide nearly all, exact signs the rest.
+//! Search for the point of a k-d tree nearest to another. Lengths in doubles with a bound of their
+//! error decide nearly all comparisons, exact signs the rest.
 
 use super::tree::{Node, Tree};
 use crate::mesh::NONE;
 use crate::numerics::{Column, Edges, Sign, distance, norm};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// How far from each other two computed measures may be while the order of the exact ones is open:
-/// a square carries D + 2 roundings, a length D + 4.
+/// Returns the relative difference of two computed distances, or squares of them, up to which the
+/// order of the exact ones is undecided: a square carries D + 2 roundings, a length D + 4.
 const fn slack(dim: usize) -> f64 {
     (4 * dim + 16) as f64 * f64::EPSILON
 }
 
-/// A square between these has lost nothing of weight to underflow or overflow.
+/// Least square that has lost no significant digits to underflow.
 const SMALLEST_SQUARE: f64 = 1e-250;
+/// Largest square that no intermediate result overflows.
 const LARGEST_SQUARE: f64 = 1e250;
 
-/// A difference of lengths that rounding to subnormal numbers may make.
+/// Largest difference of lengths that rounding to subnormal numbers may make.
 const TINY: f64 = 1e-322;
 
-/// A switch that ends a call from another thread; the default is never set.
+/// Switch that ends a call from another thread; the default is never set.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stop<'a>(Option<&'a AtomicBool>);
 
@@ -36,14 +37,14 @@ impl<'a> Stop<'a> {
     }
 }
 
-/// The nearest point, the least of those at the same exact distance, and its distance.
-/// [`NONE`] and infinity if the tree is empty.
+/// Returns the nearest point and its distance. Of several at the same exact distance, the one with
+/// the smallest id is returned; [`NONE`] and infinity if the tree is empty.
 pub(crate) fn nearest<const D: usize>(tree: &Tree, q: &[f64; D]) -> (u32, f64) {
     nearest_until(Stop::default(), tree, q)
 }
 
-/// Finds the same as [`nearest`], or gives up soon after `stop` is set and returns any point:
-/// where many are equally near, the search for one visits them all.
+/// Returns the result of [`nearest`], unless `stop` is set: then gives up soon and returns any
+/// point. If many points are equally near, the search visits them all.
 pub(crate) fn nearest_until<const D: usize>(
     stop: Stop<'_>,
     tree: &Tree,
@@ -80,19 +81,19 @@ fn square<const D: usize>(vector: &[f64; D]) -> f64 {
 struct Search<'a, const D: usize, M> {
     tree: &'a Tree,
     q: &'a [f64; D],
-    /// The measure of the nearest one yet, ...
+    /// Measured distance of the nearest point found so far.
     best: f64,
-    /// ... its id ...
+    /// Id of the nearest point found so far.
     id: u32,
-    /// ... and its place.
+    /// Coordinates of the nearest point found so far.
     point: [f64; D],
     stop: Stop<'a>,
     measure: M,
 }
 
 impl<const D: usize, M: Fn(&[f64; D]) -> f64> Search<'_, D, M> {
-    /// Visits what is below a node; `offsets` are the distances of the point to the node's region
-    /// along each axis.
+    /// Visits the points below a node; `offsets` are the distances of the point to the node's
+    /// region along each axis.
     fn visit(&mut self, node: usize, offsets: &mut [f64; D]) {
         let Some(Node { value, axis }) = self.tree.node(node) else {
             return self.visit_leaf(self.tree.leaf_at(node));
@@ -108,7 +109,8 @@ impl<const D: usize, M: Fn(&[f64; D]) -> f64> Search<'_, D, M> {
         offsets[axis] = kept;
     }
 
-    /// What measures more is farther away than the nearest one yet.
+    /// Returns the measured distance above which a point is surely farther away than the nearest
+    /// point found so far.
     fn limit(&self) -> f64 {
         self.best * (1.0 + slack(D)) + TINY
     }
@@ -138,7 +140,7 @@ impl<const D: usize, M: Fn(&[f64; D]) -> f64> Search<'_, D, M> {
     }
 }
 
-/// The sign of |a - q| - |b - q|, exactly.
+/// Returns the exact sign of |a - q| - |b - q|.
 #[cold]
 #[inline(never)]
 fn compare<const D: usize>(q: &[f64; D], a: &[f64; D], b: &[f64; D]) -> Sign {

@@ -1,15 +1,15 @@
 //! A balanced k-d tree of points: it bounds a search for the nearest one, brings queries into an
-//! order of locality and names a vertex to walk from. Halving the points, not space, keeps it
-//! O(log n) deep whatever the spread.
+//! order of locality and names a vertex to walk from. Since it halves points instead of space, it
+//! is O(log n) deep whatever the spread.
 
 use crate::memory::{AllocResult, collected, filled, reserve, with_capacity};
 use crate::numerics::coordinates;
 
-/// A leaf has at most as many points, and more than half of that unless it is the only one.
+/// Largest number of points in a leaf; a leaf has more than half of it unless it is the only one.
 const LEAF: usize = 8;
 
-/// Where a range of points is divided: no coordinate on this axis is larger than `value` in the
-/// first half, and none is smaller in the second.
+/// Division of a range of points: no coordinate on this axis is larger than `value` in the first
+/// half, and none is smaller in the second.
 #[derive(Clone, Copy)]
 pub(crate) struct Node {
     pub value: f64,
@@ -17,18 +17,18 @@ pub(crate) struct Node {
 }
 
 pub(crate) struct Tree {
-    /// Divisions on the way to a leaf.
+    /// Number of divisions on the way to a leaf.
     levels: u32,
-    /// Node 1 is the root, 2 i and 2 i + 1 are the halves of node i.
+    /// Divisions: node 1 is the root, nodes 2 i and 2 i + 1 are the halves of node i.
     nodes: Vec<Node>,
-    /// The vertices, leaf by leaf; ...
+    /// Ids of the points, leaf by leaf.
     ids: Vec<u32>,
-    /// ... and their coordinates.
+    /// Coordinates of the points, in the order of `ids`.
     points: Vec<f64>,
 }
 
 impl Tree {
-    /// Of the points with those ids. O(n log n).
+    /// Builds the tree of the points with the given ids. O(n log n).
     pub fn new<const D: usize>(points: &[f64], mut ids: Vec<u32>) -> AllocResult<Self> {
         let point = |id: u32| coordinates::<D>(points, id as usize);
         let mut levels = 0;
@@ -56,7 +56,7 @@ impl Tree {
         Ok(Self { levels, nodes, ids, points: own })
     }
 
-    /// Of all points. There are fewer than 2^32.
+    /// Builds the tree of all points, of which there must be fewer than 2^32. O(n log n).
     pub fn of_all<const D: usize>(points: &[f64]) -> AllocResult<Self> {
         Self::new::<D>(points, collected(0..(points.len() / D) as u32)?)
     }
@@ -65,7 +65,7 @@ impl Tree {
         size_of_val(&*self.nodes) + size_of_val(&*self.ids) + size_of_val(&*self.points)
     }
 
-    /// The leaf where a point belongs, from 0 in the order of the tree.
+    /// Returns the leaf to which a point belongs, numbered from 0 in the order of the tree.
     #[inline]
     pub fn leaf<const D: usize>(&self, point: &[f64; D]) -> usize {
         let mut node = 1;
@@ -76,7 +76,7 @@ impl Tree {
         node - (1 << self.levels)
     }
 
-    /// The vertices of a leaf with their points.
+    /// Returns the ids of a leaf's points with their coordinates.
     #[inline]
     pub fn members<const D: usize>(&self, leaf: usize) -> impl Iterator<Item = (u32, &[f64; D])> {
         let n = self.ids.len();
@@ -86,7 +86,7 @@ impl Tree {
         self.ids[range].iter().copied().zip(points)
     }
 
-    /// The division at `node`; `None` for a leaf.
+    /// Returns the division at `node`; `None` for a leaf.
     #[inline]
     pub fn node(&self, node: usize) -> Option<Node> {
         self.nodes.get(node).copied()
@@ -97,14 +97,14 @@ impl Tree {
         1 << self.levels
     }
 
-    /// The leaf that stands where a node would: numbers go on after the last node.
+    /// Returns the leaf with a node's number: leaves are numbered on after the last division.
     #[inline]
     pub fn leaf_at(&self, node: usize) -> usize {
         node - (1 << self.levels)
     }
 
-    /// A vertex of the leaf, one of those nearest to `point` in the maximum norm, which cannot
-    /// underflow.
+    /// Returns the id of a point of the leaf, one of those nearest to `point` in the maximum norm,
+    /// which cannot underflow.
     #[inline]
     pub fn near<const D: usize>(&self, leaf: usize, point: &[f64; D]) -> Option<u32> {
         let (mut least, mut near) = (f64::INFINITY, None);
@@ -122,7 +122,7 @@ impl Tree {
     }
 }
 
-/// Where piece `at` of 2^`level` pieces of `count` begins.
+/// Returns the position where piece `at` of 2^`level` equal pieces of `count` begins.
 #[inline]
 fn bound(count: usize, at: usize, level: u32) -> usize {
     ((count as u64 * at as u64) >> level) as usize
@@ -141,8 +141,8 @@ fn widest_axis<'a, const D: usize>(point: impl Fn(u32) -> &'a [f64; D], ids: &[u
     (1..D).fold(0, |widest, axis| if width(axis) > width(widest) { axis } else { widest })
 }
 
-/// The numbers of the points in the order of the leaves where they belong; `keys` is scratch
-/// memory. Each key holds the leaf in its upper half and the number in its lower half.
+/// Sorts points by the leaves to which they belong: each of the `keys` becomes a leaf in its upper
+/// half and the number of a point in its lower half.
 pub(crate) fn sort_by_leaf<const D: usize>(
     tree: &Tree,
     points: &[f64],

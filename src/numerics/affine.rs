@@ -4,9 +4,9 @@ use super::MAX_DIM;
 use super::orientation;
 use std::ops::Deref;
 
-/// Indices of affinely independent points among `count`, greedily: index 0, then each index whose
-/// point is not in the affine hull of those taken before, until `D + 1` are found. Empty if `count`
-/// is zero; otherwise the length less one is the affine rank of all the points.
+/// Returns indices of affinely independent points among `count`, greedily: index 0, then each index
+/// whose point is not in the affine hull of those taken before, until `D + 1` are found. Empty if
+/// `count` is zero; otherwise the length less one is the affine rank of all the points.
 ///
 /// `point(i)` gives the finite coordinates of point i. Exact. O(`count` * D) orientation tests in
 /// the worst case, D + 1 calls of `point` on generic input.
@@ -33,7 +33,7 @@ pub fn affine_basis<const D: usize>(
     taken
 }
 
-/// The indices that [`affine_basis`] found, in rising order. Derefs to a slice.
+/// Indices that [`affine_basis`] found, ascending. Derefs to a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AffineBasis {
     indices: [usize; MAX_DIM + 1],
@@ -48,8 +48,8 @@ impl Deref for AffineBasis {
     }
 }
 
-/// Independent points. With r + 1 of them, the first r of `columns` are coordinates on which their
-/// projections are independent already.
+/// Affinely independent points. With r + 1 of them, the first r of `columns` are coordinates on
+/// which their projections are independent already.
 struct Basis<const D: usize> {
     points: [[f64; D]; MAX_DIM + 1],
     size: usize,
@@ -57,7 +57,7 @@ struct Basis<const D: usize> {
 }
 
 impl<const D: usize> Basis<D> {
-    /// Takes `point` if it is outside the affine hull. With r independent rows on r columns, a
+    /// Adds `point` if it is outside the affine hull. With r independent rows on r columns, a
     /// further row is independent iff one of the minors of r + 1 rows on those columns and one more
     /// is not zero.
     fn extend_by(&mut self, point: [f64; D]) -> bool {
@@ -78,8 +78,8 @@ impl<const D: usize> Basis<D> {
         false
     }
 
-    /// Whether the points are affinely independent on the first columns, of which there is one
-    /// less.
+    /// Returns true if the points are affinely independent on the first columns, of which there is
+    /// one fewer.
     fn minor_is_nonzero(&self) -> bool {
         match self.size - 1 {
             1 => self.points[0][self.columns[0]] != self.points[1][self.columns[0]],
@@ -107,7 +107,7 @@ mod tests {
     use crate::numerics::testing::*;
     use dashu_int::IBig;
 
-    /// The affine rank by integer elimination of all difference rows.
+    /// Returns the affine rank by integer elimination of all difference rows.
     fn rank_oracle<const D: usize>(points: &[[f64; D]]) -> usize {
         let edge = |p: &[f64; D]| -> Vec<IBig> {
             p.iter().zip(&points[0]).map(|(x, o)| integer(*x) - integer(*o)).collect()
@@ -154,7 +154,8 @@ mod tests {
         }
     }
 
-    /// Lowers the rank now and then: some coordinates copy others, some points others.
+    /// Lowers the rank of the points now and then: some coordinates become copies of others, some
+    /// points copies of others.
     fn flatten<const D: usize>(points: &mut [[f64; D]], random: &mut Random) {
         let (from, to) = (random.integer(0, D as i64 - 1), random.integer(0, D as i64 - 1));
         for i in 0..points.len() {

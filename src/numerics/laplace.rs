@@ -2,17 +2,17 @@
 
 use std::ops::Neg;
 
-/// A matrix over a ring, as an expansion sees it. Its lines are rows and are crossed by columns, or
-/// the other way round.
+/// Matrix over a ring, as an expansion reads it. Its lines are rows, crossed by columns, or the
+/// other way round.
 pub(super) trait Matrix {
-    /// An element of the ring, with whatever else is summed up beside it.
+    /// Element of the ring, with other sums that are computed beside it.
     type Minor: Copy;
-    /// A sum of products on its way to a minor.
+    /// Partial sum of the products of a minor.
     type Sum;
     /// Plus one or minus one.
     type Sign: Copy + Neg<Output = Self::Sign>;
 
-    /// The minor of no lines.
+    /// Minor of no lines.
     const ONE: Self::Minor;
     const PLUS: Self::Sign;
     const ZERO: Self::Sum;
@@ -34,10 +34,10 @@ pub(super) trait Matrix {
 /// minor of the first |s| lines and the places in s. The bits of a number are the set's members.
 ///
 /// ```text
-///   places   0 1 2 3        s = {0, 2, 3} = 0b1101
-///   line 0   a . b c
-///   line 1   d . e f        minors[s] = + i * minors[{0, 2}] - h * minors[{0, 3}] + g * minors[{2, 3}]
-///   line 2   g . h i
+/// places   0 1 2 3        s = {0, 2, 3} = 0b1101
+/// line 0   a . b c        minors[s] =   i * minors[{0, 2}]
+/// line 1   d . e f                    - h * minors[{0, 3}]
+/// line 2   g . h i                    + g * minors[{2, 3}]
 /// ```
 #[inline(always)]
 pub(super) fn expand<M: Matrix, const SETS: usize>(

@@ -17,11 +17,12 @@
 //!   lengths   distances at every scale, for callers and for filters
 //! ```
 //!
-//! Beside the groups: `segment`, which has what a segment needs, from filters and exact integers.
+//! Beside the groups: `segment`, exact tests and nearest points of a segment, made of filters and
+//! exact integers.
 //!
-//! What more than one group needs stands beside them: `sign`, `power` (scaling without rounding)
-//! and `laplace` (the expansion of a determinant over any ring). A group uses another one only
-//! through its front page, and `exact` uses no other group.
+//! Shared by several groups are `sign`, `power` (scaling without rounding) and `laplace` (the
+//! expansion of a determinant over any ring); `random` has pseudo-random numbers and hashes. A
+//! group uses another one only through its front page, and `exact` uses no other group.
 
 mod affine;
 mod exact;
@@ -29,6 +30,7 @@ mod filters;
 mod laplace;
 mod lengths;
 mod power;
+mod random;
 mod segment;
 mod sign;
 mod volume;
@@ -45,17 +47,18 @@ pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exa
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{distance, norm, shortest_distance};
+pub use random::{SplitMix, mixed};
 pub use segment::{in_diametral_ball, offset_from_line, point_between};
 pub use sign::Sign;
 pub use volume::volume;
 
-/// The highest dimension.
+/// Largest dimension that the module supports.
 const MAX_DIM: usize = 8;
 
-/// The most rows or columns of a matrix.
+/// Largest number of rows or columns of a matrix.
 const MAX_SIZE: usize = MAX_DIM + 1;
 
-/// Point `at` of a flat array.
+/// Returns point `at` of a flat array.
 #[inline]
 pub(crate) fn coordinates<const D: usize>(points: &[f64], at: usize) -> &[f64; D] {
     points[at * D..][..D].try_into().expect("D coordinates")

@@ -1,26 +1,27 @@
 //! Powers of two: scaling without rounding.
 
-/// The unit roundoff of f64, 2^-53: a rounded result is the exact one times (1 + d), |d| <= u.
+/// Unit roundoff of f64, 2^-53: a rounded result is the exact one times (1 + d), |d| <= u.
 pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// Absorbs what gradual underflow loses (at most 2^-1075 an operation) in expressions whose other
-/// factors are at most a few thousand.
+/// Allowance for gradual underflow, which loses at most 2^-1075 an operation, in expressions whose
+/// other factors are at most a few thousand.
 pub(super) const TINY: f64 = 1e-290;
 
-/// The exponent field of `value`, 0 (zero and subnormals) to 2047 (infinities and NaN).
+/// Returns the exponent field of `value`, 0 (zero and subnormals) to 2047 (infinities and NaN).
 #[inline]
 pub(super) fn biased_exponent(value: f64) -> i32 {
     ((value.to_bits() >> 52) & 0x7ff) as i32
 }
 
-/// 2^`exponent`, for -1022 to 1023.
+/// Returns 2^`exponent`, for -1022 to 1023.
 #[inline]
 pub(super) const fn power_of_two(exponent: i32) -> f64 {
     debug_assert!(-1022 <= exponent && exponent <= 1023);
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// `value * 2^exponent` for any exponent, rounded; within 2^-1074 where the result is subnormal.
+/// Returns `value * 2^exponent` for any exponent, rounded; within 2^-1074 where the result is
+/// subnormal.
 pub(super) fn scale_by_power(value: f64, exponent: i64) -> f64 {
     // Finite doubles span 2^-1074 to 2^1024: beyond 2200 every nonzero value is over or under.
     let mut left = exponent.clamp(-2200, 2200) as i32;
@@ -33,7 +34,7 @@ pub(super) fn scale_by_power(value: f64, exponent: i64) -> f64 {
     scaled
 }
 
-/// `value` as `(m, e)` with `value = m * 2^e` and m odd; `(0, i32::MAX)` for zero.
+/// Returns `(m, e)` with `value = m * 2^e` and m odd; `(0, i32::MAX)` for zero.
 pub(super) fn decompose(value: f64) -> (i64, i32) {
     if value == 0.0 {
         return (0, i32::MAX);
@@ -48,8 +49,8 @@ pub(super) fn decompose(value: f64) -> (i64, i32) {
     (if value < 0.0 { -odd } else { odd }, exponent)
 }
 
-/// The exponent of the largest power of two that divides all coordinates, and the least span such
-/// that they are smaller than 2^(unit + span); `None` if all are zero.
+/// Returns the exponent of the largest power of two that divides all coordinates, and the least
+/// span such that they are smaller than 2^(unit + span); `None` if all are zero.
 pub(super) fn unit_and_span<'a>(
     coordinates: impl Iterator<Item = &'a f64>,
 ) -> Option<(i32, usize)> {
@@ -64,7 +65,7 @@ pub(super) fn unit_and_span<'a>(
     (unit <= top).then(|| (unit, (top - unit) as usize))
 }
 
-/// How many bits a sum of `count` numbers may have more than the largest of them.
+/// Returns the number of bits that a sum of `count` numbers may have more than the largest of them.
 pub(super) fn bits_of(count: usize) -> usize {
     count.next_power_of_two().ilog2() as usize
 }

@@ -5,12 +5,12 @@ use super::exact::{Edges, crossing, scalar_product_exact};
 use super::filters::{determinant_filtered, orientation};
 use super::power::{biased_exponent, scale_by_power};
 
-/// Terms between these are products of differences that neither overflowed nor lost bits.
+/// Magnitudes of products of differences that neither overflowed nor lost bits.
 const SAFE: std::ops::Range<f64> = 1e-250..1e250;
 
-/// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the ball of
-/// which the points `a` and `b` are the ends of a diameter: by the theorem of Thales, whether it
-/// sees them at an obtuse angle. Right for all finite points.
+/// Returns the side of the ball with the diameter from `a` to `b` that `q` is on: positive strictly
+/// inside, zero on the sphere, negative strictly outside. By the theorem of Thales, `q` is inside
+/// if it sees the diameter at an obtuse angle. Right for all finite points.
 #[inline]
 pub fn in_diametral_ball<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D]) -> Sign {
     let (mut sum, mut size) = (0.0, 0.0);
@@ -27,10 +27,11 @@ pub fn in_diametral_ball<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D
     }
 }
 
-/// Relative to the largest number of a sum, numbers above this have products with all their bits.
+/// Magnitude, relative to the largest number of a sum, above which products keep all their bits.
 const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
 
-/// The doubles nearest to the coordinates of `a + fraction (b - a)`, for a fraction in \[0, 1\].
+/// Returns the doubles nearest to the coordinates of `a + fraction (b - a)`, for a fraction in \[0,
+/// 1\].
 pub fn point_between<const D: usize>(a: &[f64; D], b: &[f64; D], fraction: f64) -> [f64; D] {
     std::array::from_fn(|k| coordinate_between(a[k], b[k], fraction))
 }
@@ -52,12 +53,12 @@ fn coordinate_between(a: f64, b: f64, fraction: f64) -> f64 {
     crossing([[&[a, 0.0], &[b, 1.0]], level]).map_or(a, |[x, _]| x)
 }
 
-/// The relative error of a determinant in floating point that [`offset_from_line`] accepts.
+/// Largest relative error of a determinant in floating point that [`offset_from_line`] accepts.
 const ACCEPTED: f64 = 1e-13;
 
-/// Returns how far `x` is from the line through `a` and `b`, as the factor by which a rectangle of
-/// half the widths `units` about `x` must grow to meet the line. Relative error at most 1e-12;
-/// infinite beyond `f64::MAX`. The units are positive, `a` and `b` differ.
+/// Returns the distance of `x` from the line through `a` and `b`, as the factor by which a
+/// rectangle of half the widths `units` about `x` must grow to meet the line. Relative error at
+/// most 1e-12; infinite beyond `f64::MAX`. The units must be positive, and `a` and `b` differ.
 pub fn offset_from_line(a: &[f64; 2], b: &[f64; 2], x: &[f64; 2], units: [f64; 2]) -> f64 {
     // Inputs often are on a line exactly, and a sign is cheap.
     if orientation(&[a, b, x]) == Sign::Zero {
@@ -83,9 +84,9 @@ fn normalized(value: f64) -> (f64, i64) {
     (scale_by_power(value, -exponent), exponent)
 }
 
-/// The sum of `a`, and of `fraction` times the two parts of `b - a`, rounded once: all its bits are
-/// in five numbers without a common one, by rising magnitude (J. R. Shewchuk, "Adaptive Precision
-/// Floating-Point Arithmetic", 1997, theorem 10).
+/// Returns the sum of `a`, and of `fraction` times the two parts of `b - a`, rounded once: all its
+/// bits are in five numbers without a common one, by rising magnitude (J. R. Shewchuk, "Adaptive
+/// Precision Floating-Point Arithmetic", 1997, theorem 10).
 fn sum_between(a: f64, b: f64, fraction: f64) -> f64 {
     let (difference, rest) = sum_of(b, -a);
     let (high, low) = product_of(fraction, difference);
@@ -101,7 +102,7 @@ fn sum_between(a: f64, b: f64, fraction: f64) -> f64 {
     rounded(parts)
 }
 
-/// The double nearest to the sum of numbers without a common bit, by rising magnitude.
+/// Returns the double nearest to the sum of numbers without a common bit, by rising magnitude.
 fn rounded(parts: [f64; 5]) -> f64 {
     let mut from_largest = parts.into_iter().rev();
     let (mut sum, mut lacking) = (0.0, 0.0);
@@ -119,14 +120,14 @@ fn rounded(parts: [f64; 5]) -> f64 {
     if is_tie && below * lacking.signum() > 0.0 { next } else { sum }
 }
 
-/// The sum, rounded, and what it lacks.
+/// Returns the rounded sum and its rounding error.
 fn sum_of(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let part = sum - a;
     (sum, (a - (sum - part)) + (b - part))
 }
 
-/// The product, rounded, and what it lacks.
+/// Returns the rounded product and its rounding error.
 fn product_of(a: f64, b: f64) -> (f64, f64) {
     let halves = |x: f64| {
         let shifted = 134_217_729.0 * x;
@@ -143,7 +144,8 @@ mod tests {
     use crate::numerics::testing::{FAMILIES, Random, points};
     use dashu_int::IBig;
 
-    /// The coordinates in units of 2^-1200, which all are multiples of after a division.
+    /// Returns a coordinate in units of 2^-1200, of which all coordinates are multiples after a
+    /// division.
     fn whole(value: f64) -> IBig {
         let (mantissa, exponent) = crate::numerics::power::decompose(value);
         if mantissa == 0 { IBig::ZERO } else { IBig::from(mantissa) << (exponent + 1200) as usize }
@@ -198,7 +200,8 @@ mod tests {
         }
     }
 
-    /// Compared with neighbouring doubles: the exact point is in units of 2^-2400.
+    /// Points on segments are the nearest doubles: neighbouring ones are not nearer to the exact
+    /// point, which is in units of 2^-2400.
     #[test]
     fn points_of_segments_are_rounded_once() {
         for family in FAMILIES {
@@ -228,8 +231,8 @@ mod tests {
         }
     }
 
-    /// The largest part of the sum is a tie, which goes to the even double unless what is below
-    /// says otherwise: products of fractions that are rounded nearly are powers of two.
+    /// Ties of the largest part of the sum go to the even double unless the smaller parts say
+    /// otherwise: products of fractions that are rounded nearly are powers of two.
     #[test]
     fn a_tie_is_no_tie_if_there_is_more() {
         let third = 2f64.powi(-52) / 3.0;

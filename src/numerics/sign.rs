@@ -2,7 +2,7 @@
 
 use std::ops::{Mul, Neg};
 
-/// The sign of a determinant, as -1, 0 or 1.
+/// Sign of a determinant, as -1, 0 or 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(i8)]
 pub enum Sign {
@@ -12,8 +12,8 @@ pub enum Sign {
 }
 
 impl Sign {
-    /// The sign of `value`; zero for both zeros. A NaN has no sign: it counts as zero here, and
-    /// callers keep it out.
+    /// Returns the sign of `value`; zero for both zeros. A NaN has no sign: it counts as zero here,
+    /// and callers keep it out.
     #[inline]
     pub fn of(value: f64) -> Self {
         if value > 0.0 {
@@ -25,7 +25,7 @@ impl Sign {
         }
     }
 
-    /// The sign of `value`, a whole number.
+    /// Returns the sign of an integer.
     #[inline]
     pub(super) fn of_integer(value: i64) -> Self {
         match value {
@@ -35,7 +35,7 @@ impl Sign {
         }
     }
 
-    /// The sign of the negated number.
+    /// Returns the sign of the negated number.
     #[inline]
     pub fn flip(self) -> Self {
         match self {
@@ -77,7 +77,7 @@ impl Neg for Sign {
     }
 }
 
-/// The sign of a product.
+/// Sign of a product.
 impl Mul for Sign {
     type Output = Self;
 

@@ -1,33 +1,31 @@
 //! Oracles, point generators and random numbers for unit tests. The oracles share nothing with the
 //! code under test: coordinates in units of 2^-1074, homogeneous matrices, Laplace expansion.
 
+use super::random::{SplitMix, mixed};
 use super::sign::Sign;
 use dashu_int::IBig;
 use std::collections::HashMap;
 
-/// A small generator of pseudo-random numbers (SplitMix64), so that failures repeat.
+/// Small generator of pseudo-random numbers (SplitMix64), so that failures repeat.
 pub struct Random(pub u64);
 
 impl Random {
     pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        self.0 = self.0.wrapping_add(SplitMix::STEP);
+        mixed(self.0)
     }
 
-    /// An integer from `low` to `high`, both possible.
+    /// Returns an integer from `low` to `high`, both possible.
     pub fn integer(&mut self, low: i64, high: i64) -> i64 {
         low + (self.bits() % (high - low + 1) as u64) as i64
     }
 
-    /// A number in [-1, 1).
+    /// Returns a number in [-1, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
     }
 
-    /// Any finite double, by its bits.
+    /// Returns any finite double, by its bits.
     pub fn raw(&mut self) -> f64 {
         loop {
             let value = f64::from_bits(self.bits());
@@ -38,7 +36,7 @@ impl Random {
     }
 }
 
-/// The kinds of points that have broken predicates before.
+/// Kinds of points that have broken predicates before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     Uniform,
@@ -70,7 +68,7 @@ pub const FAMILIES: [Family; 12] = [
     Family::FarCluster,
 ];
 
-/// `count` points of one family.
+/// Returns `count` points of one family.
 pub fn points<const D: usize>(family: Family, count: usize, random: &mut Random) -> Vec<[f64; D]> {
     // Lattice families come at some scale, one for all the points: often 1, else anywhere.
     let exponent = if random.bits() & 1 == 0 { 0 } else { random.integer(-1000, 1000) };
@@ -131,7 +129,7 @@ pub fn references<const D: usize>(points: &[[f64; D]]) -> Vec<&[f64; D]> {
     points.iter().collect()
 }
 
-/// `value` in units of 2^-1074.
+/// Returns `value` in units of 2^-1074.
 pub fn integer(value: f64) -> IBig {
     let bits = value.to_bits();
     let field = (bits >> 52 & 0x7ff) as usize;
@@ -143,7 +141,7 @@ pub fn integer(value: f64) -> IBig {
     if value.is_sign_negative() { -magnitude } else { magnitude }
 }
 
-/// The determinant by Laplace expansion along the rows, minors remembered by columns.
+/// Returns the determinant by Laplace expansion along the rows, with a table of minors by columns.
 pub fn determinant_oracle(matrix: &[Vec<IBig>]) -> IBig {
     fn minor(m: &[Vec<IBig>], columns: u32, known: &mut HashMap<u32, IBig>) -> IBig {
         if columns == 0 {
@@ -174,7 +172,7 @@ fn sign(value: IBig) -> Sign {
     }
 }
 
-/// The orientation by the homogeneous matrix with rows (1, p).
+/// Returns the orientation by the homogeneous matrix with rows (1, p).
 pub fn orientation_oracle<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     let row = |p: &&[f64; D]| {
         std::iter::once(IBig::ONE).chain(p.iter().map(|x| integer(*x))).collect::<Vec<_>>()
@@ -182,7 +180,7 @@ pub fn orientation_oracle<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     sign(determinant_oracle(&simplex.iter().map(row).collect::<Vec<_>>()))
 }
 
-/// The side of the sphere by the lifted homogeneous matrix with rows (1, p, |p|^2).
+/// Returns the side of the sphere by the lifted homogeneous matrix with rows (1, p, |p|^2).
 pub fn in_ball_oracle<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     let row = |p: &&[f64; D]| {
         let p = p.map(integer);
@@ -193,8 +191,8 @@ pub fn in_ball_oracle<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Si
     sign(determinant_oracle(&simplex.iter().chain([&q]).map(row).collect::<Vec<_>>())).flip()
 }
 
-/// The circumcentre relative to `points[anchor]` by Cramer's rule: numerators and the common
-/// denominator, in units of 2^-1074.
+/// Returns the circumcentre relative to `points[anchor]` by Cramer's rule: numerators and the
+/// common denominator, in units of 2^-1074.
 pub fn circumcenter_oracle<const D: usize>(
     points: &[&[f64; D]],
     anchor: usize,
@@ -214,8 +212,8 @@ pub fn circumcenter_oracle<const D: usize>(
     (numerators, determinant_oracle(&rows) * 2)
 }
 
-/// Whether |value * 2^exponent - numerator / denominator| is at most `bound * 2^exponent`, with the
-/// quotient in units of 2^-1074.
+/// Returns true if |value * 2^exponent - numerator / denominator| is at most `bound * 2^exponent`,
+/// with the quotient in units of 2^-1074.
 pub fn is_close(value: f64, bound: f64, exponent: i64, quotient: (&IBig, &IBig)) -> bool {
     // value and bound are integers times 2^-1074: bring all to units of 2^(-4296).
     const UNITS: i64 = 4296;
@@ -229,7 +227,7 @@ fn magnitude(value: IBig) -> IBig {
     if value < IBig::ZERO { -value } else { value }
 }
 
-/// `value` as a whole mantissa and the exponent of its unit; zero as (0, 0).
+/// Returns `value` as a whole mantissa and the exponent of its unit; zero as (0, 0).
 pub fn decomposed(value: f64) -> (i64, i32) {
     match super::power::decompose(value) {
         (0, _) => (0, 0),

@@ -1,4 +1,4 @@
-//! What the hot functions cost: `cargo test --release numerics::timing -- --ignored --nocapture`.
+//! Times of the hot functions: `cargo test --release numerics::timing -- --ignored --nocapture`.
 
 use super::testing::{Family, Random, points, references};
 use super::{Circumball, in_ball, orientation};
@@ -6,7 +6,7 @@ use super::{circumcenter_exact, in_ball_exact, orientation_exact};
 use std::hint::black_box;
 use std::time::Instant;
 
-/// Nanoseconds a call, the best of sixty passes over `count` items.
+/// Measures nanoseconds a call, the best of sixty passes over `count` items.
 fn nanoseconds(count: usize, mut pass: impl FnMut()) -> f64 {
     let seconds = (0..60).map(|_| {
         let start = Instant::now();

@@ -4,12 +4,12 @@ use super::exact::Edges;
 use super::filters::determinant_filtered;
 use super::power::scale_by_power;
 
-/// The relative error that a determinant in floating point may have.
+/// Largest relative error of a determinant in floating point that is accepted.
 const ACCEPTED: f64 = 1e-13;
 
-/// det[p1 - p0, ..., pD - p0] / D! for `D + 1` finite points: the volume, positive if the simplex
-/// is positively oriented. Relative error at most 1e-12, or 2^-1074 absolutely where the result is
-/// subnormal; infinite beyond `f64::MAX`.
+/// Returns det[p1 - p0, ..., pD - p0] / D! for `D + 1` finite points: the volume, positive if the
+/// simplex is positively oriented. Relative error at most 1e-12, or 2^-1074 absolutely where the
+/// result is subnormal; infinite beyond `f64::MAX`.
 ///
 /// Usually O(2^D D) floating-point operations; a flat simplex costs as many in integers.
 pub fn volume<const D: usize>(simplex: &[&[f64; D]]) -> f64 {

@@ -1,4 +1,4 @@
-//! The convex hull of points, from the Delaunay triangulation of those that may be on it. That
+//! The convex hull of points, from the Delaunay triangulation of those that may be on it. This
 //! keeps the triangulation small where that of all points is large, as it is for points on two
 //! lines.
 
@@ -8,19 +8,19 @@ use crate::error::{ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Inputs, NONE, Triangulation, in_dimension};
 use crate::netmesh;
-use crate::numerics::affine_basis;
+use crate::numerics::{SplitMix, affine_basis};
 use crate::query::Index;
 
-/// Fewer points are not worth a look at which of them are on the hull.
+/// Number of points for each dimension up to which no points are left out.
 const FEW: usize = 100;
 
-/// Directions in which points are sought that are far out, a pass.
+/// Number of directions, in one pass, in which outermost points are sought.
 const DIRECTIONS: usize = 200;
 
-/// Passes that leave out points inside the hull of such.
+/// Largest number of passes, each of which leaves out points inside the hull of outermost ones.
 const PASSES: usize = 3;
 
-/// The hull of distinct points, `points x dim`; at least two.
+/// Returns the hull of distinct points, `points x dim`; there must be at least two.
 pub(super) fn of_points(dim: usize, points: &[f64]) -> Result<ConvexHull> {
     let candidates = candidates(dim, points)?;
     match candidates.solid {
@@ -29,10 +29,10 @@ pub(super) fn of_points(dim: usize, points: &[f64]) -> Result<ConvexHull> {
     }
 }
 
-/// Points among which are all extreme ones.
+/// Some of the points, among them all extreme ones.
 struct Candidates {
     ids: Vec<u32>,
-    /// Their Delaunay triangulation; none if all points lie in a hyperplane.
+    /// Delaunay triangulation of these points; `None` if all points lie in a hyperplane.
     solid: Option<Triangulation>,
 }
 
@@ -50,7 +50,7 @@ fn candidates(dim: usize, points: &[f64]) -> Result<Candidates> {
     }
 }
 
-/// Affinely independent points, as many as there are.
+/// Returns a largest set of affinely independent points.
 fn basis(dim: usize, points: &[f64]) -> AllocResult<Vec<usize>> {
     let count = points.len() / dim;
     in_dimension!(
@@ -63,7 +63,7 @@ fn basis(dim: usize, points: &[f64]) -> AllocResult<Vec<usize>> {
     )
 }
 
-/// The ends of points on a line.
+/// Returns the two ends of points on a line.
 fn ends(dim: usize, points: &[f64], basis: &[usize]) -> Vec<u32> {
     let (first, last) = (basis[0] * dim, basis[basis.len() - 1] * dim);
     let axis = (0..dim).find(|axis| points[first + axis] != points[last + axis]).unwrap_or(0);
@@ -74,7 +74,7 @@ fn ends(dim: usize, points: &[f64], basis: &[usize]) -> Vec<u32> {
     least.into_iter().chain(most).collect()
 }
 
-/// Axes onto which the basis projects to independent points.
+/// Returns axes onto which the basis projects to affinely independent points.
 fn independent_axes(
     dim: usize,
     points: &[f64],
@@ -106,10 +106,10 @@ fn select(dim: usize, points: &[f64], ids: &[u32]) -> AllocResult<Vec<f64>> {
     Ok(selected)
 }
 
-/// Of points that do not lie in a hyperplane.
+/// Returns candidates of points that do not lie in a hyperplane.
 fn of_full_rank(dim: usize, points: &[f64]) -> Result<Candidates> {
     let mut ids = collected(0..(points.len() / dim) as u32)?;
-    let mut directions = Directions(1);
+    let mut directions = Directions(SplitMix(1));
     for _ in 0..PASSES {
         if ids.len() <= FEW * dim {
             break;
@@ -129,8 +129,8 @@ fn triangulate(dim: usize, points: &[f64]) -> Result<Triangulation> {
     netmesh::run(&Inputs::new(dim, points.len() / dim, points, 0)?, None, &plain(), None)
 }
 
-/// Those of the points that are not inside the hull of some that are far out; `None` if those lie
-/// in a hyperplane.
+/// Returns the points that are not inside the hull of some outermost points; `None` if these lie in
+/// a hyperplane.
 fn without_inner(
     dim: usize,
     points: &[f64],
@@ -165,9 +165,8 @@ fn without_inner(
     Ok(Some(left))
 }
 
-/// The axes, and pseudo-random directions (Steele, Lea and Flood, "Fast splittable pseudorandom
-/// number generators", 2014).
-struct Directions(u64);
+/// Source of directions: the axes, then pseudo-random ones.
+struct Directions(SplitMix);
 
 impl Directions {
     fn next(&mut self, dim: usize, at: usize) -> [f64; 8] {
@@ -179,14 +178,8 @@ impl Directions {
         direction
     }
 
-    /// About normally distributed.
+    /// Returns a pseudo-random number with nearly normal distribution.
     fn number(&mut self) -> f64 {
-        let mut unit = || {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((mixed ^ mixed >> 31) >> 11) as f64 * f64::EPSILON - 1.0
-        };
-        unit() + unit() + unit()
+        self.0.unit() + self.0.unit() + self.0.unit()
     }
 }

@@ -4,8 +4,8 @@ use crate::arrays::{Arrays, Group, Part, Selection};
 use crate::error::Result;
 use std::sync::Mutex;
 
-/// The arrays of one group and one selection. A caller asks for the size of an array and then for
-/// the array, and for the arrays of a group in turn: they are made by the first of these calls.
+/// Arrays of one group and one selection. Callers ask for the size of an array and then for the
+/// array, and for the arrays of a group in turn: the first of these calls makes them all.
 #[derive(Default)]
 pub(super) struct Kept(Mutex<Option<Made>>);
 
@@ -17,8 +17,8 @@ struct Made {
 
 impl Kept {
     /// Calls `act` with the array that `array` picks from a group. Afterwards that array is dropped
-    /// if `act` answers true, and kept if not; so are the others of its group until another group
-    /// or selection is asked for.
+    /// if `act` answers true, and kept if not; the other arrays of its group are kept until another
+    /// group or selection is asked for.
     pub fn with<'a, T>(
         &self,
         (selection, group): (&Selection, Group),
@@ -27,10 +27,10 @@ impl Kept {
         act: impl FnOnce(&[T]) -> Result<bool>,
     ) -> Result<()> {
         let mut kept = self.take();
-        let is_wanted = |made: &mut Made| {
+        let has_selection = |made: &mut Made| {
             made.selection == *selection && made.group == group && array(&mut made.arrays).is_some()
         };
-        let mut made = match kept.take_if(is_wanted) {
+        let mut made = match kept.take_if(has_selection) {
             Some(made) => made,
             None => {
                 drop(kept);
@@ -48,8 +48,9 @@ impl Kept {
         done.map(|_| ())
     }
 
-    /// What is kept. While one call uses it, others find nothing and make their own: no call waits
-    /// for another one. Where two reach for it in the same moment, one finds nothing, too.
+    /// Takes the kept arrays out. While one call uses them, others find nothing and make their own,
+    /// so that no call waits for another one. If two reach for them in the same moment, one finds
+    /// nothing, too.
     fn take(&self) -> Option<Made> {
         self.0.try_lock().ok()?.take()
     }

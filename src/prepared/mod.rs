@@ -1,6 +1,6 @@
-//! What queries need beside a mesh, made once and kept as long as its result: the one place between
-//! the queries, which know a result's arrays alone, and the algorithm, which triangulates the
-//! inputs for them.
+//! Structures that queries need beside a mesh, made once and kept as long as its result. This is
+//! the one place between the queries, which know a result's arrays alone, and the algorithm, which
+//! triangulates the inputs for them.
 
 mod hull;
 mod kept;
@@ -21,8 +21,8 @@ use kept::Kept;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// What is made at the first query of a result that needs it. It belongs to one mesh; after a run
-/// of that, a new one is needed. Threads may share it.
+/// Structures that the first query that needs them makes for a result. They belong to one mesh and
+/// one result of it: after another run a new value is needed. Threads may share it.
 #[derive(Default)]
 pub struct Prepared {
     index: Once<Index>,
@@ -35,11 +35,11 @@ pub struct Prepared {
     kept: Kept,
 }
 
-/// A value that the first one who needs it makes, while others wait.
+/// Value that the first thread which needs it makes, while others wait.
 struct Once<T> {
     value: OnceLock<T>,
-    /// Whether there is a value. `value` knows, but the thread sanitizer does not see how: that is
-    /// in the compiled part of the standard library.
+    /// True if there is a value. `value` knows it too, but the thread sanitizer cannot see its
+    /// synchronisation, which is in the compiled part of the standard library.
     is_made: AtomicBool,
     making: Mutex<()>,
 }
@@ -71,7 +71,7 @@ impl<T> Once<T> {
 }
 
 impl Prepared {
-    /// The index of the mesh. O(simplices + vertices log vertices) the first time.
+    /// Returns the index of the mesh. The first call takes O(simplices + vertices log vertices).
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
@@ -80,8 +80,9 @@ impl Prepared {
         self.index.get_or_make(|| Index::new(result))
     }
 
-    /// Writes for each of the points (`count x dim`) the number of the nearest input, of equal ones
-    /// the first and of those at the same exact distance the least, and its distance.
+    /// Writes for each of the points (`count x dim`) the number of the nearest input and its
+    /// distance. Of equal inputs it is the first, and of several at the same exact distance the one
+    /// with the smallest number.
     ///
     /// # Errors
     /// `State` before a run, and those of [`Index::nearest`].
@@ -102,9 +103,9 @@ impl Prepared {
         Ok(())
     }
 
-    /// Where each simplex lies with respect to the hull or the box of the inputs, exactly; empty
-    /// for [`Extent::All`]. The first time the hull takes a Delaunay triangulation of the inputs
-    /// that may be on it, and tests of the simplices along it.
+    /// Returns exactly how each simplex lies with respect to the hull or the bounding box of the
+    /// inputs; empty for [`Extent::All`]. For the hull, the first call makes a Delaunay
+    /// triangulation of the inputs that may be on it, and tests the simplices along it.
     ///
     /// # Errors
     /// `State` before a run, `OutOfMemory`.
@@ -139,7 +140,8 @@ impl Prepared {
         }
     }
 
-    /// All faces of the mesh, from the vertices on. `threads` as in the options.
+    /// Returns all faces of the mesh, from the vertices on. `threads` has the meaning of the
+    /// option.
     ///
     /// # Errors
     /// `State` before a run, and those of [`Faces::new`].
@@ -148,7 +150,7 @@ impl Prepared {
         self.faces.get_or_make(|| Faces::new(result, 0, threads))
     }
 
-    /// The alpha values of all faces.
+    /// Returns the alpha values of all faces.
     ///
     /// # Errors
     /// `State` before a run, and those of [`topology::alpha`].
@@ -157,7 +159,7 @@ impl Prepared {
         self.alpha.get_or_make(|| topology::alpha(result, faces, threads))
     }
 
-    /// The filtration of the mesh by the distance to its inputs.
+    /// Returns the filtration of the mesh by the distance to its inputs.
     ///
     /// # Errors
     /// `State` before a run, and those of [`topology::distances`].
@@ -167,9 +169,10 @@ impl Prepared {
         self.distances.get_or_make(|| topology::distances(result, faces, index, threads))
     }
 
-    /// The attributes of the mesh at its vertices (before a run at the distinct inputs): those of
-    /// the inputs, and at other vertices as each attribute says. The first time after a run or
-    /// after [`Prepared::forget_attributes`] it triangulates the inputs.
+    /// Returns the attributes at the vertices of the mesh (before a run at the distinct inputs):
+    /// the caller's values at inputs, and at other vertices extended values or NaN, as each
+    /// attribute asks. The first call after a run or after [`Prepared::forget_attributes`]
+    /// triangulates the inputs.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -177,15 +180,15 @@ impl Prepared {
         Ok(self.attributes.get_or_make(|| at_vertices(mesh))?)
     }
 
-    /// Attributes of the mesh have been set.
+    /// Forgets the attributes at vertices, since attributes of the mesh have been set.
     pub fn forget_attributes(&mut self) {
         self.attributes = Once::default();
     }
 
-    /// The simplices of a selection.
+    /// Returns the simplices of a selection, of which arrays are made.
     ///
     /// # Errors
-    /// `State` before a run, `InvalidArgument` (a domain that is not there), `OutOfMemory`.
+    /// `State` before a run, `InvalidArgument` (a domain that does not exist), `OutOfMemory`.
     pub fn part<'a>(&self, mesh: &'a Mesh, selection: &Selection) -> Result<Part<'a>> {
         let placements = self.placements(mesh, selection.extent)?;
         Part::of(mesh.result()?, selection, placements)
@@ -197,7 +200,7 @@ impl Prepared {
     /// value. At most one group is kept; threads that ask at the same time each make their own.
     ///
     /// # Errors
-    /// Those of [`Prepared::part`], and of `act`.
+    /// Errors of [`Prepared::part`] and of `act`.
     pub fn with_array<T>(
         &self,
         mesh: &Mesh,
@@ -209,10 +212,11 @@ impl Prepared {
     }
 }
 
-/// Values at all vertices of a mesh (`vertices x components`) that agree with `values` at the
-/// inputs (`inputs x components`, in the caller's order; of equal inputs the first counts): linear
-/// in the Delaunay triangulation of the inputs, which is made for it, and those of the nearest
-/// input beyond its hull; those of the nearest input everywhere if the inputs lie in a hyperplane.
+/// Writes values at all vertices of a mesh (`vertices x components`) that agree with `values` at
+/// the inputs (`inputs x components`, in the caller's order; of equal inputs the first counts).
+/// They are linear in the Delaunay triangulation of the inputs, which is made for it, and beyond
+/// its hull those of the nearest input. If the inputs lie in a hyperplane, they are those of the
+/// nearest input everywhere.
 ///
 /// # Errors
 /// `State` before a run, `InvalidArgument` (a length), `OutOfMemory`.
@@ -233,7 +237,7 @@ pub fn extend_values(mesh: &Mesh, values: Values<'_>, out: &mut [f64]) -> Result
     }
 }
 
-/// The attributes of the mesh at its vertices.
+/// Returns the attributes of the mesh at its vertices.
 fn at_vertices(mesh: &Mesh) -> Result<Vec<Attribute>> {
     let inputs = mesh.inputs();
     let vertices = mesh.triangulation().map_or(inputs.distinct(), Triangulation::vertex_count);
@@ -272,7 +276,7 @@ fn at_vertices(mesh: &Mesh) -> Result<Vec<Attribute>> {
     Ok(found)
 }
 
-/// Options for the Delaunay triangulation of the inputs alone.
+/// Returns options for the Delaunay triangulation of the inputs alone.
 fn plain() -> Options {
     Options { algorithm: Algorithm::Delaunay, ..Options::default() }
 }

@@ -1,4 +1,4 @@
-//! Placements against brute force, and what is made once.
+//! Placements compared with brute force, and structures that are made only once.
 
 use super::*;
 use crate::arrays::tests::{delaunay, each_mesh, meshed};
@@ -9,7 +9,8 @@ use crate::query::{Interpolation, Method, Outside};
 use std::sync::atomic::AtomicUsize;
 use std::time::Duration;
 
-/// Calls `act` with each set of `size` numbers below `count`, until it answers true.
+/// Calls `act` with each set of `size` numbers below `count`, until it answers true. Returns true
+/// if it did.
 fn any_set(count: usize, size: usize, mut act: impl FnMut(&[usize]) -> bool) -> bool {
     let mut set: Vec<usize> = (0..size).collect();
     if size > count {
@@ -27,7 +28,7 @@ fn any_set(count: usize, size: usize, mut act: impl FnMut(&[usize]) -> bool) -> 
     }
 }
 
-/// Whether `q` is in a simplex of some of the points.
+/// Returns true if `q` is in a simplex of some of the points.
 fn is_in_hull<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> bool {
     any_set(points.len(), D + 1, |set| {
         let mut simplex: Vec<&[f64; D]> = set.iter().map(|&i| &points[i]).collect();
@@ -42,8 +43,8 @@ fn is_in_hull<const D: usize>(points: &[[f64; D]], q: &[f64; D]) -> bool {
     })
 }
 
-/// Whether a plane through some of all points has a simplex on one side and the points on the
-/// other. If any plane does, one of these does.
+/// Returns true if a plane through some of all points has the simplex on one side and the points on
+/// the other. If any plane separates them, such a plane does.
 fn is_separated<const D: usize>(simplex: &[[f64; D]], points: &[[f64; D]]) -> bool {
     let all: Vec<&[f64; D]> = simplex.iter().chain(points).collect();
     any_set(all.len(), D, |set| {
@@ -147,7 +148,8 @@ fn what_is_inside_fills_the_hull() {
     assert!(all.iter().all(|&placement| placement == Placement::Inside));
 }
 
-/// What is cut away counts for walks only. A box reaches beyond the hull.
+/// Placements in a cropped mesh are those of brute force: the cropped simplices count for walks
+/// only. A box reaches beyond the hull.
 #[test]
 fn placements_in_what_is_cut_out_are_those_of_brute_force() {
     let inputs: [[f64; 2]; 7] =
@@ -179,7 +181,7 @@ fn placements_in_what_is_cut_out_are_those_of_brute_force() {
     }
 }
 
-/// A segment between two vertices of a part is there only if the part has it as an edge.
+/// Segments between two vertices of a part are in it only if the part has them as edges.
 #[test]
 fn parts_have_the_segments_that_are_their_edges() {
     let inputs = [[0.0, 0.0], [4.0, 0.5], [4.5, 4.0], [0.5, 3.5]];
@@ -199,7 +201,7 @@ fn parts_have_the_segments_that_are_their_edges() {
     }
 }
 
-/// Points of a plane in space, and of a line.
+/// Flat hulls, of points of a plane in space and of points of a line, have nothing inside.
 #[test]
 fn a_flat_hull_has_nothing_inside() {
     let flat = points::<2>(Family::Uniform, 12, &mut Random(5));
@@ -222,7 +224,7 @@ fn a_flat_hull_has_nothing_inside() {
     assert!(across > 0);
 }
 
-/// A grid in a plane: few of its points are corners.
+/// Flat hulls of many points have few corners, as that of a grid in a plane.
 #[test]
 fn a_flat_hull_of_many_points_has_few_corners() {
     let flat: Vec<[f64; 3]> = (0..900)

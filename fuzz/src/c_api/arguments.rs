@@ -3,17 +3,17 @@
 use super::super::bytes::Bytes;
 use std::mem::MaybeUninit;
 
-/// Room for the largest struct that is accepted.
+/// Number of bytes of the largest struct that is accepted.
 pub const ROOM: usize = 4096;
 
-/// `value` as C passes it for an enum, whether the enum knows it or not.
+/// Returns `value` as C passes it for an enum, known to the enum or not.
 pub fn from_c<E>(value: i32) -> MaybeUninit<E> {
     const { assert!(size_of::<E>() == size_of::<i32>()) };
     // SAFETY: the sizes agree and any bits are a valid MaybeUninit.
     unsafe { std::mem::transmute_copy(&value) }
 }
 
-/// A `struct_size`: as a rule that of the struct, else any.
+/// Returns a `struct_size`: mostly that of the struct, else any.
 pub fn struct_size<T>(bytes: &mut Bytes<'_>) -> u32 {
     match bytes.below(8) {
         0..=4 => size_of::<T>() as u32,
@@ -23,7 +23,7 @@ pub fn struct_size<T>(bytes: &mut Bytes<'_>) -> u32 {
     }
 }
 
-/// The caller's memory for a struct: `struct_size` first, then the rest, aligned as C aligns it.
+/// Memory of the caller for a struct: `struct_size` first, then the rest, aligned as in C.
 #[repr(C, align(16))]
 pub struct Room(pub [u8; ROOM]);
 

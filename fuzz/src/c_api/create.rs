@@ -1,4 +1,4 @@
-//! Making handles, or being refused.
+//! Calls that make handles, or are refused.
 
 use super::super::bytes::Bytes;
 use super::super::families;
@@ -9,7 +9,7 @@ use netmesh::capi::{nm_mesh, nm_mesh_create, nm_mesh_create_from_file, nm_mesh_f
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
-/// Makes a handle of good points in place of what was there.
+/// Makes a handle of good points, and replaces the one in the slot.
 pub fn create(bytes: &mut Bytes<'_>, slot: &mut Option<Handle>) {
     let dim = [2, 2, 3, 3, 3, 4, 2, 5][bytes.below(8)];
     let count = 2 + bytes.below(9);
@@ -28,7 +28,7 @@ pub fn create(bytes: &mut Bytes<'_>, slot: &mut Option<Handle>) {
     *slot = Some(Handle { mesh, dim, has_result: false });
 }
 
-/// The points `stride` apart, with what is no coordinate between them.
+/// Returns the points `stride` apart, with NaN between them.
 fn spread(points: &[f64], dim: usize, stride: usize) -> Vec<f64> {
     let mut spaced = Vec::new();
     for point in points.chunks_exact(dim) {
@@ -38,7 +38,7 @@ fn spread(points: &[f64], dim: usize, stride: usize) -> Vec<f64> {
     spaced
 }
 
-/// Arguments that are wrong in one way.
+/// Calls with arguments that are wrong in one way.
 pub fn create_refused(bytes: &mut Bytes<'_>) {
     let mut points = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
     let good = points.as_ptr();
@@ -71,7 +71,7 @@ pub fn create_refused(bytes: &mut Bytes<'_>) {
     expect(status, nm_status::NM_NULL_ARGUMENT);
 }
 
-/// Files that are none.
+/// Calls with paths of no readable file.
 pub fn create_from_file(bytes: &mut Bytes<'_>) {
     let invalid = nm_status::NM_INVALID_ARGUMENT;
     let format = i32::from(bytes.byte() as i8);

@@ -8,7 +8,7 @@ use netmesh::capi::{nm_export, nm_export_write, nm_status};
 use std::ffi::{CStr, c_void};
 use std::ptr::{null, null_mut};
 
-/// What an export in a format must answer if nothing else is wrong.
+/// Returns the status of an export in a format if nothing else is wrong.
 fn expected(handle: Option<&Handle>, format: i32) -> nm_status {
     let Some(handle) = handle else { return nm_status::NM_NULL_ARGUMENT };
     let (ok, invalid) = (nm_status::NM_OK, nm_status::NM_INVALID_ARGUMENT);
@@ -21,7 +21,7 @@ fn expected(handle: Option<&Handle>, format: i32) -> nm_status {
     }
 }
 
-/// A format, known or not.
+/// Returns the number of a format, known or not.
 fn format(bytes: &mut Bytes<'_>) -> i32 {
     match bytes.once_in(4) {
         true => i32::from(bytes.byte() as i8),
@@ -29,7 +29,7 @@ fn format(bytes: &mut Bytes<'_>) -> i32 {
     }
 }
 
-/// Counts its calls and stops at one of them.
+/// Callback that counts its calls and stops at one of them.
 struct Sink {
     calls: u32,
     stops_at: u32,

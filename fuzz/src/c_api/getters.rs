@@ -75,8 +75,10 @@ impl Call<'_, '_> {
         }
     }
 
+    /// Calls with a misaligned buffer.
+    ///
     /// # Safety
-    /// The buffer has room for `capacity` elements.
+    /// The buffer must have room for `capacity` elements.
     unsafe fn check_misaligned<T>(
         &self,
         getter: Getter<T>,

@@ -1,4 +1,4 @@
-//! A handle, with what is known of it.
+//! A handle, with the facts that the test knows of it.
 
 use super::expect;
 use netmesh::capi::{
@@ -22,7 +22,7 @@ impl Drop for Handle {
     }
 }
 
-/// All that the getters tell.
+/// Results of all getters.
 #[derive(Debug, PartialEq)]
 pub struct Snapshot {
     pub counts: nm_counts,
@@ -74,7 +74,7 @@ impl Handle {
         }
     }
 
-    /// The whole array of a getter that must succeed.
+    /// Returns the whole array of a getter that must succeed.
     pub fn all<T: Clone>(&self, getter: Getter<T>, filler: T) -> Vec<T> {
         let mut needed = 0;
         // SAFETY: a live handle; NULL asks for the size, and the buffer has it.

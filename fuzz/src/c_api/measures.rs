@@ -38,7 +38,7 @@ pub fn measure(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     }
 }
 
-/// Any measure, and edges that may ascend or not.
+/// Counts values of any measure between edges that may ascend or not.
 fn count(bytes: &mut Bytes<'_>, handle: Option<&Handle>) {
     let mesh = handle.map_or(null(), |handle| handle.mesh.cast_const());
     let (measure, at_hull) = (bytes.small() as i32 % 6, bytes.below(3) as u32);
@@ -72,7 +72,7 @@ struct Call<'a, 'b> {
 }
 
 impl Call<'_, '_> {
-    /// Calls with a struct of some size; `good` says whether the other arguments are.
+    /// Calls with a struct of some size; `good` is true if the other arguments are valid.
     fn check<T>(&mut self, good: bool, call: impl Fn(*const nm_mesh, *mut T) -> nm_status) {
         let mesh = self.handle.map_or(null(), |handle| handle.mesh.cast_const());
         expect(call(mesh, null_mut()), nm_status::NM_NULL_ARGUMENT);

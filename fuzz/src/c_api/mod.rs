@@ -13,13 +13,14 @@ use super::bytes::Bytes;
 use handle::Handle;
 use netmesh::capi::{nm_last_error, nm_status};
 
-/// Handles that live at the same time.
+/// Number of handles that live at the same time.
 const HANDLES: u8 = 3;
 
-/// The most calls of a sequence.
+/// Largest number of calls in a sequence.
 const CALLS: usize = 40;
 
-/// Each call takes a byte for its kind, one for its handle, and its arguments.
+/// Checks a sequence of calls: each takes a byte for its kind, one for its handle, and its
+/// arguments.
 pub fn check(data: &[u8]) {
     let mut bytes = Bytes::new(data);
     let mut handles: [Option<Handle>; HANDLES as usize] = Default::default();
@@ -52,7 +53,7 @@ fn expect(status: nm_status, expected: nm_status) {
     }
 }
 
-/// This thread's last message.
+/// Returns the last message of this thread.
 fn last_error() -> String {
     // SAFETY: NULL asks for the size, and the buffer has it.
     unsafe {

@@ -16,10 +16,11 @@ use std::ptr::{null, null_mut};
 
 const SIZE: usize = size_of::<nm_options>();
 
-/// The most vertices of a run: sequences have many.
+/// Largest number of vertices of a run, small since sequences have many runs.
 const MAX_VERTICES: u64 = 400;
 
-/// Whether a struct of `size` bytes, the size of no version, is one of an older version.
+/// Returns true if a struct of `size` bytes, the size of no version, counts as one of an older
+/// version.
 fn is_legal(size: usize) -> bool {
     let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
     let last = offset_of!(nm_options, distance_ratio)..offset_of!(nm_options, gives_way);
@@ -62,8 +63,8 @@ pub fn run(bytes: &mut Bytes<'_>, handle: Option<&mut Handle>) {
     }
 }
 
-/// A struct that is accepted but lacks `max_vertices` would run without a limit: it gets one. One
-/// that has `progress` without `user_data` loses it.
+/// Returns a size of the options with a limit. A struct that is accepted but lacks `max_vertices`
+/// would run without one: it is made longer. One that has `progress` without `user_data` loses it.
 fn with_limit(struct_size: u32) -> u32 {
     let shortest = offset_of!(nm_options, progress);
     match struct_size as usize {
@@ -75,10 +76,10 @@ fn with_limit(struct_size: u32) -> u32 {
 /// Arguments of a run.
 struct Attempt {
     settings: Settings,
-    /// An enum's value, if one is to be wrong: field and value.
+    /// Field and value of an enum that is to be wrong, if any.
     wrong: Option<(usize, i32)>,
     struct_size: u32,
-    /// A byte beyond this version's struct.
+    /// Byte beyond this version's struct.
     tail: u8,
     cancels: bool,
 }
@@ -153,7 +154,7 @@ impl Attempt {
         }
     }
 
-    /// Whether the run may answer so: what must be refused is refused, nothing else is.
+    /// Returns true if the run may answer `status`: invalid arguments are refused, and no others.
     fn allows(&self, status: nm_status) -> bool {
         let size = self.struct_size as usize;
         let tail = size == ROOM && self.tail != 0;
@@ -183,7 +184,7 @@ impl Attempt {
     }
 }
 
-/// What the callback sees and does.
+/// State of the progress callback.
 struct Watch {
     mesh: *mut nm_mesh,
     cancels: bool,

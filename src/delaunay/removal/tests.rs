@@ -1,6 +1,5 @@
-//! Random sequences of insertions, removals and relocations end in the complex that the insertion
-//! of what is left makes, in the order of its vertices: the same simplices, on degenerate points
-//! too.
+//! Random sequences of insertions, removals and relocations end in the complex that inserting the
+//! remaining vertices in their order makes: the same simplices, on degenerate points too.
 
 use super::*;
 use crate::delaunay::Cavity;
@@ -9,10 +8,10 @@ use crate::memory::AllocError;
 use crate::numerics::testing::Random;
 use std::collections::BTreeSet;
 
-/// A triangulation that changes.
+/// Triangulation that the tests change.
 struct Changing<const D: usize> {
     delaunay: Delaunay<D>,
-    /// The vertices of the first simplex, which stay.
+    /// Vertices of the first simplex, which are never removed.
     first: Vec<VertexId>,
     hole: Hole<D>,
     cavity: Cavity,
@@ -20,7 +19,7 @@ struct Changing<const D: usize> {
 }
 
 impl<const D: usize> Changing<D> {
-    /// Begins with one simplex.
+    /// Builds the triangulation of one simplex.
     fn new(first: &[[f64; D]]) -> Self {
         let mut delaunay = Delaunay::new(Array::copied(first).unwrap()).unwrap();
         let first: Vec<_> = VertexId::below(first.len()).collect();
@@ -33,7 +32,7 @@ impl<const D: usize> Changing<D> {
         self.delaunay.complex().contains_vertex(vertex)
     }
 
-    /// Inserts a vertex; false if another one is there.
+    /// Inserts a vertex; returns false if another one is at its point.
     fn insert(&mut self, vertex: VertexId) -> bool {
         let near = self.delaunay.complex().incident(self.first[0]);
         let x = *self.delaunay.point(vertex);
@@ -43,7 +42,7 @@ impl<const D: usize> Changing<D> {
         true
     }
 
-    /// Removes a vertex; false if it is at the hull.
+    /// Removes a vertex; returns false if it is on the hull.
     fn remove(&mut self, vertex: VertexId) -> bool {
         let is_inside = self.delaunay.find_hole(vertex, &mut self.hole).unwrap();
         let infinite = |&simplex: &SimplexId| self.delaunay.complex().is_infinite(simplex);
@@ -67,7 +66,7 @@ impl<const D: usize> Changing<D> {
         assert!(self.is_inserted(vertex));
     }
 
-    /// The same vertices, inserted in their order.
+    /// Makes a triangulation of the inserted vertices, in the order of their insertion.
     fn made_anew(&self) -> Self {
         let count = self.delaunay.point_count();
         let points = Array::copied(&self.delaunay.points).unwrap();
@@ -85,7 +84,7 @@ impl<const D: usize> Changing<D> {
         self.first.iter().map(|&vertex| *self.delaunay.point(vertex)).collect()
     }
 
-    /// The vertices of all simplices.
+    /// Returns the sorted vertices of all simplices.
     fn simplices(&self) -> BTreeSet<Vec<VertexId>> {
         let complex = self.delaunay.complex();
         let sorted = |simplex| {
@@ -102,7 +101,7 @@ impl<const D: usize> Changing<D> {
     }
 }
 
-/// Runs a sequence of `operations` on about `size` points from `source`, and checks it at times.
+/// Runs a sequence of `operations` on about `size` points from `source`, with a check now and then.
 /// Returns the number of exact signs that were needed.
 fn run<const D: usize>(
     first: &[[f64; D]],
@@ -139,7 +138,7 @@ fn run<const D: usize>(
     changing.delaunay.exact_fallbacks()
 }
 
-/// A simplex round the ball of radius 10.
+/// Returns the vertices of a simplex round the ball of radius 10.
 fn around<const D: usize>() -> Vec<[f64; D]> {
     let corner = |i| std::array::from_fn(|axis| if i == axis { 99.0 } else { -17.0 });
     (0..=D).map(corner).collect()
@@ -149,12 +148,12 @@ fn uniform<const D: usize>(random: &mut Random) -> [f64; D] {
     std::array::from_fn(|_| 2.0 * random.unit())
 }
 
-/// A point of a lattice that has few.
+/// Returns a random point of a small lattice.
 fn of_lattice<const D: usize>(random: &mut Random) -> [f64; D] {
     std::array::from_fn(|_| random.integer(-1, 2) as f64)
 }
 
-/// A point of the sphere of radius 5 with integers for coordinates.
+/// Returns a random point of the sphere of radius 5 with integer coordinates.
 fn cospherical<const D: usize>(random: &mut Random) -> [f64; D] {
     let mut x = [0.0; D];
     let at = random.integer(0, D as i64 - 1) as usize;
@@ -170,13 +169,13 @@ fn collinear<const D: usize>(random: &mut Random) -> [f64; D] {
     if random.integer(0, 7) == 0 { uniform(random) } else { [x; D] }
 }
 
-/// Points a unit in the last place apart.
+/// Returns a random point, one of a few that are a unit in the last place apart.
 fn near_pairs<const D: usize>(random: &mut Random) -> [f64; D] {
     let spread = |random: &mut Random| (0..random.integer(0, 2)).fold(1.0, |x: f64, _| x.next_up());
     std::array::from_fn(|_| spread(random))
 }
 
-/// Points of all magnitudes.
+/// Returns a random point of any magnitude.
 fn of_all_scales<const D: usize>(random: &mut Random) -> [f64; D] {
     let exponent = random.integer(0, 59) as i32;
     uniform(random).map(|x: f64| x * 2f64.powi(-exponent))
@@ -215,7 +214,7 @@ fn sequences_on_lines_and_pairs_and_scales_end_as_from_scratch() {
     run::<3>(&around(), 10_000, 40, of_all_scales);
 }
 
-/// Most vertices of a lattice without a simplex round it are on the hull, and stay.
+/// Most vertices of a lattice that no larger simplex surrounds are on the hull, and stay.
 #[test]
 fn vertices_of_the_hull_stay() {
     run::<2>(&[[-1.0, -1.0], [2.0, -1.0], [-1.0, 2.0]], 10_000, 14, of_lattice);

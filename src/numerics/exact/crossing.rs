@@ -1,16 +1,16 @@
-//! Where two lines of the plane cross, rounded once.
+//! The crossing of two lines of the plane, rounded once.
 
 use super::natural::{Natural, Quotient, quotient};
 use crate::numerics::power::{decompose, scale_by_power, unit_and_span};
 use std::cmp::Ordering;
 
-/// Words of a numerator: with coordinates below 2^2098 units it is below 2^6301.
+/// Number of words of a numerator: with coordinates below 2^2098 units it is below 2^6301.
 const LIMBS: usize = 100;
 
-/// Words of its product with a denominator, which is below 2^4201.
+/// Number of words of a numerator times a denominator, which is below 2^4201.
 const LIMBS_OF_PRODUCTS: usize = 165;
 
-/// An integer.
+/// Integer with a sign.
 #[derive(Clone)]
 struct Whole<const N: usize> {
     is_negative: bool,
@@ -18,7 +18,7 @@ struct Whole<const N: usize> {
 }
 
 impl<const N: usize> Whole<N> {
-    /// `value / 2^unit`, an integer.
+    /// Returns `value / 2^unit`, which must be an integer.
     fn new(value: f64, unit: i32) -> Self {
         let (mantissa, exponent) = decompose(value);
         let shift = if mantissa == 0 { 0 } else { (exponent - unit) as usize };
@@ -49,7 +49,7 @@ impl<const N: usize> Whole<N> {
         self.plus(other)
     }
 
-    /// How it compares to zero.
+    /// Returns the order of the integer and zero.
     fn order(&self) -> Ordering {
         match (self.magnitude.is_zero(), self.is_negative) {
             (true, _) => Ordering::Equal,
@@ -59,17 +59,17 @@ impl<const N: usize> Whole<N> {
     }
 }
 
-/// The point where two lines cross: numerators and a positive denominator, in units of 2^unit.
+/// Point where two lines cross: numerators and a positive denominator, in units of 2^unit.
 struct Quotients<const N: usize> {
     tops: [Whole<N>; 2],
     bottom: Natural<N>,
 }
 
-/// Two lines, each by two points.
+/// Two lines, each given by two points.
 pub(crate) type Lines<'a> = [[&'a [f64; 2]; 2]; 2];
 
 impl<const N: usize> Quotients<N> {
-    /// `None` for parallel lines.
+    /// Returns the point where two lines cross; `None` for parallel lines.
     fn new([a, b]: Lines, unit: i32) -> Option<Self> {
         let vector = |to: &[f64; 2], from: &[f64; 2]| {
             [0, 1].map(|axis| Whole::new(to[axis], unit).minus(Whole::new(from[axis], unit)))
@@ -97,8 +97,8 @@ fn unit<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> i32 {
     unit_and_span(points.flatten()).map_or(0, |(unit, _)| unit)
 }
 
-/// The point where two lines cross, each coordinate the double nearest to the exact one, of two as
-/// near the even one; `None` for parallel lines. A zero is positive.
+/// Returns the point where two lines cross, with each coordinate the double nearest to the exact
+/// one, and the even double if two are equally near; `None` for parallel lines. A zero is positive.
 ///
 /// O(b^2) for coordinates that span b bits (at most 2098).
 pub(crate) fn crossing(lines: Lines) -> Option<[f64; 2]> {
@@ -110,7 +110,7 @@ pub(crate) fn crossing(lines: Lines) -> Option<[f64; 2]> {
     }))
 }
 
-/// How an exact coordinate of a crossing compares to a number.
+/// Compares an exact coordinate of a crossing to a number.
 ///
 /// # Panics
 /// If the lines are parallel.
@@ -123,7 +123,7 @@ pub(crate) fn compare_to_crossing(lines: Lines, axis: usize, number: f64) -> Ord
     tops[axis].clone().minus(other).order()
 }
 
-/// The order of an exact coordinate of two crossings.
+/// Compares an exact coordinate of two crossings.
 ///
 /// # Panics
 /// If lines are parallel.
@@ -138,7 +138,7 @@ pub(crate) fn compare_crossings(a: Lines, b: Lines, axis: usize) -> Ordering {
     scaled(&a.tops[axis], &b.bottom).minus(scaled(&b.tops[axis], &a.bottom)).order()
 }
 
-/// The double nearest to `top / bottom * 2^unit`; infinity if that is too large.
+/// Returns the double nearest to `top / bottom * 2^unit`; infinity if that is too large.
 fn nearest(top: Natural<LIMBS>, bottom: Natural<LIMBS>, unit: i32) -> f64 {
     if top.is_zero() {
         return 0.0;
@@ -170,7 +170,7 @@ mod tests {
         [[&p[0], &p[1]], [&p[2], &p[3]]]
     }
 
-    /// The exact coordinate in units of 2^-1074, as numerator and positive denominator.
+    /// Returns the exact coordinate in units of 2^-1074, as numerator and positive denominator.
     fn oracle(p: &[[f64; 2]], axis: usize) -> Option<(IBig, IBig)> {
         let [a0, a1, b0, b1] = [0, 1, 2, 3].map(|i| p[i].map(integer));
         let cross = |a: &[IBig; 2], b: &[IBig; 2]| &a[0] * &b[1] - &a[1] * &b[0];
@@ -192,7 +192,8 @@ mod tests {
         if value < IBig::ZERO { -value } else { value }
     }
 
-    /// No neighbouring double is nearer, and of two as near the even one is it.
+    /// Returns true if no neighbouring double is nearer, and `value` is even if one is equally
+    /// near.
     fn is_nearest(value: f64, top: &IBig, bottom: &IBig) -> bool {
         let away = |x: f64| magnitude(integer(x) * bottom - top);
         let own = away(value);
@@ -245,8 +246,8 @@ mod tests {
         }
     }
 
-    /// At height 1/2 + 2^-55, on a line from 0 to the least double: just above the tie, which a
-    /// rounding to 53 bits first would make one.
+    /// Crossings are rounded once: at height 1/2 + 2^-55, on a line from 0 to the least double, a
+    /// crossing is just above the tie that rounding to 53 bits first would make of it.
     #[test]
     fn subnormal_coordinates_are_rounded_once() {
         let least = f64::from_bits(1);

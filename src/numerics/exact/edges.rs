@@ -11,10 +11,10 @@ use crate::numerics::power::{bits_of, decompose, unit_and_span};
 use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
 use std::ops::Neg;
 
-/// Limbs of 63 bits of the largest coordinate in units of the smallest, 2^2098, and one.
+/// Number of 63-bit limbs of the largest coordinate in units of the smallest, 2^2098, plus one.
 const MAX_LIMBS: usize = 2098 / 63 + 1;
 
-/// A matrix of residues, each beside its negative; those beyond the size of the matrix are zero.
+/// Matrix of residues, each beside its negative; entries beyond the size of the matrix are zero.
 struct Residues {
     field: Field,
     rows: [[[u64; 2]; MAX_SIZE]; MAX_SIZE],
@@ -22,10 +22,10 @@ struct Residues {
 
 type Minors = [u64; 1 << MAX_SIZE];
 
-/// Primes that are enough for all but coordinates of very different sizes.
+/// Number of primes that is enough for all but coordinates of very different sizes.
 const FEW: usize = 32;
 
-/// Primes that are enough for all doubles in all dimensions.
+/// Number of primes that is enough for all doubles in all dimensions.
 const MANY: usize = Field::COUNT;
 
 /// Edges from an origin to at most `D + 1` other points, in units of `2^unit`.
@@ -33,26 +33,26 @@ pub(crate) struct Edges<const D: usize> {
     origin: [Coordinate; D],
     ends: [[Coordinate; D]; MAX_SIZE],
     count: usize,
-    /// The largest exponent whose power of two divides all the coordinates.
+    /// Largest exponent of a power of two that divides all the coordinates.
     pub unit: i32,
-    /// Every component of an edge is less than 2^`bits` in magnitude.
+    /// Exponent of a power of two that is larger than the magnitude of every component of an edge.
     bits: usize,
-    /// Of the largest coordinate.
+    /// Number of limbs of the largest coordinate.
     limbs: usize,
 }
 
-/// A column of a matrix with a row for each edge.
+/// Column of a matrix with a row for each edge.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Column {
-    /// One component of the edges.
+    /// Component of the edges along this axis.
     Component(usize),
-    /// The edges' squared lengths.
+    /// Squared lengths of the edges.
     Square,
-    /// One in every row.
+    /// Number 1 in every row.
     Ones,
 }
 
-/// `mantissa * 2^(63 limbs + shift)` with `shift` < 63.
+/// Number `mantissa * 2^(63 limbs + shift)` with `shift` < 63.
 #[derive(Clone, Copy)]
 struct Coordinate {
     mantissa: i64,
@@ -63,7 +63,7 @@ struct Coordinate {
 impl Coordinate {
     const ZERO: Self = Self { mantissa: 0, limbs: 0, shift: 0 };
 
-    /// `value / 2^unit`.
+    /// Returns `value / 2^unit`, which must be an integer.
     fn new(value: f64, unit: i32) -> Self {
         if value == 0.0 {
             return Self::ZERO;
@@ -102,7 +102,7 @@ impl<const D: usize> Edges<D> {
         edges
     }
 
-    /// The sign of the determinant of these columns, as many as there are edges.
+    /// Returns the sign of the determinant of these columns, of which there are as many as edges.
     pub fn sign_of_determinant(&self, columns: &[Column]) -> Sign {
         let primes = primes_for(self.bits_of_determinants(columns));
         if primes <= FEW {
@@ -118,7 +118,7 @@ impl<const D: usize> Edges<D> {
         value.sign()
     }
 
-    /// The sign of the scalar product of the first two edges.
+    /// Returns the sign of the scalar product of the first two edges.
     pub fn sign_of_product(&self) -> Sign {
         debug_assert_eq!(self.count, 2);
         let primes = primes_for(2 * self.bits + bits_of(D));
@@ -130,8 +130,8 @@ impl<const D: usize> Edges<D> {
         value.sign()
     }
 
-    /// The determinant of the components of `D` edges, m * 2^e as `(m, e)` with |m| in [1, 2), or
-    /// m = 0, within 2 units of roundoff.
+    /// Returns the determinant m * 2^e of the components of `D` edges as `(m, e)` with |m| in [1,
+    /// 2), or m = 0, within 2 units of roundoff.
     pub fn determinant_of_components(&self) -> (f64, i64) {
         debug_assert_eq!(self.count, D);
         let columns: [Column; D] = std::array::from_fn(Column::Component);
@@ -153,8 +153,9 @@ impl<const D: usize> Edges<D> {
         value.divided_by(&one)
     }
 
-    /// The solution x of `D` equations, edge . x = right, each component m * 2^e as `(m, e)` with
-    /// |m| in [1, 2), or m = 0, within 2 units of roundoff; `None` if the edges are dependent.
+    /// Returns the solution x of `D` equations, edge . x = right, each component m * 2^e as `(m,
+    /// e)` with |m| in [1, 2), or m = 0, within 2 units of roundoff; `None` if the edges are
+    /// dependent.
     pub fn solve(&self, right: Column) -> Option<[(f64, i64); D]> {
         debug_assert_eq!(self.count, D);
         let mut columns = [right; MAX_SIZE];
@@ -168,7 +169,8 @@ impl<const D: usize> Edges<D> {
         }
     }
 
-    /// By Cramer's rule: a numerator is the minor of all columns but one.
+    /// Solves equations by Cramer's rule, with at most `N` primes: a numerator is the minor of all
+    /// columns but one.
     fn solve_in<const N: usize>(
         &self,
         columns: &[Column],
@@ -191,7 +193,7 @@ impl<const D: usize> Edges<D> {
         }))
     }
 
-    /// Calls `take` with the residues of the minors for each of the first fields.
+    /// Calls `take` with the residues of the minors for each of the first `primes` fields.
     fn minors(&self, columns: &[Column], primes: usize, mut take: impl FnMut(&Minors)) {
         // There are no minors of more columns than rows: the set of all columns may be one.
         let end = (1 << columns.len()) - usize::from(columns.len() > self.count);
@@ -203,9 +205,10 @@ impl<const D: usize> Edges<D> {
         }
     }
 
-    /// No minor of as many of the columns as there are edges is as large as 2 to this power: by the
-    /// Leibniz formula it is the sum of n! products of one entry from each of n columns. At most
-    /// 21012, for the sphere in eight dimensions through points at both ends of the doubles.
+    /// Returns an exponent of 2 that bounds all minors of as many of the columns as there are
+    /// edges: by the Leibniz formula such a minor is the sum of n! products of one entry from each
+    /// of n columns. At most 21012, for the sphere in eight dimensions through points at both ends
+    /// of the doubles.
     fn bits_of_determinants(&self, columns: &[Column]) -> usize {
         let entries = columns.iter().map(|column| match column {
             Column::Component(_) => self.bits,
@@ -216,7 +219,7 @@ impl<const D: usize> Edges<D> {
         entries.sum::<usize>() - smallest.unwrap_or(0) + bits_of((1..=self.count).product())
     }
 
-    /// The powers of the unit of a limb.
+    /// Returns the residues of the powers of the unit of a limb.
     fn powers(&self, field: Field) -> [u64; MAX_LIMBS] {
         let mut powers = [1; MAX_LIMBS];
         for k in 1..=self.limbs {
@@ -225,7 +228,7 @@ impl<const D: usize> Edges<D> {
         powers
     }
 
-    /// The components of one edge.
+    /// Returns the residues of the components of one edge.
     fn residues(&self, field: Field, edge: usize) -> [u64; D] {
         let powers = self.powers(field);
         std::array::from_fn(|k| {
@@ -276,7 +279,7 @@ impl laplace::Matrix for Residues {
     }
 }
 
-/// Which of a residue and its negative.
+/// Choice between a residue, 0, and its negative, 1.
 #[derive(Clone, Copy)]
 struct Side(usize);
 
@@ -295,7 +298,8 @@ mod tests {
     use crate::numerics::testing::*;
     use crate::numerics::{circumcenter_exact, in_ball_exact, orientation_exact};
 
-    /// Coordinates from both ends of the doubles, so that the numbers are as long as they get.
+    /// Returns points with coordinates from both ends of the doubles, for which integers are as
+    /// long as they get.
     fn at_the_ends<const D: usize>(random: &mut Random) -> Vec<[f64; D]> {
         let most = [f64::MAX, -f64::MAX, f64::MAX, -f64::MAX, f64::from_bits(1), 0.0];
         let mut coordinate = || most[random.integer(0, 5) as usize];
@@ -359,7 +363,7 @@ mod tests {
         assert!(circumcenter_exact(&simplex, 1).is_none());
     }
 
-    /// Threads of some systems have 128 KiB.
+    /// Exact signs need little stack: threads of some systems have 128 KiB.
     #[test]
     fn a_small_stack_is_enough() {
         let points = at_the_ends::<8>(&mut Random(1));

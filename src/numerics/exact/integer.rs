@@ -6,14 +6,16 @@ use super::residues::Field;
 use crate::numerics::Sign;
 use crate::numerics::power::{biased_exponent, scale_by_power};
 
-/// An integer x as the digits of x or, if it is negative, of x + M: M is the product of the first
-/// `count` primes, digit k counts the product of the k primes before and is less than prime k.
+/// Integer x as the digits of x or, if it is negative, of x + M, where M is the product of the
+/// first `count` primes. Digit k counts the product of the k primes before it and is less than
+/// prime k.
 pub(super) struct Integer<const N: usize> {
     digits: [u64; N],
     count: usize,
 }
 
-/// The number of primes by whose residues an integer of magnitude less than 2^`bits` is known.
+/// Returns the number of primes whose residues determine an integer of magnitude less than
+/// 2^`bits`.
 ///
 /// Each prime is 2^63 (1 - d) with d < 2^-49, so that n of them have a product M > 2^(63 n - 1):
 /// with 63 n >= `bits` + 2 that is M > 2 * 2^`bits`, and no two candidates have the same residues.
@@ -22,7 +24,7 @@ pub(super) const fn primes_for(bits: usize) -> usize {
 }
 
 impl<const N: usize> Integer<N> {
-    /// No residue is known yet.
+    /// Integer of which no residue is known yet.
     pub const NEW: Self = Self { digits: [0; N], count: 0 };
 
     /// Adds the residue for the next prime, that of `Field::nth(count)`.
@@ -41,7 +43,8 @@ impl<const N: usize> Integer<N> {
         self.count += 1;
     }
 
-    /// M/2 has the digits (prime - 1)/2 and a half: what is above that stands for x + M.
+    /// Returns the sign. M/2 has the digits (prime - 1)/2 and a half: larger digits stand for x + M
+    /// of a negative x.
     pub fn sign(&self) -> Sign {
         let digits = &self.digits[..self.count];
         if digits.iter().all(|digit| *digit == 0) {
@@ -54,8 +57,8 @@ impl<const N: usize> Integer<N> {
         }
     }
 
-    /// `self / denominator` as `(m, e)`, m * 2^e with |m| in [1, 2), within 2 units of roundoff;
-    /// (0, 0) for zero. The denominator is not zero.
+    /// Returns `self / denominator` as `(m, e)`, m * 2^e with |m| in [1, 2), within 2 units of
+    /// roundoff; (0, 0) for zero. The denominator must not be zero.
     pub fn divided_by(&self, denominator: &Self) -> (f64, i64) {
         let sign = self.sign() * denominator.sign();
         if sign.is_zero() {
@@ -69,7 +72,7 @@ impl<const N: usize> Integer<N> {
         (mantissa, exponent - shift)
     }
 
-    /// At most 63 N bits: in N limbs there is room for more.
+    /// Returns the magnitude, of at most 63 N bits: in N limbs there is room for more.
     fn magnitude(&self) -> Natural<N> {
         let negative = self.sign().is_negative();
         let mut value = Natural::ZERO;
@@ -119,7 +122,7 @@ mod tests {
         }
     }
 
-    /// Values at the ends of the range of `primes` primes, at its middle and in between.
+    /// Returns values at the ends of the range of `primes` primes, at its middle and in between.
     fn values(primes: usize, random: &mut Random) -> Vec<IBig> {
         let product: IBig = (0..primes).map(|k| IBig::from(Field::nth(k).prime())).product();
         let half = (&product - 1) / 2;

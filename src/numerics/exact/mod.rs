@@ -30,7 +30,7 @@ pub(crate) use crossing::{Lines, compare_crossings, compare_to_crossing, crossin
 pub(crate) use edges::{Column, Edges};
 use wide::Rows;
 
-/// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, in integers.
+/// Returns the sign of det[p1 - p0, ..., pD - p0] for `D + 1` finite points, computed in integers.
 ///
 /// O(2^D D) products of a number of words, where coordinates span no more than 62 bits together;
 /// else (at most 2100) modulo each of b/63 primes for b bits, `D` times those, and O(b^2) to put
@@ -44,11 +44,13 @@ pub fn orientation_exact<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     }
 }
 
-/// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the sphere
-/// through `D + 1` positively oriented points, in integers. The sign is reversed for a negatively
-/// oriented simplex; for a flat one it is that of the determinant, which says nothing of a ball.
+/// Returns the side of the sphere through `D + 1` positively oriented points that `q` is on:
+/// positive strictly inside, zero on the sphere, negative strictly outside. The sign is reversed
+/// for a negatively oriented simplex; for a flat one it is that of the determinant, which says
+/// nothing of a ball.
 ///
-/// As [`orientation_exact`], for `D + 2` times the bits that the coordinates span.
+/// Computed in integers at the cost of [`orientation_exact`] for `D + 2` times the bits that the
+/// coordinates span.
 pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     debug_assert_eq!(simplex.len(), D + 1);
     let ends = simplex[1..].iter().copied().chain([q]);
@@ -64,22 +66,23 @@ pub fn in_ball_exact<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sig
     outward.flip()
 }
 
-/// The sign of the scalar product of the vectors from `q` to `a` and to `b`, for any finite points.
+/// Returns the sign of the scalar product of the vectors from `q` to `a` and to `b`, for any finite
+/// points.
 pub fn scalar_product_exact<const D: usize>(a: &[f64; D], b: &[f64; D], q: &[f64; D]) -> Sign {
     Edges::new(q, [a, b].into_iter()).sign_of_product()
 }
 
-/// A point relative to a vertex: `center * 2^exponent` in real units. The largest magnitude among
-/// the components of `center` is in [1, 2), or all are zero; each is within 2 units of roundoff
-/// (2^-53) of the exact rational, relatively, or within 2^-1074 if smaller than 2^-1022.
+/// Point relative to a vertex: `center * 2^exponent` in real units. The largest magnitude among the
+/// components of `center` is in [1, 2), or all are zero; each is within 2 units of roundoff (2^-53)
+/// of the exact rational, relatively, or within 2^-1074 if smaller than 2^-1022.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaledCenter<const D: usize> {
     pub center: [f64; D],
     pub exponent: i64,
 }
 
-/// The circumcentre of `D + 1` finite points relative to `points[anchor]`, from the exact rational
-/// solution; `None` if the points are affinely dependent.
+/// Returns the circumcentre of `D + 1` finite points relative to `points[anchor]`, from the exact
+/// rational solution; `None` if the points are affinely dependent.
 pub fn circumcenter_exact<const D: usize>(
     points: &[&[f64; D]],
     anchor: usize,

@@ -1,23 +1,24 @@
-//! Natural numbers in a fixed array, as far as quotients need them.
+//! Natural numbers in a fixed array, with the operations that quotients need.
 
-/// A quotient in binary.
+/// Quotient of two natural numbers in binary.
 pub(super) struct Quotient {
-    /// 65 or 66 bits, rounded down.
+    /// First 65 or 66 bits of the quotient, rounded down.
     pub value: u128,
-    /// The quotient is `value / 2^shift` and something less than one of its units.
+    /// Scale of `value`: the quotient is `value / 2^shift` plus less than one of its units.
     pub shift: i64,
     pub is_exact: bool,
 }
 
-/// A natural number: limbs from the lowest, zero from `length` on, the one before is not zero.
+/// Natural number. Limbs stand from the lowest; they are zero from `length` on, and the one before
+/// is not zero.
 #[derive(Clone)]
 pub(super) struct Natural<const N: usize> {
     limbs: [u64; N],
     length: usize,
 }
 
-/// `top / bottom` in more bits than a double has. There must be room for one bit more than the longer
-/// one has.
+/// Returns `top / bottom` in more bits than a double has. There must be room for one bit more than
+/// the longer of both has.
 pub(super) fn quotient<const N: usize>(mut top: Natural<N>, mut bottom: Natural<N>) -> Quotient {
     let (top_bits, bottom_bits) = (top.bits(), bottom.bits());
     top.shift_left(bottom_bits.saturating_sub(top_bits));
@@ -38,7 +39,7 @@ pub(super) fn quotient<const N: usize>(mut top: Natural<N>, mut bottom: Natural<
 impl<const N: usize> Natural<N> {
     pub const ZERO: Self = Self { limbs: [0; N], length: 0 };
 
-    /// `value * 2^shift`.
+    /// Returns `value * 2^shift`.
     pub fn shifted(value: u64, shift: usize) -> Self {
         let mut number = Self::ZERO;
         number.append(value);
@@ -52,7 +53,7 @@ impl<const N: usize> Natural<N> {
         self.length == 0
     }
 
-    /// `self * other`, for which there must be room.
+    /// Returns `self * other`, for which there must be room.
     pub fn times(&self, other: &Self) -> Self {
         let mut product = Self::ZERO;
         for (k, &factor) in other.limbs[..other.length].iter().enumerate() {
@@ -74,7 +75,7 @@ impl<const N: usize> Natural<N> {
         product
     }
 
-    /// `self + other`, for which there must be room.
+    /// Adds `other`; there must be room for the sum.
     pub fn add(&mut self, other: &Self) {
         let mut carry = false;
         self.length = self.length.max(other.length);
@@ -94,7 +95,7 @@ impl<const N: usize> Natural<N> {
         }
     }
 
-    /// `self * factor + term`.
+    /// Multiplies by `factor` and adds `term`.
     pub fn multiply_add(&mut self, factor: u64, term: u64) {
         let mut carry = term;
         for limb in &mut self.limbs[..self.length] {
@@ -133,7 +134,7 @@ impl<const N: usize> Natural<N> {
         self.limbs[..length].iter().rev().ge(other.limbs[..length].iter().rev())
     }
 
-    /// `self - other`, which must not be negative.
+    /// Subtracts `other`; the difference must not be negative.
     pub fn subtract(&mut self, other: &Self) {
         let mut borrow = false;
         for (limb, other) in self.limbs[..self.length].iter_mut().zip(&other.limbs) {
@@ -173,7 +174,8 @@ mod tests {
         Natural { limbs, length: value.bit_len().div_ceil(64) }
     }
 
-    /// Numbers with long runs of ones and zeros, so that carries run far; up to `bits` bits.
+    /// Returns a number of up to `bits` bits with long runs of ones and zeros, so that carries run
+    /// far.
     fn runs(bits: i64, random: &mut Random) -> UBig {
         let one = UBig::from(1u8);
         let mut value = UBig::from(random.bits());

@@ -1,7 +1,7 @@
 //! Arithmetic modulo the primes just below 2^63. An integer is known by its residues modulo enough
 //! of them (Chinese remainder theorem), and residues need no memory that grows with the integer.
 
-/// The primes are 2^63 - `OFFSETS[k]`, from the largest down.
+/// Differences of 2^63 and the primes, from the largest prime down.
 const OFFSETS: [u16; Field::COUNT] = [
     25, 165, 259, 301, 375, 387, 391, 409, 457, 471, 517, 529, 549, 627, 649, 669, 711, 735, 751,
     849, 871, 891, 915, 1011, 1069, 1095, 1129, 1179, 1221, 1237, 1249, 1297, 1299, 1309, 1357,
@@ -28,7 +28,7 @@ const OFFSETS: [u16; Field::COUNT] = [
     15165, 15171, 15285, 15315, 15337,
 ];
 
-/// For each prime the inverse, modulo it, of the product of all before.
+/// Inverse, modulo each prime, of the product of all primes before it.
 static INVERSES: [u64; Field::COUNT] = {
     let mut inverses = [1; Field::COUNT];
     let mut index = 0;
@@ -46,8 +46,8 @@ static INVERSES: [u64; Field::COUNT] = {
     inverses
 };
 
-/// The integers modulo a prime 2^63 - c, as 0 to prime - 1. With c < 2^14 a reduction folds
-/// twice: 2^63 is c there.
+/// Integers modulo a prime 2^63 - c, as 0 to prime - 1. With c < 2^14 a reduction folds twice: 2^63
+/// has the residue c.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Field {
     index: usize,
@@ -57,7 +57,7 @@ pub(super) struct Field {
 const MASK: u128 = (1 << 63) - 1;
 
 impl Field {
-    /// How many there are.
+    /// Number of primes.
     pub const COUNT: usize = 334;
 
     pub const fn nth(index: usize) -> Self {
@@ -68,7 +68,7 @@ impl Field {
         (1 << 63) - self.offset
     }
 
-    /// The residue of `value`, which must be below 2^127.
+    /// Returns the residue of `value`, which must be below 2^127.
     #[inline]
     pub const fn reduce(self, value: u128) -> u64 {
         // Below 2^79, then below 2^63 + 2^30, which is less than twice the prime.
@@ -76,7 +76,7 @@ impl Field {
         if folded >= self.prime() { folded - self.prime() } else { folded }
     }
 
-    /// A smaller number with the same residue: below 2^63 + 2^14 h for one below 2^63 h.
+    /// Returns a smaller number with the same residue: below 2^63 + 2^14 h for one below 2^63 h.
     #[inline]
     pub const fn fold(self, value: u128) -> u128 {
         (value & MASK) + (value >> 63) as u64 as u128 * self.offset as u128
@@ -104,30 +104,31 @@ impl Field {
         result
     }
 
-    /// The residue of 2^63.
+    /// Returns the residue of 2^63.
     pub const fn limb_unit(self) -> u64 {
         self.offset
     }
 
-    /// Less than 2^78, with the residue of a product of residues: a sum of 2^16 can be reduced.
+    /// Returns a number less than 2^78 with the residue of a product of residues: a sum of 2^16
+    /// such numbers can be reduced.
     #[inline]
     pub fn folded_product(self, a: u64, b: u64) -> u128 {
         self.fold(u128::from(a) * u128::from(b))
     }
 
-    /// The residue of a sum of at most 2^16 products of residues.
+    /// Returns the residue of a sum of at most 2^16 products of residues.
     #[inline]
     pub fn sum_of_products(self, factors: impl Iterator<Item = (u64, u64)>) -> u64 {
         self.reduce(factors.map(|(a, b)| self.folded_product(a, b)).sum())
     }
 
-    /// The residue of an earlier field's prime: small.
+    /// Returns the residue of an earlier field's prime, which is small.
     #[inline]
     pub const fn distance(self, before: usize) -> u64 {
         self.offset - OFFSETS[before] as u64
     }
 
-    /// The inverse of the product of all the primes of earlier fields.
+    /// Returns the inverse of the product of all the primes of earlier fields.
     #[inline]
     pub fn inverse_of_earlier(self) -> u64 {
         INVERSES[self.index]
@@ -147,8 +148,9 @@ mod tests {
         })
     }
 
-    /// Miller and Rabin's test, which is a proof for 64 bits with the first twelve primes as bases
-    /// (Sorenson and Webster, "Strong pseudoprimes to twelve prime bases", 2017).
+    /// Returns true if `n` is prime, by Miller and Rabin's test, which is a proof for 64 bits with
+    /// the first twelve primes as bases (Sorenson and Webster, "Strong pseudoprimes to twelve prime
+    /// bases", 2017).
     fn is_prime(n: u64) -> bool {
         let twos = (n - 1).trailing_zeros();
         [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].iter().all(|base| {

@@ -2,27 +2,29 @@
 //! few words. That is enough unless the coordinates have very different sizes: those are for
 //! `edges`.
 //!
-//! A determinant is computed modulo 2^(64 L). Whatever wraps on the way, it is right in the end if
-//! its magnitude is below 2^(64 L - 1), and L is chosen so.
+//! A determinant is computed modulo 2^(64 L). Intermediate results may wrap: the determinant is
+//! right in the end if its magnitude is below 2^(64 L - 1), and L is chosen so.
 
 use crate::numerics::power::{bits_of, power_of_two, unit_and_span};
 use crate::numerics::{MAX_DIM, MAX_SIZE, Sign, laplace};
 use std::marker::PhantomData;
 
-/// Coordinates below 2 to this power, in their common unit, have edges that fit in a word.
+/// Largest number of bits of the coordinates, in their common unit, for which edges fit in a word.
 const MAX_SPAN: usize = 62;
 
-/// Edges from an origin to other points, in the largest power of two that divides all coordinates.
+/// Edges from an origin to other points, in units of the largest power of two that divides all
+/// coordinates.
 pub(super) struct Rows {
     rows: [[i64; MAX_DIM]; MAX_SIZE],
     count: usize,
     dim: usize,
-    /// No component of an edge is larger than 2^`bits`.
+    /// Exponent of a power of two that no component of an edge exceeds.
     bits: usize,
 }
 
 impl Rows {
-    /// `None` if the coordinates span more than [`MAX_SPAN`] bits, or if all are zero.
+    /// Returns the edges; `None` if the coordinates span more than [`MAX_SPAN`] bits, or if all are
+    /// zero.
     pub fn new<'a, const D: usize>(
         origin: &'a [f64; D],
         ends: impl Iterator<Item = &'a [f64; D]> + Clone,
@@ -50,20 +52,21 @@ impl Rows {
         Some(edges)
     }
 
-    /// The sign of the determinant of `dim` edges.
+    /// Returns the sign of the determinant of `dim` edges.
     pub fn orientation(&self) -> Sign {
         debug_assert_eq!(self.count, self.dim);
         self.sign(self.dim * self.bits)
     }
 
-    /// The sign of the determinant of `dim + 1` edges whose last column is their squared lengths.
+    /// Returns the sign of the determinant of `dim + 1` edges whose last column is their squared
+    /// lengths.
     pub fn lifted_orientation(&self) -> Sign {
         debug_assert_eq!(self.count, self.dim + 1);
         self.sign((self.dim + 2) * self.bits + bits_of(self.dim))
     }
 
-    /// The sign of the determinant. A product of one entry from each column has `product` bits; by
-    /// the Leibniz formula there are n! of them.
+    /// Returns the sign of the determinant. A product of one entry from each column has `product`
+    /// bits; by the Leibniz formula there are n! of them.
     fn sign(&self, product: usize) -> Sign {
         let bits = product + bits_of((1..=self.count).product());
         let words = (bits + 2).div_ceil(64);
@@ -79,7 +82,8 @@ impl Rows {
         }
     }
 
-    /// The sign of the minor of all rows, by the minors of all `SETS` sets of rows or less.
+    /// Returns the sign of the minor of all rows, computed from the minors of all sets of rows, at
+    /// most `SETS`.
     #[inline(never)]
     fn sign_in<T: Ring, const SETS: usize>(&self) -> Sign {
         let mut minors = [T::ZERO; SETS];
@@ -88,7 +92,8 @@ impl Rows {
     }
 }
 
-/// The columns as lines, so that the squared lengths are needed for one set only: that of all rows.
+/// Matrix whose lines are the columns, so that the squared lengths are needed for one set only,
+/// that of all rows.
 struct Columns<'a, T>(&'a Rows, PhantomData<T>);
 
 impl<T: Ring> laplace::Matrix for Columns<'_, T> {
@@ -127,7 +132,7 @@ trait Ring: Copy {
 
     fn add_product(&mut self, other: Self, factor: i64);
 
-    /// The sign of the representative that is nearest to zero.
+    /// Returns the sign of the representative that is nearest to zero.
     fn sign(self) -> Sign;
 }
 
@@ -159,7 +164,7 @@ impl Ring for i128 {
     }
 }
 
-/// `L` words, the lowest first.
+/// Integer of `L` words, the lowest first.
 #[derive(Clone, Copy)]
 struct Wide<const L: usize>([u64; L]);
 
@@ -171,7 +176,8 @@ impl<const L: usize> Ring for Wide<L> {
         Self(words)
     };
 
-    /// Without a branch on the sign of `factor`, which a processor cannot guess.
+    /// Adds `other * factor`, without a branch on the sign of `factor`, which a processor cannot
+    /// predict.
     #[inline]
     fn add_product(&mut self, other: Self, factor: i64) {
         // To subtract the product is to add its complement and one.
@@ -203,7 +209,8 @@ mod tests {
         Rows::new(&points[0], points[1..].iter())
     }
 
-    /// All words that a determinant may need, and the span at which there are no rows any more.
+    /// Checks signs with all words that a determinant may need, and the span from which on there
+    /// are no rows.
     fn signs_agree_at_the_limit<const D: usize>(trials: usize) {
         let largest = 2f64.powi(62).next_down();
         let unit = f64::from_bits(1);
@@ -240,8 +247,8 @@ mod tests {
         signs_agree_at_the_limit::<8>(3);
     }
 
-    /// From one bit a coordinate to as many as there may be, so that each number of words has its
-    /// turn.
+    /// Checks signs from one bit a coordinate to as many as there may be, so that each number of
+    /// words occurs.
     fn signs_agree_for_all_sizes<const D: usize>(step: usize) {
         let mut random = Random(30 + D as u64);
         for bits in (1..=53).step_by(step) {
@@ -275,7 +282,7 @@ mod tests {
         signs_agree_for_all_sizes::<8>(17);
     }
 
-    /// Hadamard's matrices: no others have determinants as large.
+    /// Checks that the largest determinants fit, which Hadamard's matrices have.
     fn the_largest_fit<const D: usize>() {
         for bits in 1..=53 {
             let most = ((1i64 << bits) - 1) as f64;
@@ -296,7 +303,7 @@ mod tests {
         the_largest_fit::<8>();
     }
 
-    /// What counts is how long edges are, not where they lie.
+    /// Bits count the lengths of edges, wherever the edges lie.
     #[test]
     fn bits_are_those_of_edges() {
         let far = 2f64.powi(52) - 8.0;
@@ -307,8 +314,8 @@ mod tests {
         assert!(rows_of(&[[0.0; 3]; 4]).is_none(), "no unit");
     }
 
-    /// Products of a long row of factors, in words and as they are, but for what the words do not
-    /// hold.
+    /// Checks products of many factors in words against exact ones, modulo the power of two at
+    /// which the words wrap.
     fn products_wrap<T: Ring>(bits: usize, value_of: impl Fn(T) -> IBig) {
         let mut random = Random(bits as u64);
         let modulus = IBig::ONE << bits;

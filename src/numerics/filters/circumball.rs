@@ -12,23 +12,24 @@ use std::ops::RangeInclusive;
 #[cfg(test)]
 mod tests;
 
-/// The circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power
-/// of two, so that it is as accurate for tiny and huge simplices as for others. It takes half a
-/// cache line in space.
+/// Circumball of a simplex. Its centre is relative to one of the vertices and scaled by a power of
+/// two, so that it is as accurate for tiny and huge simplices as for others. It takes half a cache
+/// line in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circumball<const D: usize> {
-    /// (circumcentre - anchor point) / unit. If the exponent is not -1, the largest magnitude is in
-    /// [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot be used.
+    /// Vector (circumcentre - anchor point) / unit. If the exponent is not -1, the largest
+    /// magnitude is in [2, 4) unless the exponent had to be clamped. Infinite if the centre cannot
+    /// be used.
     pub center: [f64; D],
-    /// The vertex that `center` is relative to, as its index in the simplex. A caller may put an id
-    /// of its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to
-    /// each other than both are to the anchor: it is an endpoint of the shortest edge in the sum
-    /// norm, or the simplex is not [`FLAT`] at it.
+    /// Vertex that `center` is relative to, as its index in the simplex. A caller may put an id of
+    /// its own in place of the index ([`Self::anchored`]). No two vertices are much nearer to each
+    /// other than both are to the anchor: it is an endpoint of the shortest edge in the sum norm,
+    /// or the simplex is not [`FLAT`] at it.
     pub anchor: u32,
     precision: Precision,
 }
 
-/// A centre whose largest component is not known better than this, relatively, is recomputed in
+/// Largest relative error of a centre's largest component; a less certain centre is recomputed in
 /// integers.
 const ACCEPTED: f64 = 1e-9;
 
@@ -39,25 +40,27 @@ const PLAIN: i16 = -1;
 /// numbers of single precision.
 const PLAIN_EXPONENTS: RangeInclusive<i32> = -70..=100;
 
-/// The first vertex may be the anchor if the volume that its edges span is at most this many times
-/// smaller than that of a box with such edges. Points near another vertex lose log2 of it in bits.
+/// Largest ratio, for the first vertex to be the anchor, of the volume of a box with the lengths of
+/// its edges to the volume that these span. Points near another vertex lose log2 of it in bits.
 const FLAT: f64 = 128.0;
 
-/// The same limit for an endpoint of the shortest edge, where only the error grows.
+/// Largest such ratio for an endpoint of the shortest edge to be the anchor, where only the error
+/// grows.
 const FLATTER: f64 = 1024.0;
 
-/// Units of roundoff of the centre's length that are in `error` for [`Circumball::side`].
+/// Returns the share of the centre's length that `error` contains for [`Circumball::side`].
 const fn side_units(dim: usize) -> f64 {
     (dim + 5) as f64 * UNIT
 }
 
 impl<const D: usize> Circumball<D> {
-    /// The ball of a flat simplex, or of one with a radius out of range: decides nothing.
+    /// Ball of a flat simplex, or of one with a radius out of range, which decides nothing.
     pub const UNUSABLE: Self =
         Self { center: [f64::INFINITY; D], anchor: 0, precision: Precision::NONE };
 
-    /// The circumball of `D + 1` finite, affinely independent points. For flat simplices and those
-    /// with a radius beyond 2^1030 the error and the radius are infinite and nothing is decided.
+    /// Returns the circumball of `D + 1` finite, affinely independent points. For flat simplices
+    /// and those with a radius beyond 2^1030 the error and the radius are infinite and nothing is
+    /// decided.
     ///
     /// No allocation and O(D^3) floating-point operations, except for nearly flat simplices and
     /// those at the ends of the exponent range, which cost microseconds.
@@ -66,15 +69,15 @@ impl<const D: usize> Circumball<D> {
         Self::of(|i| points[i])
     }
 
-    /// The same of the points `vertex(0)` to `vertex(D)`.
+    /// Returns the circumball of the points `vertex(0)` to `vertex(D)`, as [`Self::new`] does.
     #[inline(always)]
     pub fn of<'a>(vertex: impl Fn(usize) -> &'a [f64; D]) -> Self {
         const { assert!(D >= 2 && D <= MAX_DIM) };
         Self::by_cramer(&vertex, 0, FLAT).unwrap_or_else(|| Self::with_care(&vertex))
     }
 
-    /// The circumballs of two simplices, in less than twice the time of one. `None` unless both
-    /// simplices have an ordinary size and shape.
+    /// Returns the circumballs of two simplices, in less than twice the time of one; `None` unless
+    /// both simplices have an ordinary size and shape.
     #[inline(always)]
     pub fn ordinary_pair<'a>(
         first: impl Fn(usize) -> &'a [f64; D],
@@ -99,8 +102,8 @@ impl<const D: usize> Circumball<D> {
         Some([first, second])
     }
 
-    /// The ball of a simplex of ordinary size and shape. `None` for others, and beyond dimension
-    /// [`MAX_CRAMER`].
+    /// Returns the ball of a simplex of ordinary size and shape; `None` for others, and beyond
+    /// dimension [`MAX_CRAMER`].
     #[inline(always)]
     fn by_cramer<'a>(
         vertex: &impl Fn(usize) -> &'a [f64; D],
@@ -125,7 +128,7 @@ impl<const D: usize> Circumball<D> {
         Self::relative_to_shortest_edge(&points[..D + 1])
     }
 
-    /// The ball relative to an endpoint of the shortest edge.
+    /// Returns the ball relative to an endpoint of the shortest edge.
     #[inline(never)]
     fn relative_to_shortest_edge(points: &[&[f64; D]]) -> Self {
         let anchor = shortest_edge(points);
@@ -134,7 +137,7 @@ impl<const D: usize> Circumball<D> {
             .unwrap_or_else(|| Self::in_integers(points, anchor))
     }
 
-    /// The ball by floating-point arithmetic; `None` if that is too inaccurate.
+    /// Returns the ball computed in floating point; `None` if that is too inaccurate.
     #[inline]
     fn in_floats(points: &[&[f64; D]], anchor: usize) -> Option<Self> {
         let mut rows = edges(&|i| points[i], anchor);
@@ -166,7 +169,7 @@ impl<const D: usize> Circumball<D> {
         Some(Self::scaled(anchor, center, k, error * scale))
     }
 
-    /// The ball from the exact rational centre.
+    /// Returns the ball from the exact rational centre.
     #[cold]
     #[inline(never)]
     fn in_integers(points: &[&[f64; D]], anchor: usize) -> Self {
@@ -180,8 +183,8 @@ impl<const D: usize> Circumball<D> {
         Self::scaled(anchor, center, k as i32, error)
     }
 
-    /// The ball with the centre `half` * 2^k, every component known up to `error` * 2^k, for |k| <
-    /// 1000 and no component of `half` beyond 2^32.
+    /// Returns the ball with the centre `half` * 2^k, every component of which is known up to
+    /// `error` * 2^k, for |k| < 1000 and no component of `half` beyond 2^32.
     fn scaled(anchor: usize, half: [f64; D], k: i32, error: f64) -> Self {
         let shift = if PLAIN_EXPONENTS.contains(&k) { k } else { 0 };
         let factor = 2.0 * power_of_two(shift);
@@ -191,35 +194,36 @@ impl<const D: usize> Circumball<D> {
         Self { center, anchor: anchor as u32, precision }
     }
 
-    /// The same ball, whose anchor has the id `anchor`.
+    /// Returns the ball with `anchor` as the id of its anchor.
     #[inline]
     pub const fn anchored(self, anchor: u32) -> Self {
         Self { anchor, ..self }
     }
 
-    /// No component of `center` is further from the exact one than this, less D + 5 units of
-    /// roundoff of its length, which pay for [`Self::side`]; infinite if the centre cannot be used.
+    /// Returns the error: no component of `center` is further from the exact one than this, less D
+    /// + 5 units of roundoff of its length, which pay for [`Self::side`]. Infinite if the centre
+    /// cannot be used.
     #[inline]
     pub fn error(&self) -> f64 {
         self.precision.error()
     }
 
-    /// The unit of `center` and `error` is 2^exponent real ones, for -1000 to 1000. It is -1 if the
-    /// circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]): `center` is then twice the
-    /// centre in real units.
+    /// Returns the exponent of the unit of `center` and `error`, 2^exponent real ones, from -1000
+    /// to 1000. It is -1 if the circumradius is about 2^-70 to 2^100 ([`PLAIN_EXPONENTS`]):
+    /// `center` is then twice the centre in real units.
     #[inline]
     pub fn exponent(&self) -> i16 {
         self.precision.exponent()
     }
 
-    /// Real units per unit of `center`.
+    /// Returns the number of real units per unit of `center`.
     #[inline]
     pub fn unit(&self) -> f64 {
         power_of_two(i32::from(self.exponent()))
     }
 
-    /// The circumradius in real units, within 1e-8 relatively if `error` is finite; infinite if it
-    /// exceeds `f64::MAX`.
+    /// Returns the circumradius in real units, within 1e-8 relatively if `error` is finite;
+    /// infinite if it exceeds `f64::MAX`.
     #[inline]
     pub fn radius(&self) -> f64 {
         match self.precision.is_plain() {
@@ -228,10 +232,9 @@ impl<const D: usize> Circumball<D> {
         }
     }
 
-    /// Whether `q` is strictly inside the ball, as far as floating-point arithmetic with an error
-    /// bound can tell: `Some(true)` strictly inside, `Some(false)` strictly outside, `None`
-    /// undecided (ask [`in_ball`](super::in_ball)). `anchor_point` is the vertex that `anchor`
-    /// names.
+    /// Returns true if `q` is strictly inside the ball and false if strictly outside, as far as
+    /// floating-point arithmetic with an error bound can tell; `None` if undecided (ask
+    /// [`in_ball`](super::in_ball)). `anchor_point` is the vertex that `anchor` names.
     ///
     /// With w = (q - anchor) / unit / 2 and C the centre, inside is w.(w - C) < 0. All error terms
     /// are multiples of w, so points of a tiny cluster around the anchor are told apart even by a
@@ -248,7 +251,7 @@ impl<const D: usize> Circumball<D> {
         self.rare_side(anchor_point, q)
     }
 
-    /// The side for balls of an unusual size and for points that are far away.
+    /// Returns the side for balls of an unusual size and for points that are far away.
     #[cold]
     #[inline(never)]
     fn rare_side(&self, anchor_point: &[f64; D], q: &[f64; D]) -> Option<bool> {
@@ -257,20 +260,20 @@ impl<const D: usize> Circumball<D> {
         self.side_of(scaled, self.error()).or_else(|| self.is_far(&scaled).then_some(false))
     }
 
-    /// The side of w, scaled, where the ball's error is `error`.
+    /// Returns the side of w, scaled, of a ball with this `error`.
     ///
-    /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what
-    /// the error of C makes of it, error |w|_1, the computed p is wrong by at most (D + 2)u
-    /// |w||w - C| + u |w|^2: each product carries the roundings of w, of w - C, its own and D -
-    /// 1 sums, and w is rounded in w - C too. If p <= 0, w is in the ball and both |w| and |w -
-    /// C| are at most |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the
-    /// roundings in the bound; so a computed p beyond the bound is not so. If p > 0 and the
-    /// computed one is less than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w -
-    /// C|^2 = |C|^2 + 2p, so for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error
-    /// at most (D + 3)u |w| (|C| + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is
-    /// at most (D + 3)u 3p: less in both cases. TINY pays for underflow. With overflow p or the
-    /// bound is infinite: an infinite p with a finite bound is right, as p is less than the
-    /// square of a length that overflows only far away.
+    /// Proof of the bound. Let p = w.(w - C) for the exact w and C, u the roundoff. Beside what the
+    /// error of C makes of it, error |w|_1, the computed p is wrong by at most (D + 2)u |w||w - C|
+    /// + u |w|^2: each product carries the roundings of w, of w - C, its own and D - 1 sums, and w
+    /// is rounded in w - C too. If p <= 0, w is in the ball and both |w| and |w - C| are at most
+    /// |C|: that is within (D + 3)u |C||w|_1, and two more units pay for the roundings in the
+    /// bound; so a computed p beyond the bound is not so. If p > 0 and the computed one is less
+    /// than -bound, its error exceeds p + (D + 5)u |C||w|. Now |w|^2 + |w - C|^2 = |C|^2 + 2p, so
+    /// for p <= |C|^2 both are at most |C| + p/|C| <= 2|C| and the error at most (D + 3)u |w| (|C|
+    /// + p/|C|) <= (D + 3)u |C||w| + 2(D + 3)u p; for p > |C|^2 it is at most (D + 3)u 3p: less in
+    /// both cases. TINY pays for underflow. With overflow p or the bound is infinite: an infinite p
+    /// with a finite bound is right, as p is less than the square of a length that overflows only
+    /// far away.
     #[inline(always)]
     fn side_of(&self, w: [f64; D], error: f64) -> Option<bool> {
         let terms: [f64; D] = std::array::from_fn(|i| w[i] * (w[i] - self.center[i]));
@@ -281,7 +284,8 @@ impl<const D: usize> Circumball<D> {
         is_decided.then_some(power < 0.0)
     }
 
-    /// About the power of `q` to the ball, in real units; may be infinite or NaN.
+    /// Returns the approximate power of `q` with respect to the ball, in real units; may be
+    /// infinite or NaN.
     #[inline]
     pub fn power(&self, anchor_point: &[f64; D], q: &[f64; D]) -> f64 {
         let double = 2.0 * self.unit();
@@ -291,16 +295,16 @@ impl<const D: usize> Circumball<D> {
         })
     }
 
-    /// Whether a point is so far from the anchor that its square may have overflowed, which makes
-    /// it an outside point: no usable scaled centre exceeds 2^102.
+    /// Returns true if a point is so far from the anchor that its square may have overflowed. Then
+    /// it is outside: no usable scaled centre exceeds 2^102.
     fn is_far(&self, w: &[f64; D]) -> bool {
         const FAR: f64 = power_of_two(500);
         // Infinite differences of finite points are at least 2^1023: far unless the unit is huge.
         self.error() < FAR && self.exponent() < 500 && w.iter().any(|x| x.abs() >= FAR)
     }
 
-    /// The circumcentre in real coordinates, rounded; not finite where it overflows or `error` is
-    /// infinite, which the caller checks.
+    /// Returns the circumcentre in real coordinates, rounded; not finite where it overflows or
+    /// `error` is infinite, which the caller checks.
     #[inline]
     pub fn center_point(&self, anchor_point: &[f64; D]) -> [f64; D] {
         let unit = self.unit();
@@ -317,8 +321,8 @@ fn is_ordinary<R: Real>(diameter: R) -> bool {
     R::of(*ORDINARY.start()).is_at_most(diameter) && diameter.is_at_most(R::of(*ORDINARY.end()))
 }
 
-/// An error bound and an exponent in four bytes: a positive number of single precision with the
-/// exponent, less [`PLAIN`], in place of its last bits.
+/// Error bound and exponent in four bytes: a positive number of single precision with the exponent,
+/// less [`PLAIN`], in place of its last bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Precision(u32);
 
@@ -326,11 +330,11 @@ impl Precision {
     const EXPONENT_BITS: u32 = 11;
     const EXPONENT: u32 = (1 << Self::EXPONENT_BITS) - 1;
 
-    /// The infinite error.
+    /// Infinite error.
     const NONE: Self = Self(f32::INFINITY.to_bits());
 
-    /// The error is rounded up, by 2^-11 of itself at most (of 2^-126 if it is less). For exponents
-    /// from -1000 to 1000.
+    /// Packs an error, rounded up by 2^-11 of itself at most (of 2^-126 if it is less), and an
+    /// exponent from -1000 to 1000.
     #[inline]
     fn new(error: f64, exponent: i16) -> Self {
         let nearest = (error as f32).to_bits() & !Self::EXPONENT;
@@ -338,7 +342,7 @@ impl Precision {
         Self(above | (exponent - PLAIN) as u32 & Self::EXPONENT)
     }
 
-    /// As [`Self::new`] with the plain exponent, for an error below 2^127.
+    /// Packs an error below 2^127 with the plain exponent, as [`Self::new`] does.
     #[inline]
     fn plain(error: f64) -> Self {
         debug_assert!(error < power_of_two(127));
@@ -350,7 +354,7 @@ impl Precision {
         self.0 & Self::EXPONENT == 0
     }
 
-    /// The error if the exponent is plain.
+    /// Returns the error of a precision with the plain exponent.
     #[inline]
     fn plain_error(self) -> f64 {
         f64::from(f32::from_bits(self.0))
@@ -368,7 +372,7 @@ impl Precision {
     }
 }
 
-/// The edges from the anchor to the other vertices.
+/// Returns the edges from the anchor to the other vertices.
 #[inline(always)]
 fn edges<'a, const D: usize>(
     vertex: &impl Fn(usize) -> &'a [f64; D],
@@ -381,8 +385,8 @@ fn edges<'a, const D: usize>(
     })
 }
 
-/// The first endpoint of the shortest edge in the sum norm, among lengths within 8 ulps the lowest.
-/// The bits of positive doubles are ordered as they are: the index rides in the lowest three, and
+/// Returns the first endpoint of the shortest edge in the sum norm, the lowest among lengths within
+/// 8 ulps. The bits of positive doubles sort as they do: the index occupies the lowest three, and
 /// the minimum needs no branch.
 #[inline]
 fn shortest_edge<const D: usize>(points: &[&[f64; D]]) -> usize {

@@ -5,38 +5,40 @@
 use super::f64x2::Real;
 use crate::numerics::power::{UNIT, power_of_two};
 
-/// The highest dimension that [`circumcenter`] knows.
+/// Largest dimension that [`circumcenter`] supports.
 pub(super) const MAX_CRAMER: usize = 4;
 
-/// The centre of a sphere through an origin and D other points, relative to the origin.
+/// Centre of a sphere through an origin and D other points, relative to the origin.
 pub(super) struct Center<const D: usize, R = f64> {
-    /// Twice the centre.
+    /// Vector from the origin to the centre, times two.
     pub twice: [R; D],
-    /// The sphere's diameter: the length of `twice`.
+    /// Diameter of the sphere, which is the length of `twice`.
     pub diameter: R,
-    /// No component of `twice` is further from the exact one than this.
+    /// Largest distance of a component of `twice` from the exact one.
     pub error: R,
-    /// The squares of the edges' lengths: their sum and their product.
+    /// Sum of the squared lengths of the edges.
     total: R,
+    /// Product of the squared lengths of the edges.
     product: R,
-    /// The product of the lengths by the volume that the edges span.
+    /// Product of the edges' lengths over the volume that they span.
     ratio: R,
 }
 
-/// Edges with lengths from 2^-e to 2^e need no scaling, where e is this exponent.
+/// Returns the exponent e such that edges with lengths from 2^-e to 2^e need no scaling.
 /// [`Center::is_usable`] lets no length exceed that and no product of them fall below 2^(-D e):
 /// each is then at least 2^-((2 D - 1) e), and its square at least 2^-900.
 const fn max_exponent(dim: usize) -> i32 {
     450 / (2 * dim as i32 - 1)
 }
 
-/// By dimension: units of roundoff in a numerator and in the determinant, see [`circumcenter`].
+/// Units of roundoff in a numerator, by dimension: see [`circumcenter`].
 const NUMERATOR: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 8.0, 13.0, 26.0];
+/// Units of roundoff in the determinant, by dimension: see [`circumcenter`].
 const DETERMINANT: [f64; MAX_CRAMER + 1] = [0.0, 0.0, 5.0, 12.0, 31.0];
 
 impl<const D: usize, R: Real> Center<D, R> {
-    /// Whether lengths are within [`max_exponent`], and the volume that the edges span is at least
-    /// 1/`flatness` (which is at most 2^12) of that of a box with such edges.
+    /// Returns true if lengths are within [`max_exponent`], and the volume that the edges span is
+    /// at least 1/`flatness` (which is at most 2^12) of that of a box with such edges.
     ///
     /// The distance of two ends of edges is then at least 1/`flatness` of both their distances to
     /// the origin, less roundoff: edges i and j span a volume with the others that is at most their
@@ -90,13 +92,13 @@ pub(super) fn circumcenter<const D: usize, R: Real>(edges: &[[R; D]; D]) -> Cent
     Center { twice, diameter, error, total, product, ratio }
 }
 
-/// The squared length.
+/// Returns the squared length.
 #[inline(always)]
 pub(super) fn square<const D: usize, R: Real>(v: &[R; D]) -> R {
     v[1..].iter().fold(v[0] * v[0], |sum, &x| sum + x * x)
 }
 
-/// Numerators and the determinant in the plane.
+/// Returns numerators and the determinant in the plane.
 #[inline(always)]
 fn in_two<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let mut numerators = [R::of(0.0); D];
@@ -105,7 +107,7 @@ fn in_two<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     (numerators, a[0][0] * a[1][1] - a[0][1] * a[1][0])
 }
 
-/// Numerators and the determinant in space, from the cross products of the rows.
+/// Returns numerators and the determinant in space, from the cross products of the rows.
 #[inline(always)]
 fn in_three<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let (m0, m1, m2) = (cross(&a[1], &a[2]), cross(&a[2], &a[0]), cross(&a[0], &a[1]));
@@ -121,9 +123,9 @@ fn cross<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 3] {
     [r[1] * s[2] - r[2] * s[1], r[2] * s[0] - r[0] * s[2], r[0] * s[1] - r[1] * s[0]]
 }
 
-/// Numerators and the determinant in dimension 4, by Laplace expansion along the first two rows:
-/// sums of minors of these times complementary minors of the other two. Where the right side is a
-/// column of the matrix, the minors with it are the components of `u` and `v`.
+/// Returns numerators and the determinant in dimension 4, by Laplace expansion along the first two
+/// rows: sums of minors of these times complementary minors of the other two. Where the right side
+/// is a column of the matrix, the minors with it are the components of `u` and `v`.
 #[inline(always)]
 fn in_four<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) {
     let [m01, m02, m03, m12, m13, m23] = minors(&a[0], &a[1]);
@@ -139,7 +141,7 @@ fn in_four<const D: usize, R: Real>(a: &[[R; D]; D], b: &[R; D]) -> ([R; D], R) 
     (x, determinant)
 }
 
-/// The 2x2 minors of two rows by columns 01, 02, 03, 12, 13, 23.
+/// Returns the 2x2 minors of two rows by columns 01, 02, 03, 12, 13, 23.
 #[inline(always)]
 fn minors<const D: usize, R: Real>(r: &[R; D], s: &[R; D]) -> [R; 6] {
     let minor = |i: usize, j: usize| r[i] * s[j] - r[j] * s[i];
@@ -152,7 +154,7 @@ mod tests {
     use crate::numerics::lengths::largest_magnitude;
     use crate::numerics::testing::{Random, determinant_oracle, integer, is_close};
 
-    /// Edges of one scale, or each of its own, flat by about 2^-`depth`.
+    /// Returns edges of one scale, or each of its own, flat by about 2^-`depth`.
     fn draw<const D: usize>(depth: i32, random: &mut Random) -> [[f64; D]; D] {
         let limit = i64::from(max_exponent(D)) - 4;
         let scale = random.integer(-limit, limit);
@@ -166,7 +168,8 @@ mod tests {
         })
     }
 
-    /// The exact centre is within the bound of the computed one; returns how many were found.
+    /// Checks that the exact centre is within the bound of the computed one; returns how many were
+    /// found.
     fn bounds_hold<const D: usize>(trials: usize, depth: i32) -> usize {
         let mut random = Random(D as u64 * 100 + depth as u64);
         let found = |_: &usize| {
@@ -204,7 +207,7 @@ mod tests {
         check::<4>();
     }
 
-    /// The bound for the edges of a cube: what the proof allows.
+    /// The bound for the edges of a cube is what the proof allows.
     #[test]
     fn bounds_are_those_of_the_counted_roundings() {
         fn check<const D: usize>(numerator: f64, determinant: f64) {
@@ -229,7 +232,8 @@ mod tests {
         }
     }
 
-    /// Permanents of absolute values, of random rows of length 1 and of all ones.
+    /// Permanents of absolute values, of random rows of length 1 and of all ones, are within the
+    /// bound.
     #[test]
     fn permanents_are_within_their_bound() {
         fn permanent(rows: &[Vec<f64>], used: u32) -> f64 {

@@ -5,8 +5,8 @@ use crate::numerics::{MAX_SIZE, Sign, laplace};
 
 pub(super) type Matrix = [[f64; MAX_SIZE]; MAX_SIZE];
 
-/// The sign of a determinant whose value and error bound are known; never
-/// `Some(Sign::Zero)`.
+/// Returns the sign of a determinant whose value and error bound are known; `None` if the bound
+/// exceeds the value. Never `Some(Sign::Zero)`.
 #[inline]
 pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
     // An overflow makes the bound infinite or the determinant NaN: neither comparison holds.
@@ -19,8 +19,9 @@ pub(super) fn certain_sign((determinant, bound): (f64, f64)) -> Option<Sign> {
     }
 }
 
-/// The determinant of the first `size` rows and columns, and a bound of its error. A product of one
-/// entry from each row carries `roundings` already. No entry is larger than 32 in magnitude.
+/// Returns the determinant of the first `size` rows and columns, and a bound of its error. A
+/// product of one entry from each row carries `roundings` already. No entry may be larger than 32
+/// in magnitude.
 pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64, f64) {
     let (determinant, permanent) = match size {
         ..=4 => expanded::<16>(rows, size),
@@ -32,8 +33,9 @@ pub(super) fn determinant(rows: &Matrix, size: usize, roundings: usize) -> (f64,
     (determinant, 2.0 * roundings as f64 * UNIT * permanent + TINY)
 }
 
-/// The cofactors of the last of `size` rows, which is not looked at, and bounds of their errors; a
-/// product of one entry from each other row carries `roundings` already. Entries as above.
+/// Returns the cofactors of the last row, which is not read, and bounds of their errors. A product
+/// of one entry from each other row carries `roundings` already. No entry may be larger than 32 in
+/// magnitude.
 pub(super) fn cofactors<const D: usize>(rows: &Matrix, roundings: usize) -> ([f64; D], [f64; D]) {
     let mut minors = [(1.0f64, 1.0f64); 1 << (MAX_SIZE - 1)];
     let all = (1 << D) - 1;
@@ -48,7 +50,7 @@ pub(super) fn cofactors<const D: usize>(rows: &Matrix, roundings: usize) -> ([f6
     )
 }
 
-/// A matrix whose minors come with the permanents of their absolute values.
+/// Matrix whose minors come with the permanents of their absolute values.
 struct Rows<'a>(&'a Matrix);
 
 impl laplace::Matrix for Rows<'_> {
@@ -72,7 +74,8 @@ impl laplace::Matrix for Rows<'_> {
     }
 }
 
-/// The determinant and its permanent, by the minors of all `SETS` sets of columns or less.
+/// Returns the determinant and its permanent, from the minors of all sets of columns, at most
+/// `SETS`.
 fn expanded<const SETS: usize>(rows: &Matrix, size: usize) -> (f64, f64) {
     let mut minors = [(1.0f64, 1.0f64); SETS];
     laplace::expand(&Rows(rows), 1 << size, &mut minors);

@@ -3,18 +3,19 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
-/// What a formula computes with: one double, or two side by side.
+/// Number that a formula computes with: one double, or two side by side.
 pub(crate) trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
     fn of(value: f64) -> Self;
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
-    /// The lesser of two; the second if either is NaN.
+    /// Returns the lesser of two; the second if either is NaN.
     fn min(self, other: Self) -> Self;
-    /// The greater of two; the second if either is NaN.
+    /// Returns the greater of two; the second if either is NaN.
     fn max(self, other: Self) -> Self;
-    /// False if either is NaN. For two doubles side by side the comparison must hold for both.
+    /// Returns true if the number is at most `other`; false if either is NaN. For two doubles side
+    /// by side the comparison must hold for both.
     fn is_at_most(self, other: Self) -> bool;
 }
 
@@ -50,7 +51,7 @@ impl Real for f64 {
     }
 }
 
-/// Two doubles.
+/// Two doubles side by side.
 #[derive(Clone, Copy)]
 pub(crate) struct F64x2(lanes::Lanes);
 
@@ -232,7 +233,7 @@ mod tests {
     use super::*;
     use crate::numerics::testing::Random;
 
-    /// One formula with every operation, of values from everywhere.
+    /// Computes a formula that has every operation.
     fn formula<R: Real>([a, b, c, d]: [R; 4]) -> [R; 6] {
         let root = (b * b + d * d).sqrt() / R::of(3.0);
         [a * b - c / d, (a + c).abs().sqrt(), root, (c - a).abs(), a.min(b), c.max(d)]

@@ -1,26 +1,27 @@
-//! The sides of a hyperplane that many points are on, in floating point.
+//! Tests in floating point of many points against one hyperplane.
 
 use super::determinant::cofactors;
 use super::orientation::normalise;
 use crate::numerics::MAX_SIZE;
 use crate::numerics::power::{TINY, power_of_two};
 
-/// What normals are scaled by. Their components are at most 7! 2^7 before; times a difference, the
-/// sum of eight such products does not overflow unless the difference does.
+/// Factor by which normals are scaled. Their components are at most 7! 2^7 before; times a
+/// difference, the sum of eight such products does not overflow unless the difference does.
 const UNIT: f64 = power_of_two(-30);
 
-/// A hyperplane through `D` points: its normal, computed once.
+/// Hyperplane through `D` points: its normal, computed once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hyperplane<const D: usize> {
     origin: [f64; D],
     normal: [f64; D],
-    /// What the components of the normal may be wrong by, and what a product with one adds to it.
+    /// Largest errors of the components of the normal, including what a product with one adds.
     error: [f64; D],
 }
 
 impl<const D: usize> Hyperplane<D> {
-    /// The hyperplane of `D` points, with the points x on its positive side for which the
-    /// orientation of those and x is positive; `None` where two of them are too close or too far.
+    /// Returns the hyperplane of `D` points. Points x are on its positive side if the orientation
+    /// of the `D` points followed by x is positive. `None` if two of the points are too close or
+    /// too far apart.
     pub fn new(points: &[[f64; D]; D]) -> Option<Self> {
         let origin = points[0];
         let mut rows = [[1.0; D]; D];
@@ -38,14 +39,14 @@ impl<const D: usize> Hyperplane<D> {
         Some(Self { origin, normal, error })
     }
 
-    /// The same with the sides exchanged.
+    /// Returns the hyperplane with its sides exchanged.
     pub fn turned(self) -> Self {
         Self { normal: self.normal.map(|x| -x), ..self }
     }
 
-    /// A bound from below of where a point is, in some unit from the hyperplane, and one from above
-    /// of where any point of a box is: positive, the point is certainly on the positive side;
-    /// negative, the whole box is certainly on the other one. What overflows makes both useless.
+    /// Returns a lower bound of a point's distance from the hyperplane, in some unit: if it is
+    /// positive, the point is certainly on the positive side. An overflow makes it useless, but not
+    /// wrong.
     #[inline]
     pub fn least_at(&self, point: &[f64; D]) -> f64 {
         let (mut sum, mut error) = (0.0, TINY);
@@ -58,7 +59,9 @@ impl<const D: usize> Hyperplane<D> {
         sum - 1.01 * error
     }
 
-    /// See [`Self::least_at`].
+    /// Returns an upper bound of the distance from the hyperplane of all points of a box, in the
+    /// unit of [`Self::least_at`]: if it is negative, the whole box is certainly on the negative
+    /// side. An overflow makes it useless, but not wrong.
     #[inline]
     pub fn most_in(&self, low: &[f64; D], high: &[f64; D]) -> f64 {
         let (mut sum, mut error) = (0.0, TINY);
@@ -78,7 +81,7 @@ mod tests {
     use crate::numerics::orientation_exact;
     use crate::numerics::testing::{FAMILIES, Family, Random, points, references};
 
-    /// Bounds against integers: never wrong, and never open on generic points.
+    /// Checks bounds against integers: they are never wrong, and never undecided on generic points.
     fn bounds_are_sound<const D: usize>(trials: usize) {
         for family in FAMILIES {
             let mut random = Random(family as u64 * 7 + D as u64);

@@ -1,23 +1,23 @@
-//! Which side of a circumsphere a point is on, exactly.
+//! The side of a circumsphere that a point is on, exactly.
 
 use super::determinant::{certain_sign, determinant};
 use crate::numerics::exact::in_ball_exact;
 use crate::numerics::power::{biased_exponent, power_of_two};
 use crate::numerics::{MAX_SIZE, Sign};
 
-/// Whether `q` is strictly inside (positive), on (zero) or strictly outside (negative) the sphere
-/// through the `D + 1` points of a positively oriented simplex. The sign is reversed for a
-/// negatively oriented simplex; for a flat one it says nothing of a ball.
+/// Returns the side of the sphere through the `D + 1` points of a positively oriented simplex that
+/// `q` is on: positive strictly inside, zero on the sphere, negative strictly outside. The sign is
+/// reversed for a negatively oriented simplex; for a flat one it says nothing of a ball.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; a point that is
-/// nearly on the sphere costs as many in integers. Where a simplex's
-/// [`Circumball`](super::Circumball) is at hand that is asked first, and then [`in_ball_exact`].
+/// nearly on the sphere costs as many in integers. Callers that have a simplex's
+/// [`Circumball`](super::Circumball) ask it first, and then [`in_ball_exact`].
 pub fn in_ball<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Sign {
     in_ball_filtered(simplex, q).unwrap_or_else(|| in_ball_exact(simplex, q))
 }
 
-/// The sign of [`in_ball`] if floating-point arithmetic with an error bound can tell it; never
-/// `Some(Sign::Zero)`.
+/// Returns the sign of [`in_ball`] if floating-point arithmetic with an error bound can tell it;
+/// never `Some(Sign::Zero)`.
 pub fn in_ball_filtered<const D: usize>(simplex: &[&[f64; D]], q: &[f64; D]) -> Option<Sign> {
     const { assert!(D >= 2 && D <= 8) };
     debug_assert_eq!(simplex.len(), D + 1);
@@ -83,8 +83,8 @@ mod tests {
         the_filter_is_right::<8>(2);
     }
 
-    /// A unit of roundoff beside the sphere: the bound may not claim more than the arithmetic
-    /// knows.
+    /// Points a unit of roundoff beside the sphere are undecided: the bound claims no more than the
+    /// arithmetic knows.
     #[test]
     fn points_next_to_the_sphere_are_told_apart_in_integers() {
         let simplex = [&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[-1.0, 0.0, 0.0]];

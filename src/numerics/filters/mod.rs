@@ -1,11 +1,11 @@
 //! Signs and circumballs in f64, each with a bound of its error: a sign that is larger than the
-//! bound is certain. What stays uncertain goes to [`exact`](super::exact).
+//! bound is certain. Undecided signs are left to [`exact`](super::exact).
 //!
 //! `orientation` and `in_ball` answer for one simplex. `circumball` stores a centre and a radius
 //! once, and then decides for every point in a few operations: it is the filter of all conflict
 //! tests. Its centre comes from `cramer` for ordinary simplices, from `solve` for others, and from
-//! integers where both are too inaccurate. `hyperplane` computes a normal once, and then places points
-//! and boxes. `determinant` serves these, and `f64x2` others too.
+//! integers where both are too inaccurate. `hyperplane` computes a normal once, and then places
+//! points and boxes. `determinant` serves these, and `f64x2` others too.
 //!
 //! A formula may enter if its comment proves the bound of its error for all finite coordinates.
 

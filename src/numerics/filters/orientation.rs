@@ -6,7 +6,7 @@ use crate::numerics::lengths::largest_magnitude;
 use crate::numerics::power::{TINY, UNIT, biased_exponent, power_of_two};
 use crate::numerics::{MAX_SIZE, Sign};
 
-/// The sign of det[p1 - p0, ..., pD - p0] for `D + 1` points: positive if they turn
+/// Returns the sign of det[p1 - p0, ..., pD - p0] for `D + 1` points: positive if they turn
 /// counterclockwise (D = 2), zero if they lie in one hyperplane.
 ///
 /// Exact for all finite coordinates. Usually O(2^D D) floating-point operations; points that are
@@ -16,8 +16,8 @@ pub fn orientation<const D: usize>(simplex: &[&[f64; D]]) -> Sign {
     orientation_filtered(simplex).unwrap_or_else(|| orientation_exact(simplex))
 }
 
-/// The sign of [`orientation`] if floating-point arithmetic with an error bound can tell it; never
-/// `Some(Sign::Zero)`.
+/// Returns the sign of [`orientation`] if floating-point arithmetic with an error bound can tell
+/// it; never `Some(Sign::Zero)`.
 #[inline]
 pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sign> {
     const { assert!(D >= 2 && D <= 8) };
@@ -33,8 +33,8 @@ pub fn orientation_filtered<const D: usize>(simplex: &[&[f64; D]]) -> Option<Sig
     })
 }
 
-/// det[p1 - p0, ..., pD - p0] as m * 2^e, if floating-point arithmetic can tell it with a relative
-/// error of at most `accepted`.
+/// Returns det[p1 - p0, ..., pD - p0] as m * 2^e, if floating-point arithmetic can tell it with a
+/// relative error of at most `accepted`.
 pub fn determinant_filtered<const D: usize>(
     simplex: &[&[f64; D]],
     accepted: f64,
@@ -50,18 +50,18 @@ pub fn determinant_filtered<const D: usize>(
     is_accepted.then(|| (determinant, rows.iter().map(exponent).sum()))
 }
 
-/// The determinant of two rows of rounded differences and a bound of its error. Each product
-/// carries three roundings and their difference one: 4u of the permanent, doubled here; products
-/// that underflow lose at most 2^-1075 each.
+/// Returns the determinant of two rows of rounded differences and a bound of its error. Each
+/// product carries three roundings and their difference one: 4u of the permanent, doubled here;
+/// products that underflow lose at most 2^-1075 each.
 #[inline]
 fn planar_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
     let (left, right) = (r[0][0] * r[1][1], r[0][1] * r[1][0]);
     (left - right, 8.0 * UNIT * (left.abs() + right.abs()) + TINY)
 }
 
-/// The determinant of three rows of rounded differences and a bound of its error: at most eight
-/// roundings lie on the way of each product of the permanent, 16u are allowed. A product of two
-/// that underflows loses 2^-1075, times the third factor.
+/// Returns the determinant of three rows of rounded differences and a bound of its error: at most
+/// eight roundings lie on the way of each product of the permanent, 16u are allowed. A product of
+/// two that underflows loses 2^-1075, times the third factor.
 #[inline]
 fn spatial_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
     const UNDERFLOW: f64 = 1e-300;
@@ -76,8 +76,8 @@ fn spatial_determinant<const D: usize>(r: &[[f64; D]; D]) -> (f64, f64) {
     (z0 * m0 + z1 * m1 + z2 * m2, 16.0 * UNIT * permanent + UNDERFLOW * third + TINY)
 }
 
-/// Rows scaled by powers of two until their largest magnitudes are in [1, 2), which changes no
-/// sign; `None` if a row is zero, subnormal or too large for that.
+/// Scales rows by powers of two until their largest magnitudes are in [1, 2), which changes no
+/// sign; returns `None` if a row is zero, subnormal or too large for that.
 #[inline]
 pub(super) fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64; D]; D]> {
     for row in &mut rows {
@@ -91,7 +91,7 @@ pub(super) fn normalise<const D: usize>(mut rows: [[f64; D]; D]) -> Option<[[f64
     Some(rows)
 }
 
-/// The determinant of normalised rows and a bound of its error.
+/// Returns the determinant of normalised rows and a bound of its error.
 fn normal_determinant<const D: usize>(rows: &[[f64; D]; D]) -> (f64, f64) {
     let mut matrix = [[0.0; MAX_SIZE]; MAX_SIZE];
     for (entries, row) in matrix.iter_mut().zip(rows) {
@@ -130,7 +130,8 @@ mod tests {
         check::<8>();
     }
 
-    /// The filter against integers: never wrong, and never open on generic points.
+    /// Checks the filter against integers: it is never wrong, and never undecided on generic
+    /// points.
     fn filter_is_sound<const D: usize>(trials: usize) {
         for family in FAMILIES {
             let mut random = Random(family as u64 * 7 + D as u64);
@@ -154,8 +155,8 @@ mod tests {
         filter_is_sound::<8>(300);
     }
 
-    /// A determinant of a few units of roundoff and a permanent of 2: undecided below what is
-    /// allowed for roundings, decided above.
+    /// Determinants of a few units of roundoff, with a permanent of 2, are undecided below the
+    /// bound of roundings and decided above.
     #[test]
     fn filters_allow_for_the_counted_roundings() {
         fn check<const D: usize>(allowance: f64) {
@@ -193,7 +194,8 @@ mod tests {
         agree_in_every_order(&[[0.0; 3], [a, 0.0, z], [-a, -1.3 * a, z], [0.0, -0.51 * a, z]]);
     }
 
-    /// Whatever the order of the vertices after the first and the signs of the coordinates.
+    /// Checks a tetrahedron in every order of the vertices after the first, with all signs of
+    /// coordinates.
     fn agree_in_every_order(vertices: &[[f64; 3]; 4]) {
         for order in [[1, 2, 3], [2, 3, 1], [3, 1, 2], [1, 3, 2], [3, 2, 1], [2, 1, 3]] {
             for signs in 0..8 {
@@ -207,7 +209,7 @@ mod tests {
         }
     }
 
-    /// Any finite double, or one of a few that collide often.
+    /// Draws any finite double, or one of a few that collide often.
     fn coordinate() -> impl Strategy<Value = f64> {
         prop_oneof![
             any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()),
@@ -221,9 +223,9 @@ mod tests {
         (orientation(&simplex), in_ball(&simplex, &points[D + 1]))
     }
 
-    /// Swapping two vertices flips both signs; negation multiplies them by (-1)^D; so does the
-    /// mirror of one axis by -1; the determinant of the lifted points flips when the query point
-    /// changes places with a vertex.
+    /// Checks symmetries. Swapping two vertices flips both signs; negation multiplies them by
+    /// (-1)^D; so does the mirror of one axis by -1; the determinant of the lifted points flips
+    /// when the query point changes places with a vertex.
     fn symmetries_hold<const D: usize>(values: &[f64], i: usize, j: usize) {
         let points: Vec<[f64; D]> =
             values.chunks_exact(D).take(D + 2).map(|c| c.try_into().expect("D long")).collect();

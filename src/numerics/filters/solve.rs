@@ -18,17 +18,18 @@ pub(super) fn solve<const D: usize>(rows: &[[f64; D]; D], right: &[f64; D]) -> (
     }
 }
 
-/// The largest component error of numerators over a determinant with the given `inverse`, where a
-/// numerator is wrong by at most `numerator_error` and the determinant by `determinant_error`. With
-/// a result of at most `size / 1000` the determinant is right to a thousandth, which 1.01 pays for.
+/// Returns the largest component error of numerators over a determinant with the given `inverse`,
+/// where a numerator is wrong by at most `numerator_error` and the determinant by
+/// `determinant_error`. With a result of at most `size / 1000` the determinant is right to a
+/// thousandth, which 1.01 pays for.
 #[inline]
 fn quotient_error(size: f64, inverse: f64, numerator_error: f64, determinant_error: f64) -> f64 {
     1.01 * (numerator_error + size * determinant_error) * inverse.abs() + 2.0 * UNIT * size
 }
 
-/// Cramer's rule in the plane. A product of the determinant carries 4 roundings (2 entries, the
-/// product, the difference), one of a numerator 8 (an entry, 5 of the right side, ...): 8 and 16
-/// are allowed.
+/// Solves a system in the plane by Cramer's rule. A product of the determinant carries 4 roundings
+/// (2 entries, the product, the difference), one of a numerator 8 (an entry, 5 of the right side,
+/// ...): 8 and 16 are allowed.
 #[inline]
 fn by_two_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
     let (left, right) = (a[0][0] * a[1][1], a[0][1] * a[1][0]);
@@ -46,8 +47,8 @@ fn by_two_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], 
     (solution, quotient_error(size, inverse, numerator_error, determinant_error))
 }
 
-/// The signed 2x2 minors of rows `r` and `s` (their cross product), and the permanents of their
-/// absolute values.
+/// Returns the signed 2x2 minors of rows `r` and `s` (their cross product), and the permanents of
+/// their absolute values.
 #[inline]
 fn cross<const D: usize>(r: &[f64; D], s: &[f64; D]) -> ([f64; 3], [f64; 3]) {
     let minor = |i: usize, j: usize| {
@@ -58,8 +59,8 @@ fn cross<const D: usize>(r: &[f64; D], s: &[f64; D]) -> ([f64; 3], [f64; 3]) {
     ([x, y, z], [px, py, pz])
 }
 
-/// Cramer's rule in space. A product of the determinant carries 8 roundings, one of a numerator 13:
-/// 16 and 24 are allowed.
+/// Solves a system in space by Cramer's rule. A product of the determinant carries 8 roundings, one
+/// of a numerator 13: 16 and 24 are allowed.
 #[inline]
 fn by_three_minors<const D: usize>(a: &[[f64; D]; D], b: &[f64; D]) -> ([f64; D], f64) {
     let (m0, p0) = cross(&a[1], &a[2]);
@@ -119,7 +120,8 @@ fn absolute_dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     (0..D).fold(0.0, |sum, k| sum + (a[k] * b[k]).abs())
 }
 
-/// An approximate inverse by Gauss-Jordan elimination with row pivoting; `None` if a pivot is zero.
+/// Returns an approximate inverse by Gauss-Jordan elimination with row pivoting; `None` if a pivot
+/// is zero.
 fn invert<const D: usize>(matrix: &[[f64; D]; D]) -> Option<[[f64; D]; D]> {
     let mut a = *matrix;
     let mut inverse: [[f64; D]; D] =
@@ -156,8 +158,8 @@ mod tests {
     use crate::numerics::power::scale_by_power;
     use crate::numerics::testing::{Random, determinant_oracle, integer, is_close};
 
-    /// Rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`; right sides at most
-    /// 2 D.
+    /// Returns rows with a largest magnitude in [1, 2), nearly dependent by 2^-`depth`, and right
+    /// sides of at most 2 D.
     fn system<const D: usize>(depth: i64, random: &mut Random) -> ([[f64; D]; D], [f64; D]) {
         let mut row = || -> [f64; D] { std::array::from_fn(|_| random.unit()) };
         let first = row();
@@ -172,7 +174,8 @@ mod tests {
         (rows, std::array::from_fn(|_| (random.unit() + 1.0) * D as f64))
     }
 
-    /// The exact solution is within the bound of the computed one; returns how many were bounded.
+    /// Checks that the exact solution is within the bound of the computed one; returns how many
+    /// were bounded.
     fn bounds_hold<const D: usize>(trials: usize, depth: i64) -> usize {
         let mut random = Random(D as u64 * 100 + depth as u64);
         let bounded = |_: &usize| {
@@ -211,7 +214,7 @@ mod tests {
         check::<8>(5);
     }
 
-    /// The bound of x = right for the unit matrix, in units of roundoff: what the proofs allow.
+    /// The bound of x = right for the unit matrix, in units of roundoff, is what the proofs allow.
     #[test]
     fn bounds_are_those_of_the_counted_roundings() {
         fn units<const D: usize>(size: f64) -> f64 {
@@ -232,7 +235,7 @@ mod tests {
         }
     }
 
-    /// What the residual may hide is added to it.
+    /// Roundings that the residual may hide are added to it.
     #[test]
     fn residuals_do_not_offset_their_roundings() {
         let mut random = Random(9);

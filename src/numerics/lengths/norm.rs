@@ -2,21 +2,21 @@
 
 use crate::numerics::power::{biased_exponent, scale_by_power};
 
-/// Sums of squares of numbers with a largest magnitude between these are safe: no overflow, and
-/// what underflows is far below the roundoff of the sum.
+/// Largest magnitudes of numbers whose sum of squares is safe: no overflow, and an underflow is far
+/// below the roundoff of the sum.
 const SAFE: std::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 500) << 52)..=f64::from_bits((1023 + 500) << 52);
 
-/// The Euclidean distance of two finite points, in the coordinates' unit; infinite only if the true
-/// distance, rounded, exceeds `f64::MAX`. Relative error at most D + 4 units of roundoff (2^-53),
-/// or 2^-1074 absolutely where the result is subnormal. Zero iff the points are equal.
+/// Returns the Euclidean distance of two finite points, in the coordinates' unit; infinite only if
+/// the true distance, rounded, exceeds `f64::MAX`. Relative error at most D + 4 units of roundoff
+/// (2^-53), or 2^-1074 absolutely where the result is subnormal. Zero iff the points are equal.
 #[inline]
 pub fn distance<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     // A component that overflows is longer than f64::MAX by itself.
     norm(&std::array::from_fn::<f64, D, _>(|i| a[i] - b[i]))
 }
 
-/// The Euclidean length of a vector; infinite only if a component is or if the true length,
+/// Returns the Euclidean length of a vector; infinite only if a component is or if the true length,
 /// rounded, exceeds `f64::MAX`. Relative error at most n + 3 units of roundoff for n components, or
 /// 2^-1074 absolutely where the result is subnormal. Zero iff all components are.
 #[inline]
@@ -36,8 +36,8 @@ fn scaled_norm(vector: &[f64], largest: f64) -> f64 {
     scale_by_power(sum.sqrt(), exponent)
 }
 
-/// The largest magnitude in `vector`, zero if it is empty. A plain comparison, since `f64::max`
-/// pays for NaN, which does not occur here.
+/// Returns the largest magnitude in `vector`, zero if it is empty. A plain comparison, since
+/// `f64::max` pays for NaN, which does not occur here.
 #[inline]
 pub fn largest_magnitude(vector: &[f64]) -> f64 {
     vector.iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })

@@ -2,13 +2,13 @@
 
 use super::distance;
 
-/// A sum of squares between these is that of numbers which are safe, and lost nothing of weight.
+/// Sums of squares of safe numbers, which have lost no significant digits.
 const SAFE_SQUARE: std::ops::RangeInclusive<f64> =
     f64::from_bits((1023 - 900) << 52)..=f64::from_bits((1023 + 900) << 52);
 
-/// Two different points among at least two that are nearest to each other, by their numbers, the
-/// larger one first, and their [`distance`]. Of pairs that rounding makes equal it is one of the
-/// first.
+/// Returns two different points among at least two that are nearest to each other, by their
+/// numbers, the larger one first, and their [`distance`]. If rounding makes pairs equally near, it
+/// is one of the first.
 #[inline]
 pub fn shortest_distance<const D: usize>(points: &[&[f64; D]]) -> (usize, usize, f64) {
     let square = |a: usize, b: usize| {

@@ -1,10 +1,10 @@
-//! Decisions against exact signs, centres against exact rationals, and the limits of both.
+//! Decisions compared with exact signs, centres with exact rationals, and the limits of both.
 
 use super::*;
 use crate::numerics::testing::*;
 use crate::numerics::{Sign, in_ball, orientation};
 
-/// A positively oriented simplex of the family, if this draw is not flat.
+/// Returns a positively oriented simplex of the family; `None` if this draw is flat.
 fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f64; D]>> {
     let mut vertices = points::<D>(family, D + 1, random);
     match orientation(&references(&vertices)) {
@@ -17,7 +17,8 @@ fn simplex<const D: usize>(family: Family, random: &mut Random) -> Option<Vec<[f
     }
 }
 
-/// Query points: of the family, a vertex moved by a few ulps, and a point almost on the sphere.
+/// Returns query points: some of the family, a vertex moved by a few ulps, and a point almost on
+/// the sphere.
 fn queries<const D: usize>(
     family: Family,
     vertices: &[[f64; D]],
@@ -57,7 +58,7 @@ fn decisions<const D: usize>(family: Family, trials: usize) -> (usize, usize) {
     (tested, decided)
 }
 
-/// Of each family as many simplices as `trials`, less those that are flat.
+/// Checks decisions on `trials` simplices of each family, except flat ones, against exact signs.
 fn side_agrees_with_exact_signs<const D: usize>(trials: usize) {
     let mut total = 0;
     for family in FAMILIES {
@@ -177,7 +178,7 @@ fn generic_simplices_need_no_integers() {
     assert!(Circumball::in_floats(&references(&points), 0).is_some());
 }
 
-/// Centres that are wrong by all that `error` admits, and points that they are wrong about.
+/// Centres that are wrong by all that `error` admits decide no point wrongly.
 #[test]
 fn what_the_error_leaves_open_is_undecided() {
     for (sign, axis, exponent) in [(1.0, 0, 0), (-1.0, 0, 500), (1.0, 1, -500), (-1.0, 1, 0)] {
@@ -232,8 +233,8 @@ fn well_shaped_simplices_are_solved_at_once() {
     check::<4>();
 }
 
-/// A short edge far from the first vertex: points about it need no exact arithmetic, however short
-/// the edge is.
+/// Points about a short edge far from the first vertex need no exact arithmetic, however short the
+/// edge is.
 #[test]
 fn huge_balls_tell_the_points_of_a_tiny_cluster_apart() {
     fn check<const D: usize>() {
@@ -343,7 +344,7 @@ fn huge_balls_at_the_end_of_the_range_are_sound() {
     assert_ne!(ball.side(&anchor, &[f64::MAX, -f64::MAX]), Some(true));
 }
 
-/// What is stored is no less than the error, and hardly more.
+/// Stored errors are no less than the errors, and hardly more.
 #[test]
 fn errors_are_rounded_up() {
     let mut random = Random(12);
@@ -372,8 +373,7 @@ fn errors_are_rounded_up() {
     assert_eq!([size_of::<Circumball<2>>(), size_of::<Circumball<3>>()], [24, 32]);
 }
 
-/// On points of small integers, times a power of two that is another unit than the usual one, or
-/// not.
+/// Balls of points with small integer coordinates, times a power of two, are the same in each unit.
 #[test]
 fn powers_are_those_of_the_real_ball() {
     for exponent in [0, -400, 400] {
@@ -402,7 +402,7 @@ fn powers_are_those_of_the_real_ball() {
     }
 }
 
-/// Two balls at a time are those that come one at a time, or none.
+/// Checks that two balls computed at a time are the same as one at a time, or none.
 fn pairs_are_single_balls<const D: usize>() {
     let mut random = Random(90 + D as u64);
     let mut found = 0;

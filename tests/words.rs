@@ -187,14 +187,17 @@ fn paragraphs(text: &[String]) -> Vec<(usize, &str)> {
     for (at, line) in text.iter().enumerate() {
         if line.starts_with("```") {
             in_code = !in_code;
-        } else if is_first && !in_code && !line.is_empty() {
-            if !["#", "- ", "* ", "|", "\\", "@"].iter().any(|sign| line.starts_with(sign)) {
-                found.push((at, line.as_str()));
-            }
+        } else if is_first && !in_code && !line.is_empty() && !is_marked(line) {
+            found.push((at, line.as_str()));
         }
         is_first = line.is_empty() || line.starts_with('#') || line.starts_with("```");
     }
     found
+}
+
+/// Returns true if a line is of a heading, a list, a table or a command.
+fn is_marked(line: &str) -> bool {
+    ["#", "- ", "* ", "|", "\\", "@"].iter().any(|sign| line.starts_with(sign))
 }
 
 /// Returns the first word of a paragraph, without the sign after it; `code` stands for all code.

@@ -43,7 +43,7 @@ def arguments():
         "place of the larger coordinate of the segment's ends, along each axis")
     add("--near", type=float, default=3, help="segments cross if no end is so near to the other, in these units")
     add("--seed", type=int, default=1)
-    add("--vertices", type=int, default=50000, help="max_vertices, beside 100 an input point")
+    add("--vertices", type=int, default=300000, help="max_vertices, beside 100 an input point")
     add("--seconds", type=int, default=20, help="time for a run with its certificate")
     add("--jobs", type=int, default=2, help="processes at a time")
     add("--triangle", type=int, default=200, help="inputs a row for Triangle's -pq20")

@@ -3,6 +3,7 @@
 import ctypes
 import itertools
 import json
+import math
 import os
 import re
 import resource
@@ -40,7 +41,7 @@ def outcome(library, points, segments, options, settings):
         made = {"outcome": "ok", "seconds": seconds, "own": own_fields(mesh)}
         if report.level != 3 or report.violations:
             made |= {"outcome": "certificate", "message": report.message.decode()}
-        made["ulps"], broken = measured(mesh, points, segments, options)
+        made["ulps"], broken = measured(mesh, points, segments, options, settings.bound)
         if made["outcome"] == "ok" and broken:
             made |= {"outcome": "chain", "message": f"{broken} segments have no chain"}
         elif made["outcome"] == "ok" and made["ulps"] > settings.bound:
@@ -75,18 +76,33 @@ def own_fields(mesh):
     return made
 
 
-def measured(mesh, points, segments, options):
+def measured(mesh, points, segments, options, bound):
     """Returns how far chains are from their segments, in units, and how many segments have none."""
     flat = mesh.array("points", ctypes.c_double)
     vertices = list(zip(flat[::2], flat[1::2]))
     of_inputs = mesh.array("input_vertices", ctypes.c_uint32)
     pieces = mesh.array("segments", ctypes.c_uint32)
     parents = mesh.array("segment_parents", ctypes.c_uint32)
-    ends = [tuple(of_inputs[end] for end in segment) for segment in segments]
+    near_vertex = replacements(mesh, points, vertices, of_inputs, bound)
+    ends = [tuple(near_vertex.get(end, of_inputs[end]) for end in segment) for segment in segments]
     lines = [tuple(points[end] for end in segment) for segment in segments]
     pieces = list(zip(pieces[::2], pieces[1::2]))
     is_cut = options["extent"] == "NM_EXTENT_BOUNDARY"
     return chains.farthest(vertices, lines, ends, pieces, parents, is_cut)
+
+
+def replacements(mesh, points, vertices, of_inputs, bound):
+    """Returns for inputs that no triangle has the nearest vertex that one has, within the bound. Where both sides of a hull or box
+    go through that vertex, the spike between is no part of the domain, and its edges are not listed."""
+    used = set(mesh.array("simplices", ctypes.c_uint32))
+    made = {}
+    for number, point in enumerate(points):
+        if of_inputs[number] not in used:
+            steps = {vertex: max(abs(p - q) for p, q in zip(vertices[vertex], point)) for vertex in used}
+            nearest = min(steps, key=steps.get)
+            if steps[nearest] <= bound * math.ulp(max(map(abs, point))):
+                made[number] = nearest
+    return made
 
 
 def limit(seconds):

@@ -122,3 +122,83 @@ fn lines_through_nearly_one_point_meet_there() {
     let refused = run(&points, &segments, &Options::default()).unwrap_err();
     assert!(refused.message().contains("cross near"), "{refused}");
 }
+
+/// Vertices as far from a sharp angle on both of its lines encroach each other by their roundings.
+/// The lines are not split there down to where doubles cannot tell them apart.
+#[test]
+fn lines_at_a_sharp_angle_are_told_apart() {
+    let points: [Point; 14] = [
+        [3.762071048728739, 5.977546240397836],
+        [7.608891581644507, 6.816123834059883],
+        [1.7778066920956421, 4.5000539882832875],
+        [8.749460427101127, 7.877186288774325],
+        [7.46127245636627, 7.122655846435862],
+        [1.445464216270488, 4.6543500598845835],
+        [8.154212421166672, 8.674930033502827],
+        [4.194894281964561, 5.004843585655081],
+        [7.974701858324946, 4.480750964327132],
+        [2.333562998196184, 9.240385849125406],
+        [9.194254845126105, 7.859830457392531],
+        [3.2072395583669033, 5.3585740660115135],
+        [8.679164280772977, 7.539756502343554],
+        [2.414344149732036, 5.142987204843095],
+    ];
+    let segments: Vec<[u32; 2]> = (0..7).map(|at| [2 * at, 2 * at + 1]).collect();
+    for extent in ALL {
+        let options = Options { extent, crossings: Crossings::Split, ..Options::default() };
+        for options in
+            [options.clone(), Options { min_angle: 30.0, max_vertices: 50000, ..options }]
+        {
+            let mesh = run(&points, &segments, &options).unwrap();
+            let report = validate_mesh(&mesh, 3).unwrap();
+            assert_eq!(report.first.map(|violation| violation.message), None, "{options:?}");
+        }
+    }
+}
+
+/// Where a run finds no room between two lines, they share vertices, each twice as far on as the
+/// last: vertices at equal distances would not get to where there is room.
+#[test]
+fn lines_that_have_no_room_share_vertices() {
+    let points: [Point; 12] = [
+        [2.2526641206813203, 0.07852692323127353],
+        [7.028202362146722, 4.330188384069681],
+        [0.8326822007128554, 2.265433305385238],
+        [5.009458678681938, 0.3693866149730004],
+        [4.775868947946355, 2.3159187008424387],
+        [0.2839305455102319, -1.6538139649807198],
+        [7.654672388373763, 3.6640390938274487],
+        [0.4382931262582712, -0.6848453454330121],
+        [0.7345282178786738, -1.4096005425942395],
+        [6.748221510128947, 4.252424488192476],
+        [4.661059340873113, 2.052920492242757],
+        [0.9446134813990414, -0.7554147724178224],
+    ];
+    let segments: Vec<[u32; 2]> = (0..6).map(|at| [2 * at, 2 * at + 1]).collect();
+    for extent in ALL {
+        let options = Options { extent, crossings: Crossings::Split, ..Options::default() };
+        let mesh = run(&points, &segments, &options).unwrap();
+        let report = validate_mesh(&mesh, 3).unwrap();
+        assert_eq!(report.first.map(|violation| violation.message), None, "{extent:?}");
+    }
+}
+
+/// Each of two sides from one vertex ends beyond the other's end, by less than rounding explains.
+#[test]
+fn sides_that_end_beyond_each_other_have_a_mesh() {
+    let points: [Point; 8] = [
+        [7.4, 4.5],
+        [0.3, 0.7],
+        [2.5, -1.8],
+        [7.8, 2.0],
+        [5.27, 3.3599999999999994],
+        [0.2999999999999998, 0.7000000000000002],
+        [-0.2, 5.0],
+        [4.5, 6.6],
+    ];
+    let segments: Vec<[u32; 2]> = [0, 4]
+        .into_iter()
+        .flat_map(|first| (0..4).map(move |at| [first + at, first + (at + 1) % 4]))
+        .collect();
+    check(&points, &segments, &[Extent::All, Extent::Hull, Extent::Boundary]);
+}

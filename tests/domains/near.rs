@@ -202,3 +202,16 @@ fn sides_that_end_beyond_each_other_have_a_mesh() {
         .collect();
     check(&points, &segments, &[Extent::All, Extent::Hull, Extent::Boundary]);
 }
+
+/// A mesh between two lines a few units apart would have as many vertices as the gap fits into them.
+#[test]
+fn lines_that_run_along_each_other_share_vertices() {
+    for units in 1..16 {
+        let unit = 7.0f64.next_up() - 7.0;
+        let beside = |x: f64| [x, 0.2 + (x - 0.1) * 6.9 / 10.2 + f64::from(units) * unit];
+        let points = [[0.1, 0.2], [10.3, 7.1], beside(1.1), beside(9.2), [2.0, 9.0], [8.0, -3.0]];
+        for stats in check(&points, &[[0, 1], [2, 3]], &[Extent::All, Extent::Box]) {
+            assert!(stats.near_inputs == 2 && stats.farthest_near_input <= 12.0, "{stats:?}");
+        }
+    }
+}

@@ -48,6 +48,11 @@ impl Error {
         Self { kind, message: message.into(), is_of_content: false, system_code: None }
     }
 
+    /// Returns the error of an argument that is out of its range, or that does not fit others.
+    pub fn invalid(message: impl Into<Message>) -> Self {
+        Self::new(ErrorKind::InvalidArgument, message)
+    }
+
     /// Marks a failure as one of what an input says: it could be read as what it is, and what it
     /// says cannot be meshed.
     pub fn of_content(self) -> Self {

@@ -2,7 +2,7 @@
 //! call; `copy_out` keeps the getters' rules.
 
 use super::decode::decode_extent;
-use super::enums::{nm_extent, nm_status, placement_byte};
+use super::enums::{nm_status, placement_byte};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, read_struct};
@@ -10,6 +10,7 @@ use super::structs::nm_selection;
 use crate::arrays::{Arrays, Group, Selection};
 use crate::error::Result;
 use crate::mesh::NONE;
+use crate::options::Extent;
 use std::mem::MaybeUninit;
 
 /// Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
@@ -27,7 +28,7 @@ use std::mem::MaybeUninit;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_placements(
     mesh: *const nm_mesh,
-    extent: MaybeUninit<nm_extent>,
+    extent: MaybeUninit<Extent>,
     buf: *mut u8,
     capacity: u64,
     needed: *mut u64,
@@ -122,7 +123,7 @@ pub(super) unsafe fn read_selection(selection: *const nm_selection) -> Result<Se
     }
     let defaults = nm_selection {
         struct_size: 0,
-        extent: MaybeUninit::new(nm_extent::NM_EXTENT_ALL),
+        extent: MaybeUninit::new(Extent::All),
         across: 0,
         domain: NONE,
     };

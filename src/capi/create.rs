@@ -293,8 +293,8 @@ mod tests {
     /// The area of the recipe's map: a square of 200 with a lake of 4.
     #[test]
     fn holes_of_polygons_in_files_are_outside() {
-        use crate::capi::enums::nm_extent;
         use crate::capi::getters::{nm_mesh_get_points, nm_mesh_get_simplices};
+        use crate::options::Extent;
         let name = format!("netmesh-{}-lake.wkt", std::process::id());
         let path = std::env::temp_dir().join(name);
         let lake = "POLYGON((0 0,20 0,20 10,0 10,0 0),(5 5,7 5,7 7,5 7,5 5))";
@@ -307,7 +307,7 @@ mod tests {
         std::fs::remove_file(&path).unwrap();
         assert_eq!(status, nm_status::NM_OK, "{}", last_message());
         let mut options = crate::capi::options::encode(&crate::Options::default());
-        options.extent = MaybeUninit::new(nm_extent::NM_EXTENT_BOUNDARY);
+        options.extent = MaybeUninit::new(Extent::Boundary);
         // SAFETY: a live handle and whole structs.
         let status = unsafe { crate::capi::run::nm_run(mesh, &options) };
         assert_eq!(status, nm_status::NM_OK, "{}", last_message());

@@ -4,7 +4,7 @@ use super::enums::nm_status;
 use super::environment::Environment;
 use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::read_struct;
-use super::options::{decode, encode};
+use super::options::{decode_options, encode};
 use super::structs::{nm_options, nm_progress};
 use crate::error::Result;
 use crate::options::{Options, Progress, ProgressFn, SizeFn};
@@ -61,7 +61,7 @@ pub unsafe fn read_options(options: *const nm_options) -> Result<(nm_options, Op
         // SAFETY: not NULL, so as long as its `struct_size` says.
         unsafe { read_struct("options", options, defaults)? }
     };
-    let options = decode(&given)?;
+    let options = decode_options(&given)?;
     Ok((given, options))
 }
 

@@ -21,10 +21,7 @@ const MAX_VERTICES: u64 = 400;
 
 /// Whether a struct of `size` bytes, the size of no version, is one of an older version.
 fn is_legal(size: usize) -> bool {
-    let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
-    let last = offset_of!(nm_options, distance_ratio)..offset_of!(nm_options, gives_way);
-    let field = if doubles.contains(&size) || last.contains(&size) { 8 } else { 4 };
-    (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
+    (4..=ROOM).contains(&size) && (size >= SIZE || size % 8 == 0)
 }
 
 pub fn options_init(bytes: &mut Bytes<'_>) {
@@ -145,11 +142,9 @@ impl Attempt {
             size: None,
             size_user_data: null_mut(),
             gives_way: from_c(given.gives_way as i32),
-            reserved_after_gives_way: 0,
             extent: from_c(given.extent as i32),
             crossings: from_c(given.crossings as i32),
             interior: from_c(given.interior as i32),
-            reserved_after_interior: 0,
         }
     }
 
@@ -177,7 +172,7 @@ impl Attempt {
         let enums = self.wrong.is_none_or(|(field, value)| (0..known[field]).contains(&value));
         // A criterion that is not the settings' has other ranges, and a small struct lacks fields.
         let size = self.struct_size as usize;
-        let calls = size >= offset_of!(nm_options, instruments);
+        let calls = size >= offset_of!(nm_options, ordering);
         let checked = self.settings.valid || self.wrong.is_some() || size < SIZE;
         enums && checked && !(self.cancels && calls)
     }

@@ -33,23 +33,25 @@ macro_rules! declare_parameters {
             pub(crate) is_sample: bool,
         }
 
-        impl Parameters {
-            /// Returns options that say the same in full. Where `min_angle` is not 0, it says the
-            /// same as `criterion` and `quality_bound`, which are set, too.
-            pub fn options(&self) -> Options {
-                Options { $($field: self.$field,)* }
-            }
+        fn options_of(parameters: &Parameters) -> Options {
+            Options { $($field: parameters.$field,)* }
+        }
 
-            fn from_full(options: Options) -> Self {
-                let (inputs_per_partition, is_sample) = (INPUTS_PER_PARTITION, false);
-                Self { $($field: options.$field,)* inputs_per_partition, is_sample }
-            }
+        fn parameters_of(full: Options) -> Parameters {
+            let (inputs_per_partition, is_sample) = (INPUTS_PER_PARTITION, false);
+            Parameters { $($field: full.$field,)* inputs_per_partition, is_sample }
         }
     };
 }
 each_option!(declare_parameters);
 
 impl Parameters {
+    /// Returns options that say the same in full. Where `min_angle` is not 0, it says the same as
+    /// `criterion` and `quality_bound`, which are set, too.
+    pub fn options(&self) -> Options {
+        options_of(self)
+    }
+
     /// Fills the defaults for `dim` into `options`, for a run without sizes but `max_edge`;
     /// [`Extent::Auto`] and [`Interior::Auto`] are those of a mesh without segments.
     ///
@@ -81,7 +83,7 @@ impl Parameters {
             0 => u64::from(u32::MAX - 1),
             given => given.min(u64::from(u32::MAX - 1)),
         };
-        Ok(Self::from_full(full))
+        Ok(parameters_of(full))
     }
 }
 

@@ -38,7 +38,7 @@ impl Words for CommandLine<'_> {
             Name::Chosen(Choice::Output(Output::WellSpaced)) => f.write_str("--finish"),
             Name::Chosen(Choice::Algorithm(Algorithm::Delaunay)) => f.write_str(self.delaunay),
             Name::Chosen(choice) => {
-                let Chosen { option, word, .. } = choice.parts();
+                let Chosen { option, word, .. } = choice.chosen();
                 write!(f, "{} {}", argument(option), word.argument)
             }
             Name::Size | Name::Sizes => f.write_str("--sizes"),

@@ -59,7 +59,8 @@ pub unsafe extern "C" fn nm_mesh_options(
 trait Field: Sized {
     type InC;
 
-    fn encode(self) -> Self::InC;
+    /// Returns the value as a field of C's struct.
+    fn in_c(self) -> Self::InC;
 
     /// Returns the value of the field `name`; fails if that of C is none in Rust.
     fn decode(name: &str, raw: Self::InC) -> Result<Self>;
@@ -70,7 +71,7 @@ macro_rules! number_fields {
         impl Field for $type {
             type InC = Self;
 
-            fn encode(self) -> Self {
+            fn in_c(self) -> Self {
                 self
             }
 
@@ -86,7 +87,7 @@ number_fields! { f64 u64 u32 }
 impl<E: Choices> Field for E {
     type InC = MaybeUninit<Self>;
 
-    fn encode(self) -> Self::InC {
+    fn in_c(self) -> Self::InC {
         MaybeUninit::new(self)
     }
 
@@ -99,7 +100,7 @@ impl<E: Choices> Field for E {
 impl Field for bool {
     type InC = u32;
 
-    fn encode(self) -> u32 {
+    fn in_c(self) -> u32 {
         u32::from(self)
     }
 
@@ -118,7 +119,7 @@ macro_rules! declare_conversions {
         pub(super) fn encode(options: &Options) -> nm_options {
             nm_options {
                 struct_size: size_of::<nm_options>() as u32,
-                $($field: options.$field.encode(),)*
+                $($field: options.$field.in_c(),)*
                 size: None,
                 size_user_data: null_mut(),
                 progress: None,

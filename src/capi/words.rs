@@ -27,7 +27,7 @@ impl Words for InC {
 }
 
 fn write_choice(choice: Choice, f: &mut Formatter<'_>) -> Result {
-    let Chosen { option, word, .. } = choice.parts();
+    let Chosen { option, word, .. } = choice.chosen();
     write!(f, "options.{option} = NM_")?;
     let constant = option.chars().chain(['_']).chain(word.word.chars());
     constant.map(|letter| letter.to_ascii_uppercase()).try_for_each(|letter| f.write_char(letter))

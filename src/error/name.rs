@@ -80,7 +80,7 @@ impl Display for Name {
 /// The words of Rust.
 impl Display for Choice {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Chosen { option, kind, word } = self.parts();
+        let Chosen { option, kind, word } = self.chosen();
         write!(f, "options.{option} = {kind}::{}", word.value)
     }
 }

@@ -164,7 +164,7 @@ macro_rules! choices {
 
         impl Choice {
             /// Returns the names of the option, of its type and of the value.
-            pub fn parts(self) -> Chosen {
+            pub fn chosen(self) -> Chosen {
                 match self {
                     $(Self::$type(value) => Chosen {
                         option: $option,

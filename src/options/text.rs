@@ -59,9 +59,11 @@ impl Bounds {
     }
 
     fn text(&self) -> String {
+        let from = if self.highest.is_finite() { "from " } else { "" };
+        let range = format!("{from}{}", self.range_text());
         match self.default {
-            [0.0, ..] => self.range_text(),
-            _ => format!("{}, by default {}", self.range_text(), self.default_text()),
+            [0.0, ..] => range,
+            _ => format!("{range}, by default {}", self.default_text()),
         }
     }
 }
@@ -96,12 +98,14 @@ mod tests {
     #[test]
     fn bounds_are_told_by_criterion_and_dimension() {
         let text = |name| Row::named(name).unwrap().bounds_text();
-        assert_eq!(text("gamma"), "0.01 to 0.25, by default 0.1");
-        assert_eq!(text("min_angle"), "0.6 to 33.7");
+        assert_eq!(text("gamma"), "from 0.01 to 0.25, by default 0.1");
+        assert_eq!(text("min_angle"), "from 0.6 to 33.7");
         assert_eq!(text("max_edge"), "above 0");
-        let delta = "0.1 to 1, by default 0.8, 1, 1, 1 in 2D, 3D, 4D and above";
+        let delta = "from 0.1 to 1, by default 0.8, 1, 1, 1 in 2D, 3D, 4D and above";
         assert_eq!(text("delta"), delta);
-        assert!(text("quality_bound").starts_with("aspect: 2.2, 2.5, 3.5, 4.5 to 100, by default"));
+        assert!(
+            text("quality_bound").starts_with("aspect: from 2.2, 2.5, 3.5, 4.5 to 100, by default")
+        );
     }
 
     /// A name that no option has would stand between backticks in no caller's words.

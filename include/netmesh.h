@@ -853,14 +853,14 @@ enum nm_interpolation
      */
     NM_INTERPOLATION_LINEAR = 0,
     /**
-     * By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+     * Natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
      * take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
      * rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
      * with 2^dim.
      */
     NM_INTERPOLATION_SIBSON = 1,
     /**
-     * By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+     * Natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
      * the point's cell would share with its neighbours', over the distances. Linear where Sibson's
      * are. Outside the hull NaN.
      */
@@ -1031,7 +1031,8 @@ typedef struct nm_mesh nm_mesh;
 typedef double (*nm_size_fn)(const double *x, void *user_data);
 
 /**
- * What nm_run reports while it works. The library fills it; it is valid during the callback only.
+ * Progress that nm_run reports while it works. The library fills it; it is valid during the
+ * callback only.
  */
 typedef struct nm_progress {
     /**
@@ -1252,7 +1253,7 @@ typedef struct nm_options {
 } nm_options;
 
 /**
- * How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
+ * Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
  */
 typedef struct nm_counts {
     /**
@@ -1287,8 +1288,8 @@ typedef struct nm_counts {
 } nm_counts;
 
 /**
- * What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
- * has not: numbers of elements. A mesh is made of the points.
+ * Numbers of elements that the file of a mesh or a surface has beside its points, and the nm_mesh
+ * that was made of it has not. A mesh is made of the points.
  */
 typedef struct nm_left_out {
     /**
@@ -1333,7 +1334,7 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
- * Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+ * Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
  * selects all.
  */
 typedef struct nm_selection {
@@ -1357,7 +1358,7 @@ typedef struct nm_selection {
 } nm_selection;
 
 /**
- * What nm_mesh_alpha_shape tells of an alpha shape.
+ * Measures of an alpha shape, from nm_mesh_alpha_shape.
  */
 typedef struct nm_alpha_shape {
     /**
@@ -1365,7 +1366,7 @@ typedef struct nm_alpha_shape {
      */
     uint32_t struct_size;
     /**
-     * How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+     * Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
      * program that computes persistence (nm_export_filtration).
      */
     uint32_t betti_count;
@@ -1379,11 +1380,11 @@ typedef struct nm_alpha_shape {
      */
     int64_t euler_characteristic;
     /**
-     * How many pieces it has.
+     * Number of pieces of the shape.
      */
     uint64_t components;
     /**
-     * How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+     * Number of bounded pieces of space that the shape leaves: holes in 2D, cavities in 3D.
      */
     uint64_t voids;
     /**
@@ -1398,7 +1399,7 @@ typedef struct nm_alpha_shape {
 } nm_alpha_shape;
 
 /**
- * What a point of the plane says of the region around it, which segments bound.
+ * Label, size or hole of a region of the plane that segments bound, told by a point in it.
  */
 typedef struct nm_region {
     /**
@@ -1429,7 +1430,7 @@ typedef struct nm_region {
 } nm_region;
 
 /**
- * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+ * Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
  * distance from its vertex to its farthest corner over half the distance to the nearest other
  * vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
  * the doubles.
@@ -1492,13 +1493,13 @@ typedef struct nm_quality {
      */
     uint64_t below_min_dihedral;
     /**
-     * Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
-     * nothing of them.
+     * Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
+     * beside cages: min_dihedral says nothing of them.
      */
     uint64_t below_min_dihedral_between_domains;
     /**
-     * Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
-     * simplices with a larger ratio. The figures above have them.
+     * Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
+     * way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.
      */
     uint64_t beyond_bound;
     /**
@@ -1507,7 +1508,7 @@ typedef struct nm_quality {
      */
     uint64_t forced;
     /**
-     * Smallest angle of these, in degrees; 0 if there are none.
+     * Smallest angle of the forced triangles, in degrees; 0 if there are none.
      */
     double least_forced_angle_degrees;
     /**
@@ -1519,7 +1520,7 @@ typedef struct nm_quality {
 } nm_quality;
 
 /**
- * What the last nm_run did. "Definition" and "Theorem" are those of the paper.
+ * Statistics of the last nm_run. "Definition" and "Theorem" are those of the paper.
  */
 typedef struct nm_stats {
     /**
@@ -1561,7 +1562,7 @@ typedef struct nm_stats {
      */
     uint64_t cages_created;
     /**
-     * How often a cage grew during the run.
+     * Number of times that a cage grew during the run.
      */
     uint64_t cages_grown;
     /**
@@ -1607,7 +1608,7 @@ typedef struct nm_stats {
      */
     uint64_t off_centers;
     /**
-     * How often an input was inserted instead of a Steiner or cage point near it.
+     * Number of inputs that were inserted instead of a Steiner or cage point near them.
      */
     uint64_t yields;
     /**
@@ -1673,7 +1674,7 @@ typedef struct nm_stats {
 } nm_stats;
 
 /**
- * What nm_mesh_validate found.
+ * Findings of nm_mesh_validate.
  */
 typedef struct nm_report {
     /**
@@ -1730,23 +1731,24 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The version of the library that is running, as "major.minor.patch". Static; never NULL; do not
- * free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any thread.
+ * Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;
+ * do not free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any
+ * thread. cbindgen:prefix=NM_API
  */
-NM_API const char *nm_version(void);
+NM_NODISCARD NM_API const char *nm_version(void);
 
 /**
- * The ABI that the running library speaks. A program built with this header works with it if the
- * result equals NM_ABI_VERSION: within one ABI version only functions, enum values and trailing
- * struct fields are added. O(1); any thread.
+ * Returns the ABI that the running library speaks. A program built with this header works with it
+ * if the result equals NM_ABI_VERSION: within one ABI version only functions, enum values and
+ * trailing struct fields are added. O(1); any thread. cbindgen:prefix=NM_API
  */
-NM_API uint32_t nm_abi_version(void);
+NM_NODISCARD NM_API uint32_t nm_abi_version(void);
 
 /**
- * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
- * know. Static; never NULL; do not free. O(1); any thread.
+ * Returns the name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does
+ * not know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
  */
-NM_API const char *nm_status_name(nm_status status);
+NM_NODISCARD NM_API const char *nm_status_name(nm_status status);
 
 /**
  * Copies the calling thread's last message into buf: one sentence about the last call on this
@@ -1808,8 +1810,8 @@ nm_status nm_mesh_create_from_file(const char *path_utf8,
                                    struct nm_mesh **out);
 
 /**
- * As nm_mesh_create_from_file, with the columns of the file that are coordinates, and those that
- * become attributes of the points as by nm_mesh_set_attributes.
+ * Reads points from a file as nm_mesh_create_from_file does, from the columns that are named as
+ * coordinates; other columns become attributes of the points as by nm_mesh_set_attributes.
  *
  * columns: of XYZ, CSV and NumPy files, in the order of the coordinates: numbers from 1 ("1,2,5"),
  * a range ("1-3"), or the file's names for its columns, in either case ("x,y,z"). NULL for the
@@ -2751,7 +2753,8 @@ nm_status nm_mesh_set_attributes(struct nm_mesh *mesh,
                                  const double *values);
 
 /**
- * As nm_mesh_set_attributes, but vertices that are no inputs get NaN.
+ * Sets attributes of the inputs as nm_mesh_set_attributes does, but vertices that are no inputs
+ * get NaN.
  *
  * Errors: as nm_mesh_set_attributes.
  */
@@ -2987,8 +2990,8 @@ nm_status nm_export_write(const struct nm_mesh *mesh,
                           void *user_data);
 
 /**
- * As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
- * numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+ * Writes a selection to a file as nm_export does: its simplices and their vertices, numbered anew,
+ * and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
  *
  * selection: NULL for all.
  *
@@ -3001,7 +3004,7 @@ nm_status nm_export_selected(const struct nm_mesh *mesh,
                              nm_format format);
 
 /**
- * As nm_export_write, with a selection only, as nm_export_selected has it.
+ * Hands a selection to a callback as nm_export_write does, numbered as by nm_export_selected.
  *
  * Errors: as nm_export_write, and NM_INVALID_ARGUMENT (a field of the selection; the message names
  * it).

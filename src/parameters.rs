@@ -1,7 +1,7 @@
 //! Parameters of a mesh (§4, end): options with the defaults of a dimension filled in and their
 //! ranges checked, by [`crate::options::TABLE`]. A result keeps them.
 
-use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
+use crate::error::{Choice, Error, Message, Name, Result, say};
 use crate::options::{
     Algorithm, Bounds, Criterion, Crossings, Extent, GivesWay, Interior, Kind, NetOrdering,
     Options, Output, Row, Value, each_option, pick,
@@ -165,7 +165,7 @@ pub fn with_interior(options: &Options, has_polygons: bool) -> Options {
 }
 
 fn refuse<T>(message: Message) -> Result<T> {
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
 /// Returns the least aspect that may be asked for.

@@ -9,7 +9,7 @@ use netmesh::topology::{AlphaShape, Topology, connecting_alpha, optimal_alpha};
 use netmesh::{Algorithm, Mesh};
 use std::path::Path;
 
-/// What the summary and the record tell of an alpha shape.
+/// Measures of an alpha shape, for the summary and the record.
 pub struct Measured {
     pub alpha: f64,
     pub volume: f64,

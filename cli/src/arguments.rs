@@ -28,7 +28,7 @@ pub struct Arguments {
     /// File of points; of a mesh its points. "-" is standard input, with --input-format
     pub input: PathBuf,
 
-    /// Where the mesh goes; the extension names the format. "-" is standard output, with
+    /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
     /// made
     #[arg(short, long, value_name = "FILE")]
@@ -50,7 +50,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LIST", value_parser = parse_attributes, requires = "output")]
     pub attributes: Option<AttributeColumns>,
 
-    /// What attributes are at vertices that are no inputs
+    /// Values of attributes at vertices that are no inputs
     #[arg(long, value_name = "WORD", value_enum, default_value_t = AddedValues::Linear)]
     #[arg(requires = "attributes")]
     pub added_values: AddedValues,
@@ -247,7 +247,8 @@ fn parse_attributes(text: &str) -> Result<AttributeColumns, String> {
     text.parse().map_err(without_name)
 }
 
-/// The library begins its message with the name of its argument; here clap names the option.
+/// Returns the message without the name of the library's argument that it begins with: here clap
+/// names the option.
 fn without_name(error: netmesh::Error) -> String {
     let message = error.message();
     message.split_once(": ").map_or(message, |(_, rest)| rest).to_owned()
@@ -257,7 +258,7 @@ fn without_name(error: netmesh::Error) -> String {
 mod tests {
     use super::*;
     use clap::CommandFactory;
-    use netmesh::{Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering};
+    use netmesh::options::Kind;
 
     #[test]
     fn the_command_is_well_formed() {
@@ -274,43 +275,32 @@ mod tests {
 
     #[test]
     fn every_option_reaches_the_library() {
-        let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
-            --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
-            --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --max-edge 0.5 --gives-way bound --extent hull --crossings split --interior winding --seed 7 \
-            --max-vertices 99 --threads 4 --ordering deterministic --stats";
-        let expected = Options {
-            output: Output::WellSpaced,
-            algorithm: Algorithm::Delaunay,
-            criterion: Criterion::RadiusEdge,
-            threads: 4,
-            quality_bound: 1.5,
-            epsilon: 0.1,
-            delta: 0.2,
-            gamma: 0.3,
-            yield_radius: 0.4,
-            encroachment: 2.0,
-            cage_scale: 0.5,
-            root_scale: 3.0,
-            distance_ratio: 0.5,
-            seed: 7,
-            max_vertices: 99,
-            ordering: NetOrdering::DeterministicNet,
-            instruments: true,
-            min_angle: 0.0,
-            min_dihedral: 5.0,
-            max_edge: 0.5,
-            gives_way: GivesWay::Bound,
-            extent: Extent::Hull,
-            crossings: Crossings::Split,
-            interior: Interior::Winding,
+        let options = |arguments: &[&str]| {
+            let line = ["netmesh", "points.xyz"].iter().chain(arguments);
+            Arguments::parse_from(line).options()
         };
-        assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
-        let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();
-        assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
-        let named = ["netmesh", "points.xyz", "--hierarchical", "--extent", "all"];
-        let (output, extent) = (Output::Hierarchical, Extent::All);
-        let expected = Options { output, extent, ..Options::default() };
-        assert_eq!(Arguments::parse_from(named).options(), expected);
+        for row in TABLE.iter().filter(|row| heading(row).is_some()) {
+            let given = match row.kind {
+                Kind::Number { .. } => vec![("0.75", Value::Number(0.75))],
+                Kind::Whole(_) => vec![("7", Value::Whole(7))],
+                Kind::Switch => panic!("{} has no value", row.name),
+                Kind::Words(words) => {
+                    let words = words.iter().map(|word| word.argument);
+                    words.zip((0..).map(Value::Word)).collect()
+                }
+            };
+            for (text, value) in given {
+                let mut expected = Options::default();
+                row.set(&mut expected, value);
+                assert_eq!(options(&[&format!("--{}", row.argument()), text]), expected);
+            }
+        }
+        let measured = Options { instruments: true, ..Options::default() };
+        assert_eq!(options(&["--stats"]), measured);
+        for (flag, output) in
+            [("--finish", Output::WellSpaced), ("--hierarchical", Output::Hierarchical)]
+        {
+            assert_eq!(options(&[flag]), Options { output, ..Options::default() });
+        }
     }
 }

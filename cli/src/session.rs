@@ -137,7 +137,7 @@ fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> R
     })
 }
 
-/// The summary for people, the record for programs, or both.
+/// Writes the summary for people, the record for programs, or both.
 fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
     match summary.arguments.json.as_deref() {
         Some(path) if standard::is_meant(path) => return print(&record::json(summary)),

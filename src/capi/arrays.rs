@@ -61,7 +61,7 @@ pub(super) unsafe fn get<T: Copy>(
     unsafe { get_as(mesh, selection, out, group, array, |x| x) }
 }
 
-/// As [`get`], the ids of a group.
+/// Copies the ids of a group, as [`get`] copies an array.
 ///
 /// # Safety
 /// As [`get`].
@@ -75,7 +75,7 @@ pub(super) unsafe fn get_ids(
     unsafe { get(mesh, selection, out, group, |of| &mut of.ids) }
 }
 
-/// As [`get`], where the lists of a group begin.
+/// Copies the starts of a group's lists, as [`get`] copies an array.
 ///
 /// # Safety
 /// As [`get`].
@@ -89,7 +89,7 @@ pub(super) unsafe fn get_starts(
     unsafe { get_as(mesh, selection, out, group, |of| &mut of.starts, |start| start as u64) }
 }
 
-/// As [`get`], each element as `encode` has it.
+/// Copies an array as [`get`] does, with `encode` of each element.
 ///
 /// # Safety
 /// As [`get`].

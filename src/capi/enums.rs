@@ -104,12 +104,12 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
 pub enum nm_interpolation {
     /// Linear in each simplex. Outside the hull NaN.
     NM_INTERPOLATION_LINEAR = 0,
-    /// By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+    /// Natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
     /// take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
     /// rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
     /// with 2^dim.
     NM_INTERPOLATION_SIBSON = 1,
-    /// By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+    /// Natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
     /// the point's cell would share with its neighbours', over the distances. Linear where Sibson's
     /// are. Outside the hull NaN.
     NM_INTERPOLATION_LAPLACE = 2,

@@ -7,12 +7,27 @@ use super::structs::{nm_counts, nm_domain, nm_left_out};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::{LeftOut, Mesh, NONE, Triangulation, VertexKind};
 
-/// The result of the last run, or `State`.
+/// Returns the result of the last run, or `State`.
 pub(super) fn result(mesh: &Mesh) -> Result<&Triangulation> {
     mesh.triangulation().ok_or_else(|| {
         Error::new(ErrorKind::State, "mesh: it has no result yet; nm_run must succeed first")
     })
 }
+
+/// Copies the values of an array of the mesh, an iterator that knows its length, to the caller's
+/// buffer: the body of an array getter.
+macro_rules! copy_array {
+    ($handle:ident, $buf:ident, $capacity:ident, $needed:ident, |$mesh:ident| $values:expr) => {{
+        let body = |$mesh: &Mesh| {
+            let values = $values;
+            // SAFETY: the caller's buffer rules are those of `copy_out`.
+            unsafe { copy_out($buf, $capacity, $needed, values.len(), values) }
+        };
+        // SAFETY: the caller gave NULL or a live handle.
+        unsafe { with_mesh($handle, body) }
+    }};
+}
+pub(super) use copy_array;
 
 /// Writes how large the mesh is. O(1).
 ///
@@ -115,13 +130,7 @@ pub unsafe extern "C" fn nm_mesh_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let simplices = &result(mesh)?.simplices;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, simplices.len(), simplices.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.simplices.iter().copied())
 }
 
 /// Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
@@ -135,13 +144,7 @@ pub unsafe extern "C" fn nm_mesh_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let neighbors = &result(mesh)?.neighbors;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, neighbors.len(), neighbors.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.neighbors.iter().copied())
 }
 
 /// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all
@@ -205,13 +208,7 @@ pub unsafe extern "C" fn nm_mesh_get_input_vertices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let vertices = mesh.inputs().vertices();
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, vertices.len(), vertices.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    copy_array!(mesh, buf, capacity, needed, |mesh| mesh.inputs().vertices().iter().copied())
 }
 
 /// Writes the input of each vertex: one number of the caller's points per vertex, of equal points
@@ -229,15 +226,11 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_inputs(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
+    copy_array!(mesh, buf, capacity, needed, |mesh| {
         let (inputs, distinct) = (mesh.inputs(), mesh.inputs().distinct());
         let count = mesh.triangulation().map_or(distinct, Triangulation::vertex_count);
-        let numbers = (0..count).map(|vertex| inputs.first_input(vertex).unwrap_or(NONE));
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, count, numbers) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+        (0..count).map(|vertex| inputs.first_input(vertex).unwrap_or(NONE))
+    })
 }
 
 /// Writes the domain hierarchy, a tree of balls: the root first, every parent before its children.
@@ -252,18 +245,14 @@ pub unsafe extern "C" fn nm_mesh_get_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
+    copy_array!(mesh, buf, capacity, needed, |mesh| {
         let domains = mesh.triangulation().map_or(&[][..], |t| &t.domains);
-        let encoded = domains.iter().map(|domain| nm_domain {
+        domains.iter().map(|domain| nm_domain {
             center: domain.center,
             parent: domain.parent,
             radius: domain.radius,
-        });
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, domains.len(), encoded) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+        })
+    })
 }
 
 /// Copies one value per vertex: `before` for each distinct input until there is a result.

@@ -5,7 +5,7 @@ use super::enums::nm_status;
 use super::getters::result;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::{read_rows, rows_out};
-use crate::error::{Error, ErrorKind, message};
+use crate::error::{Error, message};
 use crate::mesh::Mesh;
 use crate::quality::{Measure, histogram};
 use std::mem::MaybeUninit;
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn nm_mesh_quality_histogram(
         let measure = decode_measure(measure)?;
         if at_hull > 1 {
             let message = message!("at_hull is {at_hull}; it must be 0 or 1");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         // SAFETY: the caller gave NULL or as many numbers as the manual says.
         let edges = unsafe { read_rows("edges", edges, edge_count, 1)? };

@@ -116,7 +116,7 @@ impl Field for bool {
 macro_rules! declare_conversions {
     ($($name:ident $field:ident: $type:ty { $($row:tt)* })*) => {
         /// Returns `options` as C sees them.
-        pub(super) fn encode(options: &Options) -> nm_options {
+        pub fn encode(options: &Options) -> nm_options {
             nm_options {
                 struct_size: size_of::<nm_options>() as u32,
                 $($field: options.$field.in_c(),)*
@@ -149,9 +149,7 @@ mod tests {
     use crate::capi::run::nm_run;
     use crate::capi::test_support::{from_c, last_message, square};
     use crate::error::ErrorKind;
-    use crate::options::{
-        Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
-    };
+    use crate::options::{Criterion, Extent, Kind, Output, TABLE, Value};
     use std::mem::offset_of;
 
     const SIZE: usize = size_of::<nm_options>();
@@ -161,7 +159,7 @@ mod tests {
         unsafe { nm_options_init(bytes.as_mut_ptr().cast(), struct_size) }
     }
 
-    /// What nm_run reads from a struct of these bytes.
+    /// Returns what nm_run reads from a struct of these bytes.
     fn read(bytes: &[u8; 256]) -> nm_options {
         let defaults = encode(&Options { seed: 77, ..Options::default() });
         // SAFETY: the tests' sizes are at most the buffer's.
@@ -170,39 +168,23 @@ mod tests {
 
     #[test]
     fn options_survive_the_way_to_c_and_back() {
-        let options = Options {
-            output: Output::WellSpaced,
-            algorithm: Algorithm::Delaunay,
-            ordering: NetOrdering::DeterministicNet,
-            criterion: Criterion::RadiusEdge,
-            threads: 2,
-            quality_bound: 3.0,
-            epsilon: 4.0,
-            delta: 5.0,
-            gamma: 6.0,
-            yield_radius: 7.0,
-            encroachment: 8.0,
-            cage_scale: 9.0,
-            root_scale: 10.0,
-            seed: 11,
-            max_vertices: 12,
-            instruments: true,
-            distance_ratio: 13.0,
-            min_angle: 14.0,
-            min_dihedral: 15.0,
-            extent: Extent::Boundary,
-            crossings: Crossings::Split,
-            max_edge: 16.0,
-            gives_way: GivesWay::Bound,
-            interior: Interior::Parity,
+        let survives = |options: &Options| {
+            assert_eq!(decode_options(&encode(options)).unwrap(), *options);
         };
-        assert_eq!(decode_options(&encode(&options)).unwrap(), options);
-        assert_eq!(decode_options(&encode(&Options::default())).unwrap(), Options::default());
-        let named =
-            Options { output: Output::Hierarchical, extent: Extent::All, ..options.clone() };
-        assert_eq!(decode_options(&encode(&named)).unwrap(), named);
-        let svr = Options { algorithm: Algorithm::Svr, interior: Interior::Winding, ..options };
-        assert_eq!(decode_options(&encode(&svr)).unwrap(), svr);
+        let mut all = Options::default();
+        survives(&all);
+        for (row, at) in TABLE.iter().zip(2_u32..) {
+            let values = match row.kind {
+                Kind::Number { .. } => vec![Value::Number(f64::from(at) + 0.5)],
+                Kind::Whole(_) => vec![Value::Whole(u64::from(at))],
+                Kind::Switch => vec![Value::Switch(true)],
+                Kind::Words(words) => (0..words.len()).map(Value::Word).collect(),
+            };
+            for value in values {
+                row.set(&mut all, value);
+                survives(&all);
+            }
+        }
     }
 
     #[test]

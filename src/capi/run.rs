@@ -49,7 +49,7 @@ pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) 
     unsafe { with_mesh_mut(mesh, body) }
 }
 
-/// What the caller asks for, as given and as the core has it.
+/// Returns the options that the caller asks for, as C's struct and as the core has them.
 ///
 /// # Safety
 /// `options` is NULL or as long as its `struct_size` says.
@@ -140,7 +140,7 @@ mod tests {
         let status = unsafe { nm_run(null_mut(), null()) };
         assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
     }
-    /// A handle with `n` points in a cube.
+    /// Returns a handle with `n` points in a cube.
     fn cube(n: usize) -> nm_mesh {
         let mut random = Random(1);
         let points: Vec<f64> = (0..3 * n).map(|_| random.unit()).collect();
@@ -161,7 +161,7 @@ mod tests {
         (unsafe { nm_mesh_counts(mesh, &mut counts) }, counts)
     }
 
-    /// What calls on the mesh answered from within its progress callback.
+    /// Statuses of calls on the mesh from within its progress callback.
     struct Witness<'a> {
         mesh: &'a nm_mesh,
         statuses: Vec<nm_status>,

@@ -1,7 +1,7 @@
 //! Sizes by values, for the runs that follow, and those that a run asked for.
 
 use super::enums::nm_status;
-use super::getters::result;
+use super::getters::{copy_array, result};
 use super::handle::{nm_mesh, with_background, with_mesh, with_prepared_mut};
 use super::memory::{copy_out, read_rows};
 use crate::mesh::Mesh;
@@ -82,13 +82,7 @@ pub unsafe extern "C" fn nm_mesh_get_sizes(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let sizes = &result(mesh)?.sizes;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, sizes.len(), sizes.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.sizes.iter().copied())
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::validate::ViolationKind;
 use std::ffi::{c_char, c_void};
 use std::mem::MaybeUninit;
 
-/// Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+/// Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
 /// selects all.
 #[allow(non_camel_case_types)]
 #[repr(C)]
@@ -37,7 +37,8 @@ unsafe impl Versioned for nm_selection {
 
 const _: () = assert!(size_of::<nm_selection>() == 4 * 4);
 
-/// What nm_run reports while it works. The library fills it; it is valid during the callback only.
+/// Progress that nm_run reports while it works. The library fills it; it is valid during the
+/// callback only.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -212,7 +213,7 @@ unsafe impl Versioned for nm_options {
 
 const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
-/// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
+/// Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -241,8 +242,8 @@ unsafe impl Versioned for nm_counts {
 
 const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 5 * 8);
 
-/// What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
-/// has not: numbers of elements. A mesh is made of the points.
+/// Numbers of elements that the file of a mesh or a surface has beside its points, and the nm_mesh
+/// that was made of it has not. A mesh is made of the points.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -280,14 +281,14 @@ pub struct nm_domain {
     pub radius: f64,
 }
 
-/// What nm_mesh_alpha_shape tells of an alpha shape.
+/// Measures of an alpha shape, from nm_mesh_alpha_shape.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct nm_alpha_shape {
     /// Set by the caller to sizeof(nm_alpha_shape).
     pub struct_size: u32,
-    /// How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+    /// Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
     /// program that computes persistence (nm_export_filtration).
     pub betti_count: u32,
     /// The volume of its simplices (an area in 2D), in the unit of the coordinates to the power
@@ -295,9 +296,9 @@ pub struct nm_alpha_shape {
     pub volume: f64,
     /// The number of its faces of even dimension less that of those of odd dimension.
     pub euler_characteristic: i64,
-    /// How many pieces it has.
+    /// Number of pieces of the shape.
     pub components: u64,
-    /// How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+    /// Number of bounded pieces of space that the shape leaves: holes in 2D, cavities in 3D.
     pub voids: u64,
     /// Its Betti numbers, from dimension 0 on: components and holes in 2D; components, tunnels and
     /// cavities in 3D. 0 beyond betti_count.
@@ -313,7 +314,7 @@ unsafe impl Versioned for nm_alpha_shape {
 
 const _: () = assert!(size_of::<nm_alpha_shape>() == 2 * 4 + 4 * 8 + 12 * 8);
 
-/// How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+/// Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
 /// distance from its vertex to its farthest corner over half the distance to the nearest other
 /// vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
 /// the doubles.
@@ -357,16 +358,16 @@ pub struct nm_quality {
     /// Tetrahedra with a dihedral angle below nm_options.min_dihedral and all vertices in one
     /// domain, those at the hull included. 0 where no angle was asked for.
     pub below_min_dihedral: u64,
-    /// Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
-    /// nothing of them.
+    /// Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
+    /// beside cages: min_dihedral says nothing of them.
     pub below_min_dihedral_between_domains: u64,
-    /// Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
-    /// simplices with a larger ratio. The figures above have them.
+    /// Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
+    /// way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.
     pub beyond_bound: u64,
     /// Triangles beyond the bound that a small angle between segments forces; nothing can mend
     /// them, and worst_radius_edge and min_angle_degrees leave them out.
     pub forced: u64,
-    /// Smallest angle of these, in degrees; 0 if there are none.
+    /// Smallest angle of the forced triangles, in degrees; 0 if there are none.
     pub least_forced_angle_degrees: f64,
     /// Triangles with an angle below nm_options.min_angle, or below what NM_CRITERION_RADIUS_EDGE
     /// promises in 2D, which nothing forces: beside cages in hierarchical meshes, which break the
@@ -381,7 +382,7 @@ unsafe impl Versioned for nm_quality {
 
 const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 13 * 8);
 
-/// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
+/// Statistics of the last nm_run. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -406,7 +407,7 @@ pub struct nm_stats {
     pub cage_vertices: u64,
     /// Cages made during the run.
     pub cages_created: u64,
-    /// How often a cage grew during the run.
+    /// Number of times that a cage grew during the run.
     pub cages_grown: u64,
     /// Cages released during the run.
     pub cages_released: u64,
@@ -432,7 +433,7 @@ pub struct nm_stats {
     /// Steiner points inserted elsewhere: on the segment from a vertex to a Voronoi corner of its
     /// cell, or for nm_options.min_dihedral.
     pub off_centers: u64,
-    /// How often an input was inserted instead of a Steiner or cage point near it.
+    /// Number of inputs that were inserted instead of a Steiner or cage point near them.
     pub yields: u64,
     /// Points inserted in cage gaps by the final refinement. cage_points includes them.
     pub closing_points: u64,
@@ -479,7 +480,7 @@ unsafe impl Versioned for nm_stats {
 
 const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 30 * 8);
 
-/// What nm_mesh_validate found.
+/// Findings of nm_mesh_validate.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

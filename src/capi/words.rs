@@ -36,13 +36,12 @@ fn write_choice(choice: Choice, f: &mut Formatter<'_>) -> Result {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::{ErrorKind, say};
+    use crate::error::say;
     use crate::options::{Crossings, NetOrdering};
 
     #[test]
     fn messages_have_fields_and_enumerators() {
-        let says =
-            |message| Error::new(ErrorKind::InvalidArgument, message).in_words(InC).to_string();
+        let says = |message| Error::invalid(message).in_words(InC).to_string();
         let crossing = say!("with ", Choice::Crossings(Crossings::Split), " they are split");
         assert_eq!(says(crossing), "with options.crossings = NM_CROSSINGS_SPLIT they are split");
         let ordering = say!(Choice::NetOrdering(NetOrdering::DeterministicNet));

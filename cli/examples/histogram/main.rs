@@ -31,7 +31,7 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-/// What each panel says, and its mesh. All simplices count, at the hull too.
+/// Returns the title of each panel, and the options of its mesh. All simplices count, at the hull too.
 fn panels() -> Vec<(&'static str, Options)> {
     let delaunay = Options { algorithm: Algorithm::Delaunay, ..Options::default() };
     let refined = Options {
@@ -48,7 +48,7 @@ fn panels() -> Vec<(&'static str, Options)> {
     ]
 }
 
-/// By the splitmix64 generator.
+/// Returns points of the splitmix64 generator.
 fn points() -> Vec<f64> {
     let mut state = 1u64;
     let mut unit = || {

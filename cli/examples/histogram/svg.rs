@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// Of three degrees each.
+/// Number of bins, of three degrees each.
 pub const BINS: usize = 60;
 
 const WIDTH: f64 = 270.0;
@@ -103,7 +103,7 @@ impl Drawing {
     }
 }
 
-/// How far below the top of a panel a count stands.
+/// Returns the distance of a count from the top of a panel.
 fn level(count: f64) -> f64 {
     HEIGHT * (1.0 - count.log10() / f64::from(DECADES)).max(0.0)
 }

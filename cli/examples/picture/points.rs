@@ -1,4 +1,4 @@
-//! What the picture shows: a spiral, in its middle a ring, in the ring's middle a handful of
+//! Points of the picture: a spiral, in its middle a ring, in the ring's middle a handful of
 //! points, each ten thousand times smaller than the one around it.
 
 use std::f64::consts::TAU;

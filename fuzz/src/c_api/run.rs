@@ -5,6 +5,7 @@ use super::super::settings::Settings;
 use super::arguments::{ROOM, Room, from_c, struct_size};
 use super::handle::Handle;
 use super::{expect, last_error};
+use netmesh::capi::shared::encode;
 use netmesh::capi::{
     nm_mesh, nm_mesh_get_points, nm_mesh_validate, nm_options, nm_options_init, nm_progress,
     nm_report, nm_run, nm_status,
@@ -113,38 +114,15 @@ impl Attempt {
         if let Some((field, value)) = self.wrong {
             enums[field] = value;
         }
-        let given = &self.settings.options;
         nm_options {
             struct_size: self.struct_size,
             output: from_c(enums[0]),
             algorithm: from_c(enums[1]),
             ordering: from_c(enums[2]),
             criterion: from_c(enums[3]),
-            threads: given.threads,
-            quality_bound: given.quality_bound,
-            epsilon: given.epsilon,
-            delta: given.delta,
-            gamma: given.gamma,
-            yield_radius: given.yield_radius,
-            encroachment: given.encroachment,
-            cage_scale: given.cage_scale,
-            root_scale: given.root_scale,
-            seed: given.seed,
-            max_vertices: given.max_vertices,
             progress: Some(look),
             user_data: (&raw mut *watch).cast(),
-            instruments: u32::from(given.instruments),
-            reserved: 0,
-            distance_ratio: given.distance_ratio,
-            min_angle: given.min_angle,
-            min_dihedral: given.min_dihedral,
-            max_edge: given.max_edge,
-            size: None,
-            size_user_data: null_mut(),
-            gives_way: from_c(given.gives_way as i32),
-            extent: from_c(given.extent as i32),
-            crossings: from_c(given.crossings as i32),
-            interior: from_c(given.interior as i32),
+            ..encode(&self.settings.options)
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::run::{handle, nm_mpi_mesh};
 use super::structs::{nm_mpi_counts, nm_mpi_domain, nm_mpi_facet};
-use crate::distributed::{DistributedMesh, Domain, InterfaceFacet};
+use crate::distributed::{DistributedMesh, Domain};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{OutStruct, barrier, copy_out};
 
@@ -52,26 +52,18 @@ fn count(mesh: &DistributedMesh) -> nm_mpi_counts {
     }
 }
 
-/// The values of an array, and how many there are.
-type Values<'a, T> = (usize, Box<dyn Iterator<Item = T> + 'a>);
-
-/// An array getter: copies what `values` makes of the mesh.
-///
-/// # Safety
-/// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
-unsafe fn get<T>(
-    mesh: *const nm_mpi_mesh,
-    buf: *mut T,
-    capacity: u64,
-    needed: *mut u64,
-    values: impl for<'a> FnOnce(&'a DistributedMesh) -> Values<'a, T>,
-) -> nm_status {
-    barrier(|| {
-        // SAFETY: the caller's promise.
-        let (count, values) = values(&unsafe { handle(mesh)? }.mesh);
-        // SAFETY: the caller's promise.
-        unsafe { copy_out(buf, capacity, needed, count, values) }
-    })
+/// Copies the values of an array of the mesh, an iterator that knows its length, to the caller's
+/// buffer: the body of an array getter.
+macro_rules! get {
+    ($handle:ident, $buf:ident, $capacity:ident, $needed:ident, |$mesh:ident| $values:expr) => {
+        barrier(|| {
+            // SAFETY: the caller gave NULL or a live handle.
+            let $mesh = &unsafe { handle($handle)? }.mesh;
+            let values = $values;
+            // SAFETY: the caller's buffer rules are those of `copy_out`.
+            unsafe { copy_out($buf, $capacity, $needed, values.len(), values) }
+        })
+    };
 }
 
 /// Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its own
@@ -91,12 +83,7 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_ids.len(), Box::new(mesh.vertex_ids.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_ids.iter().copied())
 }
 
 /// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
@@ -111,12 +98,7 @@ pub unsafe extern "C" fn nm_mpi_get_points(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.points.len(), Box::new(mesh.points.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.points.iter().copied())
 }
 
 /// Writes the kinds of the vertices that this rank knows, a byte each: values of nm_vertex_kind.
@@ -130,12 +112,7 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_kinds(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.kinds.len(), Box::new(mesh.kinds.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.kinds.iter().copied())
 }
 
 /// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
@@ -150,12 +127,7 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_owners.len(), Box::new(mesh.vertex_owners.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_owners.iter().copied())
 }
 
 /// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
@@ -170,12 +142,7 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_domains.len(), Box::new(mesh.vertex_domains.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_domains.iter().copied())
 }
 
 /// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain
@@ -191,12 +158,7 @@ pub unsafe extern "C" fn nm_mpi_get_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.domains.len(), Box::new(mesh.domains.iter().map(encode_domain)))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.domains.iter().map(encode_domain))
 }
 
 /// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
@@ -211,13 +173,7 @@ pub unsafe extern "C" fn nm_mpi_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            let ids = mesh.simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
-            (mesh.simplices.len(), Box::new(ids))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| ids(mesh, &mesh.simplices))
 }
 
 /// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
@@ -232,12 +188,7 @@ pub unsafe extern "C" fn nm_mpi_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.neighbors.len(), Box::new(mesh.neighbors.iter().copied()))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.neighbors.iter().copied())
 }
 
 /// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
@@ -253,13 +204,7 @@ pub unsafe extern "C" fn nm_mpi_get_ghosts(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            let ids = mesh.ghost_simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
-            (mesh.ghost_simplices.len(), Box::new(ids))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| ids(mesh, &mesh.ghost_simplices))
 }
 
 /// Writes the ids of the ghosts, which rise.
@@ -273,12 +218,7 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.id)))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.ghosts.iter().map(|ghost| ghost.id))
 }
 
 /// Writes the ranks whose simplices the ghosts are.
@@ -292,12 +232,7 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.owner)))
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| mesh.ghosts.iter().map(|ghost| ghost.owner))
 }
 
 /// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
@@ -312,15 +247,7 @@ pub unsafe extern "C" fn nm_mpi_get_interface(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (
-                mesh.interface.len(),
-                Box::new(mesh.interface.iter().map(|facet| encode_facet(mesh, facet))),
-            )
-        })
-    }
+    get!(mesh, buf, capacity, needed, |mesh| facets(mesh))
 }
 
 fn encode_domain(domain: &Domain) -> nm_mpi_domain {
@@ -328,11 +255,16 @@ fn encode_domain(domain: &Domain) -> nm_mpi_domain {
     nm_mpi_domain { id, parent, center, radius, position }
 }
 
-fn encode_facet(mesh: &DistributedMesh, facet: &InterfaceFacet) -> nm_mpi_facet {
-    nm_mpi_facet {
+fn facets(mesh: &DistributedMesh) -> impl ExactSizeIterator<Item = nm_mpi_facet> {
+    mesh.interface.iter().map(|facet| nm_mpi_facet {
         simplex: facet.simplex as u64,
         ghost: facet.ghost as u64,
         facet: facet.facet,
         owner: mesh.ghosts[facet.ghost].owner,
-    }
+    })
+}
+
+/// Returns the ids of vertices that the rank has under these numbers.
+fn ids(mesh: &DistributedMesh, vertices: &[u32]) -> impl ExactSizeIterator<Item = u64> {
+    vertices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize])
 }

@@ -27,7 +27,7 @@ pub struct Arguments {
     /// File of points: a NumPy array (.npy), or a line each (.xyz)
     pub input: PathBuf,
 
-    /// Where the mesh goes: NAME.pvtu, with a NAME_RANK.vtu of each rank; or NAME.npy, for
+    /// File for the mesh: NAME.pvtu, with a NAME_RANK.vtu of each rank; or NAME.npy, for
     /// NAME.points.npy and NAME.simplices.npy. Without it only the summary is made
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -54,7 +54,7 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
-    /// Where a table goes of what every step of the run took on every rank: processor time, bytes
+    /// File for a table of what every step of the run took on every rank: processor time, bytes
     /// that it has sent (comma-separated values)
     #[arg(long, value_name = "FILE")]
     pub work: Option<PathBuf>,

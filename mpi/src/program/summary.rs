@@ -41,7 +41,8 @@ pub fn print(
     let counts =
         [totals.inputs, totals.duplicates, totals.vertices, totals.simplices, totals.domains];
     let [inputs, duplicates, vertices, all_simplices, domains] = counts.map(spaced);
-    let (pieces, sent, seed) = (spaced(totals.pieces), spaced(sum[2]), arguments.meshing.options.seed);
+    let (pieces, sent, seed) =
+        (spaced(totals.pieces), spaced(sum[2]), arguments.meshing.options.seed);
     let task = if mesh.promise.is_finished { "finished mesh" } else { "hierarchical mesh" };
     let (dim, ranks) = (mesh.dim, mesh.ranks);
     let milliseconds = |time: Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);

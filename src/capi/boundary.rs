@@ -1,12 +1,12 @@
 //! Boundaries in the plane: segments and regions, and what a run has made of them.
 
 use super::enums::nm_status;
-use super::getters::{copy_array, result};
-use super::handle::{nm_mesh, with_mesh, with_mesh_mut};
-use super::memory::{Versioned, check_rows, copy_out, read_rows, read_struct};
+use super::getters::{get_array, result};
+use super::handle::{nm_mesh, with_mesh_mut};
+use super::memory::{Versioned, check_rows, read_rows, read_struct};
 use crate::error::{Error, Result, message};
 use crate::memory::with_capacity;
-use crate::mesh::{Mesh, Region};
+use crate::mesh::Region;
 use std::fmt::{self, Display, Formatter};
 use std::mem::offset_of;
 
@@ -174,9 +174,12 @@ pub unsafe extern "C" fn nm_mesh_get_segments(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| {
-        result(mesh)?.boundary.subsegments.as_flattened().iter().copied()
-    })
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe {
+        get_array(mesh, buf, capacity, needed, |mesh| {
+            Ok(result(mesh)?.boundary.subsegments.as_flattened())
+        })
+    }
 }
 
 /// Writes for each edge of nm_mesh_get_segments the segment that it is a part of: its number in
@@ -191,7 +194,8 @@ pub unsafe extern "C" fn nm_mesh_get_segment_parents(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.boundary.parents.iter().copied())
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.parents)) }
 }
 
 /// Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
@@ -206,9 +210,10 @@ pub unsafe extern "C" fn nm_mesh_get_simplex_regions(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| {
-        result(mesh)?.boundary.simplex_regions.iter().copied()
-    })
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe {
+        get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.simplex_regions))
+    }
 }
 
 #[cfg(test)]

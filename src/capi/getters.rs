@@ -14,20 +14,25 @@ pub(super) fn result(mesh: &Mesh) -> Result<&Triangulation> {
     })
 }
 
-/// Copies the values of an array of the mesh, an iterator that knows its length, to the caller's
-/// buffer: the body of an array getter.
-macro_rules! copy_array {
-    ($handle:ident, $buf:ident, $capacity:ident, $needed:ident, |$mesh:ident| $values:expr) => {{
-        let body = |$mesh: &Mesh| {
-            let values = $values;
-            // SAFETY: the caller's buffer rules are those of `copy_out`.
-            unsafe { copy_out($buf, $capacity, $needed, values.len(), values) }
-        };
-        // SAFETY: the caller gave NULL or a live handle.
-        unsafe { with_mesh($handle, body) }
-    }};
+/// Copies an array of the mesh to the caller's buffer.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
+pub(super) unsafe fn get_array<T: Copy>(
+    mesh: *const nm_mesh,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+    array: impl Fn(&Mesh) -> Result<&[T]>,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let values = array(mesh)?.iter().copied();
+        // SAFETY: the caller's promise.
+        unsafe { copy_out(buf, capacity, needed, values.len(), values) }
+    };
+    // SAFETY: the caller's promise.
+    unsafe { with_mesh(mesh, body) }
 }
-pub(super) use copy_array;
 
 /// Writes how large the mesh is. O(1).
 ///
@@ -130,7 +135,8 @@ pub unsafe extern "C" fn nm_mesh_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.simplices.iter().copied())
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.simplices)) }
 }
 
 /// Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
@@ -144,7 +150,8 @@ pub unsafe extern "C" fn nm_mesh_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| result(mesh)?.neighbors.iter().copied())
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.neighbors)) }
 }
 
 /// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all
@@ -208,7 +215,8 @@ pub unsafe extern "C" fn nm_mesh_get_input_vertices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| mesh.inputs().vertices().iter().copied())
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(mesh.inputs().vertices())) }
 }
 
 /// Writes the input of each vertex: one number of the caller's points per vertex, of equal points
@@ -226,11 +234,15 @@ pub unsafe extern "C" fn nm_mesh_get_vertex_inputs(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| {
+    let body = |mesh: &Mesh| {
         let (inputs, distinct) = (mesh.inputs(), mesh.inputs().distinct());
         let count = mesh.triangulation().map_or(distinct, Triangulation::vertex_count);
-        (0..count).map(|vertex| inputs.first_input(vertex).unwrap_or(NONE))
-    })
+        let numbers = (0..count).map(|vertex| inputs.first_input(vertex).unwrap_or(NONE));
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, count, numbers) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
 }
 
 /// Writes the domain hierarchy, a tree of balls: the root first, every parent before its children.
@@ -245,14 +257,18 @@ pub unsafe extern "C" fn nm_mesh_get_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    copy_array!(mesh, buf, capacity, needed, |mesh| {
+    let body = |mesh: &Mesh| {
         let domains = mesh.triangulation().map_or(&[][..], |t| &t.domains);
-        domains.iter().map(|domain| nm_domain {
+        let encoded = domains.iter().map(|domain| nm_domain {
             center: domain.center,
             parent: domain.parent,
             radius: domain.radius,
-        })
-    })
+        });
+        // SAFETY: the caller's buffer rules are those of `copy_out`.
+        unsafe { copy_out(buf, capacity, needed, domains.len(), encoded) }
+    };
+    // SAFETY: the caller gave NULL or a live handle.
+    unsafe { with_mesh(mesh, body) }
 }
 
 /// Copies one value per vertex: `before` for each distinct input until there is a result.

@@ -2,7 +2,7 @@
 
 use super::run::{handle, nm_mpi_mesh};
 use super::structs::{nm_mpi_counts, nm_mpi_domain, nm_mpi_facet};
-use crate::distributed::{DistributedMesh, Domain};
+use crate::distributed::{DistributedMesh, Domain, InterfaceFacet};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{OutStruct, barrier, copy_out};
 
@@ -52,18 +52,25 @@ fn count(mesh: &DistributedMesh) -> nm_mpi_counts {
     }
 }
 
-/// Copies the values of an array of the mesh, an iterator that knows its length, to the caller's
-/// buffer: the body of an array getter.
-macro_rules! get {
-    ($handle:ident, $buf:ident, $capacity:ident, $needed:ident, |$mesh:ident| $values:expr) => {
-        barrier(|| {
-            // SAFETY: the caller gave NULL or a live handle.
-            let $mesh = &unsafe { handle($handle)? }.mesh;
-            let values = $values;
-            // SAFETY: the caller's buffer rules are those of `copy_out`.
-            unsafe { copy_out($buf, $capacity, $needed, values.len(), values) }
-        })
-    };
+/// Copies `value` of each element of an array of the mesh to the caller's buffer.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
+unsafe fn get<S, T>(
+    mesh: *const nm_mpi_mesh,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+    array: impl Fn(&DistributedMesh) -> &[S],
+    value: impl Fn(&DistributedMesh, &S) -> T,
+) -> nm_status {
+    barrier(|| {
+        // SAFETY: the caller's promise.
+        let mesh = &unsafe { handle(mesh)? }.mesh;
+        let values = array(mesh).iter().map(|element| value(mesh, element));
+        // SAFETY: the caller's promise.
+        unsafe { copy_out(buf, capacity, needed, values.len(), values) }
+    })
 }
 
 /// Writes the ids of the vertices that this rank knows: local_vertices of them, first those of its own
@@ -83,7 +90,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_ids.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_ids, |_, value| *value) }
 }
 
 /// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
@@ -98,7 +106,8 @@ pub unsafe extern "C" fn nm_mpi_get_points(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.points.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.points, |_, value| *value) }
 }
 
 /// Writes the kinds of the vertices that this rank knows, a byte each: values of nm_vertex_kind.
@@ -112,7 +121,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_kinds(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.kinds.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.kinds, |_, value| *value) }
 }
 
 /// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
@@ -127,7 +137,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_owners.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_owners, |_, value| *value) }
 }
 
 /// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
@@ -142,7 +153,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.vertex_domains.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_domains, |_, value| *value) }
 }
 
 /// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain
@@ -158,7 +170,10 @@ pub unsafe extern "C" fn nm_mpi_get_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.domains.iter().map(encode_domain))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe {
+        get(mesh, buf, capacity, needed, |mesh| &mesh.domains, |_, domain| encode_domain(domain))
+    }
 }
 
 /// Writes this rank's simplices: local_simplices x (dim + 1) ids of vertices, positively oriented. No other
@@ -173,7 +188,8 @@ pub unsafe extern "C" fn nm_mpi_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| ids(mesh, &mesh.simplices))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.simplices, id_of) }
 }
 
 /// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
@@ -188,7 +204,8 @@ pub unsafe extern "C" fn nm_mpi_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.neighbors.iter().copied())
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.neighbors, |_, value| *value) }
 }
 
 /// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
@@ -204,7 +221,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghosts(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| ids(mesh, &mesh.ghost_simplices))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghost_simplices, id_of) }
 }
 
 /// Writes the ids of the ghosts, which rise.
@@ -218,7 +236,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.ghosts.iter().map(|ghost| ghost.id))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghosts, |_, ghost| ghost.id) }
 }
 
 /// Writes the ranks whose simplices the ghosts are.
@@ -232,7 +251,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| mesh.ghosts.iter().map(|ghost| ghost.owner))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghosts, |_, ghost| ghost.owner) }
 }
 
 /// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
@@ -247,7 +267,8 @@ pub unsafe extern "C" fn nm_mpi_get_interface(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    get!(mesh, buf, capacity, needed, |mesh| facets(mesh))
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.interface, encode_facet) }
 }
 
 fn encode_domain(domain: &Domain) -> nm_mpi_domain {
@@ -255,16 +276,16 @@ fn encode_domain(domain: &Domain) -> nm_mpi_domain {
     nm_mpi_domain { id, parent, center, radius, position }
 }
 
-fn facets(mesh: &DistributedMesh) -> impl ExactSizeIterator<Item = nm_mpi_facet> {
-    mesh.interface.iter().map(|facet| nm_mpi_facet {
+fn encode_facet(mesh: &DistributedMesh, facet: &InterfaceFacet) -> nm_mpi_facet {
+    nm_mpi_facet {
         simplex: facet.simplex as u64,
         ghost: facet.ghost as u64,
         facet: facet.facet,
         owner: mesh.ghosts[facet.ghost].owner,
-    })
+    }
 }
 
-/// Returns the ids of vertices that the rank has under these numbers.
-fn ids(mesh: &DistributedMesh, vertices: &[u32]) -> impl ExactSizeIterator<Item = u64> {
-    vertices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize])
+/// Returns the id of a vertex that the rank has under this number.
+fn id_of(mesh: &DistributedMesh, vertex: &u32) -> u64 {
+    mesh.vertex_ids[*vertex as usize]
 }

@@ -1733,22 +1733,22 @@ extern "C" {
 /**
  * Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;
  * do not free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any
- * thread. cbindgen:prefix=NM_API
+ * thread.
  */
-NM_NODISCARD NM_API const char *nm_version(void);
+NM_API const char *nm_version(void);
 
 /**
  * Returns the ABI that the running library speaks. A program built with this header works with it
  * if the result equals NM_ABI_VERSION: within one ABI version only functions, enum values and
- * trailing struct fields are added. O(1); any thread. cbindgen:prefix=NM_API
+ * trailing struct fields are added. O(1); any thread.
  */
-NM_NODISCARD NM_API uint32_t nm_abi_version(void);
+NM_API uint32_t nm_abi_version(void);
 
 /**
  * Returns the name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does
- * not know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
+ * not know. Static; never NULL; do not free. O(1); any thread.
  */
-NM_NODISCARD NM_API const char *nm_status_name(nm_status status);
+NM_API const char *nm_status_name(nm_status status);
 
 /**
  * Copies the calling thread's last message into buf: one sentence about the last call on this

@@ -34,7 +34,8 @@ const STATUS_NAMES: [&CStr; 14] = [
 
 /// Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;
 /// do not free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any
-/// thread. cbindgen:prefix=NM_API
+/// thread.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_version() -> *const c_char {
     VERSION.as_ptr()
@@ -42,14 +43,16 @@ pub extern "C" fn nm_version() -> *const c_char {
 
 /// Returns the ABI that the running library speaks. A program built with this header works with it
 /// if the result equals NM_ABI_VERSION: within one ABI version only functions, enum values and
-/// trailing struct fields are added. O(1); any thread. cbindgen:prefix=NM_API
+/// trailing struct fields are added. O(1); any thread.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_abi_version() -> u32 {
     ABI_VERSION
 }
 
 /// Returns the name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does
-/// not know. Static; never NULL; do not free. O(1); any thread. cbindgen:prefix=NM_API
+/// not know. Static; never NULL; do not free. O(1); any thread.
+/// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_status_name(status: MaybeUninit<nm_status>) -> *const c_char {
     let index = usize::try_from(bits(status)).unwrap_or(usize::MAX);

@@ -87,7 +87,7 @@ pub unsafe fn report(
 fn encode_progress(progress: &Progress) -> nm_progress {
     nm_progress {
         struct_size: size_of::<nm_progress>() as u32,
-        phase: progress.phase.into(),
+        phase: progress.phase,
         fraction: progress.fraction,
         inputs_inserted: progress.inputs_inserted,
         vertices: progress.vertices,

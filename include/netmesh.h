@@ -140,6 +140,15 @@
  * Those below do the same for their structs.
  */
 #define NM_COUNTS_INIT { sizeof(nm_counts), 0, 0, 0, 0, 0, 0 }
+/** The initial value of an nm_options: the defaults. */
+#define NM_OPTIONS_INIT { sizeof(nm_options), NM_CRITERION_VORONOI_ASPECT, 0, 0, \
+      0, NM_GIVES_WAY_ANGLE, NM_EXTENT_AUTO, NM_INTERIOR_AUTO, \
+      NM_CROSSINGS_REFUSE, 0, 0, 0, \
+      0, NM_OUTPUT_AUTO, NM_ALGORITHM_NETMESH, 1, \
+      0, 0, 0, 0, \
+      0, NM_ORDERING_SAMPLED_NET, 0, 0, \
+      0, 0, 0, 0, \
+      0, 0 }
 /** The initial value of an nm_left_out. */
 #define NM_LEFT_OUT_INIT { sizeof(nm_left_out), 0, 0, 0, 0 }
 /** The initial value of an nm_selection: all simplices. */
@@ -159,7 +168,7 @@
     { sizeof(nm_report), 0, 0, 0, NM_VIOLATION_NONE, 0, 0, 0, { 0 } }
 
 /**
- * nm_options.algorithm: how nm_run works.
+ * Algorithm that makes the mesh.
  */
 enum nm_algorithm
 #ifdef __cplusplus
@@ -178,7 +187,7 @@ enum nm_algorithm
     /**
      * The plain Delaunay triangulation of the input, without Steiner points and without a bound on
      * quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine
-     * subspace answer NM_DEGENERATE_INPUT.
+     * subspace are refused as degenerate.
      */
     NM_ALGORITHM_DELAUNAY = 2,
 };
@@ -187,7 +196,7 @@ typedef int32_t nm_algorithm;
 #endif // __cplusplus
 
 /**
- * nm_options.criterion: the measure that nm_options.quality_bound bounds.
+ * Measure that the option quality_bound bounds.
  */
 enum nm_criterion
 #ifdef __cplusplus
@@ -211,7 +220,7 @@ typedef int32_t nm_criterion;
 #endif // __cplusplus
 
 /**
- * nm_options.crossings: what becomes of segments that cross where no input is.
+ * Treatment of segments that cross where no input is.
  */
 enum nm_crossings
 #ifdef __cplusplus
@@ -219,7 +228,7 @@ enum nm_crossings
 #endif // __cplusplus
  {
     /**
-     * The run answers NM_INVALID_ARGUMENT and names two of them.
+     * The run is refused as an invalid argument, and the message names two of the segments.
      */
     NM_CROSSINGS_REFUSE = 0,
     /**
@@ -232,8 +241,7 @@ typedef int32_t nm_crossings;
 #endif // __cplusplus
 
 /**
- * nm_selection.extent: a region, and which simplices are in it. nm_options.extent: how far the
- * result reaches.
+ * Region of the plane: how far the result of a run reaches, or which simplices a selection has.
  */
 enum nm_extent
 #ifdef __cplusplus
@@ -241,13 +249,13 @@ enum nm_extent
 #endif // __cplusplus
  {
     /**
-     * In nm_options NM_EXTENT_BOUNDARY where segments enclose something by nm_options.interior,
-     * otherwise NM_EXTENT_ALL; curves that are not closed, where that rule asks for closed ones,
-     * enclose nothing. Elsewhere NM_EXTENT_ALL.
+     * For a run NM_EXTENT_BOUNDARY where segments enclose something by the option interior,
+     * otherwise NM_EXTENT_ALL; curves that are not closed, where that option asks for closed
+     * ones, enclose nothing. For a selection NM_EXTENT_ALL.
      */
     NM_EXTENT_AUTO = 0,
     /**
-     * Everywhere.
+     * Everywhere, to the cage round all inputs.
      */
     NM_EXTENT_ALL = 1,
     /**
@@ -259,8 +267,8 @@ enum nm_extent
      */
     NM_EXTENT_BOX = 3,
     /**
-     * What segments enclose, without holes: all that cannot be reached from the hull without
-     * crossing one. For nm_options alone; nm_mesh_set_segments comes first.
+     * The region that segments enclose, without holes: all that cannot be reached from the hull
+     * without crossing a segment. For runs alone; the segments are set before.
      */
     NM_EXTENT_BOUNDARY = 4,
 };
@@ -269,144 +277,7 @@ typedef int32_t nm_extent;
 #endif // __cplusplus
 
 /**
- * How a face lies in an alpha shape, as the bytes of nm_mesh_get_alpha_shape_classes.
- */
-enum nm_face_class
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Not in the shape.
-     */
-    NM_FACE_CLASS_EXTERIOR = 0,
-    /**
-     * In the shape, and in no larger face of it.
-     */
-    NM_FACE_CLASS_SINGULAR = 1,
-    /**
-     * On the boundary of the shape, and in a larger face of it.
-     */
-    NM_FACE_CLASS_REGULAR = 2,
-    /**
-     * In the interior of the shape: all simplices round it are in the shape.
-     */
-    NM_FACE_CLASS_INTERIOR = 3,
-};
-#ifndef __cplusplus
-typedef int32_t nm_face_class;
-#endif // __cplusplus
-
-/**
- * Values of the faces of a mesh, which nm_mesh_filtration writes.
- */
-enum nm_filtration
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Alpha values: of each face of a Delaunay triangulation of the inputs alone the squared
-     * radius of its smallest circumscribing ball if no vertex is strictly in that, else the least
-     * value of the faces that have it as a facet. Squared radii, each the double nearest to the
-     * exact one.
-     */
-    NM_FILTRATION_ALPHA = 0,
-    /**
-     * Of a mesh with other vertices: when its Voronoi cells come near the inputs. Radii, not
-     * squared.
-     */
-    NM_FILTRATION_MESH = 1,
-};
-#ifndef __cplusplus
-typedef int32_t nm_filtration;
-#endif // __cplusplus
-
-/**
- * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
- * written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
- * answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
- * points are read.
- */
-enum nm_format
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
-     */
-    NM_FORMAT_AUTO = 0,
-    /**
-     * VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
-     * Dimensions 2 and 3.
-     */
-    NM_FORMAT_VTU = 1,
-    /**
-     * TetGen and Triangle: points (.node) and simplices (.ele).
-     */
-    NM_FORMAT_TETGEN_NODE = 2,
-    /**
-     * Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
-     */
-    NM_FORMAT_GMSH = 3,
-    /**
-     * Medit as text (.mesh). Dimensions 2 and 3.
-     */
-    NM_FORMAT_MEDIT = 4,
-    /**
-     * Object file format (.off), nOFF from dimension 3 on.
-     */
-    NM_FORMAT_OFF = 5,
-    /**
-     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
-     * 3.
-     */
-    NM_FORMAT_PLY = 6,
-    /**
-     * Points as text, one per line, separated by spaces (.xyz).
-     */
-    NM_FORMAT_XYZ = 7,
-    /**
-     * Points as text, one per line, separated by commas (.csv).
-     */
-    NM_FORMAT_CSV = 8,
-    /**
-     * Points as a NumPy array of shape points x dim (.npy).
-     */
-    NM_FORMAT_NPY = 9,
-    /**
-     * The Voronoi diagram of the vertices as JSON (.voronoi.json).
-     */
-    NM_FORMAT_VORONOI_JSON = 10,
-    /**
-     * The hierarchy of domains with their cages as JSON (.domains.json).
-     */
-    NM_FORMAT_DOMAINS_JSON = 11,
-    /**
-     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-     * may be in the .node file beside.
-     */
-    NM_FORMAT_POLY = 12,
-    /**
-     * GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
-     * rings are segments; their marker is the number of the feature, from 1. A third coordinate
-     * must be 0.
-     */
-    NM_FORMAT_GEOJSON = 13,
-    /**
-     * Well-known text: geometries of the plane, one after another, read only (.wkt). As of
-     * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
-     */
-    NM_FORMAT_WKT = 14,
-};
-#ifndef __cplusplus
-typedef int32_t nm_format;
-#endif // __cplusplus
-
-/**
- * nm_options.gives_way: what gives way where min_dihedral and quality_bound cannot both be had.
+ * Promise that gives way where min_dihedral and quality_bound cannot both be kept.
  */
 enum nm_gives_way
 #ifdef __cplusplus
@@ -428,8 +299,8 @@ typedef int32_t nm_gives_way;
 #endif // __cplusplus
 
 /**
- * nm_options.interior: which of the regions that segments separate are inside, with
- * NM_EXTENT_AUTO and NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
+ * Rule by which regions between segments are inside, with NM_EXTENT_AUTO and
+ * NM_EXTENT_BOUNDARY. Seeds may make holes of such regions.
  */
 enum nm_interior
 #ifdef __cplusplus
@@ -437,25 +308,26 @@ enum nm_interior
 #endif // __cplusplus
  {
     /**
-     * NM_INTERIOR_PARITY where the segments are those of a file of polygons (NM_FORMAT_GEOJSON,
-     * NM_FORMAT_WKT) that nm_mesh_create_from_file has read, NM_INTERIOR_SEEDS otherwise.
+     * NM_INTERIOR_PARITY where the segments are those of a file of polygons (GeoJSON, WKT),
+     * NM_INTERIOR_SEEDS otherwise. The options of the finished run tell which it was.
      */
     NM_INTERIOR_AUTO = 0,
     /**
-     * All that cannot be reached from outside without crossing a segment.
+     * All that cannot be reached from outside without crossing a segment is inside.
      */
     NM_INTERIOR_SEEDS = 1,
     /**
-     * Those into which a path from outside crosses an odd number of segments (the even-odd rule):
-     * rings within rings are alternately inside and outside. Every input must be an end of an even
-     * number of segments. Of a file of polygons only the sides of these count, not its lines.
+     * Regions are inside into which a path from outside crosses an odd number of segments (the
+     * even-odd rule): rings within rings are alternately inside and outside. Every input must be
+     * an end of an even number of segments. Of a file of polygons only the sides of these count,
+     * not its lines.
      */
     NM_INTERIOR_PARITY = 2,
     /**
-     * Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
-     * from outside crosses from their right to their left, less that from their left to their
-     * right. Every input must be the first end of as many segments as it is the second end.
-     * Of a file of polygons only the sides of these count.
+     * Regions are inside whose winding number is not 0 (the nonzero rule): the number of segments
+     * that a path from outside crosses from their right to their left, less that from their left
+     * to their right. Every input must be the first end of as many segments as it is the second
+     * end. Of a file of polygons only the sides of these count.
      */
     NM_INTERIOR_WINDING = 3,
 };
@@ -464,50 +336,7 @@ typedef int32_t nm_interior;
 #endif // __cplusplus
 
 /**
- * How nm_mesh_interpolate goes on between vertices, and what it does with points outside the hull.
- * All methods reproduce linear functions and are continuous.
- */
-enum nm_interpolation
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Linear in each simplex. Outside the hull NaN.
-     */
-    NM_INTERPOLATION_LINEAR = 0,
-    /**
-     * By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
-     * take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
-     * rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
-     * with 2^dim.
-     */
-    NM_INTERPOLATION_SIBSON = 1,
-    /**
-     * By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
-     * the point's cell would share with its neighbours', over the distances. Linear where Sibson's
-     * are. Outside the hull NaN.
-     */
-    NM_INTERPOLATION_LAPLACE = 2,
-    /**
-     * As NM_INTERPOLATION_LINEAR; outside the hull the values of the nearest vertex.
-     */
-    NM_INTERPOLATION_LINEAR_OR_NEAREST = 16,
-    /**
-     * As NM_INTERPOLATION_SIBSON; outside the hull the values of the nearest vertex.
-     */
-    NM_INTERPOLATION_SIBSON_OR_NEAREST = 17,
-    /**
-     * As NM_INTERPOLATION_LAPLACE; outside the hull the values of the nearest vertex.
-     */
-    NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
-};
-#ifndef __cplusplus
-typedef int32_t nm_interpolation;
-#endif // __cplusplus
-
-/**
- * What nm_mesh_quality_histogram counts.
+ * What a histogram counts.
  */
 enum nm_measure
 #ifdef __cplusplus
@@ -516,7 +345,8 @@ enum nm_measure
  {
     /**
      * The angles between any two facets of a simplex, in degrees: 3 angles of a triangle, 6
-     * dihedral angles of a tetrahedron, dim (dim + 1) / 2 of a simplex.
+     * dihedral angles of a tetrahedron, D (D + 1) / 2 in dimension D. A flat simplex, which no
+     * mesh has, counts as so many angles of 0.
      */
     NM_MEASURE_DIHEDRAL_ANGLE = 0,
     /**
@@ -524,13 +354,13 @@ enum nm_measure
      */
     NM_MEASURE_RADIUS_EDGE = 1,
     /**
-     * The aspect of Voronoi cells off the hull (nm_quality.worst_aspect_anywhere is the largest):
-     * one for each vertex in no cage and for each cage other than the root's, precision-limited
-     * ones included.
+     * Out-radius over in-radius, one for each Voronoi cell off the hull: of the vertices in no
+     * cage, and of the cages other than the root's. All corners count, and precision-limited
+     * cells do, as for nm_quality.worst_aspect_anywhere.
      */
     NM_MEASURE_ASPECT = 2,
     /**
-     * The smallest of its NM_MEASURE_DIHEDRAL_ANGLE, one for each simplex.
+     * The smallest of the angles of NM_MEASURE_DIHEDRAL_ANGLE, one for each simplex.
      */
     NM_MEASURE_SMALLEST_ANGLE = 3,
 };
@@ -539,7 +369,7 @@ typedef int32_t nm_measure;
 #endif // __cplusplus
 
 /**
- * nm_options.ordering: how the inputs of a round are selected.
+ * Choice of the inputs that a round inserts (the paper's Section 6.5).
  */
 enum nm_ordering
 #ifdef __cplusplus
@@ -547,13 +377,13 @@ enum nm_ordering
 #endif // __cplusplus
  {
     /**
-     * A sample driven by nm_options.seed, whose success is verified: the time bound is expected
+     * A sample driven by the option seed, whose success is verified: the time bound is expected
      * time.
      */
     NM_ORDERING_SAMPLED_NET = 0,
     /**
-     * A deterministic net: the time bound is worst-case time. No random number is used, so
-     * nm_options.seed has no effect.
+     * A deterministic net (the paper's Theorem 3): the time bound is worst-case time. No random
+     * number is used, so the option seed has no effect.
      */
     NM_ORDERING_DETERMINISTIC_NET = 1,
 };
@@ -562,7 +392,7 @@ typedef int32_t nm_ordering;
 #endif // __cplusplus
 
 /**
- * nm_options.output: what nm_run leaves behind.
+ * Kind of mesh that a run leaves behind.
  */
 enum nm_output
 #ifdef __cplusplus
@@ -571,9 +401,9 @@ enum nm_output
  {
     /**
      * NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
-     * min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the
-     * max_edge of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
-     * NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
+     * min_dihedral, a size (max_edge, a function, values at the inputs or on a background, the
+     * largest edge of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one
+     * that NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
      */
     NM_OUTPUT_AUTO = 0,
     /**
@@ -592,7 +422,7 @@ typedef int32_t nm_output;
 #endif // __cplusplus
 
 /**
- * nm_progress.phase: where a run stands. Later versions may append phases.
+ * Stages of a run, as progress reports name them. Later versions may append stages.
  */
 enum nm_phase
 #ifdef __cplusplus
@@ -604,15 +434,16 @@ enum nm_phase
      */
     NM_PHASE_PREPARE = 0,
     /**
-     * Inserting the inputs, with the refinement that their order asks for.
+     * Insertion of the inputs, with the refinement that their order asks for.
      */
     NM_PHASE_INSERT = 1,
     /**
-     * Turning the hierarchy into a well-spaced mesh if asked for, and the refinement to the bound.
+     * Work that turns the hierarchy into a well-spaced mesh, if that is asked for, and refinement
+     * to the bound.
      */
     NM_PHASE_FINISH = 2,
     /**
-     * Building the arrays that the getters read.
+     * Making of the arrays that hold the result.
      */
     NM_PHASE_EXPORT = 3,
 };
@@ -621,136 +452,8 @@ typedef int32_t nm_phase;
 #endif // __cplusplus
 
 /**
- * Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
- */
-enum nm_placement
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * All of it is in the region, whose boundary is part of it. No simplex is inside a region that
-     * lies in a hyperplane.
-     */
-    NM_PLACEMENT_INSIDE = 0,
-    /**
-     * Its interior meets the region, and some of it is outside.
-     */
-    NM_PLACEMENT_ACROSS = 1,
-    /**
-     * Its interior does not meet the region.
-     */
-    NM_PLACEMENT_OUTSIDE = 2,
-};
-#ifndef __cplusplus
-typedef int32_t nm_placement;
-#endif // __cplusplus
-
-/**
- * What every fallible function answers. Values are fixed; later versions only append. Whatever is
- * not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
- * buffers as they were unless the function's description says otherwise.
- */
-enum nm_status
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * Success.
-     */
-    NM_OK = 0,
-    /**
-     * A pointer that must not be NULL is NULL; the message names the argument.
-     */
-    NM_NULL_ARGUMENT = 1,
-    /**
-     * A value is out of its range; the message names the argument or field, the value and the
-     * range.
-     */
-    NM_INVALID_ARGUMENT = 2,
-    /**
-     * A coordinate is infinite or NaN; the message names the point and the coordinate.
-     */
-    NM_NON_FINITE = 3,
-    /**
-     * The dimension is not in NM_MIN_DIM..NM_MAX_DIM.
-     */
-    NM_DIMENSION = 4,
-    /**
-     * A buffer is too small (*needed has the size), or there are more points than 32-bit ids.
-     */
-    NM_CAPACITY = 5,
-    /**
-     * Fewer than two distinct points, or (NM_ALGORITHM_DELAUNAY) all points in a lower-dimensional
-     * affine subspace; the message names the rank.
-     */
-    NM_DEGENERATE_INPUT = 6,
-    /**
-     * The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
-     * that the root's cage leaves the range of double: above 3e306 with the default options.
-     */
-    NM_LIMIT = 7,
-    /**
-     * The progress callback cancelled the run.
-     */
-    NM_CANCELLED = 8,
-    /**
-     * Reading or writing failed, or the write callback stopped the export.
-     */
-    NM_IO = 9,
-    /**
-     * A file is not in its format; the message names the place.
-     */
-    NM_FORMAT_ERROR = 10,
-    /**
-     * The mesh is in no state for the call: it has no result yet, another call is changing it, or
-     * an earlier NM_PANIC poisoned it.
-     */
-    NM_STATE = 11,
-    /**
-     * An allocation failed.
-     */
-    NM_OUT_OF_MEMORY = 12,
-    /**
-     * A defect of the library: an internal check failed and was caught. The handle answers
-     * NM_STATE from then on and can only be freed.
-     */
-    NM_PANIC = 13,
-};
-#ifndef __cplusplus
-typedef int32_t nm_status;
-#endif // __cplusplus
-
-/**
- * Where a vertex comes from: the values of the bytes that nm_mesh_get_vertex_kinds writes.
- */
-enum nm_vertex_kind
-#ifdef __cplusplus
-  : int32_t
-#endif // __cplusplus
- {
-    /**
-     * An input, with the caller's coordinates bit for bit.
-     */
-    NM_VERTEX_INPUT = 0,
-    /**
-     * A vertex added for quality.
-     */
-    NM_VERTEX_STEINER = 1,
-    /**
-     * A vertex of the cage around a domain.
-     */
-    NM_VERTEX_CAGE = 2,
-};
-#ifndef __cplusplus
-typedef int32_t nm_vertex_kind;
-#endif // __cplusplus
-
-/**
- * nm_report.kind: the rule that the first violation breaks. 1 to 99 are rules of level 1
- * (topology), 101 to 199 of level 2 (geometry), 201 to 299 of level 3 (the promises). Those from
- * 51 to 58 are of meshes on several ranks (netmesh_mpi.h). Later versions may append kinds.
+ * Rule that a violation breaks. 1 to 99 are rules of level 1 (topology), 101 to 199 of level 2
+ * (geometry), 201 to 299 of level 3 (the promises). Later versions may append kinds.
  */
 enum nm_violation
 #ifdef __cplusplus
@@ -842,39 +545,6 @@ enum nm_violation
      * subsegments are not those that are edges of its simplices.
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
-    /**
-     * Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
-     * numbers by two ranks.
-     */
-    NM_VIOLATION_IDS = 51,
-    /**
-     * Two ranks have different coordinates, kinds, domains or cages of a vertex.
-     */
-    NM_VIOLATION_SHARED_VERTEX = 52,
-    /**
-     * The owner of a vertex is not the lowest rank that has a simplex with it.
-     */
-    NM_VIOLATION_VERTEX_OWNER = 53,
-    /**
-     * A ghost is not what its owner has under its id, or shares no vertex with the rank.
-     */
-    NM_VIOLATION_GHOST = 54,
-    /**
-     * A simplex that shares a vertex with the rank is not among its ghosts.
-     */
-    NM_VIOLATION_MISSING_GHOST = 55,
-    /**
-     * The interface is not the facets whose neighbours are ghosts.
-     */
-    NM_VIOLATION_INTERFACE = 56,
-    /**
-     * The sizes of the whole mesh are not those of all parts.
-     */
-    NM_VIOLATION_TOTALS = 57,
-    /**
-     * Two ranks have different centres, radii or parents of a domain.
-     */
-    NM_VIOLATION_SHARED_DOMAIN = 58,
     /**
      * A simplex is flat or negatively oriented.
      */
@@ -1003,8 +673,7 @@ enum nm_violation
      */
     NM_VIOLATION_DIHEDRAL_ANGLE = 222,
     /**
-     * A simplex that meets the box of the inputs is larger than nm_options.max_edge or
-     * nm_options.size asked for.
+     * A simplex that meets the box of the inputs is larger than the sizes that were asked for.
      */
     NM_VIOLATION_SIMPLEX_SIZE = 223,
     /**
@@ -1034,6 +703,314 @@ typedef int32_t nm_violation;
 #endif // __cplusplus
 
 /**
+ * Class of a face in an alpha shape: the values of the bytes of nm_mesh_get_alpha_shape_classes.
+ */
+enum nm_face_class
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Not in the shape.
+     */
+    NM_FACE_CLASS_EXTERIOR = 0,
+    /**
+     * In the shape, and in no larger face of it.
+     */
+    NM_FACE_CLASS_SINGULAR = 1,
+    /**
+     * On the boundary of the shape, and in a larger face of it.
+     */
+    NM_FACE_CLASS_REGULAR = 2,
+    /**
+     * In the interior of the shape: all simplices round it are in the shape.
+     */
+    NM_FACE_CLASS_INTERIOR = 3,
+};
+#ifndef __cplusplus
+typedef int32_t nm_face_class;
+#endif // __cplusplus
+
+/**
+ * Values of the faces of a mesh, which nm_mesh_filtration writes.
+ */
+enum nm_filtration
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Alpha values: of each face of a Delaunay triangulation of the inputs alone the squared
+     * radius of its smallest circumscribing ball if no vertex is strictly in that, else the least
+     * value of the faces that have it as a facet. Squared radii, each the double nearest to the
+     * exact one.
+     */
+    NM_FILTRATION_ALPHA = 0,
+    /**
+     * Distances at which the Voronoi cells of a mesh with other vertices come near the inputs.
+     * Radii, not squared.
+     */
+    NM_FILTRATION_MESH = 1,
+};
+#ifndef __cplusplus
+typedef int32_t nm_filtration;
+#endif // __cplusplus
+
+/**
+ * File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
+ * written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
+ * answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
+ * points are read.
+ */
+enum nm_format
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
+     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+     */
+    NM_FORMAT_AUTO = 0,
+    /**
+     * VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
+     * Dimensions 2 and 3.
+     */
+    NM_FORMAT_VTU = 1,
+    /**
+     * TetGen and Triangle: points (.node) and simplices (.ele).
+     */
+    NM_FORMAT_TETGEN_NODE = 2,
+    /**
+     * Gmsh 4.1 as text (.msh); versions 4.1 and 2 are read, as text. Dimensions 2 and 3.
+     */
+    NM_FORMAT_GMSH = 3,
+    /**
+     * Medit as text (.mesh). Dimensions 2 and 3.
+     */
+    NM_FORMAT_MEDIT = 4,
+    /**
+     * Object file format (.off), nOFF from dimension 3 on.
+     */
+    NM_FORMAT_OFF = 5,
+    /**
+     * Polygon file format (.ply): the triangles of a planar mesh, the boundary of one in dimension
+     * 3.
+     */
+    NM_FORMAT_PLY = 6,
+    /**
+     * Points as text, one per line, separated by spaces (.xyz).
+     */
+    NM_FORMAT_XYZ = 7,
+    /**
+     * Points as text, one per line, separated by commas (.csv).
+     */
+    NM_FORMAT_CSV = 8,
+    /**
+     * Points as a NumPy array of shape points x dim (.npy).
+     */
+    NM_FORMAT_NPY = 9,
+    /**
+     * The Voronoi diagram of the vertices as JSON (.voronoi.json).
+     */
+    NM_FORMAT_VORONOI_JSON = 10,
+    /**
+     * The hierarchy of domains with their cages as JSON (.domains.json).
+     */
+    NM_FORMAT_DOMAINS_JSON = 11,
+    /**
+     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
+     * may be in the .node file beside.
+     */
+    NM_FORMAT_POLY = 12,
+    /**
+     * GeoJSON (RFC 7946): points, lines and polygons of the plane, read only (.geojson). Lines and
+     * rings are segments; their marker is the number of the feature, from 1. A third coordinate
+     * must be 0.
+     */
+    NM_FORMAT_GEOJSON = 13,
+    /**
+     * Well-known text: geometries of the plane, one after another, read only (.wkt). As of
+     * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
+     */
+    NM_FORMAT_WKT = 14,
+};
+#ifndef __cplusplus
+typedef int32_t nm_format;
+#endif // __cplusplus
+
+/**
+ * Method by which nm_mesh_interpolate goes on between vertices, and its answer for points outside
+ * the hull. All methods reproduce linear functions and are continuous.
+ */
+enum nm_interpolation
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Linear in each simplex. Outside the hull NaN.
+     */
+    NM_INTERPOLATION_LINEAR = 0,
+    /**
+     * Natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+     * take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
+     * rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
+     * with 2^dim.
+     */
+    NM_INTERPOLATION_SIBSON = 1,
+    /**
+     * Natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+     * the point's cell would share with its neighbours', over the distances. Linear where Sibson's
+     * are. Outside the hull NaN.
+     */
+    NM_INTERPOLATION_LAPLACE = 2,
+    /**
+     * Linear in each simplex; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_LINEAR_OR_NEAREST = 16,
+    /**
+     * NM_INTERPOLATION_SIBSON inside the hull; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_SIBSON_OR_NEAREST = 17,
+    /**
+     * NM_INTERPOLATION_LAPLACE inside the hull; outside the hull the values of the nearest vertex.
+     */
+    NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
+};
+#ifndef __cplusplus
+typedef int32_t nm_interpolation;
+#endif // __cplusplus
+
+/**
+ * Place of a simplex with respect to a region: the values of the bytes of nm_mesh_get_placements.
+ * Exact.
+ */
+enum nm_placement
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * All of it is in the region, whose boundary is part of it. No simplex is inside a region that
+     * lies in a hyperplane.
+     */
+    NM_PLACEMENT_INSIDE = 0,
+    /**
+     * Its interior meets the region, and some of it is outside.
+     */
+    NM_PLACEMENT_ACROSS = 1,
+    /**
+     * Its interior does not meet the region.
+     */
+    NM_PLACEMENT_OUTSIDE = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_placement;
+#endif // __cplusplus
+
+/**
+ * Status that every fallible function answers. Values are fixed; later versions only append. Whatever is
+ * not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
+ * buffers as they were unless the function's description says otherwise.
+ */
+enum nm_status
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * Success.
+     */
+    NM_OK = 0,
+    /**
+     * A pointer that must not be NULL is NULL; the message names the argument.
+     */
+    NM_NULL_ARGUMENT = 1,
+    /**
+     * A value is out of its range; the message names the argument or field, the value and the
+     * range.
+     */
+    NM_INVALID_ARGUMENT = 2,
+    /**
+     * A coordinate is infinite or NaN; the message names the point and the coordinate.
+     */
+    NM_NON_FINITE = 3,
+    /**
+     * The dimension is not in NM_MIN_DIM..NM_MAX_DIM.
+     */
+    NM_DIMENSION = 4,
+    /**
+     * A buffer is too small (*needed has the size), or there are more points than 32-bit ids.
+     */
+    NM_CAPACITY = 5,
+    /**
+     * Fewer than two distinct points, or (NM_ALGORITHM_DELAUNAY) all points in a lower-dimensional
+     * affine subspace; the message names the rank.
+     */
+    NM_DEGENERATE_INPUT = 6,
+    /**
+     * The run needs more vertices than nm_options.max_vertices allows, or coordinates are so large
+     * that the root's cage leaves the range of double: above 3e306 with the default options.
+     */
+    NM_LIMIT = 7,
+    /**
+     * The progress callback cancelled the run.
+     */
+    NM_CANCELLED = 8,
+    /**
+     * Reading or writing failed, or the write callback stopped the export.
+     */
+    NM_IO = 9,
+    /**
+     * A file is not in its format; the message names the place.
+     */
+    NM_FORMAT_ERROR = 10,
+    /**
+     * The mesh is in no state for the call: it has no result yet, another call is changing it, or
+     * an earlier NM_PANIC poisoned it.
+     */
+    NM_STATE = 11,
+    /**
+     * An allocation failed.
+     */
+    NM_OUT_OF_MEMORY = 12,
+    /**
+     * A defect of the library: an internal check failed and was caught. The handle answers
+     * NM_STATE from then on and can only be freed.
+     */
+    NM_PANIC = 13,
+};
+#ifndef __cplusplus
+typedef int32_t nm_status;
+#endif // __cplusplus
+
+/**
+ * Origin of a vertex: the values of the bytes that nm_mesh_get_vertex_kinds writes.
+ */
+enum nm_vertex_kind
+#ifdef __cplusplus
+  : int32_t
+#endif // __cplusplus
+ {
+    /**
+     * An input, with the caller's coordinates bit for bit.
+     */
+    NM_VERTEX_INPUT = 0,
+    /**
+     * A vertex added for quality.
+     */
+    NM_VERTEX_STEINER = 1,
+    /**
+     * A vertex of the cage around a domain.
+     */
+    NM_VERTEX_CAGE = 2,
+};
+#ifndef __cplusplus
+typedef int32_t nm_vertex_kind;
+#endif // __cplusplus
+
+/**
  * Points, and after nm_run their mesh. Made by nm_mesh_create and its like, freed by nm_mesh_free.
  * Functions that take a `const nm_mesh *` may run on one handle at the same time from any threads;
  * nm_run needs the handle for itself, which is checked: the call that comes too early (a getter
@@ -1042,7 +1019,20 @@ typedef int32_t nm_violation;
 typedef struct nm_mesh nm_mesh;
 
 /**
- * What nm_run reports while it works. The library fills it; it is valid during the callback only.
+ * The size that is asked for at a point: the length of an edge, above 0, infinite where there is
+ * no bound. x: dim doubles, valid during the call, in the box of the inputs (between the least
+ * and the largest of their coordinates on each axis). user_data: nm_options.size_user_data.
+ * Called on the thread that called nm_run, at most once a vertex, with nm_options.min_dihedral
+ * also at places that are tried for vertices, in an order that depends on the inputs and the
+ * options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message
+ * that has the point and the answer. During a call any use of the mesh being run answers
+ * NM_STATE; other meshes may be used, and this one must not be freed.
+ */
+typedef double (*nm_size_fn)(const double *x, void *user_data);
+
+/**
+ * Progress that nm_run reports while it works. The library fills it; it is valid during the
+ * callback only.
  */
 typedef struct nm_progress {
     /**
@@ -1082,19 +1072,8 @@ typedef struct nm_progress {
 typedef int32_t (*nm_progress_fn)(const struct nm_progress *progress, void *user_data);
 
 /**
- * The size that is asked for at a point: the length of an edge, above 0, infinite where there is
- * no bound. x: dim doubles, valid during the call, in the box of the inputs (between the least
- * and the largest of their coordinates on each axis). user_data: nm_options.size_user_data.
- * Called on the thread that called nm_run, at most once a vertex, with nm_options.min_dihedral
- * also at places that are tried for vertices, in an order that depends on the inputs and the
- * options alone. Any other answer, NaN too, ends the run with NM_INVALID_ARGUMENT and a message
- * that has the point and the answer. During a call any use of the mesh being run answers
- * NM_STATE; other meshes may be used, and this one must not be freed.
- */
-typedef double (*nm_size_fn)(const double *x, void *user_data);
-
-/**
- * What nm_run shall do. Fill it with nm_options_init, then change what you need.
+ * Options of a run. Begin with NM_OPTIONS_INIT or nm_options_init, then change what you need. The
+ * fields stand in groups: quality, domain, sizes, algorithm, run, constants of the paper.
  *
  * For each double and for max_vertices, 0 is the default for the dimension; anything else outside
  * the field's range, NaN included, answers NM_INVALID_ARGUMENT. "2D, 3D, 4D, more" are the values
@@ -1102,43 +1081,143 @@ typedef double (*nm_size_fn)(const double *x, void *user_data);
  */
 typedef struct nm_options {
     /**
-     * sizeof(nm_options) of the caller, set by nm_options_init. Fields that a smaller struct lacks
-     * have their defaults; a larger struct is accepted if what this version does not know is zero.
+     * sizeof(nm_options) of the caller, set by NM_OPTIONS_INIT and nm_options_init. Fields that a
+     * smaller struct lacks have their defaults; a larger struct is accepted if what this version
+     * does not know is zero.
      */
     uint32_t struct_size;
     /**
-     * What the run leaves behind. Default NM_OUTPUT_AUTO.
-     */
-    nm_output output;
-    /**
-     * How it works. Default NM_ALGORITHM_NETMESH.
-     */
-    nm_algorithm algorithm;
-    /**
-     * How inputs are selected. Default NM_ORDERING_SAMPLED_NET.
-     */
-    nm_ordering ordering;
-    /**
-     * The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
+     * Quality: the measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
      */
     nm_criterion criterion;
     /**
-     * Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and
-     * 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
-     */
-    uint32_t threads;
-    /**
-     * The promised quality, smaller is better and costs more vertices; a ratio without unit.
-     * NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
+     * Largest value of the criterion, smaller is better and costs more vertices; a ratio without
+     * unit. NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
      * [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
-     * [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run
-     * usually ends; set max_vertices, too.
+     * [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run usually
+     * ends; set max_vertices, too.
      */
     double quality_bound;
     /**
-     * How far apart a cluster must stand to become a domain of its own: a pair at distance x gets
-     * one of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2.
-     * Smaller makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
+     * Smallest angle of the triangles, in degrees (Triangle's -q), in 2D only and in place of
+     * criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
+     * With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
+     * (criterion and quality_bound count). Above 30 degrees the run usually ends, set
+     * max_vertices, too; a few cells at the root's cage may then be given up (precision-limited).
+     * With NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
+     * nm_quality.below_min_angle counts the others.
+     */
+    double min_angle;
+    /**
+     * Least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
+     * points move and further ones come until none is smaller. Where quality_bound cannot be had
+     * too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound
+     * count what is left. In 3D only, without distance_ratio, and without effect with
+     * NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
+     */
+    double min_dihedral;
+    /**
+     * Promise that gives way where min_dihedral and quality_bound cannot both be kept; without
+     * effect where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
+     */
+    nm_gives_way gives_way;
+    /**
+     * Domain: the region of the plane that the result covers. What lies beyond is cut away, and
+     * the boundary is a chain of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default
+     * NM_EXTENT_AUTO.
+     */
+    nm_extent extent;
+    /**
+     * Rule by which regions between segments are inside, with NM_EXTENT_BOUNDARY and, where there
+     * are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
+     * NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
+     * NM_INTERIOR_AUTO.
+     */
+    nm_interior interior;
+    /**
+     * Treatment of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+     */
+    nm_crossings crossings;
+    /**
+     * Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
+     * least and largest of their coordinates on each axis); their circumradius is at most that of
+     * the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
+     * allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
+     */
+    double max_edge;
+    /**
+     * Largest reach of the cell of a vertex, relative to the distance from the vertex to the
+     * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
+     * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
+     * distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+     * NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: cells
+     * may reach any distance.
+     */
+    double distance_ratio;
+    /**
+     * Function that tells the size at each point, on the same conditions as max_edge: no simplex
+     * that meets the box of the inputs has a larger circumradius than the regular simplex whose
+     * edges have the least of the sizes at its vertices (for a vertex outside the box: at the
+     * nearest point of it). Most edges have between 0.6 times the size and the size; none is
+     * longer than twice that circumradius, 1.16 times the size in 2D, 1.23 times in 3D, 1.34 times
+     * in 8D. The values of the function between vertices are not seen. With max_edge both count.
+     * nm_mesh_set_sizes and nm_mesh_set_background give sizes by values. Default NULL: none.
+     */
+    nm_size_fn size;
+    /**
+     * Pointer that size gets as it is; the library never looks at it. Default NULL.
+     */
+    void *size_user_data;
+    /**
+     * Algorithm: the kind of mesh that the run leaves behind. Default NM_OUTPUT_AUTO.
+     */
+    nm_output output;
+    /**
+     * Algorithm that makes the mesh. Default NM_ALGORITHM_NETMESH.
+     */
+    nm_algorithm algorithm;
+    /**
+     * Run: the number of threads, 0 = all cores. Default 1. The result does not depend on it. Of
+     * use in 2D and 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
+     */
+    uint32_t threads;
+    /**
+     * 1: the run measures the fields of nm_stats from ply_probes on as well. That takes about as
+     * long again as the run, in 4D and more several times as long. The mesh is the same. Default
+     * 0.
+     */
+    uint32_t instruments;
+    /**
+     * Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
+     * NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
+     */
+    uint64_t seed;
+    /**
+     * Number of vertices, inputs included, beyond which the run answers NM_LIMIT. Default (0): as
+     * many as 32-bit ids allow.
+     */
+    uint64_t max_vertices;
+    /**
+     * Function that is called during the run; NULL for none. Default NULL.
+     */
+    nm_progress_fn progress;
+    /**
+     * Pointer that progress gets as it is; the library never looks at it. Default NULL.
+     */
+    void *user_data;
+    /**
+     * Constants of the paper: the choice of the inputs that a round inserts. Default
+     * NM_ORDERING_SAMPLED_NET.
+     */
+    nm_ordering ordering;
+    /**
+     * Zero.
+     */
+    uint32_t reserved;
+    /**
+     * Distance that makes a cluster a domain of its own: a pair at distance x gets one of radius x
+     * / epsilon if its surroundings are empty to encroachment * x / epsilon^2. Smaller makes fewer
+     * domains and more vertices between. In [0.05, 0.6], default 0.5.
      */
     double epsilon;
     /**
@@ -1147,18 +1226,18 @@ typedef struct nm_options {
      */
     double delta;
     /**
-     * Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
-     * nearest vertex. In [0.01, 0.25], default 0.1.
+     * Radius within which a new cage vertex yields to an input, as a fraction of its distance to
+     * the nearest vertex. In [0.01, 0.25], default 0.1.
      */
     double gamma;
     /**
-     * Refinement yield: a Steiner point yields to an input within this fraction of the radius of
-     * its empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
+     * Radius within which a Steiner point yields to an input, as a fraction of the radius of its
+     * empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
      */
     double yield_radius;
     /**
-     * How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1,
-     * 4], default 1.
+     * Distance from a domain's centre within which no outside vertex may be: encroachment * radius
+     * / epsilon. In [1, 4], default 1.
      */
     double encroachment;
     /**
@@ -1171,114 +1250,10 @@ typedef struct nm_options {
      * 2.5, 3, 4 in 2D, 3D, 4D, more.
      */
     double root_scale;
-    /**
-     * Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
-     * NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
-     */
-    uint64_t seed;
-    /**
-     * The run answers NM_LIMIT rather than make more vertices, inputs included. Default (0): what
-     * 32-bit ids allow.
-     */
-    uint64_t max_vertices;
-    /**
-     * Called during the run; NULL for none. Default NULL.
-     */
-    nm_progress_fn progress;
-    /**
-     * Handed to progress as it is; the library never looks at it. Default NULL.
-     */
-    void *user_data;
-    /**
-     * 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again
-     * as the run, in 4D and more several times as long. The mesh is the same. Default 0.
-     */
-    uint32_t instruments;
-    /**
-     * Zero.
-     */
-    uint32_t reserved;
-    /**
-     * How far the cell of a vertex may reach, relative to the distance from the vertex to the
-     * nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
-     * (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
-     * distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
-     * NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no
-     * matter how far.
-     */
-    double distance_ratio;
-    /**
-     * 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
-     * criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
-     * With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
-     * (criterion and quality_bound count). Above 30 degrees the run usually ends, set
-     * max_vertices, too; a few cells at the root's cage may then be given up (precision-limited).
-     * With NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
-     * nm_quality.below_min_angle counts the others.
-     */
-    double min_angle;
-    /**
-     * The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain:
-     * Steiner points move and further ones come until none is smaller. Where quality_bound cannot
-     * be had too, gives_way says which of them holds; nm_quality.below_min_dihedral and
-     * beyond_bound count what is left. In 3D only, without distance_ratio, and without effect
-     * with NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
-     */
-    double min_dihedral;
-    /**
-     * The length that no edge exceeds of simplices that meet the box of the inputs (the least and
-     * largest of their coordinates on each axis); their circumradius is at most that of the
-     * regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
-     * allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0:
-     * none.
-     */
-    double max_edge;
-    /**
-     * The size at each point, on the same conditions: no simplex that meets the box of the inputs
-     * has a larger circumradius than the regular simplex whose edges have the least of the sizes
-     * at its vertices (for a vertex outside the box: at the nearest point of it). Most edges have
-     * between 0.6 times the size and the size; none is longer than twice that circumradius, 1.16
-     * times the size in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between
-     * vertices is not seen. With max_edge both count. nm_mesh_set_sizes and
-     * nm_mesh_set_background give sizes by values. Default NULL: none.
-     */
-    nm_size_fn size;
-    /**
-     * Handed to size as it is; the library never looks at it. Default NULL.
-     */
-    void *size_user_data;
-    /**
-     * What gives way where min_dihedral and quality_bound cannot both be had; without effect
-     * where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
-     */
-    nm_gives_way gives_way;
-    /**
-     * Zero.
-     */
-    uint32_t reserved_after_gives_way;
-    /**
-     * How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
-     * of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
-     */
-    nm_extent extent;
-    /**
-     * What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
-     */
-    nm_crossings crossings;
-    /**
-     * Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
-     * there are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
-     * NM_INTERIOR_WINDING. Default NM_INTERIOR_AUTO.
-     */
-    nm_interior interior;
-    /**
-     * Zero.
-     */
-    uint32_t reserved_after_interior;
 } nm_options;
 
 /**
- * How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
+ * Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
  */
 typedef struct nm_counts {
     /**
@@ -1313,8 +1288,8 @@ typedef struct nm_counts {
 } nm_counts;
 
 /**
- * What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
- * has not: numbers of elements. A mesh is made of the points.
+ * Numbers of elements that the file of a mesh or a surface has beside its points, and the nm_mesh
+ * that was made of it has not. A mesh is made of the points.
  */
 typedef struct nm_left_out {
     /**
@@ -1359,7 +1334,7 @@ typedef struct nm_domain {
 } nm_domain;
 
 /**
- * Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+ * Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
  * selects all.
  */
 typedef struct nm_selection {
@@ -1383,7 +1358,7 @@ typedef struct nm_selection {
 } nm_selection;
 
 /**
- * What nm_mesh_alpha_shape tells of an alpha shape.
+ * Measures of an alpha shape, from nm_mesh_alpha_shape.
  */
 typedef struct nm_alpha_shape {
     /**
@@ -1391,7 +1366,7 @@ typedef struct nm_alpha_shape {
      */
     uint32_t struct_size;
     /**
-     * How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+     * Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
      * program that computes persistence (nm_export_filtration).
      */
     uint32_t betti_count;
@@ -1405,11 +1380,11 @@ typedef struct nm_alpha_shape {
      */
     int64_t euler_characteristic;
     /**
-     * How many pieces it has.
+     * Number of pieces of the shape.
      */
     uint64_t components;
     /**
-     * How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+     * Number of bounded pieces of space that the shape leaves: holes in 2D, cavities in 3D.
      */
     uint64_t voids;
     /**
@@ -1424,7 +1399,7 @@ typedef struct nm_alpha_shape {
 } nm_alpha_shape;
 
 /**
- * What a point of the plane says of the region around it, which segments bound.
+ * Label, size or hole of a region of the plane that segments bound, told by a point in it.
  */
 typedef struct nm_region {
     /**
@@ -1455,7 +1430,7 @@ typedef struct nm_region {
 } nm_region;
 
 /**
- * How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+ * Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
  * distance from its vertex to its farthest corner over half the distance to the nearest other
  * vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
  * the doubles.
@@ -1518,13 +1493,13 @@ typedef struct nm_quality {
      */
     uint64_t below_min_dihedral;
     /**
-     * Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
-     * nothing of them.
+     * Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
+     * beside cages: min_dihedral says nothing of them.
      */
     uint64_t below_min_dihedral_between_domains;
     /**
-     * Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
-     * simplices with a larger ratio. The figures above have them.
+     * Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
+     * way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.
      */
     uint64_t beyond_bound;
     /**
@@ -1533,7 +1508,7 @@ typedef struct nm_quality {
      */
     uint64_t forced;
     /**
-     * Smallest angle of these, in degrees; 0 if there are none.
+     * Smallest angle of the forced triangles, in degrees; 0 if there are none.
      */
     double least_forced_angle_degrees;
     /**
@@ -1545,7 +1520,7 @@ typedef struct nm_quality {
 } nm_quality;
 
 /**
- * What the last nm_run did. "Definition" and "Theorem" are those of the paper.
+ * Statistics of the last nm_run. "Definition" and "Theorem" are those of the paper.
  */
 typedef struct nm_stats {
     /**
@@ -1587,7 +1562,7 @@ typedef struct nm_stats {
      */
     uint64_t cages_created;
     /**
-     * How often a cage grew during the run.
+     * Number of times that a cage grew during the run.
      */
     uint64_t cages_grown;
     /**
@@ -1633,13 +1608,23 @@ typedef struct nm_stats {
      */
     uint64_t off_centers;
     /**
-     * How often an input was inserted instead of a Steiner or cage point near it.
+     * Number of inputs that were inserted instead of a Steiner or cage point near them.
      */
     uint64_t yields;
     /**
      * Points inserted in cage gaps by the final refinement. cage_points includes them.
      */
     uint64_t closing_points;
+    /**
+     * Number of times that an input that is not on a straight segment, or on the boundary of an
+     * extent, counts as on it: it is within 3 units in the last place of the segment's larger
+     * coordinates, by axis.
+     */
+    uint64_t near_inputs;
+    /**
+     * Distance of the farthest of these inputs from its segment, in the same units.
+     */
+    double farthest_near_input;
     /**
      * Points at which the ply was counted: Voronoi corners, all of them if they are few. This
      * field and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
@@ -1686,20 +1671,10 @@ typedef struct nm_stats {
      * made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
      */
     double insertion_constant_cage;
-    /**
-     * How often an input that is not on a straight segment, or on the boundary of an extent,
-     * counts as on it: it is within 3 units in the last place of the segment's larger
-     * coordinates, by axis. Measured always.
-     */
-    uint64_t near_inputs;
-    /**
-     * The distance of the farthest of these, in the same units. Measured always.
-     */
-    double farthest_near_input;
 } nm_stats;
 
 /**
- * What nm_mesh_validate found.
+ * Findings of nm_mesh_validate.
  */
 typedef struct nm_report {
     /**
@@ -1756,21 +1731,22 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The version of the library that is running, as "major.minor.patch". Static; never NULL; do not
- * free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any thread.
+ * Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;
+ * do not free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any
+ * thread.
  */
 NM_API const char *nm_version(void);
 
 /**
- * The ABI that the running library speaks. A program built with this header works with it if the
- * result equals NM_ABI_VERSION: within one ABI version only functions, enum values and trailing
- * struct fields are added. O(1); any thread.
+ * Returns the ABI that the running library speaks. A program built with this header works with it
+ * if the result equals NM_ABI_VERSION: within one ABI version only functions, enum values and
+ * trailing struct fields are added. O(1); any thread.
  */
 NM_API uint32_t nm_abi_version(void);
 
 /**
- * The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
- * know. Static; never NULL; do not free. O(1); any thread.
+ * Returns the name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does
+ * not know. Static; never NULL; do not free. O(1); any thread.
  */
 NM_API const char *nm_status_name(nm_status status);
 
@@ -1834,8 +1810,8 @@ nm_status nm_mesh_create_from_file(const char *path_utf8,
                                    struct nm_mesh **out);
 
 /**
- * As nm_mesh_create_from_file, with the columns of the file that are coordinates, and those that
- * become attributes of the points as by nm_mesh_set_attributes.
+ * Reads points from a file as nm_mesh_create_from_file does, from the columns that are named as
+ * coordinates; other columns become attributes of the points as by nm_mesh_set_attributes.
  *
  * columns: of XYZ, CSV and NumPy files, in the order of the coordinates: numbers from 1 ("1,2,5"),
  * a range ("1-3"), or the file's names for its columns, in either case ("x,y,z"). NULL for the
@@ -2777,7 +2753,8 @@ nm_status nm_mesh_set_attributes(struct nm_mesh *mesh,
                                  const double *values);
 
 /**
- * As nm_mesh_set_attributes, but vertices that are no inputs get NaN.
+ * Sets attributes of the inputs as nm_mesh_set_attributes does, but vertices that are no inputs
+ * get NaN.
  *
  * Errors: as nm_mesh_set_attributes.
  */
@@ -3013,8 +2990,8 @@ nm_status nm_export_write(const struct nm_mesh *mesh,
                           void *user_data);
 
 /**
- * As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
- * numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+ * Writes a selection to a file as nm_export does: its simplices and their vertices, numbered anew,
+ * and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
  *
  * selection: NULL for all.
  *
@@ -3027,7 +3004,7 @@ nm_status nm_export_selected(const struct nm_mesh *mesh,
                              nm_format format);
 
 /**
- * As nm_export_write, with a selection only, as nm_export_selected has it.
+ * Hands a selection to a callback as nm_export_write does, numbered as by nm_export_selected.
  *
  * Errors: as nm_export_write, and NM_INVALID_ARGUMENT (a field of the selection; the message names
  * it).

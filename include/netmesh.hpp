@@ -66,14 +66,33 @@ using size_function = std::function<double(const double *x)>;
 // Receives an export piece by piece; false stops it, and it fails with NM_IO.
 using write_function = std::function<bool(const char *data, std::size_t size)>;
 
-// What a run shall do. The fields are those of nm_options, 0 the default for the dimension.
+// Options of a run: the fields of nm_options in its groups, 0 the default for the dimension.
 struct options {
+    // Quality.
+    nm_criterion criterion = NM_CRITERION_VORONOI_ASPECT;
+    double quality_bound = 0;
+    double min_angle = 0;  // 2D only, in place of criterion and quality_bound
+    double min_dihedral = 0;
+    nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
+    // Domain.
+    nm_extent extent = NM_EXTENT_AUTO;
+    nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
+    nm_crossings crossings = NM_CROSSINGS_REFUSE;
+    // Sizes.
+    double max_edge = 0;
+    double distance_ratio = 0;
+    size_function size = {};  // empty: none
+    // Algorithm.
     nm_output output = NM_OUTPUT_AUTO;
     nm_algorithm algorithm = NM_ALGORITHM_NETMESH;
-    nm_ordering ordering = NM_ORDERING_SAMPLED_NET;
-    nm_criterion criterion = NM_CRITERION_VORONOI_ASPECT;
+    // Run.
     std::uint32_t threads = 1;  // 0: all cores
-    double quality_bound = 0;
+    bool instruments = false;
+    std::uint64_t seed = 0;
+    std::uint64_t max_vertices = 0;
+    progress_function progress = {};  // empty: none
+    // Constants of the paper.
+    nm_ordering ordering = NM_ORDERING_SAMPLED_NET;
     double epsilon = 0;
     double delta = 0;
     double gamma = 0;
@@ -81,19 +100,6 @@ struct options {
     double encroachment = 0;
     double cage_scale = 0;
     double root_scale = 0;
-    std::uint64_t seed = 0;
-    std::uint64_t max_vertices = 0;
-    progress_function progress = {};  // empty: none
-    bool instruments = false;
-    double distance_ratio = 0;
-    double min_angle = 0;  // 2D only, in place of criterion and quality_bound
-    double min_dihedral = 0;
-    double max_edge = 0;
-    size_function size = {};  // empty: none
-    nm_gives_way gives_way = NM_GIVES_WAY_ANGLE;  // to min_dihedral, or to quality_bound
-    nm_extent extent = NM_EXTENT_AUTO;
-    nm_crossings crossings = NM_CROSSINGS_REFUSE;
-    nm_interior interior = NM_INTERIOR_AUTO;  // with NM_EXTENT_BOUNDARY and NM_EXTENT_AUTO
 };
 
 // Selection of simplices: those that fulfil all conditions. The fields are those of nm_selection.
@@ -200,10 +206,7 @@ public:
     // Meshes the points. A second run replaces the first one's result.
     result<void> try_run(const options &wanted = {}) {
         progress_call call{wanted.progress, nullptr};
-        nm_options values;
-        if (nm_status status = nm_options_init(&values, sizeof values); status != NM_OK) {
-            return detail::failed(status);
-        }
+        nm_options values = NM_OPTIONS_INIT;
         copy(wanted, values);
         values.progress = wanted.progress ? &progress_call::invoke : nullptr;
         values.user_data = &call;
@@ -842,15 +845,26 @@ private:
         return detail::outcome(status);
     }
 
-    // Copies all fields but the functions between options and nm_options, in either direction.
+    // Copies options to nm_options or the other way, all but the functions.
     template <typename From, typename To>
     static void copy(const From &from, To &to) noexcept {
+        to.criterion = from.criterion;
+        to.quality_bound = from.quality_bound;
+        to.min_angle = from.min_angle;
+        to.min_dihedral = from.min_dihedral;
+        to.gives_way = from.gives_way;
+        to.extent = from.extent;
+        to.interior = from.interior;
+        to.crossings = from.crossings;
+        to.max_edge = from.max_edge;
+        to.distance_ratio = from.distance_ratio;
         to.output = from.output;
         to.algorithm = from.algorithm;
-        to.ordering = from.ordering;
-        to.criterion = from.criterion;
         to.threads = from.threads;
-        to.quality_bound = from.quality_bound;
+        to.instruments = static_cast<decltype(to.instruments)>(from.instruments ? 1 : 0);
+        to.seed = from.seed;
+        to.max_vertices = from.max_vertices;
+        to.ordering = from.ordering;
         to.epsilon = from.epsilon;
         to.delta = from.delta;
         to.gamma = from.gamma;
@@ -858,17 +872,6 @@ private:
         to.encroachment = from.encroachment;
         to.cage_scale = from.cage_scale;
         to.root_scale = from.root_scale;
-        to.seed = from.seed;
-        to.max_vertices = from.max_vertices;
-        to.instruments = static_cast<decltype(to.instruments)>(from.instruments ? 1 : 0);
-        to.distance_ratio = from.distance_ratio;
-        to.min_angle = from.min_angle;
-        to.min_dihedral = from.min_dihedral;
-        to.max_edge = from.max_edge;
-        to.gives_way = from.gives_way;
-        to.extent = from.extent;
-        to.crossings = from.crossings;
-        to.interior = from.interior;
     }
 
     static result<mesh> made(nm_status status, nm_mesh *handle) noexcept {

@@ -1,99 +1,55 @@
-//! The meshing parameters (§4, end): defaults per dimension, and the ranges that are accepted.
-//! Plain data that a result keeps; what the algorithm derives from them is its own affair.
+//! Parameters of a mesh (§4, end): options with the defaults of a dimension filled in and their
+//! ranges checked, by [`crate::options::TABLE`]. A result keeps them.
 
-use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
+use crate::error::{Choice, Error, Message, Name, Result, say};
 use crate::options::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Options, Output,
+    Algorithm, Bounds, Criterion, Crossings, Extent, GivesWay, Interior, Kind, NetOrdering,
+    Options, Output, Row, Value, each_option, pick,
 };
 
 mod auto;
 
 pub(crate) use auto::output_for;
 
-/// The more, the less is deferred at interfaces; the fewer, the more threads have work.
+/// Number of inputs of a partition. The more, the less is deferred at interfaces; the fewer, the
+/// more threads have work.
 const INPUTS_PER_PARTITION: usize = 1 << 18;
 
-/// The range of `min_angle`, in degrees: within that of the radius-edge ratio.
-const SMALLEST_ANGLE: f64 = 0.6;
-const LARGEST_ANGLE: f64 = 33.7;
-/// The largest dihedral angle that can be asked for, in degrees: beyond about 20 most meshes keep
-/// some smaller ones.
-const MAX_DIHEDRAL: f64 = 22.0;
+macro_rules! declare_parameters {
+    ($($name:ident $field:ident: $type:ty {
+        default: $default:expr, group: $group:ident, on_ranks: $on_ranks:expr,
+        kind: $kind:expr, help: $help:literal,
+    })*) => {
+        /// Options with every default filled in and every range checked. `output`, `extent` and
+        /// `interior` are never auto. In 2D with [`Criterion::RadiusEdge`] `min_angle` is the angle
+        /// in degrees that no angle of a triangle within the bound B is below, asin(1 / (2 B)).
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Parameters {
+            $(#[doc = $help] pub $field: $type,)*
+            /// Number of inputs of a partition: a mesh of at least twice as many inputs is made in
+            /// partitions of about this number or fewer.
+            pub(crate) inputs_per_partition: usize,
+            /// True if the inputs are a sample of more, which come when the mesh of these is made.
+            pub(crate) is_sample: bool,
+        }
 
-/// Options with every default filled in and every range checked.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameters {
-    /// Never [`Output::Auto`].
-    pub output: Output,
-    pub algorithm: Algorithm,
-    pub ordering: NetOrdering,
-    pub criterion: Criterion,
-    pub threads: u32,
-    /// tau for [`Criterion::VoronoiAspect`], circumradius / shortest edge otherwise.
-    pub quality_bound: f64,
-    pub epsilon: f64,
-    pub delta: f64,
-    pub gamma: f64,
-    pub yield_radius: f64,
-    pub encroachment: f64,
-    pub cage_scale: f64,
-    pub root_scale: f64,
-    pub seed: u64,
-    pub max_vertices: u64,
-    pub instruments: bool,
-    /// 0: none.
-    pub distance_ratio: f64,
-    /// In 2D with [`Criterion::RadiusEdge`], the angle in degrees that no angle of a triangle
-    /// within the bound B is below: `asin(1 / (2 B))`. Otherwise 0.
-    pub min_angle: f64,
-    /// In degrees; 0 = none.
-    pub min_dihedral: f64,
-    /// How far the result reaches; never [`Extent::Auto`].
-    pub extent: Extent,
-    /// What becomes of segments that cross.
-    pub crossings: Crossings,
-    /// 0: none.
-    pub max_edge: f64,
-    pub gives_way: GivesWay,
-    /// Which of the regions between segments are inside; never [`Interior::Auto`].
-    pub interior: Interior,
-    /// A mesh of at least twice this number of inputs is made in partitions of about this number
-    /// or fewer.
-    pub(crate) inputs_per_partition: usize,
-    /// Whether the inputs are a sample of more, which come when the mesh of these is made.
-    pub(crate) is_sample: bool,
+        fn options_of(parameters: &Parameters) -> Options {
+            Options { $($field: parameters.$field,)* }
+        }
+
+        fn parameters_of(full: Options) -> Parameters {
+            let (inputs_per_partition, is_sample) = (INPUTS_PER_PARTITION, false);
+            Parameters { $($field: full.$field,)* inputs_per_partition, is_sample }
+        }
+    };
 }
+each_option!(declare_parameters);
 
 impl Parameters {
     /// Returns options that say the same in full. Where `min_angle` is not 0, it says the same as
     /// `criterion` and `quality_bound`, which are set, too.
     pub fn options(&self) -> Options {
-        Options {
-            output: self.output,
-            algorithm: self.algorithm,
-            ordering: self.ordering,
-            criterion: self.criterion,
-            threads: self.threads,
-            quality_bound: self.quality_bound,
-            epsilon: self.epsilon,
-            delta: self.delta,
-            gamma: self.gamma,
-            yield_radius: self.yield_radius,
-            encroachment: self.encroachment,
-            cage_scale: self.cage_scale,
-            root_scale: self.root_scale,
-            seed: self.seed,
-            max_vertices: self.max_vertices,
-            instruments: self.instruments,
-            distance_ratio: self.distance_ratio,
-            min_angle: self.min_angle,
-            min_dihedral: self.min_dihedral,
-            extent: self.extent,
-            crossings: self.crossings,
-            max_edge: self.max_edge,
-            gives_way: self.gives_way,
-            interior: self.interior,
-        }
+        options_of(self)
     }
 
     /// Fills the defaults for `dim` into `options`, for a run without sizes but `max_edge`;
@@ -102,59 +58,71 @@ impl Parameters {
     /// # Errors
     /// `InvalidArgument`, naming the option, its value and the range.
     pub fn resolve(dim: usize, options: &Options) -> Result<Self> {
-        let (criterion, quality_bound) = bound(dim, options)?;
-        // At 1.0 the corner of a D-ball that has inputs always yields, to inputs that are not
-        // medial.
-        let yield_radius = match options.algorithm {
-            Algorithm::Svr => pick(dim, [0.6, 0.9, 0.9, 0.9]),
-            _ => 1.0,
+        require_bound(dim, options)?;
+        require_dihedral(dim, options)?;
+        let mut full = options.clone();
+        for name in Name::OPTIONS {
+            fill_number(dim, *name, options, &mut full)?;
+        }
+        require_no_cages(options)?;
+        full.output = output_for(options, false);
+        full.extent = match options.extent {
+            Extent::Auto => Extent::All,
+            named => named,
         };
-        let max_vertices = match options.max_vertices {
+        full.interior = with_interior(options, false).interior;
+        if options.min_angle != 0.0 {
+            full.criterion = Criterion::RadiusEdge;
+            full.quality_bound = 0.5 / options.min_angle.to_radians().sin();
+        }
+        full.min_angle = match (dim, full.criterion) {
+            (2, Criterion::RadiusEdge) => (0.5 / full.quality_bound).asin().to_degrees(),
+            _ => 0.0,
+        };
+        full.max_vertices = match options.max_vertices {
             0 => u64::from(u32::MAX - 1),
             given => given.min(u64::from(u32::MAX - 1)),
         };
-        let distance_ratio = distance_ratio(options)?;
-        // So the hull and its cells are far enough from the cells that are refined.
-        let least_root_scale = if distance_ratio > 0.0 { 12.0 } else { 0.0 };
-        let root_scale = pick(dim, [2.5, 2.5, 3.0, 4.0]).max(least_root_scale);
-        Ok(Self {
-            output: output_for(options, false),
-            algorithm: options.algorithm,
-            ordering: options.ordering,
-            criterion,
-            threads: options.threads,
-            quality_bound,
-            epsilon: number(Name::Epsilon, options.epsilon, 0.5, 0.05, 0.6)?,
-            delta: number(Name::Delta, options.delta, pick(dim, [0.8, 1.0, 1.0, 1.0]), 0.1, 1.0)?,
-            gamma: number(Name::Gamma, options.gamma, 0.1, 0.01, 0.25)?,
-            yield_radius: number(Name::YieldRadius, options.yield_radius, yield_radius, 0.05, 1.0)?,
-            encroachment: number(Name::Encroachment, options.encroachment, 1.0, 1.0, 4.0)?,
-            cage_scale: number(Name::CageScale, options.cage_scale, 0.8, 0.3, 0.9)?,
-            root_scale: number(Name::RootScale, options.root_scale, root_scale, 2.0, 16.0)?,
-            seed: options.seed,
-            max_vertices,
-            instruments: options.instruments,
-            distance_ratio,
-            min_angle: match (dim, criterion) {
-                (2, Criterion::RadiusEdge) => (0.5 / quality_bound).asin().to_degrees(),
-                _ => 0.0,
-            },
-            min_dihedral: angle(dim, options)?,
-            extent: match options.extent {
-                Extent::Auto => Extent::All,
-                named => named,
-            },
-            crossings: options.crossings,
-            max_edge: max_edge(options)?,
-            gives_way: options.gives_way,
-            interior: with_interior(options, false).interior,
-            inputs_per_partition: INPUTS_PER_PARTITION,
-            is_sample: false,
-        })
+        Ok(parameters_of(full))
     }
 }
 
-/// The options of a mesh with segments. There the bound is on angles: the cell of a vertex on a
+/// Fills in the default of a number, and refuses one that is out of its range.
+fn fill_number(dim: usize, name: Name, options: &Options, full: &mut Options) -> Result<()> {
+    let Some(row) = name.option().and_then(Row::named) else { return Ok(()) };
+    let (Kind::Number { ranges, .. }, Value::Number(given)) = (row.kind, row.get(options)) else {
+        return Ok(());
+    };
+    // One range for all criteria, or one for each.
+    let range = ranges.get(options.criterion as usize).unwrap_or(&ranges[0]);
+    let default = default_of(dim, name, options, range);
+    if given == 0.0 {
+        row.set(full, Value::Number(default));
+        return Ok(());
+    }
+    let (lowest, highest) = (range.lowest_in(dim), range.highest);
+    if (lowest..=highest).contains(&given) {
+        return Ok(());
+    }
+    refuse(match highest == f64::INFINITY {
+        true => say!(name, " is {given}; it must be 0 (none) or above"),
+        false => {
+            say!(name, " is {given}; it must be 0 (default {default}) or in [{lowest}, {highest}]")
+        }
+    })
+}
+
+/// Returns the default of a number, which other options may change.
+fn default_of(dim: usize, name: Name, options: &Options, range: &Bounds) -> f64 {
+    match name {
+        Name::YieldRadius if options.algorithm == Algorithm::Svr => pick(dim, [0.6, 0.9, 0.9, 0.9]),
+        // So the hull and its cells are far enough from the cells that are refined.
+        Name::RootScale if options.distance_ratio > 0.0 => range.default_in(dim).max(12.0),
+        _ => range.default_in(dim),
+    }
+}
+
+/// Returns the options of a mesh with segments. There the bound is on angles: the cell of a vertex on a
 /// boundary reaches beyond that.
 ///
 /// # Errors
@@ -197,41 +165,30 @@ pub fn with_interior(options: &Options, has_polygons: bool) -> Options {
 }
 
 fn refuse<T>(message: Message) -> Result<T> {
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
-/// The criterion and its bound: as they are given, or those of `min_angle`.
-fn bound(dim: usize, options: &Options) -> Result<(Criterion, f64)> {
-    if options.min_angle != 0.0 {
-        return Ok((Criterion::RadiusEdge, radius_edge_of(dim, options)?));
-    }
-    let (default, lowest, highest) = match options.criterion {
-        Criterion::VoronoiAspect => (pick(dim, [3.0, 4.0, 5.0, 6.0]), least_aspect(dim), 100.0),
-        Criterion::RadiusEdge => {
-            (pick(dim, [1.5, 2.0, 2.5, 3.0]), pick(dim, [0.9, 1.1, 1.75, 2.25]), 50.0)
-        }
-    };
-    let given = number(Name::QualityBound, options.quality_bound, default, lowest, highest)?;
-    Ok((options.criterion, given))
-}
-
-/// The least aspect that may be asked for.
+/// Returns the least aspect that may be asked for.
 pub(crate) fn least_aspect(dim: usize) -> f64 {
-    pick(dim, [2.2, 2.5, 3.5, 4.5])
+    match Row::named("quality_bound").map(|row| row.kind) {
+        Some(Kind::Number { ranges, .. }) => {
+            ranges[Criterion::VoronoiAspect as usize].lowest_in(dim)
+        }
+        _ => 0.0,
+    }
 }
 
-/// The radius-edge ratio of the isosceles triangle whose smallest angle is the one that is asked
-/// for.
-fn radius_edge_of(dim: usize, options: &Options) -> Result<f64> {
+/// Refuses a smallest angle that is no bound on radius-edge ratios, or not the only bound.
+fn require_bound(dim: usize, options: &Options) -> Result<()> {
     let Options { min_angle, quality_bound, .. } = *options;
-    if dim != 2 {
+    if min_angle != 0.0 && dim != 2 {
         return refuse(say!(
             Name::MinAngle,
             " is {min_angle}; it must be 0 in {dim}D, since only in 2D does a radius-edge ratio \
              bound the angles"
         ));
     }
-    if quality_bound != 0.0 {
+    if min_angle != 0.0 && quality_bound != 0.0 {
         return refuse(say!(
             Name::MinAngle,
             " is {min_angle} and ",
@@ -239,12 +196,11 @@ fn radius_edge_of(dim: usize, options: &Options) -> Result<f64> {
             " is {quality_bound}; one of them must be 0, since each is a bound on the angles"
         ));
     }
-    let angle = number(Name::MinAngle, min_angle, 0.0, SMALLEST_ANGLE, LARGEST_ANGLE)?;
-    Ok(0.5 / angle.to_radians().sin())
+    Ok(())
 }
 
-/// A least dihedral angle, which only tetrahedra can be given.
-fn angle(dim: usize, options: &Options) -> Result<f64> {
+/// Refuses a least dihedral angle where no tetrahedra can be mended.
+fn require_dihedral(dim: usize, options: &Options) -> Result<()> {
     let given = options.min_dihedral;
     if dim != 3 && given != 0.0 {
         return refuse(say!(
@@ -260,35 +216,16 @@ fn angle(dim: usize, options: &Options) -> Result<f64> {
             Name::DistanceRatio
         ));
     }
-    number(Name::MinDihedral, given, 0.0, 0.0, MAX_DIHEDRAL)
+    Ok(())
 }
 
-/// The default for 2D, 3D, 4D and everything above.
-fn pick(dim: usize, defaults: [f64; 4]) -> f64 {
-    defaults[(dim - 2).min(3)]
-}
-
-fn distance_ratio(options: &Options) -> Result<f64> {
-    let ratio = number(Name::DistanceRatio, options.distance_ratio, 0.0, 0.05, 1.0)?;
-    match cages_or_other(options) {
-        Some(other) if ratio > 0.0 => {
-            refuse(say!(Name::DistanceRatio, " is {ratio}; it does not go with ", other))
-        }
-        _ => Ok(ratio),
-    }
-}
-
-/// A largest edge, if there is one.
-fn max_edge(options: &Options) -> Result<f64> {
-    let given = options.max_edge;
-    if given.is_nan() || given < 0.0 {
-        return refuse(say!(Name::MaxEdge, " is {given}; it must be 0 (none) or above"));
-    }
-    match cages_or_other(options) {
-        Some(other) if given > 0.0 => {
-            refuse(say!(Name::MaxEdge, " is {given}; it does not go with ", other))
-        }
-        _ => Ok(given),
+/// Refuses what cages would break in a mesh that has them, or that an algorithm does not keep.
+fn require_no_cages(options: &Options) -> Result<()> {
+    let Some(other) = cages_or_other(options) else { return Ok(()) };
+    let asked = [(Name::DistanceRatio, options.distance_ratio), (Name::MaxEdge, options.max_edge)];
+    match asked.into_iter().find(|(_, given)| *given > 0.0) {
+        Some((name, given)) => refuse(say!(name, " is {given}; it does not go with ", other)),
+        None => Ok(()),
     }
 }
 
@@ -300,7 +237,7 @@ pub(crate) fn check_sized(options: &Options, given: Name) -> Result<()> {
     }
 }
 
-/// The same for sizes of regions.
+/// Fails if meshes by these `options` may have no regions with sizes.
 pub(crate) fn check_region_sizes(options: &Options) -> Result<()> {
     match cages_or_other(options) {
         Some(other) => refuse(say!(other, " does not go with the largest edges of regions")),
@@ -316,19 +253,6 @@ fn cages_or_other(options: &Options) -> Option<Choice> {
         (Algorithm::Netmesh, _) => None,
         (other, _) => Some(Choice::Algorithm(other)),
     }
-}
-
-fn number(name: Name, given: f64, default: f64, lowest: f64, highest: f64) -> Result<f64> {
-    if given == 0.0 {
-        return Ok(default);
-    }
-    if !(lowest..=highest).contains(&given) {
-        return refuse(say!(
-            name,
-            " is {given}; it must be 0 (default {default}) or in [{lowest}, {highest}]"
-        ));
-    }
-    Ok(given)
 }
 
 #[cfg(test)]
@@ -365,7 +289,7 @@ mod tests {
         assert_eq!(parameters.criterion, Criterion::RadiusEdge);
         assert!((parameters.quality_bound - 1.0).abs() < 1e-15);
         assert!((parameters.min_angle - 30.0).abs() < 1e-13);
-        for ends in [SMALLEST_ANGLE, LARGEST_ANGLE] {
+        for ends in [0.6, 33.7] {
             let bound =
                 resolved(2, Options { min_angle: ends, ..Options::default() }).quality_bound;
             assert!((0.9..=50.0).contains(&bound), "{ends} degrees: {bound}");

@@ -2,7 +2,9 @@
 //! crate's, and both headers compile by themselves without a warning.
 
 use crate::compiler::{Language, root, run, skip, strict_compiler, text};
+use netmesh::options::{Kind, TABLE};
 use netmesh::{Criterion, Mesh, Options};
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 fn header() -> String {
@@ -21,20 +23,69 @@ fn scratch(name: &str) -> PathBuf {
 /// The header as cbindgen makes it, with the package's version, which build.rs keeps in the
 /// checked-in one.
 fn made_header() -> String {
-    let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).unwrap();
+    let mut config = cbindgen::Config::from_file(root().join("cbindgen.toml")).unwrap();
+    let enums = TABLE.iter().filter(|row| matches!(row.kind, Kind::Words(_)));
+    let names = enums.map(|row| (row.type_name.to_owned(), format!("nm_{}", row.name)));
+    config.export.rename.extend(names);
     let bindings = cbindgen::Builder::new()
-        .with_config(config)
+        .with_config(config.clone())
         .with_only_target_dependencies(true)
         .with_crate(root())
         .generate()
         .unwrap();
     let mut made = Vec::new();
     bindings.write(&mut made);
-    String::from_utf8(made)
-        .unwrap()
+    let made = in_c(&String::from_utf8(made).unwrap(), &config.export.rename);
+    let defaults = defaults_of_options(&made);
+    made.replace("OPTIONS_DEFAULTS", &defaults)
         .replace("CARGO_PKG_VERSION_MAJOR", env!("CARGO_PKG_VERSION_MAJOR"))
         .replace("CARGO_PKG_VERSION_MINOR", env!("CARGO_PKG_VERSION_MINOR"))
         .replace("CARGO_PKG_VERSION_PATCH", env!("CARGO_PKG_VERSION_PATCH"))
+}
+
+/// Returns the text with C's constants for links to values of the core's enums, and C's fields for
+/// links to other fields.
+fn in_c(text: &str, renamed: &HashMap<String, String>) -> String {
+    let mut parts = text.split("[`");
+    let mut result = parts.next().unwrap().to_owned();
+    for part in parts {
+        let (link, rest) = part.split_once("`]").unwrap();
+        let (path, value) = link.rsplit_once("::").unwrap_or_else(|| panic!("a link to {link}"));
+        let name = path.rsplit("::").next().unwrap();
+        match renamed.get(name) {
+            Some(name) => {
+                result += &name.to_uppercase();
+                for letter in value.chars() {
+                    result += if letter.is_uppercase() { "_" } else { "" };
+                    result.extend(letter.to_uppercase());
+                }
+            }
+            None => result += &format!("nm_{}.{value}", name.to_lowercase()),
+        }
+        result += rest;
+    }
+    result
+}
+
+/// Returns the initial value of an nm_options: the defaults, in the order of its fields.
+fn defaults_of_options(header: &str) -> String {
+    let body = header.split_once("typedef struct nm_options {").unwrap().1;
+    let fields = body.split_once("} nm_options;").unwrap().0.lines();
+    let fields = fields.filter_map(|line| line.strip_suffix(';')?.trim().rsplit_once(' '));
+    let value = |(kind, name): (&str, &str)| match name {
+        "struct_size" => "sizeof(nm_options)".to_owned(),
+        "threads" => Options::default().threads.to_string(),
+        // The first value of an enum is the default.
+        _ if kind.starts_with("nm_") && !kind.ends_with("_fn") => {
+            let values = header.split_once(&format!("\nenum {kind}\n")).unwrap().1;
+            let first = values.lines().find(|line| line.contains(" = 0,")).unwrap();
+            first.trim().trim_end_matches(" = 0,").to_owned()
+        }
+        _ => "0".to_owned(),
+    };
+    let values: Vec<String> = fields.map(value).collect();
+    let lines = values.chunks(4).map(|line| line.join(", "));
+    format!("{{ {} }}", lines.collect::<Vec<_>>().join(", \\\n      "))
 }
 
 #[test]
@@ -193,9 +244,12 @@ fn the_initialisers_set_the_size_and_zero_the_rest() {
         "    nm_report report = NM_REPORT_INIT;",
         "    nm_alpha_shape shape = NM_ALPHA_SHAPE_INIT;",
         "    nm_region region = NM_REGION_INIT;",
+        "    nm_options options = NM_OPTIONS_INIT;",
         "    return !(is_clear(&counts, sizeof counts) && is_clear(&quality, sizeof quality) &&",
         "             is_clear(&stats, sizeof stats) && is_clear(&report, sizeof report) &&",
-        "             is_clear(&shape, sizeof shape) && is_clear(&region, sizeof region));",
+        "             is_clear(&shape, sizeof shape) && is_clear(&region, sizeof region) &&",
+        "             options.threads == 1 && (options.threads = 0, 1) &&",
+        "             is_clear(&options, sizeof options));",
         "}",
     ];
     for language in [Language::C99, Language::Cpp17] {
@@ -256,25 +310,23 @@ fn the_layouts_are_fixed() {
         "#include \"netmesh.h\"",
         "#define CHECK(name, condition) typedef char name[(condition) ? 1 : -1]",
         "CHECK(progress, sizeof(nm_progress) == 40 && offsetof(nm_progress, fraction) == 8);",
-        "CHECK(options, sizeof(nm_options) == 168 + 4 * sizeof(void *));",
-        "CHECK(threads, offsetof(nm_options, threads) == 20);",
-        "CHECK(quality_bound, offsetof(nm_options, quality_bound) == 24);",
-        "CHECK(seed, offsetof(nm_options, seed) == 88);",
-        "CHECK(callback, offsetof(nm_options, progress) == 104);",
-        "CHECK(instruments, offsetof(nm_options, instruments) == 104 + 2 * sizeof(void *));",
-        "CHECK(min_angle, offsetof(nm_options, min_angle) == 120 + 2 * sizeof(void *));",
-        "CHECK(min_dihedral, offsetof(nm_options, min_dihedral) == 128 + 2 * sizeof(void *));",
-        "CHECK(max_edge, offsetof(nm_options, max_edge) == 136 + 2 * sizeof(void *));",
-        "CHECK(size, offsetof(nm_options, size) == 144 + 2 * sizeof(void *));",
-        "CHECK(gives_way, offsetof(nm_options, gives_way) == 144 + 4 * sizeof(void *));",
-        "CHECK(interior, offsetof(nm_options, interior) == 160 + 4 * sizeof(void *));",
+        "CHECK(options, sizeof(nm_options) == 160 + 4 * sizeof(void *));",
+        "CHECK(quality_bound, offsetof(nm_options, quality_bound) == 8);",
+        "CHECK(extent, offsetof(nm_options, extent) == 36);",
+        "CHECK(max_edge, offsetof(nm_options, max_edge) == 48);",
+        "CHECK(size, offsetof(nm_options, size) == 64);",
+        "CHECK(output, offsetof(nm_options, output) == 64 + 2 * sizeof(void *));",
+        "CHECK(seed, offsetof(nm_options, seed) == 80 + 2 * sizeof(void *));",
+        "CHECK(callback, offsetof(nm_options, progress) == 96 + 2 * sizeof(void *));",
+        "CHECK(ordering, offsetof(nm_options, ordering) == 96 + 4 * sizeof(void *));",
+        "CHECK(root_scale, offsetof(nm_options, root_scale) == 152 + 4 * sizeof(void *));",
         "CHECK(counts, sizeof(nm_counts) == 48 && offsetof(nm_counts, domains) == 40);",
         "CHECK(left_out, sizeof(nm_left_out) == 32 && offsetof(nm_left_out, edges) == 8);",
         "CHECK(domain, sizeof(nm_domain) == 16 && offsetof(nm_domain, radius) == 8);",
         "CHECK(quality, sizeof(nm_quality) == 112 && offsetof(nm_quality, precision_limited) == 56);",
         "CHECK(stats, sizeof(nm_stats) == 248 && offsetof(nm_stats, seconds) == 96);",
-        "CHECK(measured, offsetof(nm_stats, ply_probes) == 160);",
-        "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 224);",
+        "CHECK(measured, offsetof(nm_stats, ply_probes) == 176);",
+        "CHECK(insertion, offsetof(nm_stats, insertion_constant_cage) == 240);",
         "CHECK(report, sizeof(nm_report) == 200 && offsetof(nm_report, message) == 40);",
         "CHECK(shape, sizeof(nm_alpha_shape) == 136 && offsetof(nm_alpha_shape, betti) == 40);",
         "CHECK(region, sizeof(nm_region) == 40 && offsetof(nm_region, is_hole) == 32);",

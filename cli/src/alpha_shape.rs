@@ -1,16 +1,15 @@
 //! The boundary of an alpha shape in place of the mesh.
 
 use crate::arguments::{AlphaChoice, Arguments};
-use crate::choices::AlgorithmName;
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
-use netmesh::Mesh;
 use netmesh::io::{SurfaceFormat, write_surface_file};
 use netmesh::prepared::Prepared;
 use netmesh::topology::{AlphaShape, Topology, connecting_alpha, optimal_alpha};
+use netmesh::{Algorithm, Mesh};
 use std::path::Path;
 
-/// What the summary and the record tell of an alpha shape.
+/// Measures of an alpha shape, for the summary and the record.
 pub struct Measured {
     pub alpha: f64,
     pub volume: f64,
@@ -19,7 +18,7 @@ pub struct Measured {
 
 /// Refuses what no alpha shape can come of.
 pub fn require(arguments: &Arguments, path: Option<&Path>) -> Result<(), Failure> {
-    if arguments.meshing.algorithm == AlgorithmName::Svr {
+    if arguments.meshing.options.algorithm == Algorithm::Svr {
         let message = "--alpha-shape is of the Delaunay triangulation of the input; leave \
                        --algorithm svr out";
         return Err(Failure::new(ExitCode::Usage, message));

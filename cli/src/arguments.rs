@@ -1,14 +1,12 @@
-//! The command line: what a user may type, and how it maps to the library's options.
+//! Arguments of the command line, and the options of the library that they stand for.
 
-use crate::choices::{
-    AddedValues, AlgorithmName, CriterionName, CrossingsName, ExtentName, FiltrationName,
-    GivesWayName, InteriorName, OrderingName, ReadableFormat, WritableFormat,
-};
+use crate::choices::{AddedValues, FiltrationName, ReadableFormat, WritableFormat};
 use crate::exit_code;
-use crate::whole::whole;
+use crate::meshing::Meshing;
 use clap::Parser;
 use netmesh::io::{AttributeColumns, Choice, Columns, Format};
-use netmesh::{Algorithm, GivesWay, Options, Output};
+use netmesh::options::{Group, Row, TABLE, Value};
+use netmesh::{Algorithm, Options, Output};
 use std::path::PathBuf;
 
 /// The part of `--help` that shows uses.
@@ -22,15 +20,15 @@ Examples:
 
 /// Mesh points: in goes a file of points, out comes a conforming quality Delaunay mesh.
 ///
-/// The number of coordinates in the input is the dimension, 2 to 8. Every number under Meshing has
-/// a default for the dimension; a value out of range is refused, and the message tells the range.
+/// The number of coordinates in the input is the dimension, 2 to 8. A number out of its range is
+/// refused, and the message tells the range in that dimension.
 #[derive(Debug, Parser)]
 #[command(name = "netmesh", version, after_help = format!("{EXAMPLES}\n\n{}", exit_code::HELP))]
 pub struct Arguments {
     /// File of points; of a mesh its points. "-" is standard input, with --input-format
     pub input: PathBuf,
 
-    /// Where the mesh goes; the extension names the format. "-" is standard output, with
+    /// File for the mesh; its extension names the format. "-" is standard output, with
     /// --output-format; the summary then goes to standard error. Without it only the summary is
     /// made
     #[arg(short, long, value_name = "FILE")]
@@ -52,7 +50,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LIST", value_parser = parse_attributes, requires = "output")]
     pub attributes: Option<AttributeColumns>,
 
-    /// What attributes are at vertices that are no inputs
+    /// Values of attributes at vertices that are no inputs
     #[arg(long, value_name = "WORD", value_enum, default_value_t = AddedValues::Linear)]
     #[arg(requires = "attributes")]
     pub added_values: AddedValues,
@@ -115,122 +113,35 @@ pub struct Arguments {
     pub json: Option<PathBuf>,
 
     #[command(flatten)]
+    pub size_files: SizeFiles,
+
+    #[command(flatten)]
     pub meshing: Meshing,
 }
 
-/// Options of the algorithm.
+/// Files that tell sizes, beside the library's options.
 #[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Meshing")]
-pub struct Meshing {
-    /// netmesh, Sparse Voronoi Refinement (its baseline), or the input's Delaunay triangulation
-    #[arg(long, value_enum, default_value_t = AlgorithmName::Netmesh)]
-    pub algorithm: AlgorithmName,
-
-    /// How a round of inputs is chosen: by a seeded sample, or by nets without any random number
-    #[arg(long, value_enum, default_value_t = OrderingName::Sampled)]
-    pub ordering: OrderingName,
-
-    /// The quality measure that --bound bounds
-    #[arg(long, value_enum, default_value_t = CriterionName::Aspect)]
-    pub criterion: CriterionName,
-
-    /// Quality bound; by default aspect 3 in 2D, 4 in 3D, 5 in 4D and 6 above, or half of it as
-    /// radius-edge ratio
-    #[arg(long, visible_alias = "quality-bound", value_name = "X", allow_negative_numbers = true)]
-    pub bound: Option<f64>,
-
-    /// In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of --criterion
-    /// and --bound. Above 30 the run usually ends; give --max-vertices, too
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["bound", "criterion"])]
-    pub min_angle: Option<f64>,
-
-    /// How far other points must be for a cage to start
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub epsilon: Option<f64>,
-
-    /// Coarseness of a cage
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub delta: Option<f64>,
-
-    /// Yield radius of a cage, relative to the distance to the nearest vertex
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub gamma: Option<f64>,
-
-    /// Yield radius of refinement, relative to the D-ball's radius
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub yield_radius: Option<f64>,
-
-    /// Outer encroachment factor of a cage
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub encroachment: Option<f64>,
-
-    /// Radius of a cage relative to its domain
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub cage_scale: Option<f64>,
-
-    /// Radius of the root ball relative to the input's bounding ball
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub root_scale: Option<f64>,
-
-    /// How far a cell may reach, relative to its vertex's distance from the input,
-    /// unless it has one nearest point of the input everywhere; for --filtration mesh
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub distance_ratio: Option<f64>,
-
-    /// Least dihedral angle in degrees, at most 22; in 3D
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    pub min_dihedral: Option<f64>,
-
-    /// The length that no edge exceeds in the box of the input
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
-    pub max_edge: Option<f64>,
-
-    /// A file with the length that edges shall have at each point of the input, as
-    /// TetGen's .mtr: the number of points, then one number a line
+#[command(next_help_heading = Group::Sizes.heading())]
+pub struct SizeFiles {
+    /// File with the length that edges shall have at each point of the input, as TetGen's .mtr: the
+    /// number of points, then one number a line
     #[arg(long, value_name = "FILE")]
     pub sizes: Option<PathBuf>,
 
-    /// A file with points of a background, such as TetGen's .b.node, and the length that
-    /// edges shall have there: in a .mtr file of the same name beside it, or else as the attribute
-    /// "size" (the first attribute of a .node file). Between the points lengths are linear
+    /// File with points of a background, such as TetGen's .b.node, and the length that edges shall
+    /// have there: in a .mtr file of the same name beside it, or else as the attribute "size" (the
+    /// first attribute of a .node file). Between the points lengths are linear
     #[arg(long, value_name = "FILE")]
     pub background: Option<PathBuf>,
-
-    /// What gives way where --min-dihedral and --bound cannot both be had
-    #[arg(long, value_enum, default_value_t = GivesWayName::Angle)]
-    pub gives_way: GivesWayName,
-
-    /// How far the mesh reaches, in 2D: to its outer cage, to the hull or the box of the input, or
-    /// to the boundary that segments are
-    #[arg(long, value_enum, default_value_t = ExtentName::Auto)]
-    pub extent: ExtentName,
-
-    /// What becomes of segments that cross: they are refused, or split where they do
-    #[arg(long, value_enum, default_value_t = CrossingsName::Refuse)]
-    pub crossings: CrossingsName,
-
-    /// Which regions between segments are inside; seeds may make holes of them
-    #[arg(long, value_enum, default_value_t = InteriorName::Auto)]
-    pub interior: InteriorName,
-
-    /// Seed of every random choice; the same seed makes the same mesh. Without effect on
-    /// --ordering deterministic
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole::<u64>)]
-    #[arg(allow_negative_numbers = true)]
-    pub seed: u64,
-
-    /// Stop with exit code 5 rather than make more vertices than this
-    #[arg(long, value_name = "N", value_parser = whole::<u64>, allow_negative_numbers = true)]
-    pub max_vertices: Option<u64>,
-
-    /// Threads, 0 = all cores; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>)]
-    #[arg(allow_negative_numbers = true)]
-    pub threads: u32,
 }
 
-/// Which alpha shape.
+/// Returns the heading under which the program has an option of the library, if it has it by name:
+/// the kind of output and the measurements have arguments of their own.
+pub fn heading(row: &Row) -> Option<&'static str> {
+    (!["output", "instruments"].contains(&row.name)).then(|| row.group.heading())
+}
+
+/// Choice of an alpha shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AlphaChoice {
     Value(f64),
@@ -238,7 +149,7 @@ pub enum AlphaChoice {
     Optimal,
 }
 
-/// What the output is.
+/// Thing that the output is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Product {
     Mesh,
@@ -255,7 +166,7 @@ impl Arguments {
         self.output_format.map_or(Format::Auto, |writable| writable.0.format())
     }
 
-    /// The columns that are read.
+    /// Returns the columns that are read.
     pub fn choice(&self) -> Choice {
         Choice {
             coordinates: self.columns.clone().unwrap_or_default(),
@@ -278,34 +189,27 @@ impl Arguments {
         }
     }
 
-    /// Returns the options that were given and have no effect on the algorithm.
-    pub fn without_effect(&self) -> Vec<&'static str> {
-        let Meshing { bound, min_angle, min_dihedral, epsilon, delta, gamma, .. } = self.meshing;
-        let Meshing { yield_radius, encroachment, cage_scale, root_scale, .. } = self.meshing;
-        let is_set = |number: Option<f64>| number.is_some_and(|number| number != 0.0);
+    /// Returns the arguments that were given and have no effect on the algorithm.
+    pub fn without_effect(&self) -> Vec<String> {
+        let options = self.options();
         let outputs = [(self.finish, "--finish"), (self.hierarchical, "--hierarchical")];
-        let numbers = [
-            (is_set(bound), "--bound"),
-            (is_set(min_angle), "--min-angle"),
-            (is_set(min_dihedral), "--min-dihedral"),
-            (is_set(epsilon), "--epsilon"),
-            (is_set(delta), "--delta"),
-            (is_set(gamma), "--gamma"),
-            (is_set(yield_radius), "--yield-radius"),
-            (is_set(encroachment), "--encroachment"),
-            (is_set(cage_scale), "--cage-scale"),
-            (is_set(root_scale), "--root-scale"),
-        ];
-        let is_given = |&(is_given, name): &(bool, &'static str)| is_given.then_some(name);
-        match self.options().algorithm {
+        let outputs = outputs.iter().filter(|(is_given, _)| *is_given);
+        let outputs = outputs.map(|(_, name)| (*name).to_owned());
+        let is_promise =
+            |row: &&Row| matches!(row.group, Group::Quality | Group::Paper) && row.is_number();
+        let numbers = TABLE.iter().filter(is_promise);
+        let is_given = |row: &&Row| row.get(&options) != Value::Number(0.0);
+        let numbers = numbers.filter(is_given).map(|row| format!("--{}", row.argument()));
+        match options.algorithm {
             Algorithm::Netmesh => Vec::new(),
-            Algorithm::Svr => outputs.iter().filter_map(is_given).collect(),
-            Algorithm::Delaunay => outputs.iter().chain(&numbers).filter_map(is_given).collect(),
+            Algorithm::Svr => outputs.collect(),
+            Algorithm::Delaunay => outputs.chain(numbers).collect(),
         }
     }
 
+    /// Returns the options of the run.
     pub fn options(&self) -> Options {
-        let meshing = &self.meshing;
+        let given = self.meshing.options.clone();
         Options {
             output: match (self.finish, self.hierarchical) {
                 (true, _) => Output::WellSpaced,
@@ -316,33 +220,10 @@ impl Arguments {
                 Product::Filtration(FiltrationName::Alpha) | Product::AlphaShape(_) => {
                     Algorithm::Delaunay
                 }
-                _ => meshing.algorithm.algorithm(),
+                _ => given.algorithm,
             },
-            ordering: meshing.ordering.ordering(),
-            criterion: meshing.criterion.criterion(),
-            threads: meshing.threads,
-            quality_bound: meshing.bound.unwrap_or(0.0),
-            epsilon: meshing.epsilon.unwrap_or(0.0),
-            delta: meshing.delta.unwrap_or(0.0),
-            gamma: meshing.gamma.unwrap_or(0.0),
-            yield_radius: meshing.yield_radius.unwrap_or(0.0),
-            encroachment: meshing.encroachment.unwrap_or(0.0),
-            cage_scale: meshing.cage_scale.unwrap_or(0.0),
-            root_scale: meshing.root_scale.unwrap_or(0.0),
-            seed: meshing.seed,
-            max_vertices: meshing.max_vertices.unwrap_or(0),
             instruments: self.stats,
-            distance_ratio: meshing.distance_ratio.unwrap_or(0.0),
-            min_angle: meshing.min_angle.unwrap_or(0.0),
-            min_dihedral: meshing.min_dihedral.unwrap_or(0.0),
-            max_edge: meshing.max_edge.unwrap_or(0.0),
-            gives_way: match meshing.gives_way {
-                GivesWayName::Angle => GivesWay::Angle,
-                GivesWayName::Bound => GivesWay::Bound,
-            },
-            extent: meshing.extent.extent(),
-            crossings: meshing.crossings.crossings(),
-            interior: meshing.interior.interior(),
+            ..given
         }
     }
 }
@@ -366,7 +247,8 @@ fn parse_attributes(text: &str) -> Result<AttributeColumns, String> {
     text.parse().map_err(without_name)
 }
 
-/// The library begins its message with the name of its argument; here clap names the option.
+/// Returns the message without the name of the library's argument that it begins with: here clap
+/// names the option.
 fn without_name(error: netmesh::Error) -> String {
     let message = error.message();
     message.split_once(": ").map_or(message, |(_, rest)| rest).to_owned()
@@ -376,7 +258,7 @@ fn without_name(error: netmesh::Error) -> String {
 mod tests {
     use super::*;
     use clap::CommandFactory;
-    use netmesh::{Criterion, Crossings, Extent, Interior, NetOrdering};
+    use netmesh::options::Kind;
 
     #[test]
     fn the_command_is_well_formed() {
@@ -393,43 +275,32 @@ mod tests {
 
     #[test]
     fn every_option_reaches_the_library() {
-        let line = "netmesh points.xyz --finish --algorithm delaunay --criterion radius-edge \
-            --bound 1.5 --epsilon 0.1 --delta 0.2 --gamma 0.3 --yield-radius 0.4 \
-            --encroachment 2 --cage-scale 0.5 --root-scale 3 --distance-ratio 0.5 --min-dihedral 5 \
-            --max-edge 0.5 --gives-way bound --extent hull --crossings split --interior winding --seed 7 \
-            --max-vertices 99 --threads 4 --ordering deterministic --stats";
-        let expected = Options {
-            output: Output::WellSpaced,
-            algorithm: Algorithm::Delaunay,
-            criterion: Criterion::RadiusEdge,
-            threads: 4,
-            quality_bound: 1.5,
-            epsilon: 0.1,
-            delta: 0.2,
-            gamma: 0.3,
-            yield_radius: 0.4,
-            encroachment: 2.0,
-            cage_scale: 0.5,
-            root_scale: 3.0,
-            distance_ratio: 0.5,
-            seed: 7,
-            max_vertices: 99,
-            ordering: NetOrdering::DeterministicNet,
-            instruments: true,
-            min_angle: 0.0,
-            min_dihedral: 5.0,
-            max_edge: 0.5,
-            gives_way: GivesWay::Bound,
-            extent: Extent::Hull,
-            crossings: Crossings::Split,
-            interior: Interior::Winding,
+        let options = |arguments: &[&str]| {
+            let line = ["netmesh", "points.xyz"].iter().chain(arguments);
+            Arguments::parse_from(line).options()
         };
-        assert_eq!(Arguments::parse_from(line.split_whitespace()).options(), expected);
-        let angle = Arguments::parse_from(["netmesh", "points.xyz", "--min-angle", "25"]).options();
-        assert_eq!(angle, Options { min_angle: 25.0, ..Options::default() });
-        let named = ["netmesh", "points.xyz", "--hierarchical", "--extent", "all"];
-        let (output, extent) = (Output::Hierarchical, Extent::All);
-        let expected = Options { output, extent, ..Options::default() };
-        assert_eq!(Arguments::parse_from(named).options(), expected);
+        for row in TABLE.iter().filter(|row| heading(row).is_some()) {
+            let given = match row.kind {
+                Kind::Number { .. } => vec![("0.75", Value::Number(0.75))],
+                Kind::Whole(_) => vec![("7", Value::Whole(7))],
+                Kind::Switch => panic!("{} has no value", row.name),
+                Kind::Words(words) => {
+                    let words = words.iter().map(|word| word.argument);
+                    words.zip((0..).map(Value::Word)).collect()
+                }
+            };
+            for (text, value) in given {
+                let mut expected = Options::default();
+                row.set(&mut expected, value);
+                assert_eq!(options(&[&format!("--{}", row.argument()), text]), expected);
+            }
+        }
+        let measured = Options { instruments: true, ..Options::default() };
+        assert_eq!(options(&["--stats"]), measured);
+        for (flag, output) in
+            [("--finish", Output::WellSpaced), ("--hierarchical", Output::Hierarchical)]
+        {
+            assert_eq!(options(&[flag]), Options { output, ..Options::default() });
+        }
     }
 }

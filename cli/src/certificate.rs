@@ -1,4 +1,4 @@
-//! What `--validate` asks for: the whole certificate, or exit code 7.
+//! Certificate of `--validate`: all of it holds, or the exit code is 7.
 
 use crate::exit_code::{ExitCode, Failure};
 use netmesh::Mesh;

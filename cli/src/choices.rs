@@ -1,9 +1,8 @@
-//! The words for values of options, and what they are to the library.
+//! Words for values of the program's own arguments, and what they are to the library.
 
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use netmesh::io::Format;
-use netmesh::{Algorithm, Criterion, Crossings, Extent, Interior, NetOrdering};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AddedValues {
@@ -20,66 +19,6 @@ pub enum FiltrationName {
     Alpha,
     /// The distance to the input, followed by the cells of the mesh; best with --finish
     Mesh,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum AlgorithmName {
-    Netmesh,
-    Svr,
-    Delaunay,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum OrderingName {
-    Sampled,
-    Deterministic,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CriterionName {
-    /// Voronoi aspect ratio: farthest corner over half the distance to the nearest neighbour
-    Aspect,
-    /// Circumradius over shortest edge of a simplex
-    RadiusEdge,
-}
-
-/// How far the mesh reaches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum ExtentName {
-    /// Boundary where segments enclose something, otherwise all
-    Auto,
-    All,
-    Hull,
-    Box,
-    Boundary,
-}
-
-/// What becomes of segments that cross.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CrossingsName {
-    Refuse,
-    Split,
-}
-
-/// Which regions between segments are inside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum InteriorName {
-    /// parity for the polygons of GeoJSON and WKT, seeds otherwise
-    Auto,
-    /// All that cannot be reached from outside without crossing a segment
-    Seeds,
-    /// Where a path from outside crosses an odd number of segments
-    Parity,
-    /// Where the winding number of the segments is not 0
-    Winding,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum GivesWayName {
-    /// The angle: some tetrahedra stay below it
-    Angle,
-    /// The bound: some cells, or tetrahedra, go beyond it
-    Bound,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -115,7 +54,7 @@ pub enum FormatName {
     Wkt,
 }
 
-/// A format that points can be read from.
+/// Format that points can be read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReadableFormat(pub FormatName);
 
@@ -142,7 +81,7 @@ impl ValueEnum for ReadableFormat {
     }
 }
 
-/// A format that meshes can be written in.
+/// Format that meshes can be written in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WritableFormat(pub FormatName);
 
@@ -166,66 +105,6 @@ impl ValueEnum for WritableFormat {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         self.0.to_possible_value()
-    }
-}
-
-impl AlgorithmName {
-    pub fn algorithm(self) -> Algorithm {
-        match self {
-            Self::Netmesh => Algorithm::Netmesh,
-            Self::Svr => Algorithm::Svr,
-            Self::Delaunay => Algorithm::Delaunay,
-        }
-    }
-}
-
-impl OrderingName {
-    pub fn ordering(self) -> NetOrdering {
-        match self {
-            Self::Sampled => NetOrdering::SampledNet,
-            Self::Deterministic => NetOrdering::DeterministicNet,
-        }
-    }
-}
-
-impl ExtentName {
-    pub fn extent(self) -> Extent {
-        match self {
-            Self::Auto => Extent::Auto,
-            Self::All => Extent::All,
-            Self::Hull => Extent::Hull,
-            Self::Box => Extent::Box,
-            Self::Boundary => Extent::Boundary,
-        }
-    }
-}
-
-impl CrossingsName {
-    pub fn crossings(self) -> Crossings {
-        match self {
-            Self::Refuse => Crossings::Refuse,
-            Self::Split => Crossings::Split,
-        }
-    }
-}
-
-impl InteriorName {
-    pub fn interior(self) -> Interior {
-        match self {
-            Self::Auto => Interior::Auto,
-            Self::Seeds => Interior::Seeds,
-            Self::Parity => Interior::Parity,
-            Self::Winding => Interior::Winding,
-        }
-    }
-}
-
-impl CriterionName {
-    pub fn criterion(self) -> Criterion {
-        match self {
-            Self::Aspect => Criterion::VoronoiAspect,
-            Self::RadiusEdge => Criterion::RadiusEdge,
-        }
     }
 }
 

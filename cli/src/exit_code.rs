@@ -58,8 +58,8 @@ impl Failure {
         Self { code, message: message.into() }
     }
 
-    /// A failure to mesh what `path` holds, in the words of what was given: where no option is to
-    /// blame, the input is.
+    /// Returns a failure to mesh what `path` holds, in the words of what was given: where no option
+    /// is to blame, the input is.
     pub fn of_run(path: &str, error: &Error, words: CommandLine<'_>) -> Self {
         let message = error.in_words(words).to_string();
         match error.kind() {
@@ -70,7 +70,7 @@ impl Failure {
         }
     }
 
-    /// A failure to read `path`.
+    /// Returns a failure to read `path`.
     pub fn reading(path: &str, error: &Error) -> Self {
         let code = match error.kind() {
             ErrorKind::Format | ErrorKind::InvalidArgument if error.is_of_content() => {
@@ -82,8 +82,8 @@ impl Failure {
         Self::new(code, at_path(path, error))
     }
 
-    /// A failure to use what `path` holds beside the input: a value that is out of range is one of
-    /// the file.
+    /// Returns a failure to use what `path` holds beside the input: a value that is out of range is
+    /// one of the file.
     pub fn using(path: &str, error: &Error) -> Self {
         let reading = Self::reading(path, error);
         match reading.code {
@@ -92,7 +92,7 @@ impl Failure {
         }
     }
 
-    /// A failure to write `path`.
+    /// Returns a failure to write `path`.
     pub fn writing(path: &str, error: &Error) -> Self {
         let code = match error.kind() {
             ErrorKind::Io => ExitCode::OutputNotWritable,

@@ -1,18 +1,18 @@
 //! A filtration in place of the mesh.
 
 use crate::arguments::Arguments;
-use crate::choices::{AlgorithmName, FiltrationName};
+use crate::choices::FiltrationName;
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;
-use netmesh::Mesh;
 use netmesh::io::{FiltrationFormat, write_filtration_file};
 use netmesh::prepared::Prepared;
+use netmesh::{Algorithm, Mesh};
 use std::path::Path;
 
 /// Refuses what no filtration can come of.
 pub fn require(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
-    let algorithm = arguments.meshing.algorithm;
-    if arguments.filtration == Some(FiltrationName::Alpha) && algorithm == AlgorithmName::Svr {
+    let algorithm = arguments.meshing.options.algorithm;
+    if arguments.filtration == Some(FiltrationName::Alpha) && algorithm == Algorithm::Svr {
         let message = "--filtration alpha is of the Delaunay triangulation of the input; leave \
                        --algorithm svr out";
         return Err(Failure::new(ExitCode::Usage, message));
@@ -39,7 +39,7 @@ pub fn write(
     arguments: &Arguments,
 ) -> Result<(), Failure> {
     let format = format(path)?;
-    let (prepared, threads) = (Prepared::default(), arguments.meshing.threads);
+    let (prepared, threads) = (Prepared::default(), arguments.meshing.options.threads);
     let filtration = match kind {
         FiltrationName::Alpha => prepared.alpha(mesh, threads)?,
         FiltrationName::Mesh => prepared.distances(mesh, threads)?,

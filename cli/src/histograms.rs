@@ -1,4 +1,4 @@
-//! What `--histogram` shows: how angles, radius-edge ratios and aspects are spread.
+//! Histograms of `--histogram`: the spread of angles, radius-edge ratios and aspects.
 
 use crate::numbers::{counted, grouped, measure};
 use netmesh::quality::{Histogram, Measure, histogram};
@@ -37,13 +37,14 @@ pub struct Histograms {
 }
 
 pub struct Table {
-    /// As the JSON record calls it.
+    /// Name of the histogram in the JSON record.
     pub name: &'static str,
     title: &'static str,
     pub edges: Vec<f64>,
-    /// Of each bin. Of simplices those without a vertex on the hull.
+    /// Numbers of values in each bin; of simplices those without a vertex on the hull.
     pub counts: Vec<u64>,
-    /// Those with one; `None` of cells, which only count off the hull.
+    /// Numbers of values of simplices with a vertex on the hull; `None` for cells, which only count
+    /// off the hull.
     pub counts_at_hull: Option<Vec<u64>>,
     pub least: f64,
     pub largest: f64,
@@ -80,7 +81,7 @@ fn degrees() -> Vec<f64> {
     [0.0, 5.0].into_iter().chain(tens).chain([175.0, 180.0]).collect()
 }
 
-/// No simplex has a smallest angle above 90 degrees.
+/// Returns the bounds of smallest angles, of which none is above 90 degrees.
 fn small_degrees() -> Vec<f64> {
     (0..=18).map(|five| f64::from(5 * five)).collect()
 }
@@ -149,7 +150,7 @@ impl Table {
         self.counts[bin] + self.counts_at_hull.as_ref().map_or(0, |counts| counts[bin])
     }
 
-    /// The first and the last bin that has values.
+    /// Returns the first and the last bin that has values.
     fn occupied(&self) -> Option<(usize, usize)> {
         let mut bins = (0..self.counts.len()).filter(|&bin| self.total(bin) > 0);
         let first = bins.next()?;
@@ -162,7 +163,7 @@ fn bins(counts: &[u64]) -> Vec<u64> {
     counts[1..counts.len() - 1].to_vec()
 }
 
-/// As long as `count` is of `most`; what is there has a mark.
+/// Returns a bar as long as `count` is of `most`, with a mark at least for any count but 0.
 fn bar(count: u64, most: u64) -> String {
     let marks = (LONGEST_BAR * count as f64 / most as f64).round() as usize;
     "#".repeat(if count > 0 { marks.max(1) } else { 0 })

@@ -1,4 +1,4 @@
-//! Where the points come from.
+//! Input: the file of points, or standard input.
 
 use crate::arguments::Arguments;
 use crate::choices::AddedValues;
@@ -20,10 +20,10 @@ pub fn read(arguments: &Arguments) -> std::result::Result<Mesh, Failure> {
     mesh(arguments).map_err(reading)
 }
 
-/// How the library's refusal of `--attributes all` ends where there are none.
+/// End of the library's refusal of `--attributes all` where there are no attributes.
 const NO_OTHER_COLUMNS: &str = "every column of the file is a coordinate";
 
-/// The points of the input with their attributes.
+/// Returns the points of the input with their attributes.
 fn mesh(arguments: &Arguments) -> Result<Mesh> {
     table(arguments)?.mesh(arguments.added_values == AddedValues::Linear)
 }

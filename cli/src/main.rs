@@ -11,9 +11,9 @@ mod filtration;
 mod histograms;
 mod input;
 mod interruption;
-mod json;
 #[cfg(test)]
 mod manual;
+mod meshing;
 mod numbers;
 mod output;
 mod progress;

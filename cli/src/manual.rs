@@ -49,7 +49,7 @@ fn synopsis() -> String {
     section.control("SH", ["SYNOPSIS"]).text(words).to_roff()
 }
 
-/// A part of `--help` as a section of its own; its first line is the heading there.
+/// Returns a part of `--help` as a section of its own; its first line is the heading there.
 fn verbatim(heading: &str, help: &str) -> String {
     let mut section = Roff::new();
     section.control("SH", [heading]).control("nf", []);

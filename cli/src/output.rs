@@ -1,5 +1,5 @@
-//! What the mesh and the record go to: whatever can be known before the work is said before the
-//! work.
+//! Files of the mesh and of the record. Whatever is wrong with them and can be known before the
+//! work is said before the work.
 
 use crate::exit_code::{ExitCode, Failure};
 use crate::standard;

@@ -21,12 +21,12 @@ impl Display {
         Self { is_visible: wanted && stderr().is_terminal() }
     }
 
-    /// A stage that cannot tell how far it is.
+    /// Returns a stage that cannot tell how far it is.
     pub fn stage(&self, name: &'static str) -> Stage {
         self.shown(name, ProgressBar::new_spinner(), SPINNER)
     }
 
-    /// A stage that reports its [`netmesh::Progress`].
+    /// Returns a stage that reports its [`netmesh::Progress`].
     pub fn meshing(&self) -> Stage {
         self.shown(phase_name(Phase::Prepare), ProgressBar::new(STEPS as u64), BAR)
     }

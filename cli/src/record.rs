@@ -1,233 +1,214 @@
-//! What the run made, for a program to read: the fields of `nm_counts`, `nm_options`, `nm_quality`,
-//! `nm_stats` and `nm_report` under their names, and histograms, as one JSON object.
+//! Record of a run, for a program to read: the fields of `nm_counts`, `nm_options`, `nm_quality`,
+//! `nm_stats` and `nm_report` under their names, and histograms, as one JSON object. JSON has no
+//! infinity: it becomes the text "inf" (-inf, nan). Figures that were not measured are null.
 
 use crate::alpha_shape::Measured;
-use crate::histograms::Table;
-use crate::json::Object;
+use crate::histograms::{Histograms, Table};
 use crate::summary::Summary;
-use netmesh::{
-    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output, Parameters,
-    Stats,
-};
+use netmesh::options::{TABLE, Value as Given};
+use netmesh::validate::Report;
+use netmesh::{Parameters, Stats};
+use serde_json::ser::{Formatter, PrettyFormatter, Serializer};
+use serde_json::{Map, Value, json};
+use std::io::{Result, Write};
 
+/// Returns the text of the record.
 pub fn json(summary: &Summary<'_>) -> String {
-    let mut record = Object::new();
-    record.text("version", env!("CARGO_PKG_VERSION"));
-    record.text("input", &summary.arguments.input.to_string_lossy());
-    record.object("counts", |counts| add_counts(counts, summary));
-    record.object("left_out", |left_out| {
-        left_out.count("edges", summary.left_out.edges);
-        left_out.count("faces", summary.left_out.faces);
-        left_out.count("cells", summary.left_out.cells);
-    });
     let parameters = &summary.triangulation.parameters;
-    record.object("options", |options| add_options(options, parameters));
-    record.object("quality", |quality| add_quality(quality, summary));
-    match summary.histograms {
-        None => record.null("histograms"),
-        Some(histograms) => record.object("histograms", |object| {
-            histograms.tables.iter().for_each(|table| add_table(object, table));
-        }),
-    }
-    let stats = &summary.triangulation.stats;
-    record.object("stats", |object| {
-        add_counters(object, stats);
-        add_instruments(object, stats, parameters.instruments);
-    });
-    match summary.alpha_shape {
-        None => record.null("alpha_shape"),
-        Some(shape) => record.object("alpha_shape", |object| add_alpha_shape(object, shape)),
-    }
-    match summary.report {
-        None => record.null("report"),
-        Some(report) => record.object("report", |object| {
-            object.count("level", u64::from(report.level));
-            object.count("violations", report.violations);
-            object.count("checked", report.checked);
-        }),
-    }
-    record.finished() + "\n"
+    let left_out = summary.left_out;
+    text(&json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "input": summary.arguments.input.to_string_lossy(),
+        "counts": {
+            "dim": summary.inputs.dim(),
+            "inputs": summary.inputs.count(),
+            "duplicates": summary.inputs.duplicates(),
+            "vertices": summary.triangulation.vertex_count(),
+            "simplices": summary.triangulation.simplex_count(),
+            "domains": summary.triangulation.domains.len(),
+        },
+        "left_out": {
+            "edges": left_out.edges,
+            "faces": left_out.faces,
+            "cells": left_out.cells,
+        },
+        "options": options(parameters),
+        "quality": quality(summary),
+        "histograms": summary.histograms.map(histograms),
+        "stats": stats(&summary.triangulation.stats, parameters.instruments),
+        "alpha_shape": summary.alpha_shape.map(alpha_shape),
+        "report": summary.report.map(report),
+    }))
 }
 
-fn add_alpha_shape(object: &mut Object, shape: &Measured) {
-    object.number("alpha", shape.alpha);
-    object.number("volume", shape.volume);
-    object.number("euler_characteristic", shape.topology.euler_characteristic as f64);
-    object.count("components", shape.topology.components);
-    object.count("voids", shape.topology.voids);
-    match &shape.topology.betti {
-        Some(betti) if betti.len() == 3 => object.count("tunnels", betti[1]),
-        _ => object.null("tunnels"),
-    }
+fn alpha_shape(shape: &Measured) -> Value {
+    let tunnels = shape.topology.betti.as_deref().filter(|betti| betti.len() == 3);
+    json!({
+        "alpha": number(shape.alpha),
+        "volume": number(shape.volume),
+        "euler_characteristic": number(shape.topology.euler_characteristic as f64),
+        "components": shape.topology.components,
+        "voids": shape.topology.voids,
+        "tunnels": tunnels.map(|betti| betti[1]),
+    })
 }
 
-fn add_counts(counts: &mut Object, summary: &Summary<'_>) {
-    counts.count("dim", summary.inputs.dim() as u64);
-    counts.count("inputs", summary.inputs.count() as u64);
-    counts.count("duplicates", summary.inputs.duplicates() as u64);
-    counts.count("vertices", summary.triangulation.vertex_count() as u64);
-    counts.count("simplices", summary.triangulation.simplex_count() as u64);
-    counts.count("domains", summary.triangulation.domains.len() as u64);
+/// Returns the options as the run had them, the defaults filled in.
+fn options(parameters: &Parameters) -> Map<String, Value> {
+    let options = parameters.options();
+    let member = |row: &netmesh::options::Row| {
+        let value = match row.get(&options) {
+            Given::Number(given) => number(given),
+            Given::Whole(given) => json!(given),
+            Given::Switch(given) => json!(given),
+            given @ Given::Word(_) => json!(row.word(given).map(|word| word.argument)),
+        };
+        (row.name.to_owned(), value)
+    };
+    TABLE.iter().map(member).collect()
 }
 
-/// As the run had them: the defaults filled in.
-fn add_options(options: &mut Object, parameters: &Parameters) {
-    options.text(
-        "output",
-        match parameters.output {
-            Output::Auto => "auto",
-            Output::Hierarchical => "hierarchical",
-            Output::WellSpaced => "well-spaced",
-        },
-    );
-    options.text(
-        "algorithm",
-        match parameters.algorithm {
-            Algorithm::Netmesh => "netmesh",
-            Algorithm::Svr => "svr",
-            Algorithm::Delaunay => "delaunay",
-        },
-    );
-    options.text(
-        "ordering",
-        match parameters.ordering {
-            NetOrdering::SampledNet => "sampled",
-            NetOrdering::DeterministicNet => "deterministic",
-        },
-    );
-    options.text(
-        "criterion",
-        match parameters.criterion {
-            Criterion::VoronoiAspect => "aspect",
-            Criterion::RadiusEdge => "radius-edge",
-        },
-    );
-    options.count("threads", u64::from(parameters.threads));
-    options.number("quality_bound", parameters.quality_bound);
-    options.number("epsilon", parameters.epsilon);
-    options.number("delta", parameters.delta);
-    options.number("gamma", parameters.gamma);
-    options.number("yield_radius", parameters.yield_radius);
-    options.number("encroachment", parameters.encroachment);
-    options.number("cage_scale", parameters.cage_scale);
-    options.number("root_scale", parameters.root_scale);
-    options.number("distance_ratio", parameters.distance_ratio);
-    options.count("seed", parameters.seed);
-    options.count("max_vertices", parameters.max_vertices);
-    options.truth("instruments", parameters.instruments);
-    options.number("min_angle", parameters.min_angle);
-    options.number("min_dihedral", parameters.min_dihedral);
-    options.number("max_edge", parameters.max_edge);
-    options.text(
-        "gives_way",
-        match parameters.gives_way {
-            GivesWay::Angle => "angle",
-            GivesWay::Bound => "bound",
-        },
-    );
-    options.text(
-        "extent",
-        match parameters.extent {
-            Extent::Auto => "auto",
-            Extent::All => "all",
-            Extent::Hull => "hull",
-            Extent::Box => "box",
-            Extent::Boundary => "boundary",
-        },
-    );
-    options.text(
-        "crossings",
-        match parameters.crossings {
-            Crossings::Refuse => "refuse",
-            Crossings::Split => "split",
-        },
-    );
-    options.text(
-        "interior",
-        match parameters.interior {
-            Interior::Auto => "auto",
-            Interior::Seeds => "seeds",
-            Interior::Parity => "parity",
-            Interior::Winding => "winding",
-        },
-    );
-}
-
-fn add_quality(object: &mut Object, summary: &Summary<'_>) {
+fn quality(summary: &Summary<'_>) -> Value {
     let quality = summary.quality;
-    object.count("max_degree", u64::from(quality.max_degree));
-    object.number("worst_aspect", quality.worst_aspect);
-    object.number("worst_aspect_anywhere", quality.worst_aspect_anywhere);
-    object.number("mean_aspect", quality.mean_aspect);
-    object.number("worst_cage_aspect", quality.worst_cage_aspect);
-    object.number("worst_radius_edge", quality.worst_radius_edge);
-    object.number("min_angle_degrees", quality.min_angle_degrees);
-    object.count("precision_limited", quality.precision_limited);
-    object.count("below_min_dihedral", quality.below_min_dihedral);
-    object.count("below_min_dihedral_between_domains", quality.below_min_dihedral_between_domains);
-    object.count("beyond_bound", quality.beyond_bound);
-    object.count("forced", quality.forced);
-    object.number("least_forced_angle_degrees", quality.least_forced_angle_degrees);
-    object.count("below_min_angle", quality.below_min_angle);
+    json!({
+        "max_degree": quality.max_degree,
+        "worst_aspect": number(quality.worst_aspect),
+        "worst_aspect_anywhere": number(quality.worst_aspect_anywhere),
+        "mean_aspect": number(quality.mean_aspect),
+        "worst_cage_aspect": number(quality.worst_cage_aspect),
+        "worst_radius_edge": number(quality.worst_radius_edge),
+        "min_angle_degrees": number(quality.min_angle_degrees),
+        "precision_limited": quality.precision_limited,
+        "below_min_dihedral": quality.below_min_dihedral,
+        "below_min_dihedral_between_domains": quality.below_min_dihedral_between_domains,
+        "beyond_bound": quality.beyond_bound,
+        "forced": quality.forced,
+        "least_forced_angle_degrees": number(quality.least_forced_angle_degrees),
+        "below_min_angle": quality.below_min_angle,
+    })
 }
 
-/// `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and `edges[i + 1]`.
-fn add_table(object: &mut Object, table: &Table) {
-    object.object(table.name, |object| {
-        object.numbers("edges", &table.edges);
-        object.counts("counts", &table.counts);
-        match &table.counts_at_hull {
-            None => object.null("counts_at_hull"),
-            Some(counts) => object.counts("counts_at_hull", counts),
-        }
-        object.number("least", table.least);
-        object.number("largest", table.largest);
-    });
+fn histograms(histograms: &Histograms) -> Map<String, Value> {
+    histograms.tables.iter().map(|table| (table.name.to_owned(), histogram(table))).collect()
 }
 
-fn add_counters(object: &mut Object, stats: &Stats) {
-    object.count("rounds", stats.rounds);
-    object.count("touches", stats.touches);
-    object.count("max_touches", stats.max_touches);
-    object.count("input_vertices", stats.input_vertices);
-    object.count("steiner_vertices", stats.steiner_vertices);
-    object.count("cage_vertices", stats.cage_vertices);
-    object.count("cages_created", stats.cages_created);
-    object.count("cages_grown", stats.cages_grown);
-    object.count("cages_released", stats.cages_released);
-    object.count("exact_fallbacks", stats.exact_fallbacks);
-    object.count("precision_limited", stats.precision_limited);
-    object.number("seconds", stats.seconds);
-    object.count("passes", stats.passes);
-    object.number("worst_halving", stats.worst_halving);
-    object.count("cage_points", stats.cage_points);
-    object.count("far_corners", stats.far_corners);
-    object.count("off_centers", stats.off_centers);
-    object.count("yields", stats.yields);
-    object.count("closing_points", stats.closing_points);
-    object.count("near_inputs", stats.near_inputs);
-    object.number("farthest_near_input", stats.farthest_near_input);
+/// Returns a histogram: `counts[i]` and `counts_at_hull[i]` are of the values between `edges[i]` and
+/// `edges[i + 1]`.
+fn histogram(table: &Table) -> Value {
+    json!({
+        "edges": table.edges.iter().map(|edge| number(*edge)).collect::<Vec<_>>(),
+        "counts": table.counts,
+        "counts_at_hull": table.counts_at_hull,
+        "least": number(table.least),
+        "largest": number(table.largest),
+    })
 }
 
-/// Null, every one, if they were not measured.
-fn add_instruments(object: &mut Object, stats: &Stats, measured: bool) {
-    let counts = [
-        ("ply_probes", stats.ply_probes),
-        ("max_ply", stats.max_ply),
-        ("max_ball_intersections", stats.max_ball_intersections),
-    ];
-    let numbers = [
-        ("mean_ply", stats.mean_ply),
-        ("mean_ball_intersections", stats.mean_ball_intersections),
-        ("feature_size_constant", stats.feature_size_constant),
-        ("insertion_constant_input", stats.insertion_constant_input),
-        ("insertion_constant_corner", stats.insertion_constant_corner),
-        ("insertion_constant_cage", stats.insertion_constant_cage),
-    ];
-    for (name, value) in counts {
-        if measured { object.count(name, value) } else { object.null(name) }
+fn stats(stats: &Stats, is_measured: bool) -> Value {
+    let count = |count: u64| is_measured.then_some(count);
+    let measured = |value: f64| is_measured.then(|| number(value));
+    json!({
+        "rounds": stats.rounds,
+        "touches": stats.touches,
+        "max_touches": stats.max_touches,
+        "input_vertices": stats.input_vertices,
+        "steiner_vertices": stats.steiner_vertices,
+        "cage_vertices": stats.cage_vertices,
+        "cages_created": stats.cages_created,
+        "cages_grown": stats.cages_grown,
+        "cages_released": stats.cages_released,
+        "exact_fallbacks": stats.exact_fallbacks,
+        "precision_limited": stats.precision_limited,
+        "seconds": number(stats.seconds),
+        "passes": stats.passes,
+        "worst_halving": number(stats.worst_halving),
+        "cage_points": stats.cage_points,
+        "far_corners": stats.far_corners,
+        "off_centers": stats.off_centers,
+        "yields": stats.yields,
+        "closing_points": stats.closing_points,
+        "near_inputs": stats.near_inputs,
+        "farthest_near_input": number(stats.farthest_near_input),
+        "ply_probes": count(stats.ply_probes),
+        "max_ply": count(stats.max_ply),
+        "mean_ply": measured(stats.mean_ply),
+        "max_ball_intersections": count(stats.max_ball_intersections),
+        "mean_ball_intersections": measured(stats.mean_ball_intersections),
+        "feature_size_constant": measured(stats.feature_size_constant),
+        "insertion_constant_input": measured(stats.insertion_constant_input),
+        "insertion_constant_corner": measured(stats.insertion_constant_corner),
+        "insertion_constant_cage": measured(stats.insertion_constant_cage),
+    })
+}
+
+fn report(report: &Report) -> Value {
+    json!({ "level": report.level, "violations": report.violations, "checked": report.checked })
+}
+
+/// Returns the shortest decimal that reads back as the same double.
+fn number(value: f64) -> Value {
+    match value.is_finite() {
+        true => json!(value),
+        false => json!(value.to_string().to_lowercase()),
     }
-    for (name, value) in numbers {
-        if measured { object.number(name, value) } else { object.null(name) }
+}
+
+/// Returns the text of an object, with a line for each member and each list in one line.
+fn text(object: &Value) -> String {
+    let mut text = Vec::new();
+    let lines = Lines(PrettyFormatter::new());
+    let written =
+        serde::Serialize::serialize(object, &mut Serializer::with_formatter(&mut text, lines));
+    written.expect("names are texts, and a vector takes everything");
+    String::from_utf8(text).expect("JSON is UTF-8") + "\n"
+}
+
+struct Lines<'a>(PrettyFormatter<'a>);
+
+impl Formatter for Lines<'_> {
+    fn begin_array_value<W: Write + ?Sized>(&mut self, writer: &mut W, first: bool) -> Result<()> {
+        writer.write_all(if first { b"" } else { b", " })
+    }
+
+    fn begin_object<W: Write + ?Sized>(&mut self, writer: &mut W) -> Result<()> {
+        self.0.begin_object(writer)
+    }
+
+    fn end_object<W: Write + ?Sized>(&mut self, writer: &mut W) -> Result<()> {
+        self.0.end_object(writer)
+    }
+
+    fn begin_object_key<W: Write + ?Sized>(&mut self, writer: &mut W, first: bool) -> Result<()> {
+        self.0.begin_object_key(writer, first)
+    }
+
+    fn begin_object_value<W: Write + ?Sized>(&mut self, writer: &mut W) -> Result<()> {
+        self.0.begin_object_value(writer)
+    }
+
+    fn end_object_value<W: Write + ?Sized>(&mut self, writer: &mut W) -> Result<()> {
+        self.0.end_object_value(writer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn members_have_lines_and_numbers_read_back() {
+        let numbers = [0.0, -0.0, 1.5, 1e300, -2.5e-308, f64::MAX, f64::from_bits(1), 1.0 / 3.0];
+        let named = |value: &f64| (value.to_string(), number(*value));
+        let object: Map<_, _> = numbers.iter().map(named).collect();
+        let read: Value = serde_json::from_str(&text(&json!({ "inside": object }))).unwrap();
+        for value in numbers {
+            let back = read["inside"][value.to_string()].as_f64().unwrap();
+            assert_eq!(back.to_bits(), value.to_bits(), "{value:e}");
+        }
+        let odd = [f64::INFINITY, f64::NEG_INFINITY, f64::NAN].map(number);
+        let written = text(&json!({ "odd": odd, "most": u64::MAX, "in": { "none": null } }));
+        let expected = "{\n  \"odd\": [\"inf\", \"-inf\", \"nan\"],\n  \"most\": 18446744073709551615,\
+                        \n  \"in\": {\n    \"none\": null\n  }\n}\n";
+        assert_eq!(written, expected);
     }
 }

@@ -38,7 +38,7 @@ pub fn require_distinct(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// The files that the mesh goes to.
+/// Returns the files that the mesh goes to.
 pub fn outputs(arguments: &Arguments) -> Result<Vec<PathBuf>, Failure> {
     match arguments.output.as_deref() {
         None => Ok(Vec::new()),
@@ -56,7 +56,7 @@ fn will_be_same(a: &Path, b: &Path) -> bool {
     files.is_some_and(|(a, b)| a == b)
 }
 
-/// Two names of one file: links too. A terminal may well be read and written.
+/// Returns true for two names of one file, links too. A terminal may well be read and written.
 fn are_same(a: &Path, b: &Path) -> bool {
     let files = fs::metadata(a).ok().zip(fs::metadata(b).ok());
     files.is_some_and(|(of_a, of_b)| {

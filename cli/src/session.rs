@@ -33,10 +33,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let _stage = display.stage("reading");
         timed(&mut times.read, || input::read(arguments))?
     };
-    if let Some(path) = &arguments.meshing.sizes {
+    if let Some(path) = &arguments.size_files.sizes {
         sizes::set(&mut mesh, path)?;
     }
-    if let Some(path) = &arguments.meshing.background {
+    if let Some(path) = &arguments.size_files.background {
         sizes::set_background(&mut mesh, path)?;
     }
     if let Some(output) = &arguments.output {
@@ -137,7 +137,7 @@ fn require_output_format(mesh: &Mesh, output: &Path, arguments: &Arguments) -> R
     })
 }
 
-/// The summary for people, the record for programs, or both.
+/// Writes the summary for people, the record for programs, or both.
 fn tell(summary: &Summary<'_>) -> Result<(), Failure> {
     match summary.arguments.json.as_deref() {
         Some(path) if standard::is_meant(path) => return print(&record::json(summary)),
@@ -176,7 +176,7 @@ fn write(
     arguments: &Arguments,
     display: &Display,
 ) -> Result<Option<alpha_shape::Measured>, Failure> {
-    let (output, threads) = (arguments.output.as_deref(), arguments.meshing.threads);
+    let (output, threads) = (arguments.output.as_deref(), arguments.meshing.options.threads);
     match (arguments.product(), output) {
         (Product::AlphaShape(choice), _) => {
             let _stage = display.stage("alpha shape");

@@ -59,7 +59,7 @@ fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
     }
 }
 
-/// The sizes in a file, one for each of `count` points.
+/// Returns the sizes in a file, one for each of `count` points.
 fn read(path: &Path, count: usize) -> Result<Vec<f64>, Failure> {
     let text = std::fs::read_to_string(path);
     let text = text.map_err(|error| malformed(path, &error.to_string()))?;
@@ -169,7 +169,7 @@ mod tests {
         }
     }
 
-    /// Of three values in the plane, or six in space, none is a length.
+    /// Three values in the plane, or six in space, are a tensor and no length.
     #[test]
     fn tensors_are_no_sizes() {
         for (text, words) in [

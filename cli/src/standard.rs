@@ -6,12 +6,12 @@ pub fn is_meant(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// How messages call an input.
+/// Returns the name of an input in messages.
 pub fn input_name(path: &Path) -> String {
     if is_meant(path) { "standard input".to_owned() } else { path.display().to_string() }
 }
 
-/// How messages call an output.
+/// Returns the name of an output in messages.
 pub fn output_name(path: &Path) -> String {
     if is_meant(path) { "standard output".to_owned() } else { path.display().to_string() }
 }

@@ -1,4 +1,4 @@
-//! What the run made, for a person to read.
+//! Summary of a run, for a person to read.
 
 use crate::alpha_shape::Measured;
 use crate::arguments::Arguments;
@@ -71,7 +71,7 @@ impl Summary<'_> {
         );
     }
 
-    /// Of a mesh or a surface the points alone become something.
+    /// Adds the elements of a mesh or a surface in the file, of which the points alone are meshed.
     fn add_left_out(&self, lines: &mut Lines) {
         let LeftOut { edges, faces, cells } = self.left_out;
         let parts = [(edges, "edge", "edges"), (faces, "face", "faces"), (cells, "cell", "cells")];
@@ -314,7 +314,7 @@ impl Summary<'_> {
         );
     }
 
-    /// The paper's constants.
+    /// Adds the paper's constants, as measured.
     fn add_instruments(&self, lines: &mut Lines) {
         let stats = &self.triangulation.stats;
         lines.add(

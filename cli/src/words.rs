@@ -1,15 +1,16 @@
-//! The words of the command line for what the library's messages name.
+//! Words of the command line for the things that the library's messages name.
 
 use netmesh::error::{Choice, Error, Name, Words};
-use netmesh::{Algorithm, Criterion, Crossings, Extent, Interior, Output, Region};
+use netmesh::options::{Chosen, Row};
+use netmesh::{Algorithm, Output, Region};
 use std::fmt::{Formatter, Result};
 
-/// What was given on the command line and in the files that it names.
+/// Names for what was given on the command line and in the files that it names.
 #[derive(Clone, Copy, Debug)]
 pub struct CommandLine<'a> {
-    /// The regions and holes of the input.
+    /// Regions and holes of the input.
     pub regions: &'a [Region],
-    /// The option that asks for the plain Delaunay triangulation.
+    /// Option that asks for the plain Delaunay triangulation.
     pub delaunay: &'static str,
 }
 
@@ -24,12 +25,22 @@ pub fn in_options(error: &Error) -> String {
     error.in_words(CommandLine::default()).to_string()
 }
 
+/// Returns the argument of an option, with its dashes.
+pub fn argument(option: &str) -> String {
+    Row::named(option).map_or_else(String::new, |row| format!("--{}", row.argument()))
+}
+
 impl Words for CommandLine<'_> {
     fn write(&self, name: Name, f: &mut Formatter<'_>) -> Result {
         match name {
-            Name::Chosen(choice) => f.write_str(self.choice(choice)),
-            Name::QualityBound => f.write_str("--bound"),
-            Name::Instruments => f.write_str("--stats"),
+            Name::Chosen(Choice::Output(Output::Auto)) => f.write_str("no --finish"),
+            Name::Chosen(Choice::Output(Output::Hierarchical)) => f.write_str("--hierarchical"),
+            Name::Chosen(Choice::Output(Output::WellSpaced)) => f.write_str("--finish"),
+            Name::Chosen(Choice::Algorithm(Algorithm::Delaunay)) => f.write_str(self.delaunay),
+            Name::Chosen(choice) => {
+                let Chosen { option, word, .. } = choice.chosen();
+                write!(f, "{} {}", argument(option), word.argument)
+            }
             Name::Size | Name::Sizes => f.write_str("--sizes"),
             Name::Background => f.write_str("--background"),
             Name::Columns => f.write_str("--columns"),
@@ -42,35 +53,9 @@ impl Words for CommandLine<'_> {
             Name::Interpolation => f.write_str("the interpolation"),
             Name::SelectedDomain => f.write_str("the domain"),
             other => match other.option() {
-                Some(option) => write!(f, "--{}", option.replace('_', "-")),
+                Some(option) => f.write_str(&argument(option)),
                 None => write!(f, "{other}"),
             },
-        }
-    }
-}
-
-impl CommandLine<'_> {
-    fn choice(&self, choice: Choice) -> &'static str {
-        match choice {
-            Choice::Output(Output::Auto) => "no --finish",
-            Choice::Output(Output::Hierarchical) => "--hierarchical",
-            Choice::Output(Output::WellSpaced) => "--finish",
-            Choice::Algorithm(Algorithm::Netmesh) => "--algorithm netmesh",
-            Choice::Algorithm(Algorithm::Svr) => "--algorithm svr",
-            Choice::Algorithm(Algorithm::Delaunay) => self.delaunay,
-            Choice::Criterion(Criterion::VoronoiAspect) => "--criterion aspect",
-            Choice::Criterion(Criterion::RadiusEdge) => "--criterion radius-edge",
-            Choice::Extent(Extent::Auto) => "--extent auto",
-            Choice::Extent(Extent::All) => "--extent all",
-            Choice::Extent(Extent::Hull) => "--extent hull",
-            Choice::Extent(Extent::Box) => "--extent box",
-            Choice::Extent(Extent::Boundary) => "--extent boundary",
-            Choice::Crossings(Crossings::Refuse) => "--crossings refuse",
-            Choice::Crossings(Crossings::Split) => "--crossings split",
-            Choice::Interior(Interior::Auto) => "--interior auto",
-            Choice::Interior(Interior::Seeds) => "--interior seeds",
-            Choice::Interior(Interior::Parity) => "--interior parity",
-            Choice::Interior(Interior::Winding) => "--interior winding",
         }
     }
 }
@@ -78,8 +63,9 @@ impl CommandLine<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use netmesh::Extent;
 
-    /// The words for one name.
+    /// Words for one name.
     struct Said<'a>(CommandLine<'a>, Name);
 
     impl std::fmt::Display for Said<'_> {

@@ -73,7 +73,7 @@ enum nm_mpi_format
 #endif // __cplusplus
  {
     /**
-     * By the extension of the path: .pvtu, .npy.
+     * Format that the extension of the path names: .pvtu, .npy.
      */
     NM_MPI_FORMAT_AUTO = 0,
     /**
@@ -98,7 +98,7 @@ typedef int32_t nm_mpi_format;
 typedef struct nm_mpi_mesh nm_mpi_mesh;
 
 /**
- * How large a mesh is: the whole, and what this rank has of it.
+ * Sizes of a mesh: of the whole, and of the part that this rank has.
  */
 typedef struct nm_mpi_counts {
     /**
@@ -114,7 +114,7 @@ typedef struct nm_mpi_counts {
      */
     uint32_t rank;
     /**
-     * How many ranks that has.
+     * Number of ranks in the communicator of the run.
      */
     uint32_t ranks;
     /**
@@ -158,7 +158,7 @@ typedef struct nm_mpi_counts {
      */
     uint64_t local_vertices;
     /**
-     * How many of them are vertices of its own simplices; they come first.
+     * Number of vertices of this rank's own simplices; they come first.
      */
     uint64_t own_vertices;
     /**
@@ -238,7 +238,7 @@ typedef struct nm_mpi_facet {
 } nm_mpi_facet;
 
 /**
- * What nm_mpi_validate found, the same on all ranks.
+ * Findings of nm_mpi_validate, the same on all ranks.
  */
 typedef struct nm_mpi_report {
     /**

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
 
@@ -37,12 +37,25 @@ def mesh(
     markers: Any = None,
     regions: Any = None,
     holes: Any = None,
-    output: str = "auto",
-    algorithm: str = "netmesh",
-    ordering: str = "sampled_net",
-    criterion: str = "voronoi_aspect",
-    threads: int = 1,
+    criterion: Literal["voronoi_aspect", "radius_edge"] = "voronoi_aspect",
     quality_bound: float = 0.0,
+    min_angle: float = 0.0,
+    min_dihedral: float = 0.0,
+    gives_way: Literal["angle", "bound"] = "angle",
+    extent: Literal["auto", "all", "hull", "box", "boundary"] = "auto",
+    interior: Literal["auto", "seeds", "parity", "winding"] = "auto",
+    crossings: Literal["refuse", "split"] = "refuse",
+    max_edge: float = 0.0,
+    distance_ratio: float = 0.0,
+    size: Any = None,
+    background: Any = None,
+    output: Literal["auto", "hierarchical", "well_spaced"] = "auto",
+    algorithm: Literal["netmesh", "svr", "delaunay"] = "netmesh",
+    threads: int = 1,
+    instruments: bool = False,
+    seed: int = 0,
+    max_vertices: int = 0,
+    ordering: Literal["sampled_net", "deterministic_net"] = "sampled_net",
     epsilon: float = 0.0,
     delta: float = 0.0,
     gamma: float = 0.0,
@@ -50,25 +63,13 @@ def mesh(
     encroachment: float = 0.0,
     cage_scale: float = 0.0,
     root_scale: float = 0.0,
-    seed: int = 0,
-    max_vertices: int = 0,
-    instruments: bool = False,
-    distance_ratio: float = 0.0,
-    min_angle: float = 0.0,
-    min_dihedral: float = 0.0,
-    max_edge: float = 0.0,
-    size: Any = None,
-    background: Any = None,
-    gives_way: str = "angle",
-    extent: str = "auto",
-    crossings: str = "refuse",
-    interior: str = "auto",
     progress: Any = None,
 ) -> Mesh:
     """Mesh points in 2 to 8 dimensions.
 
     The result is a Delaunay triangulation of the points and of O(n) further vertices, every cell
     within `quality_bound`. It depends on the points and the options alone, not on `threads`.
+    `Mesh.parameters` tells what the defaults, 0 and 'auto', have become.
 
     Parameters
     ----------
@@ -85,66 +86,105 @@ def mesh(
     holes : array_like of float, shape (holes, 2), optional
         Points of regions that are no part of the result, whatever `extent`. Each of `regions` and
         `holes` must be in a region of its own.
-    output : {'auto', 'hierarchical', 'well_spaced'}
-        Stop at linear size, or refine across the scales too. 'auto': 'well_spaced' where an angle, a
-        dihedral angle, a size, a `distance_ratio` or an extent other than 'all' is asked for, which
-        cages would break; otherwise 'hierarchical'. `Mesh.parameters` tells which it was.
-    algorithm : {'netmesh', 'delaunay', 'svr'}
-        'delaunay': the points alone, without Steiner points. 'svr': Sparse Voronoi Refinement, the
-        baseline for comparisons.
-    ordering : {'sampled_net', 'deterministic_net'}
-        How the points of a round are chosen: by a sample that `seed` drives, or without any random
-        number.
     criterion : {'voronoi_aspect', 'radius_edge'}
-        What `quality_bound` bounds: the aspect of a Voronoi cell, or the circumradius of a simplex
-        over its shortest edge.
-    threads : int
-        0 for all cores. Of use in 2D and 3D from 524,288 points on.
-    quality_bound, epsilon, delta, gamma, yield_radius, encroachment, cage_scale, root_scale : float
-        The promised quality and the constants of the algorithm; 0 is the default for the dimension.
-    seed : int
-        Of the sampling.
-    max_vertices : int
-        A mesh that needs more raises `LimitError`; 0 for as many as there are ids.
-    instruments : bool
-        Measure the second part of `Stats` too, which takes about as long again.
-    distance_ratio : float
-        How far a cell may reach, relative to the distance from its
-        vertex to the nearest input, unless that input is the nearest one everywhere in the cell;
-        0.05 to 1, 0 for no matter how far. `Filtration.factor` of kind 'mesh' becomes at most the
-        root of ``(1 + distance_ratio) / (1 - distance_ratio)``.
+        Quality measure that `quality_bound` bounds. 'voronoi_aspect': distance from a vertex to the
+        farthest corner of its Voronoi cell over half the distance to its nearest neighbour;
+        'radius_edge': circumradius of a simplex over its shortest edge.
+    quality_bound : float
+        Largest value of `criterion`: a smaller one makes better cells and more of them. Aspect:
+        from 2.2, 2.5, 3.5, 4.5 to 100, by default 3, 4, 5, 6; radius-edge: from 0.9, 1.1, 1.75,
+        2.25 to 50, by default 1.5, 2, 2.5, 3 in 2D, 3D, 4D and above.
     min_angle : float
-        In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of `criterion`
-        and `quality_bound`. Above 30 the run usually ends; give `max_vertices` too. With
-        ``output='hierarchical'`` triangles beside cages miss it: `Quality.below_min_angle`.
+        Smallest angle of the triangles in degrees, in 2D, in place of `criterion` and
+        `quality_bound`. Above 30 the run usually ends; give `max_vertices`, too. Triangles beside
+        the cages of a hierarchical mesh may miss it. From 0.6 to 33.7.
     min_dihedral : float
-        The least dihedral angle in degrees, at most 22, in 3D; 0 for none.
-    max_edge : float
-        The length that no edge exceeds in the box of the points; 0 for none.
-    size : float, array_like of float with shape (n,), or callable
-        The length that edges shall have in the box of the points, everywhere, at each point and linear
-        between them, or as a function of a point tells: it is called with an array of shape (dim,), at most once for each vertex. Circumradii are at most
-        those of regular simplices with such edges, and most edges have between 0.6 times that
-        length and that length. ``inf`` for no bound. An exception of the function is raised here.
-    background : (Mesh, array_like of float with shape (vertices,)), optional
-        A mesh and sizes at its vertices, linear in its simplices, and
-        beyond it those of its nearest vertex. With `size` the least counts. To adapt a mesh, mesh
-        the points again with the first mesh as background.
+        Least dihedral angle in degrees, in 3D, of tetrahedra with all vertices in one domain:
+        Steiner points move and further ones come until no angle is smaller. Not with
+        `distance_ratio`. From 0 to 22.
     gives_way : {'angle', 'bound'}
-        What gives way where `min_dihedral` and `quality_bound` cannot both be had:
-        `Quality.below_min_dihedral` counts simplices that stay below the angle,
-        `Quality.beyond_bound` what goes beyond the bound.
+        Promise that gives way where `min_dihedral` and `quality_bound` cannot both be kept; what
+        misses it is counted. 'angle': some tetrahedra stay below the dihedral angle; 'bound': some
+        cells, or tetrahedra, go beyond the bound.
     extent : {'auto', 'all', 'hull', 'box', 'boundary'}
-        How far the mesh reaches, in 2D: to its outer cage, to the convex hull or the bounding box of
-        the points, or to the boundary that segments are. What lies beyond is cut away. 'auto':
-        'boundary' where segments enclose something, otherwise 'all'.
-    crossings : {'refuse', 'split'}
-        What becomes of segments that cross where no point is.
+        Region that the mesh covers, in 2D; what lies beyond is cut away. 'auto': boundary where
+        segments enclose something, otherwise all; 'all': all of the mesh, to the cage round all
+        inputs; 'hull': the convex hull of the inputs; 'box': the bounding box of the inputs;
+        'boundary': the region that segments enclose.
     interior : {'auto', 'seeds', 'parity', 'winding'}
-        Which regions between segments are inside, with the extents 'boundary' and 'auto': all that
-        cannot be reached from outside; those into which a path from outside crosses an odd number of
-        segments; or those that curves wind round, by the directions of the segments. `holes` are
-        taken away. 'auto' is 'seeds' for segments that are given as arrays.
+        Rule by which regions between segments are inside, where `extent` is auto or boundary; seeds
+        may make holes of them. 'auto': parity for the polygons of a GeoJSON or WKT file, seeds
+        otherwise; 'seeds': all that cannot be reached from outside without crossing a segment;
+        'parity': regions into which a path from outside crosses an odd number of segments;
+        'winding': regions whose winding number, by the directions of the segments, is not 0.
+    crossings : {'refuse', 'split'}
+        Treatment of segments that cross where no input is. 'refuse': the run is refused; 'split':
+        the double nearest to the crossing becomes a vertex of both.
+    max_edge : float
+        Length that no edge exceeds of simplices that meet the box of the inputs. Not in
+        hierarchical meshes. Above 0.
+    distance_ratio : float
+        Largest reach of a cell, relative to the distance from its vertex to the nearest input,
+        unless that input is the nearest one everywhere in the cell; for filtrations of the mesh.
+        Not in hierarchical meshes. From 0.05 to 1.
+    size : float, array_like of float with shape (n,), or callable
+        The length that edges shall have in the box of the points: everywhere, at each point and
+        linear between them, or as a function tells, which is called with an array of shape (dim,), at
+        most once for each vertex. Circumradii are at most those of regular simplices with such edges,
+        and most edges have between 0.6 times that length and that length. ``inf`` for no bound. An
+        exception of the function is raised here.
+    background : (Mesh, array_like of float with shape (vertices,)), optional
+        A mesh and sizes at its vertices, linear in its simplices; beyond it the sizes of its nearest
+        vertex count. With `size` the least counts. To adapt a mesh, mesh the points again with the
+        first mesh as background.
+    output : {'auto', 'hierarchical', 'well_spaced'}
+        Kind of mesh that the run leaves behind. 'auto': well-spaced where an angle, a size,
+        `distance_ratio` or an extent other than all is asked for, which cages would break,
+        otherwise hierarchical; 'hierarchical': a mesh of linear size, whatever the spread of the
+        inputs; 'well_spaced': a mesh of one domain, refined across the scales, too.
+    algorithm : {'netmesh', 'svr', 'delaunay'}
+        Algorithm that makes the mesh. 'netmesh': the paper's algorithm, O(n log n) whatever the
+        spread; 'svr': Sparse Voronoi Refinement, the baseline for comparisons; 'delaunay': the
+        Delaunay triangulation of the inputs, without Steiner points.
+    threads : int
+        Number of threads, 0 for all cores; the mesh does not depend on it. Of use in 2D and 3D from
+        524,288 distinct inputs on.
+    instruments : bool
+        Measurement of ply, of intersections of D-balls and of the constants of the paper's
+        Definitions 7 and 8, which takes about as long again as the run or longer. The mesh is the
+        same.
+    seed : int
+        Seed of every random choice: equal inputs, options and seeds make equal meshes. Without
+        effect where `ordering` is deterministic.
+    max_vertices : int
+        Number of vertices beyond which the run fails and leaves the mesh as it was; 0 for as many
+        as there are ids.
+    ordering : {'sampled_net', 'deterministic_net'}
+        Choice of the inputs that a round inserts. 'sampled_net': a sample that `seed` drives;
+        'deterministic_net': a net, made without any random number.
+    epsilon : float
+        Separation at which a cluster becomes a domain of its own: a pair at distance x gets one of
+        radius x / `epsilon` if no other vertex is near. A smaller value makes fewer domains. From
+        0.05 to 0.6, by default 0.5.
+    delta : float
+        Spacing of a cage's vertices, relative to the radius of its sphere: a smaller one makes
+        rounder cages of more vertices. From 0.1 to 1, by default 0.8, 1, 1, 1 in 2D, 3D, 4D and
+        above.
+    gamma : float
+        Radius within which a new cage vertex yields to an input, relative to its distance to the
+        nearest vertex. From 0.01 to 0.25, by default 0.1.
+    yield_radius : float
+        Radius within which a Steiner point yields to an input, relative to the radius of its empty
+        ball. From 0.05 to 1, by default 1.
+    encroachment : float
+        Distance that vertices outside a domain keep from its centre, relative to its radius over
+        `epsilon`. From 1 to 4, by default 1.
+    cage_scale : float
+        Radius of a cage's sphere, relative to the radius of its domain; keep it clearly above
+        `epsilon`. From 0.3 to 0.9, by default 0.8.
+    root_scale : float
+        Radius of the root ball, relative to the bounding ball of the inputs. From 2 to 16, by
+        default 2.5, 2.5, 3, 4 in 2D, 3D, 4D and above.
     progress : callable or progress bar, optional
         A function of a `Progress`, called about every 30 ms; `False` as its answer stops the run.
         Or a bar of tqdm, which is moved along.

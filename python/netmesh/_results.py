@@ -154,6 +154,10 @@ class Stats(NamedTuple):
     off_centers: int
     yields: int
     closing_points: int
+    near_inputs: int
+    farthest_near_input: float
+    simplices_created: int
+    # From here on 0 without the option `instruments`.
     ply_probes: int
     max_ply: int
     mean_ply: float
@@ -163,6 +167,3 @@ class Stats(NamedTuple):
     insertion_constant_input: float
     insertion_constant_corner: float
     insertion_constant_cage: float
-    simplices_created: int
-    near_inputs: int
-    farthest_near_input: float

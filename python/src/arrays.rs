@@ -6,7 +6,7 @@ use numpy::ndarray::{ArrayView, Dimension, Ix2, ShapeBuilder};
 use numpy::{Element, PyArray, PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-/// A read-only array of memory that belongs to `owner`.
+/// Returns a read-only array of memory that belongs to `owner`.
 ///
 /// # Safety
 /// The memory stays where it is and unchanged as long as `owner` lives.
@@ -36,7 +36,7 @@ pub unsafe fn shared_ids<'py>(
     unsafe { shared(owner, &rows(ids, columns)) }
 }
 
-/// As [`shared_ids`], in one column.
+/// Returns an array of ids in one column, which shares their memory; see [`shared_ids`].
 ///
 /// # Safety
 /// As that of [`shared`].
@@ -77,8 +77,8 @@ pub fn unsigned(ids: &mut [i32]) -> &mut [u32] {
     unsafe { std::slice::from_raw_parts_mut(ids.as_mut_ptr().cast(), ids.len()) }
 }
 
-/// The doubles from the first point to the last, and the distance of points in them; `None` where
-/// points do not stand one after the other in memory.
+/// Returns the doubles from the first point to the last, and the distance of points in them; `None`
+/// where points do not stand one after the other in memory.
 pub fn strided<'a>(points: &'a PyReadonlyArray2<'_, f64>) -> Option<(&'a [f64], usize)> {
     let array = points.as_array();
     let (count, dim) = array.dim();
@@ -94,7 +94,7 @@ pub fn strided<'a>(points: &'a PyReadonlyArray2<'_, f64>) -> Option<(&'a [f64], 
     Some((unsafe { std::slice::from_raw_parts(array.as_ptr(), (count - 1) * step + dim) }, step))
 }
 
-/// A new array. Where there is no memory NumPy raises its error.
+/// Returns a new array. Where there is no memory NumPy raises its error.
 pub fn empty<'py, T: Element, D: Dimension>(
     py: Python<'py>,
     shape: impl ShapeBuilder<Dim = D> + IntoPyObject<'py>,

@@ -32,11 +32,11 @@ pub struct Core {
     pub delaunay: Mutex<Option<Arc<Option<Mesh>>>>,
 }
 
-/// What of it knows nothing of Python.
+/// Part of a [`Core`] that knows nothing of Python: the mesh, and what queries have made.
 pub struct Made {
     pub mesh: Mesh,
     pub prepared: Prepared,
-    /// Whether `prepared` has made its index.
+    /// True as soon as `prepared` has made its index.
     pub has_index: AtomicBool,
 }
 
@@ -156,7 +156,7 @@ impl Core {
         unsafe { shared_ids_1(this.as_any(), inputs.vertices(), inputs.count()) }
     }
 
-    /// The first input that each vertex is; a new array.
+    /// Returns the first input that each vertex is; a new array.
     fn vertex_inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
         let (inputs, vertices) = (self.mesh.inputs(), self.triangulation().vertex_count());
         let found = crate::arrays::empty(py, [vertices])?;
@@ -197,7 +197,7 @@ impl Core {
         unsafe { shared(this.as_any(), &ArrayView::from(sizes)) }
     }
 
-    /// The options of the run, with every default filled in.
+    /// Returns the options of the run, with every default filled in.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         by_keyword(py, &self.triangulation().parameters.options())
@@ -215,7 +215,7 @@ impl Core {
         )
     }
 
-    /// The points that were given, duplicates included.
+    /// Returns the points that were given, duplicates included.
     fn input_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         points_of_inputs(py, self.mesh.inputs())
     }
@@ -261,7 +261,7 @@ impl Core {
     }
 }
 
-/// The points that were given, duplicates included; a new array.
+/// Returns the points that were given, duplicates included; a new array.
 pub fn points_of_inputs<'py>(
     py: Python<'py>,
     inputs: &Inputs,

@@ -17,7 +17,7 @@ use std::sync::{Arc, PoisonError};
 /// Starts and ids of lists, as SciPy's `indptr` and `indices`.
 pub type Lists<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i32>>);
 
-/// An array that owns the ids, which are below `count` or NONE.
+/// Returns an array that owns the ids, which are below `count` or NONE.
 pub fn ids(py: Python<'_>, ids: Vec<u32>, count: usize) -> PyResult<Bound<'_, PyArray1<i32>>> {
     fits(py, count)?;
     // In place: the same size and alignment. NONE becomes -1.
@@ -29,7 +29,7 @@ pub fn lists(py: Python<'_>, lists: arrays::Lists, count: usize) -> PyResult<Lis
     Ok((PyArray1::from_vec(py, starts), ids(py, lists.ids, count)?))
 }
 
-/// No doubles yet, with room for as many.
+/// Returns an empty vector with room for so many doubles.
 fn reserved(count: usize) -> Result<Vec<f64>> {
     let mut doubles = Vec::new();
     let refused = |_| Error::new(ErrorKind::OutOfMemory, "an allocation failed");
@@ -46,7 +46,7 @@ impl Core {
         self.triangulation().simplex_count()
     }
 
-    /// The Delaunay triangulation of the inputs; `None` if they are in a hyperplane.
+    /// Returns the Delaunay triangulation of the inputs; `None` if they are in a hyperplane.
     fn delaunay(&self, py: Python<'_>) -> PyResult<Arc<Option<Mesh>>> {
         let made = self.delaunay.lock().unwrap_or_else(PoisonError::into_inner).clone();
         if let Some(made) = made {
@@ -148,7 +148,7 @@ impl Core {
         Ok(PyArray1::from_vec(py, self.of_part(py, selection, |part| part.volumes())?))
     }
 
-    /// The Voronoi diagram by the names of its parts.
+    /// Returns the Voronoi diagram by the names of its parts.
     fn voronoi<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<Bound<'py, PyDict>> {
         let arrays::Voronoi {
             regions,

@@ -17,7 +17,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-/// The class in `netmesh._errors` for a kind of error.
+/// Returns the class in `netmesh._errors` for a kind of error.
 fn class(kind: ErrorKind) -> &'static str {
     match kind {
         ErrorKind::NullArgument | ErrorKind::InvalidArgument => "InvalidArgumentError",
@@ -62,12 +62,12 @@ impl Words for InPython<'_> {
     }
 }
 
-/// The exception for an error.
+/// Returns the exception for an error.
 pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
     exception_with(py, error, &[])
 }
 
-/// The exception for an error of a mesh with `regions`.
+/// Returns the exception for an error of a mesh with `regions`.
 pub fn exception_with(py: Python<'_>, error: &Error, regions: &[Region]) -> PyErr {
     raised(py, error.kind(), error.in_words(InPython { regions }).to_string())
 }
@@ -76,7 +76,7 @@ pub fn invalid(py: Python<'_>, message: String) -> PyErr {
     raised(py, ErrorKind::InvalidArgument, message)
 }
 
-/// The exception for an argument whose type is wrong.
+/// Returns the exception for an argument whose type is wrong.
 pub fn wrong_type(py: Python<'_>, message: String) -> PyErr {
     of_class(py, "ArgumentTypeError", (&message,), &message)
 }
@@ -101,8 +101,8 @@ fn of_class<'py>(
 /// The number of an error of input or output for which the system gave none: EIO everywhere.
 const EIO: i32 = 5;
 
-/// The exception for an error of work on the file `path`: Python's callers find the system's number
-/// and the path in it.
+/// Returns the exception for an error of work on the file `path`: Python's callers find the
+/// system's number and the path in it.
 fn exception_of_file(py: Python<'_>, error: &Error, path: &Path) -> PyErr {
     if error.kind() != ErrorKind::Io {
         return exception(py, error);
@@ -118,12 +118,12 @@ pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send
     unlocked(py, work).map_err(|error| exception(py, &error))
 }
 
-/// As [`detached`], with the error of the library.
+/// Does work as [`detached`] does, and answers the error of the library.
 pub fn unlocked<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T> + Send) -> Result<T> {
     py.detach(|| caught(work))
 }
 
-/// As [`detached`], for work on the file `path`.
+/// Does work on the file `path` as [`detached`] does; the exception has the path.
 pub fn detached_on_file<T: Send>(
     py: Python<'_>,
     path: &Path,
@@ -132,11 +132,11 @@ pub fn detached_on_file<T: Send>(
     py.detach(|| caught(work)).map_err(|error| exception_of_file(py, &error, path))
 }
 
-/// How long a signal may wait.
+/// Time that a signal may have to wait.
 const PATIENCE: Duration = Duration::from_millis(30);
 
-/// As [`detached`], for work that ends soon after what it is given is set: a thread of its own does
-/// it, and a signal ends it, however long it would take.
+/// Does work that a signal ends: a thread of its own does it, and it must end soon after the stop
+/// that it is given is set. Otherwise as [`detached`].
 pub fn stoppable<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(Stop<'_>) -> Result<T> + Send,
@@ -165,7 +165,7 @@ pub fn stoppable<T: Send>(
     done.map_err(|error| exception(py, &error))
 }
 
-/// What a worker ends with that the system has no room for.
+/// Returns the error of a worker that the system has no room for.
 fn no_thread() -> Error {
     Error::new(ErrorKind::OutOfMemory, "cannot start a thread")
 }
@@ -174,8 +174,8 @@ fn no_result() -> Error {
     Error::new(ErrorKind::Panic, "an internal check failed: a thread has no result")
 }
 
-/// As [`detached`], for work that the library cannot stop: a thread of its own does it, and goes on
-/// when a signal ends the wait for it.
+/// Does work that the library cannot stop: a thread of its own does it, and goes on when a signal
+/// ends the wait for it. Otherwise as [`detached`].
 pub fn abandonable<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T> + Send + 'static,
@@ -183,8 +183,8 @@ pub fn abandonable<T: Send + 'static>(
     abandonable_until(py, |_| work())
 }
 
-/// As [`abandonable`], for work that also ends soon after what it is given is set, which a signal
-/// does.
+/// Does work as [`abandonable`] does, which ends soon after the stop that it is given is set. A
+/// signal sets it.
 pub fn abandonable_until<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(Stop<'_>) -> Result<T> + Send + 'static,

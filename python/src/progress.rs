@@ -1,10 +1,10 @@
-//! How far a run is, and what stops it: the caller's function, an exception of it, a signal.
+//! Progress of a run, and the ways to stop it: the caller's function, its exception, a signal.
 
 use crate::errors::OfPython;
 use netmesh::Phase;
 use pyo3::prelude::*;
 
-/// How far a run is.
+/// Report of a run's progress.
 #[pyclass(frozen, get_all, module = "netmesh")]
 pub struct Progress {
     /// `'prepare'`, `'insert'`, `'finish'` or `'export'`.
@@ -43,7 +43,7 @@ impl From<&netmesh::Progress> for Progress {
     }
 }
 
-/// What is asked during a run.
+/// Caller's function that a run reports its progress to, and what it has raised.
 pub struct Reporter {
     callback: Option<Py<PyAny>>,
     environment: OfPython,
@@ -56,7 +56,7 @@ impl Reporter {
         Self { callback, environment: OfPython::current(), exception: None }
     }
 
-    /// Whether the run goes on.
+    /// Reports progress; returns true if the run shall go on.
     pub fn report(&mut self, progress: &netmesh::Progress) -> bool {
         let asked = self.environment.call(|| Python::attach(|py| self.ask(py, progress)));
         asked.unwrap_or_else(|exception| {
@@ -65,7 +65,8 @@ impl Reporter {
         })
     }
 
-    /// A signal that has arrived is handled first: Ctrl-C raises `KeyboardInterrupt`.
+    /// Asks the caller's function. A signal that has arrived is handled first: Ctrl-C raises
+    /// `KeyboardInterrupt`.
     fn ask(&self, py: Python<'_>, progress: &netmesh::Progress) -> PyResult<bool> {
         py.check_signals()?;
         let Some(callback) = &self.callback else { return Ok(true) };

@@ -27,7 +27,7 @@ impl Core {
         Ok(count)
     }
 
-    /// The index, which the first who needs it makes.
+    /// Returns the index, which the first who needs it makes.
     fn index(&self, py: Python<'_>) -> PyResult<&Index> {
         if !self.has_index.load(Ordering::Acquire) {
             let made = Arc::clone(&self.made);
@@ -43,7 +43,7 @@ impl Core {
 
 #[pymethods]
 impl Core {
-    /// The simplex of each point, -1 outside.
+    /// Returns the simplex of each point, -1 outside.
     fn locate<'py>(
         &self,
         py: Python<'py>,
@@ -60,7 +60,8 @@ impl Core {
         Ok(found)
     }
 
-    /// The nearest vertex of each point, or the number of the nearest input, and its distance.
+    /// Returns the nearest vertex of each point, or the number of the nearest input, and its
+    /// distance.
     fn nearest<'py>(
         &self,
         py: Python<'py>,
@@ -90,7 +91,7 @@ impl Core {
         Ok((found, distances))
     }
 
-    /// The values (`points x components`) of a function given at the vertices.
+    /// Returns the values (`points x components`) of a function given at the vertices.
     fn interpolate<'py>(
         &self,
         py: Python<'py>,
@@ -148,7 +149,7 @@ impl Core {
         Ok((report.level, report.violations, report.checked, first))
     }
 
-    /// The figures of the quality by name.
+    /// Returns the figures of the quality by name.
     fn quality<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let made = Arc::clone(&self.made);
         let quality::Quality {
@@ -209,7 +210,7 @@ impl Core {
         Ok((PyArray1::from_vec(py, counts), least, largest))
     }
 
-    /// What the run did, by name.
+    /// Returns the statistics of the run by name.
     fn stats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let figures = PyDict::new(py);
         macro_rules! set {

@@ -27,7 +27,7 @@ pub fn selected(given: Given<'_>) -> PyResult<Option<Selection>> {
 }
 
 impl Core {
-    /// What `make` makes of some of the simplices.
+    /// Returns what `make` makes of the selected simplices.
     pub fn of_part<T: Send + 'static>(
         &self,
         py: Python<'_>,
@@ -42,7 +42,7 @@ impl Core {
 
 #[pymethods]
 impl Core {
-    /// Where each simplex lies: 0 inside, 1 across, 2 outside.
+    /// Returns the placement of each simplex: 0 inside, 1 across, 2 outside.
     fn placements<'py>(
         &self,
         py: Python<'py>,

@@ -30,7 +30,7 @@ impl FiltrationCore {
         detached(components.py(), || optimal_alpha(&self.faces, &self.filtration, count))
     }
 
-    /// The value as a number, if it can be that of a shape.
+    /// Returns the value as a number, if it can be that of a shape.
     fn checked_alpha(&self, alpha: &Bound<'_, PyAny>) -> PyResult<f64> {
         let alpha_value = number("alpha", alpha)?;
         match in_default_environment(|| self.shape(alpha_value)) {
@@ -65,7 +65,7 @@ impl FiltrationCore {
         Ok(PyArray1::from_vec(py, classes.into_iter().map(class_byte).collect()))
     }
 
-    /// The simplices of the shape, by their ids in the mesh.
+    /// Returns the simplices of the shape, by their ids in the mesh.
     fn shape_simplices<'py>(
         &self,
         py: Python<'py>,
@@ -87,7 +87,7 @@ impl FiltrationCore {
         ids(py, facets, inputs.count())?.reshape([count, mesh.dim])
     }
 
-    /// The format goes by the extension.
+    /// Writes the shape's boundary to a file, in the format that its extension names.
     fn export_shape(&self, py: Python<'_>, alpha: f64, path: PathBuf) -> PyResult<()> {
         detached_on_file(py, &path, || {
             let format = SurfaceFormat::from_path(&path)?;

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat};
 use std::sync::{Mutex, PoisonError};
 
-/// What tells sizes during a run. Values for the points are the mesh's own.
+/// Source of sizes during a run. Values for the points are the mesh's own.
 pub enum Sizes {
     Given,
     Constant(f64),
@@ -22,12 +22,13 @@ pub enum Sizes {
 pub struct Function {
     callable: Py<PyAny>,
     environment: OfPython,
-    /// What it has raised.
+    /// Exception that the callable has raised.
     exception: Mutex<Option<PyErr>>,
 }
 
 impl Sizes {
-    /// As `given` says; values for the points and on a background go to `mesh`.
+    /// Takes the options `size` and `background` of `given`; values for the points and on a
+    /// background go to `mesh`.
     pub fn new(mesh: &mut Mesh, given: &Bound<'_, PyDict>) -> PyResult<Self> {
         let py = given.py();
         if let Some(background) = given.get_item("background")?.filter(|it| !it.is_none()) {
@@ -66,7 +67,7 @@ impl Sizes {
         }
     }
 
-    /// The exception that ended a run.
+    /// Returns the exception that ended a run.
     pub fn exception(self) -> Option<PyErr> {
         match self {
             Self::Function(function) => {
@@ -77,7 +78,7 @@ impl Sizes {
     }
 }
 
-/// A pair of a mesh and an array.
+/// Takes the option `background`, a pair of a mesh and an array.
 fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()> {
     let py = background.py();
     let pair = background.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>().ok();
@@ -94,7 +95,7 @@ fn set_background(mesh: &mut Mesh, background: &Bound<'_, PyAny>) -> PyResult<()
     set.map_err(|error| named("background", py, &error))
 }
 
-/// The exception for an error that the library says of `values`, by Python's name for them.
+/// Returns the exception for an error that the library says of `values`, by Python's name for them.
 fn named(name: &str, py: Python<'_>, error: &Error) -> PyErr {
     match error.message().strip_prefix("values") {
         Some(rest) => raised(py, error.kind(), format!("{name}{rest}")),
@@ -102,7 +103,7 @@ fn named(name: &str, py: Python<'_>, error: &Error) -> PyErr {
     }
 }
 
-/// An array with `count` doubles, one after the other.
+/// Returns an array with `count` doubles, one after the other.
 fn values_of<'py>(
     name: &str,
     given: &Bound<'py, PyAny>,
@@ -121,7 +122,7 @@ fn values_of<'py>(
     numpy.call_method1("ascontiguousarray", (array,))?.extract()
 }
 
-/// The number that a function has answered at the point `x`.
+/// Returns the number that a function has answered at the point `x`.
 fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> PyResult<f64> {
     let is_float = answer.is_instance_of::<PyFloat>();
     // An array of one element would do, with a warning of some versions of NumPy.
@@ -136,7 +137,7 @@ fn size_of_answer(answer: &Bound<'_, PyAny>, x: &Bound<'_, PyArray1<f64>>) -> Py
 }
 
 impl Function {
-    /// The size at a point; NaN after an exception, which ends the run.
+    /// Returns the size at a point; NaN after an exception, which ends the run.
     fn at(&self, x: &[f64]) -> f64 {
         let ask = |py: Python<'_>| {
             let x = PyArray1::from_slice(py, x);

@@ -52,12 +52,12 @@ impl Core {
 }
 
 impl FiltrationCore {
-    /// The number of each vertex; `None` where it is that of the vertex itself.
+    /// Returns the number of each vertex; `None` where it is that of the vertex itself.
     fn vertex_numbers(&self) -> Option<&[u32]> {
         self.filtration.vertex_numbers(self.made.mesh.inputs())
     }
 
-    /// The dimension `k`, which is in `first..=last`.
+    /// Returns the dimension `k`, which is in `first..=last`.
     pub fn dimension(&self, k: &Bound<'_, PyAny>, first: u32, last: usize) -> PyResult<usize> {
         let given: u32 = whole("k", k, u32::MAX)?;
         if (first..=last as u32).contains(&given) {
@@ -79,7 +79,7 @@ impl FiltrationCore {
         self.filtration.factor
     }
 
-    /// The points that the numbers of `faces` name.
+    /// Returns the points that the numbers of `faces` name.
     #[getter]
     fn points<'py>(this: &Bound<'py, Self>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let core = this.get();
@@ -91,7 +91,7 @@ impl FiltrationCore {
         unsafe { shared(this.as_any(), &rows(&mesh.points, mesh.dim)) }
     }
 
-    /// The faces of dimension `k`, their vertices numbered as those of the filtration.
+    /// Returns the faces of dimension `k`, their vertices numbered as those of the filtration.
     fn faces<'py>(
         this: &Bound<'py, Self>,
         k: &Bound<'py, PyAny>,
@@ -128,7 +128,7 @@ impl FiltrationCore {
         lists(py, detached(py, || above.coboundary(count))?, above.count())
     }
 
-    /// The format goes by the extension.
+    /// Writes the filtration to a file, in the format that its extension names.
     fn export(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         detached_on_file(py, &path, || {
             let format = FiltrationFormat::from_path(&path)?;

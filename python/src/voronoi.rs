@@ -13,11 +13,11 @@ use pyo3::prelude::*;
 use std::sync::Arc;
 
 struct Diagram {
-    /// Of each corner a simplex that has it.
+    /// A simplex of each corner.
     simplices: Vec<u32>,
     /// `ridges x 2` vertices of the mesh.
     ridges: Vec<u32>,
-    /// Of each ridge, then of each region the corners; [`NONE`] first if it is unbounded.
+    /// Corners of each ridge; [`NONE`] first if the ridge is unbounded. So for regions below.
     ridge_corners: arrays::Lists,
     region_corners: arrays::Lists,
 }
@@ -26,7 +26,7 @@ type Arrays<'py> = (Bound<'py, PyArray1<i32>>, Bound<'py, PyArray2<i32>>, Lists<
 
 #[pymethods]
 impl Core {
-    /// Of each corner a simplex that has it; the ridges; the corners of ridges and of regions.
+    /// Returns a simplex of each corner, the ridges, the corners of ridges and those of regions.
     fn merged_voronoi<'py>(&self, py: Python<'py>) -> PyResult<Arrays<'py>> {
         let made = Arc::clone(&self.made);
         let Diagram { simplices, ridges, ridge_corners, region_corners } =
@@ -129,18 +129,18 @@ impl<'a, const D: usize> Corners<'a, D> {
         self.mesh.point(vertex).try_into().expect("D coordinates")
     }
 
-    /// Of at most D + 1 vertices; what follows them repeats the first.
+    /// Returns the points of at most D + 1 vertices; the rest of the array repeats the first.
     fn points(&self, vertices: &[u32]) -> [&'a [f64; D]; 9] {
         std::array::from_fn(|i| self.point(*vertices.get(i).unwrap_or(&vertices[0])))
     }
 
-    /// Whether no two of the simplices share a corner.
+    /// Returns true if no two of the simplices share a corner.
     fn are_apart(&self, star: &[u32]) -> bool {
         let of = |simplex: &u32| self.of[*simplex as usize];
         (1..star.len()).all(|i| star[..i].iter().all(|other| of(other) != of(&star[i])))
     }
 
-    /// Whether the edge between the two vertices, in the simplices of `star`, is an edge of the
+    /// Returns true if the edge between the two vertices, in the simplices of `star`, is one of the
     /// Delaunay complex, whose cells are the unions of the simplices that share a corner, and not a
     /// diagonal of one of its faces. An edge is what all cells round it have in common, and the
     /// facets of the hull.
@@ -161,8 +161,8 @@ impl<'a, const D: usize> Corners<'a, D> {
         common.is_some_and(|common| common.len() == 2)
     }
 
-    /// The vertices of the hull's facets at an edge, of those in one hyperplane and of one cell
-    /// together.
+    /// Returns the vertices of the hull's facets at an edge, of those in one hyperplane and of one
+    /// cell together.
     fn hull_faces(&self, ends: &[u32], star: &[u32]) -> Vec<Vec<u32>> {
         let mut faces: Vec<(u32, [u32; 8], Vec<u32>)> = Vec::new();
         for &simplex in star {
@@ -188,14 +188,14 @@ impl<'a, const D: usize> Corners<'a, D> {
         faces.into_iter().map(|(.., face)| face).collect()
     }
 
-    /// Whether a vertex is in the hyperplane of a facet.
+    /// Returns true if a vertex is in the hyperplane of a facet.
     fn is_on(&self, facet: &[u32], vertex: u32) -> bool {
         let mut points = self.points(facet);
         points[D] = self.point(vertex);
         facet.contains(&vertex) || orientation(&points[..=D]) == Sign::Zero
     }
 
-    /// Adds the list of the corners of simplices, each once, in their order.
+    /// Returns adds the list of the corners of simplices, each once, in their order.
     fn add(&self, star: &[u32], is_bounded: bool, lists: &mut arrays::Lists) {
         let start = lists.ids.len();
         lists.ids.extend((!is_bounded).then_some(NONE));

@@ -14,7 +14,7 @@ use crate::prepared::Prepared;
 use crate::topology::{AlphaShape, Faces, Filtration, Topology, connecting_alpha, optimal_alpha};
 use std::ffi::c_char;
 
-/// What a message says of a mesh without alpha values first.
+/// First part of the message for a mesh without alpha values.
 const NEED: &str = "an alpha shape is of a Delaunay triangulation of the inputs alone";
 
 fn faces_and_values<'a>(

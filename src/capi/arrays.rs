@@ -2,7 +2,7 @@
 //! call; `copy_out` keeps the getters' rules.
 
 use super::decode::decode_extent;
-use super::enums::{nm_extent, nm_status, placement_byte};
+use super::enums::{nm_status, placement_byte};
 use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, read_struct};
@@ -10,6 +10,7 @@ use super::structs::nm_selection;
 use crate::arrays::{Arrays, Group, Selection};
 use crate::error::Result;
 use crate::mesh::NONE;
+use crate::options::Extent;
 use std::mem::MaybeUninit;
 
 /// Writes where each simplex lies with respect to a region: one byte per simplex, an nm_placement.
@@ -27,7 +28,7 @@ use std::mem::MaybeUninit;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_get_placements(
     mesh: *const nm_mesh,
-    extent: MaybeUninit<nm_extent>,
+    extent: MaybeUninit<Extent>,
     buf: *mut u8,
     capacity: u64,
     needed: *mut u64,
@@ -60,7 +61,7 @@ pub(super) unsafe fn get<T: Copy>(
     unsafe { get_as(mesh, selection, out, group, array, |x| x) }
 }
 
-/// As [`get`], the ids of a group.
+/// Copies the ids of a group, as [`get`] copies an array.
 ///
 /// # Safety
 /// As [`get`].
@@ -74,7 +75,7 @@ pub(super) unsafe fn get_ids(
     unsafe { get(mesh, selection, out, group, |of| &mut of.ids) }
 }
 
-/// As [`get`], where the lists of a group begin.
+/// Copies the starts of a group's lists, as [`get`] copies an array.
 ///
 /// # Safety
 /// As [`get`].
@@ -88,7 +89,7 @@ pub(super) unsafe fn get_starts(
     unsafe { get_as(mesh, selection, out, group, |of| &mut of.starts, |start| start as u64) }
 }
 
-/// As [`get`], each element as `encode` has it.
+/// Copies an array as [`get`] does, with `encode` of each element.
 ///
 /// # Safety
 /// As [`get`].
@@ -122,7 +123,7 @@ pub(super) unsafe fn read_selection(selection: *const nm_selection) -> Result<Se
     }
     let defaults = nm_selection {
         struct_size: 0,
-        extent: MaybeUninit::new(nm_extent::NM_EXTENT_ALL),
+        extent: MaybeUninit::new(Extent::All),
         across: 0,
         domain: NONE,
     };

@@ -3,7 +3,7 @@
 use super::enums::nm_status;
 use super::handle::{nm_mesh, with_prepared, with_prepared_mut};
 use super::memory::{copy_out, read_rows, utf8};
-use crate::error::{Error, ErrorKind, message};
+use crate::error::{Error, message};
 use std::ffi::c_char;
 
 /// Gives the inputs values under a name. Exports to VTU, TetGen, Gmsh, PLY, CSV and NumPy have
@@ -33,7 +33,8 @@ pub unsafe extern "C" fn nm_mesh_set_attributes(
     unsafe { set(mesh, name, components, values, true) }
 }
 
-/// As nm_mesh_set_attributes, but vertices that are no inputs get NaN.
+/// Sets attributes of the inputs as nm_mesh_set_attributes does, but vertices that are no inputs
+/// get NaN.
 ///
 /// Errors: as nm_mesh_set_attributes.
 #[unsafe(no_mangle)]
@@ -93,7 +94,7 @@ pub unsafe extern "C" fn nm_mesh_get_attributes(
             let mut attributes = prepared.vertex_attributes(mesh)?.iter();
             let found = attributes.find(|attribute| attribute.name == name).ok_or_else(|| {
                 let message = message!("name is '{name}'; no values have that name");
-                Error::new(ErrorKind::InvalidArgument, message)
+                Error::invalid(message)
             })?;
             copy_out(buf, capacity, needed, found.values.len(), found.values.iter().copied())
         })

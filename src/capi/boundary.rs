@@ -1,16 +1,16 @@
 //! Boundaries in the plane: segments and regions, and what a run has made of them.
 
 use super::enums::nm_status;
-use super::getters::result;
-use super::handle::{nm_mesh, with_mesh, with_mesh_mut};
-use super::memory::{Versioned, check_rows, copy_out, read_rows, read_struct};
-use crate::error::{Error, ErrorKind, Result, message};
+use super::getters::{get_array, result};
+use super::handle::{nm_mesh, with_mesh_mut};
+use super::memory::{Versioned, check_rows, read_rows, read_struct};
+use crate::error::{Error, Result, message};
 use crate::memory::with_capacity;
-use crate::mesh::{Mesh, Region};
+use crate::mesh::Region;
 use std::fmt::{self, Display, Formatter};
 use std::mem::offset_of;
 
-/// What a point of the plane says of the region around it, which segments bound.
+/// Label, size or hole of a region of the plane that segments bound, told by a point in it.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,7 +131,7 @@ unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Regi
         if own != size {
             let message =
                 message!("{name}.struct_size is {own}; it must be that of the first, {size}");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         // SAFETY: as above.
         read.push(decode(name, &unsafe { read_struct(name, region, defaults)? })?);
@@ -139,7 +139,7 @@ unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Regi
     Ok(read)
 }
 
-/// How messages call a region. As a string it would cost an allocation for each that is right.
+/// Name of a region in messages. As a string it would cost an allocation for each that is right.
 #[derive(Clone, Copy)]
 struct RegionName(usize);
 
@@ -151,7 +151,7 @@ impl Display for RegionName {
 
 fn decode(name: RegionName, region: &nm_region) -> Result<Region> {
     let nm_region { label, seed, max_edge, is_hole, reserved, .. } = *region;
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
+    let refuse = |message| Err(Error::invalid(message));
     if is_hole > 1 {
         return refuse(message!("{name}.is_hole is {is_hole}; it must be 0 or 1"));
     }
@@ -174,13 +174,12 @@ pub unsafe extern "C" fn nm_mesh_get_segments(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let edges = &result(mesh)?.boundary.subsegments;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, 2 * edges.len(), edges.iter().flatten().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe {
+        get_array(mesh, buf, capacity, needed, |mesh| {
+            Ok(result(mesh)?.boundary.subsegments.as_flattened())
+        })
+    }
 }
 
 /// Writes for each edge of nm_mesh_get_segments the segment that it is a part of: its number in
@@ -195,13 +194,8 @@ pub unsafe extern "C" fn nm_mesh_get_segment_parents(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let parents = &result(mesh)?.boundary.parents;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, parents.len(), parents.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.parents)) }
 }
 
 /// Writes for each simplex the label of its region, 0 where no region of nm_mesh_set_regions has
@@ -216,13 +210,10 @@ pub unsafe extern "C" fn nm_mesh_get_simplex_regions(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let labels = &result(mesh)?.boundary.simplex_regions;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, labels.len(), labels.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe {
+        get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.boundary.simplex_regions))
+    }
 }
 
 #[cfg(test)]

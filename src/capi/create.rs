@@ -5,7 +5,7 @@ use super::enums::{nm_format, nm_status};
 use super::error::null_argument;
 use super::handle::{barrier, nm_mesh};
 use super::memory::{doubles, utf8, utf8_path};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::io::{self, Choice};
 use crate::memory::with_capacity;
 use crate::mesh::{MAX_DIM, MIN_DIM, Mesh, NONE};
@@ -77,8 +77,8 @@ pub unsafe extern "C" fn nm_mesh_create_from_file(
     }
 }
 
-/// As nm_mesh_create_from_file, with the columns of the file that are coordinates, and those that
-/// become attributes of the points as by nm_mesh_set_attributes.
+/// Reads points from a file as nm_mesh_create_from_file does, from the columns that are named as
+/// coordinates; other columns become attributes of the points as by nm_mesh_set_attributes.
 ///
 /// columns: of XYZ, CSV and NumPy files, in the order of the coordinates: numbers from 1 ("1,2,5"),
 /// a range ("1-3"), or the file's names for its columns, in either case ("x,y,z"). NULL for the
@@ -131,8 +131,8 @@ pub unsafe extern "C" fn nm_mesh_free(mesh: *mut nm_mesh) {
     }
 }
 
-/// The choice of columns in a C string of the caller's, which names itself in its errors; NULL
-/// chooses none.
+/// Returns the choice of columns in a C string of the caller's, which names itself in its errors;
+/// NULL chooses none.
 ///
 /// # Safety
 /// `text` is NULL or a C string.
@@ -165,7 +165,7 @@ unsafe fn hand_out(out: *mut *mut nm_mesh, make: impl FnOnce() -> Result<Mesh>) 
     })
 }
 
-/// `Box::new` that refuses where that ends the process.
+/// Returns the value in a box; unlike `Box::new` it refuses where there is no memory.
 fn boxed<T>(value: T) -> Result<Box<T>> {
     let mut alone = with_capacity(1)?;
     alone.push(value);
@@ -174,7 +174,7 @@ fn boxed<T>(value: T) -> Result<Box<T>> {
     Ok(unsafe { Box::from_raw(slice.cast::<T>()) })
 }
 
-/// The caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by
+/// Returns the caller's points as a slice; an empty one where `Inputs::new` refuses the sizes by
 /// themselves.
 ///
 /// # Safety
@@ -197,7 +197,7 @@ unsafe fn read_points<'a>(
     let count = (n - 1).checked_mul(stride).and_then(|start| start.checked_add(dim));
     let count = count.ok_or_else(|| {
         let message = message!("stride is {stride}; n = {n} points so far apart fit no memory");
-        Error::new(ErrorKind::InvalidArgument, message)
+        Error::invalid(message)
     })?;
     // SAFETY: `n > 0`, so not NULL; the rest is the caller's promise.
     unsafe { doubles("points", points, count) }
@@ -293,8 +293,8 @@ mod tests {
     /// The area of the recipe's map: a square of 200 with a lake of 4.
     #[test]
     fn holes_of_polygons_in_files_are_outside() {
-        use crate::capi::enums::nm_extent;
         use crate::capi::getters::{nm_mesh_get_points, nm_mesh_get_simplices};
+        use crate::options::Extent;
         let name = format!("netmesh-{}-lake.wkt", std::process::id());
         let path = std::env::temp_dir().join(name);
         let lake = "POLYGON((0 0,20 0,20 10,0 10,0 0),(5 5,7 5,7 7,5 7,5 5))";
@@ -307,7 +307,7 @@ mod tests {
         std::fs::remove_file(&path).unwrap();
         assert_eq!(status, nm_status::NM_OK, "{}", last_message());
         let mut options = crate::capi::options::encode(&crate::Options::default());
-        options.extent = MaybeUninit::new(nm_extent::NM_EXTENT_BOUNDARY);
+        options.extent = MaybeUninit::new(Extent::Boundary);
         // SAFETY: a live handle and whole structs.
         let status = unsafe { crate::capi::run::nm_run(mesh, &options) };
         assert_eq!(status, nm_status::NM_OK, "{}", last_message());

@@ -1,15 +1,17 @@
-//! The enums of the boundary. C passes any 32 bits: a parameter or field that C fills is a
-//! `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes through [`super::decode`].
+//! Enums that only C has. Those of the core, such as the options' and the certificate's, are in the
+//! header under the names that `cbindgen.toml` gives them. C passes any 32 bits: a parameter or
+//! field that C fills is a `MaybeUninit` of its enum (cbindgen writes the enum itself) and goes
+//! through [`super::decode`].
 
 use crate::arrays::Placement;
 use crate::error::ErrorKind;
 use crate::mesh::VertexKind;
-use crate::options::Phase;
 use crate::topology::FaceClass;
 
-/// What every fallible function answers. Values are fixed; later versions only append. Whatever is
+/// Status that every fallible function answers. Values are fixed; later versions only append. Whatever is
 /// not NM_OK also sets the calling thread's message (nm_last_error), and leaves the mesh and all
 /// buffers as they were unless the function's description says otherwise.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,106 +71,8 @@ impl From<ErrorKind> for nm_status {
     }
 }
 
-/// nm_options.output: what nm_run leaves behind.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_output {
-    /// NM_OUTPUT_WELL_SPACED where something is asked for that a cage would break: min_angle,
-    /// min_dihedral, a size (max_edge, size, nm_mesh_set_sizes, nm_mesh_set_background, the
-    /// max_edge of a region), distance_ratio, or an extent other than NM_EXTENT_ALL, also one that
-    /// NM_EXTENT_AUTO has become. Otherwise NM_OUTPUT_HIERARCHICAL.
-    NM_OUTPUT_AUTO = 0,
-    /// A hierarchical mesh of O(n) vertices whatever the spread of the input (the paper's NETMESH):
-    /// a tree of balls (domains), each surrounded by a cage, with quality inside each.
-    NM_OUTPUT_HIERARCHICAL = 1,
-    /// A well-spaced mesh of a single domain of optimal size O(m) (the paper's FINISHMESH). m is at
-    /// most n times the logarithm of the spread.
-    NM_OUTPUT_WELL_SPACED = 2,
-}
-
-/// nm_options.algorithm: how nm_run works.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_algorithm {
-    /// NETMESH: O(n log n) (plus the output for NM_OUTPUT_WELL_SPACED), whatever the spread.
-    NM_ALGORITHM_NETMESH = 0,
-    /// Sparse Voronoi Refinement: no cages, a well-spaced mesh of one domain whatever the output;
-    /// O(n log spread + m). The baseline for comparisons.
-    NM_ALGORITHM_SVR = 1,
-    /// The plain Delaunay triangulation of the input, without Steiner points and without a bound on
-    /// quality. Its size may be of order n^ceil(dim/2). Points in a lower-dimensional affine
-    /// subspace answer NM_DEGENERATE_INPUT.
-    NM_ALGORITHM_DELAUNAY = 2,
-}
-
-/// nm_options.ordering: how the inputs of a round are selected.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_ordering {
-    /// A sample driven by nm_options.seed, whose success is verified: the time bound is expected
-    /// time.
-    NM_ORDERING_SAMPLED_NET = 0,
-    /// A deterministic net: the time bound is worst-case time. No random number is used, so
-    /// nm_options.seed has no effect.
-    NM_ORDERING_DETERMINISTIC_NET = 1,
-}
-
-/// nm_options.criterion: the measure that nm_options.quality_bound bounds.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_criterion {
-    /// The paper's tau: a Voronoi cell's out-radius (distance to its farthest corner) over its
-    /// in-radius (half the distance to the nearest neighbour). The stronger measure: it bounds
-    /// circumradius over shortest edge by tau/2.
-    NM_CRITERION_VORONOI_ASPECT = 0,
-    /// A simplex's circumradius over its shortest edge, the measure of TetGen and Triangle. 1.0 in
-    /// 2D is a smallest angle of 30 degrees, sqrt(2) one of 20.7.
-    NM_CRITERION_RADIUS_EDGE = 1,
-}
-
-/// nm_options.gives_way: what gives way where min_dihedral and quality_bound cannot both be had.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_gives_way {
-    /// The dihedral angle: the bound holds, and some simplices stay below the angle.
-    NM_GIVES_WAY_ANGLE = 0,
-    /// The bound: fewer simplices stay below the angle, and some cells
-    /// (NM_CRITERION_VORONOI_ASPECT) or simplices (NM_CRITERION_RADIUS_EDGE) go beyond the bound.
-    NM_GIVES_WAY_BOUND = 1,
-}
-
-/// nm_progress.phase: where a run stands. Later versions may append phases.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_phase {
-    /// Checks, scaling, the first simplices.
-    NM_PHASE_PREPARE = 0,
-    /// Inserting the inputs, with the refinement that their order asks for.
-    NM_PHASE_INSERT = 1,
-    /// Turning the hierarchy into a well-spaced mesh if asked for, and the refinement to the bound.
-    NM_PHASE_FINISH = 2,
-    /// Building the arrays that the getters read.
-    NM_PHASE_EXPORT = 3,
-}
-
-impl From<Phase> for nm_phase {
-    fn from(phase: Phase) -> Self {
-        match phase {
-            Phase::Prepare => Self::NM_PHASE_PREPARE,
-            Phase::Insert => Self::NM_PHASE_INSERT,
-            Phase::Finish => Self::NM_PHASE_FINISH,
-            Phase::Export => Self::NM_PHASE_EXPORT,
-        }
-    }
-}
-
-/// Where a vertex comes from: the values of the bytes that nm_mesh_get_vertex_kinds writes.
+/// Origin of a vertex: the values of the bytes that nm_mesh_get_vertex_kinds writes.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,7 +85,7 @@ pub enum nm_vertex_kind {
     NM_VERTEX_CAGE = 2,
 }
 
-/// The byte of `kind` at the boundary.
+/// Returns the byte of `kind` at the boundary.
 pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
     let value = match kind {
         VertexKind::Input => nm_vertex_kind::NM_VERTEX_INPUT,
@@ -191,86 +95,34 @@ pub(super) fn vertex_kind_byte(kind: VertexKind) -> u8 {
     value as u8
 }
 
-/// How nm_mesh_interpolate goes on between vertices, and what it does with points outside the hull.
-/// All methods reproduce linear functions and are continuous.
+/// Method by which nm_mesh_interpolate goes on between vertices, and its answer for points outside
+/// the hull. All methods reproduce linear functions and are continuous.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_interpolation {
     /// Linear in each simplex. Outside the hull NaN.
     NM_INTERPOLATION_LINEAR = 0,
-    /// By natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
+    /// Natural neighbours, with Sibson's weights: the volumes that a vertex at the point would
     /// take from the Voronoi cells of its neighbours. Linear on the hull, and next to it where
     /// rounding errors exceed 1e-6 of the weights. Outside the hull NaN. The work for a point grows
     /// with 2^dim.
     NM_INTERPOLATION_SIBSON = 1,
-    /// By natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
+    /// Natural neighbours, with Laplace's (non-Sibsonian) weights: the areas of the facets that
     /// the point's cell would share with its neighbours', over the distances. Linear where Sibson's
     /// are. Outside the hull NaN.
     NM_INTERPOLATION_LAPLACE = 2,
-    /// As NM_INTERPOLATION_LINEAR; outside the hull the values of the nearest vertex.
+    /// Linear in each simplex; outside the hull the values of the nearest vertex.
     NM_INTERPOLATION_LINEAR_OR_NEAREST = 16,
-    /// As NM_INTERPOLATION_SIBSON; outside the hull the values of the nearest vertex.
+    /// NM_INTERPOLATION_SIBSON inside the hull; outside the hull the values of the nearest vertex.
     NM_INTERPOLATION_SIBSON_OR_NEAREST = 17,
-    /// As NM_INTERPOLATION_LAPLACE; outside the hull the values of the nearest vertex.
+    /// NM_INTERPOLATION_LAPLACE inside the hull; outside the hull the values of the nearest vertex.
     NM_INTERPOLATION_LAPLACE_OR_NEAREST = 18,
 }
 
-/// nm_selection.extent: a region, and which simplices are in it. nm_options.extent: how far the
-/// result reaches.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_extent {
-    /// In nm_options NM_EXTENT_BOUNDARY where segments enclose something by nm_options.interior,
-    /// otherwise NM_EXTENT_ALL; curves that are not closed, where that rule asks for closed ones,
-    /// enclose nothing. Elsewhere NM_EXTENT_ALL.
-    NM_EXTENT_AUTO = 0,
-    /// Everywhere.
-    NM_EXTENT_ALL = 1,
-    /// The convex hull of the inputs.
-    NM_EXTENT_HULL = 2,
-    /// The least box that holds the inputs, its sides along the axes.
-    NM_EXTENT_BOX = 3,
-    /// What segments enclose, without holes: all that cannot be reached from the hull without
-    /// crossing one. For nm_options alone; nm_mesh_set_segments comes first.
-    NM_EXTENT_BOUNDARY = 4,
-}
-
-/// nm_options.crossings: what becomes of segments that cross where no input is.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_crossings {
-    /// The run answers NM_INVALID_ARGUMENT and names two of them.
-    NM_CROSSINGS_REFUSE = 0,
-    /// The double nearest to their crossing becomes a vertex of both.
-    NM_CROSSINGS_SPLIT = 1,
-}
-
-/// nm_options.interior: which of the regions that segments separate are inside, with
-/// NM_EXTENT_AUTO and NM_EXTENT_BOUNDARY. Seeds (nm_mesh_set_regions) may make holes of them.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_interior {
-    /// NM_INTERIOR_PARITY where the segments are those of a file of polygons (NM_FORMAT_GEOJSON,
-    /// NM_FORMAT_WKT) that nm_mesh_create_from_file has read, NM_INTERIOR_SEEDS otherwise.
-    NM_INTERIOR_AUTO = 0,
-    /// All that cannot be reached from outside without crossing a segment.
-    NM_INTERIOR_SEEDS = 1,
-    /// Those into which a path from outside crosses an odd number of segments (the even-odd rule):
-    /// rings within rings are alternately inside and outside. Every input must be an end of an even
-    /// number of segments. Of a file of polygons only the sides of these count, not its lines.
-    NM_INTERIOR_PARITY = 2,
-    /// Those whose winding number is not 0 (the nonzero rule): the number of segments that a path
-    /// from outside crosses from their right to their left, less that from their left to their
-    /// right. Every input must be the first end of as many segments as it is the second end.
-    /// Of a file of polygons only the sides of these count.
-    NM_INTERIOR_WINDING = 3,
-}
-
 /// Values of the faces of a mesh, which nm_mesh_filtration writes.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -280,12 +132,13 @@ pub enum nm_filtration {
     /// value of the faces that have it as a facet. Squared radii, each the double nearest to the
     /// exact one.
     NM_FILTRATION_ALPHA = 0,
-    /// Of a mesh with other vertices: when its Voronoi cells come near the inputs. Radii, not
-    /// squared.
+    /// Distances at which the Voronoi cells of a mesh with other vertices come near the inputs.
+    /// Radii, not squared.
     NM_FILTRATION_MESH = 1,
 }
 
-/// How a face lies in an alpha shape, as the bytes of nm_mesh_get_alpha_shape_classes.
+/// Class of a face in an alpha shape: the values of the bytes of nm_mesh_get_alpha_shape_classes.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -300,7 +153,9 @@ pub enum nm_face_class {
     NM_FACE_CLASS_INTERIOR = 3,
 }
 
-/// Where a simplex lies with respect to a region, as the bytes of nm_mesh_get_placements. Exact.
+/// Place of a simplex with respect to a region: the values of the bytes of nm_mesh_get_placements.
+/// Exact.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -318,11 +173,12 @@ pub enum nm_placement {
 /// written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
 /// answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the
 /// points are read.
+/// cbindgen:rename-all=none
 #[allow(non_camel_case_types)]
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_format {
-    /// By the extension of the path: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
+    /// Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
     /// .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
     NM_FORMAT_AUTO = 0,
     /// VTK XML unstructured grid (.vtu), for ParaView and VTK, with arrays per point and per cell.
@@ -361,25 +217,7 @@ pub enum nm_format {
     NM_FORMAT_WKT = 14,
 }
 
-/// What nm_mesh_quality_histogram counts.
-#[allow(non_camel_case_types)]
-#[repr(i32)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum nm_measure {
-    /// The angles between any two facets of a simplex, in degrees: 3 angles of a triangle, 6
-    /// dihedral angles of a tetrahedron, dim (dim + 1) / 2 of a simplex.
-    NM_MEASURE_DIHEDRAL_ANGLE = 0,
-    /// Circumradius over shortest edge, one for each simplex.
-    NM_MEASURE_RADIUS_EDGE = 1,
-    /// The aspect of Voronoi cells off the hull (nm_quality.worst_aspect_anywhere is the largest):
-    /// one for each vertex in no cage and for each cage other than the root's, precision-limited
-    /// ones included.
-    NM_MEASURE_ASPECT = 2,
-    /// The smallest of its NM_MEASURE_DIHEDRAL_ANGLE, one for each simplex.
-    NM_MEASURE_SMALLEST_ANGLE = 3,
-}
-
-/// The byte of a placement at the boundary.
+/// Returns the byte of a placement at the boundary.
 pub(super) fn placement_byte(placement: Placement) -> u8 {
     let value = match placement {
         Placement::Inside => nm_placement::NM_PLACEMENT_INSIDE,
@@ -389,7 +227,7 @@ pub(super) fn placement_byte(placement: Placement) -> u8 {
     value as u8
 }
 
-/// The byte of a face's class at the boundary.
+/// Returns the byte of a face's class at the boundary.
 pub(super) fn class_byte(class: FaceClass) -> u8 {
     let value = match class {
         FaceClass::Exterior => nm_face_class::NM_FACE_CLASS_EXTERIOR,

@@ -67,7 +67,7 @@ pub fn null_argument(name: impl Display) -> Error {
     Error::new(ErrorKind::NullArgument, message!("{name} is NULL"))
 }
 
-/// A caught panic as an error.
+/// Returns a caught panic as an error.
 pub(super) fn panicked(payload: &(dyn Any + Send)) -> Error {
     let reason = payload
         .downcast_ref::<&str>()
@@ -77,7 +77,7 @@ pub(super) fn panicked(payload: &(dyn Any + Send)) -> Error {
     Error::new(ErrorKind::Panic, message!("internal error: {reason}; please report it"))
 }
 
-/// The longest prefix of `text` of at most `limit` bytes that ends between characters.
+/// Returns the longest prefix of `text` of at most `limit` bytes that ends between characters.
 pub(super) fn prefix(text: &str, limit: usize) -> &str {
     let mut end = limit.min(text.len());
     while !text.is_char_boundary(end) {

@@ -74,8 +74,8 @@ pub unsafe extern "C" fn nm_export_write(
     unsafe { nm_export_write_selected(mesh, null(), format, write, user_data) }
 }
 
-/// As nm_export, with a selection only: its simplices and their vertices, numbered anew, and the
-/// numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
+/// Writes a selection to a file as nm_export does: its simplices and their vertices, numbered anew,
+/// and the numbers of domains as they are. NM_FORMAT_DOMAINS_JSON takes no selection (NM_INVALID_ARGUMENT).
 ///
 /// selection: NULL for all.
 ///
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn nm_export_selected(
     unsafe { with_selected(mesh, selection, format, body) }
 }
 
-/// As nm_export_write, with a selection only, as nm_export_selected has it.
+/// Hands a selection to a callback as nm_export_write does, numbered as by nm_export_selected.
 ///
 /// Errors: as nm_export_write, and NM_INVALID_ARGUMENT (a field of the selection; the message names
 /// it).
@@ -141,7 +141,7 @@ unsafe fn with_selected(
             }
             if decode_format(format)? == Format::DomainsJson {
                 let rule = "format is NM_FORMAT_DOMAINS_JSON, which takes no selection";
-                return Err(Error::new(ErrorKind::InvalidArgument, rule));
+                return Err(Error::invalid(rule));
             }
             result(mesh)?;
             let attributes = prepared.vertex_attributes(mesh)?;

@@ -7,11 +7,31 @@ use super::structs::{nm_counts, nm_domain, nm_left_out};
 use crate::error::{Error, ErrorKind, Result};
 use crate::mesh::{LeftOut, Mesh, NONE, Triangulation, VertexKind};
 
-/// The result of the last run, or `State`.
+/// Returns the result of the last run, or `State`.
 pub(super) fn result(mesh: &Mesh) -> Result<&Triangulation> {
     mesh.triangulation().ok_or_else(|| {
         Error::new(ErrorKind::State, "mesh: it has no result yet; nm_run must succeed first")
     })
+}
+
+/// Copies an array of the mesh to the caller's buffer.
+///
+/// # Safety
+/// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
+pub(super) unsafe fn get_array<T: Copy>(
+    mesh: *const nm_mesh,
+    buf: *mut T,
+    capacity: u64,
+    needed: *mut u64,
+    array: impl Fn(&Mesh) -> Result<&[T]>,
+) -> nm_status {
+    let body = |mesh: &Mesh| {
+        let values = array(mesh)?.iter().copied();
+        // SAFETY: the caller's promise.
+        unsafe { copy_out(buf, capacity, needed, values.len(), values) }
+    };
+    // SAFETY: the caller's promise.
+    unsafe { with_mesh(mesh, body) }
 }
 
 /// Writes how large the mesh is. O(1).
@@ -115,13 +135,8 @@ pub unsafe extern "C" fn nm_mesh_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let simplices = &result(mesh)?.simplices;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, simplices.len(), simplices.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.simplices)) }
 }
 
 /// Writes the adjacency: simplices x (dim + 1) simplex ids; entry i of simplex s, at
@@ -135,13 +150,8 @@ pub unsafe extern "C" fn nm_mesh_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let neighbors = &result(mesh)?.neighbors;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, neighbors.len(), neighbors.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.neighbors)) }
 }
 
 /// Writes where each vertex comes from: one byte per vertex, an nm_vertex_kind. Before nm_run all
@@ -205,13 +215,8 @@ pub unsafe extern "C" fn nm_mesh_get_input_vertices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let vertices = mesh.inputs().vertices();
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, vertices.len(), vertices.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(mesh.inputs().vertices())) }
 }
 
 /// Writes the input of each vertex: one number of the caller's points per vertex, of equal points

@@ -33,7 +33,7 @@ impl nm_mesh {
         Self { held: RwLock::new(held), poisoned: AtomicBool::new(false) }
     }
 
-    /// The mesh for reading, beside other readers.
+    /// Returns the mesh for reading, beside other readers.
     fn read(&self) -> Result<RwLockReadGuard<'_, Held>> {
         self.check_poison()?;
         self.held.try_read().map_err(|error| match error {
@@ -46,7 +46,7 @@ impl nm_mesh {
         })
     }
 
-    /// The mesh for this call alone.
+    /// Returns the mesh for this call alone.
     fn write(&self) -> Result<RwLockWriteGuard<'_, Held>> {
         self.check_poison()?;
         self.held.try_write().map_err(|error| match error {
@@ -78,7 +78,7 @@ pub fn barrier(body: impl FnOnce() -> Result<()>) -> nm_status {
     }
 }
 
-/// As [`barrier`], with the mesh for reading; a panic poisons the handle.
+/// Runs `body` within a [`barrier`] on the mesh, for reading; a panic poisons the handle.
 ///
 /// # Safety
 /// `mesh` is NULL or a live handle that no thread frees during the call.
@@ -90,7 +90,7 @@ pub(super) unsafe fn with_mesh(
     unsafe { with_handle(mesh, |handle| body(&handle.read()?.mesh)) }
 }
 
-/// As [`with_mesh`], with what queries have made too.
+/// Runs `body` as [`with_mesh`] does, with what queries have made as well.
 ///
 /// # Safety
 /// As [`with_mesh`].
@@ -107,7 +107,7 @@ pub(super) unsafe fn with_prepared(
     }
 }
 
-/// As [`with_prepared`], for writing.
+/// Runs `body` as [`with_prepared`] does, for writing.
 ///
 /// # Safety
 /// As [`with_mesh`].
@@ -124,7 +124,8 @@ pub(super) unsafe fn with_prepared_mut(
     }
 }
 
-/// As [`with_mesh`], for writing. What queries have made is dropped unless the body fails.
+/// Runs `body` as [`with_mesh`] does, for writing. What queries have made is dropped unless the
+/// body fails.
 ///
 /// # Safety
 /// As [`with_mesh`].
@@ -141,7 +142,8 @@ pub(super) unsafe fn with_mesh_mut(
     unsafe { with_prepared_mut(mesh, body) }
 }
 
-/// As [`with_prepared_mut`], with another mesh for reading; `None` if that is NULL or the same.
+/// Runs `body` as [`with_prepared_mut`] does, with another mesh for reading; `None` if that is NULL
+/// or the same.
 ///
 /// # Safety
 /// As [`with_mesh`], for both.

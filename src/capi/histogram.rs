@@ -1,13 +1,13 @@
 //! Histograms of the quality.
 
 use super::decode::decode_measure;
-use super::enums::{nm_measure, nm_status};
+use super::enums::nm_status;
 use super::getters::result;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::{read_rows, rows_out};
-use crate::error::{Error, ErrorKind, message};
+use crate::error::{Error, message};
 use crate::mesh::Mesh;
-use crate::quality::histogram;
+use crate::quality::{Measure, histogram};
 use std::mem::MaybeUninit;
 
 /// Counts how many values of a measure lie between edges, as numpy.histogram does.
@@ -35,7 +35,7 @@ use std::mem::MaybeUninit;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn nm_mesh_quality_histogram(
     mesh: *const nm_mesh,
-    measure: MaybeUninit<nm_measure>,
+    measure: MaybeUninit<Measure>,
     at_hull: u32,
     edge_count: u64,
     edges: *const f64,
@@ -46,7 +46,7 @@ pub unsafe extern "C" fn nm_mesh_quality_histogram(
         let measure = decode_measure(measure)?;
         if at_hull > 1 {
             let message = message!("at_hull is {at_hull}; it must be 0 or 1");
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
         // SAFETY: the caller gave NULL or as many numbers as the manual says.
         let edges = unsafe { read_rows("edges", edges, edge_count, 1)? };
@@ -75,7 +75,7 @@ mod tests {
     use crate::capi::test_support::{from_c, last_message, square};
     use std::ptr::{null, null_mut};
 
-    const ANGLE: nm_measure = nm_measure::NM_MEASURE_DIHEDRAL_ANGLE;
+    const ANGLE: Measure = Measure::DihedralAngle;
 
     fn meshed() -> nm_mesh {
         let mut mesh = square();
@@ -116,7 +116,7 @@ mod tests {
     }
 
     fn count_of_simplices(mesh: &nm_mesh) -> u64 {
-        let all = call(mesh, nm_measure::NM_MEASURE_RADIUS_EDGE as i32, 1, &[0.0]).1;
+        let all = call(mesh, Measure::RadiusEdge as i32, 1, &[0.0]).1;
         assert_eq!(all[0], 0);
         all[1]
     }

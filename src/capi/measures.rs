@@ -6,10 +6,9 @@ use super::getters::result;
 use super::handle::{nm_mesh, with_mesh};
 use super::memory::OutStruct;
 use super::structs::{nm_quality, nm_report, nm_stats};
-use super::violations::nm_violation;
 use crate::mesh::{Mesh, NONE, Stats};
 use crate::quality::{Quality, measure};
-use crate::validate::{Report, validate_mesh};
+use crate::validate::{Report, ViolationKind, validate_mesh};
 use std::ffi::c_char;
 
 /// Measures the quality of the mesh. O(vertices + simplices).
@@ -132,6 +131,8 @@ fn encode_stats(stats: &Stats) -> nm_stats {
         off_centers: stats.off_centers,
         yields: stats.yields,
         closing_points: stats.closing_points,
+        near_inputs: stats.near_inputs,
+        farthest_near_input: stats.farthest_near_input,
         ply_probes: stats.ply_probes,
         max_ply: stats.max_ply,
         mean_ply: stats.mean_ply,
@@ -141,8 +142,6 @@ fn encode_stats(stats: &Stats) -> nm_stats {
         insertion_constant_input: stats.insertion_constant_input,
         insertion_constant_corner: stats.insertion_constant_corner,
         insertion_constant_cage: stats.insertion_constant_cage,
-        near_inputs: stats.near_inputs,
-        farthest_near_input: stats.farthest_near_input,
     }
 }
 
@@ -158,7 +157,7 @@ fn encode_report(report: &Report) -> nm_report {
         level: report.level,
         violations: report.violations,
         checked: report.checked,
-        kind: first.map_or(nm_violation::NM_VIOLATION_NONE, |violation| violation.kind.into()),
+        kind: first.map_or(ViolationKind::None, |violation| violation.kind),
         simplex: first.map_or(NONE, |violation| violation.simplex),
         vertex: first.map_or(NONE, |violation| violation.vertex),
         domain: first.map_or(NONE, |violation| violation.domain),
@@ -170,7 +169,7 @@ fn encode_report(report: &Report) -> nm_report {
 mod tests {
     use super::*;
     use crate::capi::test_support::{last_message, square};
-    use crate::validate::{Violation, ViolationKind};
+    use crate::validate::Violation;
     use std::ffi::CStr;
     use std::ptr::null_mut;
 
@@ -195,12 +194,12 @@ mod tests {
     fn a_report_carries_the_first_violation() {
         let encoded = encode_report(&report("facet 1 of simplex 3"));
         let ids = (encoded.kind, encoded.simplex, encoded.vertex, encoded.domain);
-        assert_eq!(ids, (nm_violation::NM_VIOLATION_DELAUNAY, 3, 4, NONE));
+        assert_eq!(ids, (ViolationKind::Delaunay, 3, 4, NONE));
         assert_eq!((encoded.level, encoded.violations, encoded.checked), (1, 2, 30));
         assert_eq!(message(&encoded), "facet 1 of simplex 3");
         let clean = encode_report(&Report { level: 3, violations: 0, checked: 9, first: None });
         let ids = (clean.kind, clean.simplex, clean.vertex, clean.domain);
-        assert_eq!(ids, (nm_violation::NM_VIOLATION_NONE, NONE, NONE, NONE));
+        assert_eq!(ids, (ViolationKind::None, NONE, NONE, NONE));
         assert_eq!(clean.message, [0; 160]);
     }
 
@@ -234,24 +233,24 @@ mod tests {
             off_centers: 17,
             yields: 18,
             closing_points: 19,
-            ply_probes: 20,
-            max_ply: 21,
-            mean_ply: 22.0,
-            max_ball_intersections: 23,
-            mean_ball_intersections: 24.0,
-            feature_size_constant: 25.0,
-            insertion_constant_input: 26.0,
-            insertion_constant_corner: 27.0,
-            insertion_constant_cage: 28.0,
-            near_inputs: 29,
-            farthest_near_input: 30.0,
+            near_inputs: 20,
+            farthest_near_input: 21.0,
+            ply_probes: 22,
+            max_ply: 23,
+            mean_ply: 24.0,
+            max_ball_intersections: 25,
+            mean_ball_intersections: 26.0,
+            feature_size_constant: 27.0,
+            insertion_constant_input: 28.0,
+            insertion_constant_corner: 29.0,
+            insertion_constant_cage: 30.0,
             simplices_created: 31,
             segment_points: 32,
         };
         // SAFETY: numbers without padding.
         let words: [u64; 31] = unsafe { std::mem::transmute(encode_stats(&stats)) };
         for (at, &word) in words.iter().enumerate().skip(1) {
-            let is_double = [12, 14, 22, 30].contains(&at) || (24..29).contains(&at);
+            let is_double = [12, 14, 21, 24].contains(&at) || (26..31).contains(&at);
             let expected = if is_double { (at as f64).to_bits() } else { at as u64 };
             assert_eq!(word, expected, "word {at}");
         }

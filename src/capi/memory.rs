@@ -16,7 +16,7 @@ const MAX_STRUCT_SIZE: usize = 4096;
 pub unsafe trait Versioned: Copy {
     const TYPE: &'static str;
 
-    /// Whether a struct of `size` bytes, fewer than this version's, ends inside a field.
+    /// Returns true if a struct of `size` bytes, fewer than this version's, ends inside a field.
     fn ends_inside_field(_size: usize) -> bool {
         false
     }
@@ -34,7 +34,7 @@ pub(super) fn check_struct_size<T: Versioned>(
             T::TYPE,
             size_of::<T>()
         );
-        Err(Error::new(ErrorKind::InvalidArgument, message))
+        Err(Error::invalid(message))
     };
     if size < size_of::<u32>() {
         return refuse("it must cover at least itself");
@@ -83,7 +83,7 @@ pub(super) unsafe fn read_struct<T: Versioned>(
                 "{argument}.struct_size is {size}, this version knows {known} bytes, and byte {offset} \
                  is not zero: a newer field is in use"
             );
-            return Err(Error::new(ErrorKind::InvalidArgument, message));
+            return Err(Error::invalid(message));
         }
     }
     let mut value = defaults;
@@ -114,7 +114,7 @@ impl<T: Versioned> OutStruct<T> {
         Ok(Self { pointer, size })
     }
 
-    /// A struct of `size` bytes whose `struct_size` is not yet set.
+    /// Returns a struct of `size` bytes whose `struct_size` is not yet set.
     ///
     /// # Safety
     /// As [`Self::new`], with `size` in place of the field.
@@ -186,7 +186,7 @@ pub unsafe fn copy_out<T>(
     Ok(())
 }
 
-/// `count` doubles of the caller's.
+/// Returns `count` doubles of the caller's.
 ///
 /// # Safety
 /// `pointer` is not NULL and has `count` readable doubles that stay while the slice lives.
@@ -200,7 +200,7 @@ pub(super) unsafe fn doubles<'a>(
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
 
-/// `rows x columns` values of the caller's; none may be NULL.
+/// Returns `rows x columns` values of the caller's; none may be NULL.
 ///
 /// # Safety
 /// `pointer` is NULL or has so many readable values that stay while the slice lives.
@@ -215,7 +215,7 @@ pub unsafe fn read_rows<'a, T>(
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
 
-/// `rows x columns` values of the caller's that a call fills; none may be NULL.
+/// Returns `rows x columns` values of the caller's that a call fills; none may be NULL.
 ///
 /// # Safety
 /// `pointer` is NULL or has so many writable values, which nothing else uses while the slice lives.
@@ -232,7 +232,8 @@ pub(super) unsafe fn rows_out<'a, T>(
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
-/// The number of values in so many rows at a pointer that is checked; none if there are no rows.
+/// Returns the number of values in so many rows at a pointer that is checked; none if there are no
+/// rows.
 fn rows_to_fill<T>(
     argument: &str,
     pointer: *const T,
@@ -251,12 +252,12 @@ fn rows_to_fill<T>(
     Ok(Some(count))
 }
 
-/// The number of rows of so many bytes, if an array of them fits in memory.
+/// Returns the number of rows of so many bytes, if an array of them fits in memory.
 pub(super) fn check_rows(argument: &str, rows: u64, bytes: usize) -> Result<usize> {
     let count = usize::try_from(rows).unwrap_or(usize::MAX);
     if count > isize::MAX as usize / bytes {
         let message = message!("{argument} would have {rows} elements, more than there is memory");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     }
     Ok(count)
 }
@@ -267,12 +268,12 @@ fn check_room<T>(argument: &str, pointer: *const T, count: usize) -> Result<()> 
     }
     if count > isize::MAX as usize / size_of::<T>() {
         let message = message!("{argument} would hold {count} numbers, more than there is memory");
-        return Err(Error::new(ErrorKind::InvalidArgument, message));
+        return Err(Error::invalid(message));
     }
     Ok(())
 }
 
-/// The path in a C string of the caller's.
+/// Returns the path in a C string of the caller's.
 ///
 /// # Safety
 /// `path` is NULL or a C string that stays while the result lives.
@@ -280,12 +281,12 @@ pub unsafe fn utf8_path<'a>(path: *const c_char) -> Result<&'a Path> {
     // SAFETY: the caller's promise.
     let path = unsafe { utf8("path_utf8", path)? };
     if path.is_empty() {
-        return Err(Error::new(ErrorKind::InvalidArgument, "path_utf8 is empty"));
+        return Err(Error::invalid("path_utf8 is empty"));
     }
     Ok(Path::new(path))
 }
 
-/// The text of a C string of the caller's.
+/// Returns the text of a C string of the caller's.
 ///
 /// # Safety
 /// `text` is NULL or a C string that stays while the result lives.
@@ -296,13 +297,13 @@ pub(super) unsafe fn utf8<'a>(argument: &'static str, text: *const c_char) -> Re
     // SAFETY: not NULL, so a C string.
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|error| {
         let message = message!("{argument} is not UTF-8 from byte {}", error.valid_up_to());
-        Error::new(ErrorKind::InvalidArgument, message)
+        Error::invalid(message)
     })
 }
 
 fn misaligned<T>(argument: &str) -> Error {
     let message = message!("{argument} is not a multiple of {}", align_of::<T>());
-    Error::new(ErrorKind::InvalidArgument, message)
+    Error::invalid(message)
 }
 
 #[cfg(test)]

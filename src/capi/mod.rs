@@ -24,8 +24,6 @@ mod version;
 
 mod enums;
 
-mod violations;
-
 mod error;
 
 mod create;
@@ -86,8 +84,7 @@ pub use boundary::{
 };
 pub use create::{nm_mesh_create, nm_mesh_create_from_file, nm_mesh_free};
 pub use enums::{
-    nm_algorithm, nm_criterion, nm_extent, nm_face_class, nm_filtration, nm_format,
-    nm_interpolation, nm_measure, nm_ordering, nm_output, nm_phase, nm_placement, nm_status,
+    nm_face_class, nm_filtration, nm_format, nm_interpolation, nm_placement, nm_status,
     nm_vertex_kind,
 };
 pub use error::nm_last_error;
@@ -118,7 +115,6 @@ pub use topology::{
     nm_mesh_get_cofaces, nm_mesh_get_face_facets, nm_mesh_get_faces, nm_mesh_make_filtration,
 };
 pub use version::{nm_abi_version, nm_status_name, nm_version};
-pub use violations::nm_violation;
 pub use voronoi::{
     nm_mesh_get_region_shares, nm_mesh_get_region_starts, nm_mesh_get_region_volumes,
     nm_mesh_get_regions, nm_mesh_get_ridge_bounded, nm_mesh_get_ridge_corners,

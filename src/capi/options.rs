@@ -1,17 +1,14 @@
 //! Options, from C and to C.
 
-use super::decode::{
-    decode_algorithm, decode_criterion, decode_crossings, decode_gives_way, decode_interior,
-    decode_ordering, decode_output, decode_run_extent,
-};
+use super::decode::decode;
 use super::enums::nm_status;
 use super::getters::result;
 use super::handle::{barrier, nm_mesh, with_mesh};
 use super::memory::OutStruct;
 use super::structs::nm_options;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::mesh::Mesh;
-use crate::options::Options;
+use crate::options::{Choices, Options, each_option};
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
@@ -58,92 +55,92 @@ pub unsafe extern "C" fn nm_mesh_options(
     unsafe { with_mesh(mesh, body) }
 }
 
-/// `options` as C sees them.
-pub(super) fn encode(options: &Options) -> nm_options {
-    nm_options {
-        struct_size: size_of::<nm_options>() as u32,
-        output: MaybeUninit::new(options.output.into()),
-        algorithm: MaybeUninit::new(options.algorithm.into()),
-        ordering: MaybeUninit::new(options.ordering.into()),
-        criterion: MaybeUninit::new(options.criterion.into()),
-        threads: options.threads,
-        quality_bound: options.quality_bound,
-        epsilon: options.epsilon,
-        delta: options.delta,
-        gamma: options.gamma,
-        yield_radius: options.yield_radius,
-        encroachment: options.encroachment,
-        cage_scale: options.cage_scale,
-        root_scale: options.root_scale,
-        seed: options.seed,
-        max_vertices: options.max_vertices,
-        progress: None,
-        user_data: null_mut(),
-        instruments: u32::from(options.instruments),
-        reserved: 0,
-        distance_ratio: options.distance_ratio,
-        min_angle: options.min_angle,
-        min_dihedral: options.min_dihedral,
-        max_edge: options.max_edge,
-        size: None,
-        size_user_data: null_mut(),
-        gives_way: MaybeUninit::new(options.gives_way.into()),
-        reserved_after_gives_way: 0,
-        extent: MaybeUninit::new(options.extent.into()),
-        crossings: MaybeUninit::new(options.crossings.into()),
-        interior: MaybeUninit::new(options.interior.into()),
-        reserved_after_interior: 0,
+/// Type of an option, in Rust and as a field of `nm_options`.
+trait Field: Sized {
+    type InC;
+
+    /// Returns the value as a field of C's struct.
+    fn in_c(self) -> Self::InC;
+
+    /// Returns the value of the field `name`; fails if that of C is none in Rust.
+    fn decode(name: &str, raw: Self::InC) -> Result<Self>;
+}
+
+macro_rules! number_fields {
+    ($($type:ty)*) => {$(
+        impl Field for $type {
+            type InC = Self;
+
+            fn in_c(self) -> Self {
+                self
+            }
+
+            fn decode(_: &str, raw: Self) -> Result<Self> {
+                Ok(raw)
+            }
+        }
+    )*};
+}
+// The ranges of numbers are the core's affair.
+number_fields! { f64 u64 u32 }
+
+impl<E: Choices> Field for E {
+    type InC = MaybeUninit<Self>;
+
+    fn in_c(self) -> Self::InC {
+        MaybeUninit::new(self)
+    }
+
+    fn decode(name: &str, raw: Self::InC) -> Result<Self> {
+        let (field, kind) = (format_args!("options.{name}"), format_args!("nm_{name}"));
+        decode(field, kind, raw, Self::VALUES)
     }
 }
 
-/// What C asks for, enums checked; the ranges of the numbers are the core's business.
-pub(super) fn decode(options: &nm_options) -> Result<Options> {
-    Ok(Options {
-        output: decode_output(options.output)?,
-        algorithm: decode_algorithm(options.algorithm)?,
-        ordering: decode_ordering(options.ordering)?,
-        criterion: decode_criterion(options.criterion)?,
-        threads: options.threads,
-        quality_bound: options.quality_bound,
-        epsilon: options.epsilon,
-        delta: options.delta,
-        gamma: options.gamma,
-        yield_radius: options.yield_radius,
-        encroachment: options.encroachment,
-        cage_scale: options.cage_scale,
-        root_scale: options.root_scale,
-        seed: options.seed,
-        max_vertices: options.max_vertices,
-        instruments: decode_instruments(options)?,
-        distance_ratio: options.distance_ratio,
-        min_angle: options.min_angle,
-        min_dihedral: options.min_dihedral,
-        extent: decode_run_extent(options.extent)?,
-        crossings: decode_crossings(options.crossings)?,
-        max_edge: options.max_edge,
-        gives_way: decode_gives_way(options.gives_way)?,
-        interior: decode_interior(options.interior)?,
-    })
-}
+impl Field for bool {
+    type InC = u32;
 
-/// The switch, and that the fields between others are not in use.
-fn decode_instruments(options: &nm_options) -> Result<bool> {
-    let refuse = |message| Err(Error::new(ErrorKind::InvalidArgument, message));
-    for (name, value) in [
-        ("reserved", options.reserved),
-        ("reserved_after_gives_way", options.reserved_after_gives_way),
-        ("reserved_after_interior", options.reserved_after_interior),
-    ] {
-        if value != 0 {
-            return refuse(message!("options.{name} is {value}; it must be 0"));
+    fn in_c(self) -> u32 {
+        u32::from(self)
+    }
+
+    fn decode(name: &str, raw: u32) -> Result<Self> {
+        match raw {
+            0 => Ok(false),
+            1 => Ok(true),
+            other => Err(Error::invalid(message!("options.{name} is {other}; it must be 0 or 1"))),
         }
     }
-    match options.instruments {
-        0 => Ok(false),
-        1 => Ok(true),
-        other => refuse(message!("options.instruments is {other}; it must be 0 or 1")),
-    }
 }
+
+macro_rules! declare_conversions {
+    ($($name:ident $field:ident: $type:ty { $($row:tt)* })*) => {
+        /// Returns `options` as C sees them.
+        pub fn encode(options: &Options) -> nm_options {
+            nm_options {
+                struct_size: size_of::<nm_options>() as u32,
+                $($field: options.$field.in_c(),)*
+                size: None,
+                size_user_data: null_mut(),
+                progress: None,
+                user_data: null_mut(),
+                reserved: 0,
+            }
+        }
+
+        /// Returns the options that C asks for, enums and switches checked.
+        pub(super) fn decode_options(options: &nm_options) -> Result<Options> {
+            if options.reserved != 0 {
+                let given = options.reserved;
+                return Err(Error::invalid(message!("options.reserved is {given}; it must be 0")));
+            }
+            Ok(Options {
+                $($field: Field::decode(stringify!($field), options.$field)?,)*
+            })
+        }
+    };
+}
+each_option!(declare_conversions);
 
 #[cfg(test)]
 mod tests {
@@ -151,9 +148,8 @@ mod tests {
     use crate::capi::memory::read_struct;
     use crate::capi::run::nm_run;
     use crate::capi::test_support::{from_c, last_message, square};
-    use crate::options::{
-        Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output,
-    };
+    use crate::error::ErrorKind;
+    use crate::options::{Criterion, Extent, Kind, Output, TABLE, Value};
     use std::mem::offset_of;
 
     const SIZE: usize = size_of::<nm_options>();
@@ -163,7 +159,7 @@ mod tests {
         unsafe { nm_options_init(bytes.as_mut_ptr().cast(), struct_size) }
     }
 
-    /// What nm_run reads from a struct of these bytes.
+    /// Returns what nm_run reads from a struct of these bytes.
     fn read(bytes: &[u8; 256]) -> nm_options {
         let defaults = encode(&Options { seed: 77, ..Options::default() });
         // SAFETY: the tests' sizes are at most the buffer's.
@@ -172,39 +168,23 @@ mod tests {
 
     #[test]
     fn options_survive_the_way_to_c_and_back() {
-        let options = Options {
-            output: Output::WellSpaced,
-            algorithm: Algorithm::Delaunay,
-            ordering: NetOrdering::DeterministicNet,
-            criterion: Criterion::RadiusEdge,
-            threads: 2,
-            quality_bound: 3.0,
-            epsilon: 4.0,
-            delta: 5.0,
-            gamma: 6.0,
-            yield_radius: 7.0,
-            encroachment: 8.0,
-            cage_scale: 9.0,
-            root_scale: 10.0,
-            seed: 11,
-            max_vertices: 12,
-            instruments: true,
-            distance_ratio: 13.0,
-            min_angle: 14.0,
-            min_dihedral: 15.0,
-            extent: Extent::Boundary,
-            crossings: Crossings::Split,
-            max_edge: 16.0,
-            gives_way: GivesWay::Bound,
-            interior: Interior::Parity,
+        let survives = |options: &Options| {
+            assert_eq!(decode_options(&encode(options)).unwrap(), *options);
         };
-        assert_eq!(decode(&encode(&options)).unwrap(), options);
-        assert_eq!(decode(&encode(&Options::default())).unwrap(), Options::default());
-        let named =
-            Options { output: Output::Hierarchical, extent: Extent::All, ..options.clone() };
-        assert_eq!(decode(&encode(&named)).unwrap(), named);
-        let svr = Options { algorithm: Algorithm::Svr, interior: Interior::Winding, ..options };
-        assert_eq!(decode(&encode(&svr)).unwrap(), svr);
+        let mut all = Options::default();
+        survives(&all);
+        for (row, at) in TABLE.iter().zip(2_u32..) {
+            let values = match row.kind {
+                Kind::Number { .. } => vec![Value::Number(f64::from(at) + 0.5)],
+                Kind::Whole(_) => vec![Value::Whole(u64::from(at))],
+                Kind::Switch => vec![Value::Switch(true)],
+                Kind::Words(words) => (0..words.len()).map(Value::Word).collect(),
+            };
+            for value in values {
+                row.set(&mut all, value);
+                survives(&all);
+            }
+        }
     }
 
     #[test]
@@ -214,7 +194,7 @@ mod tests {
         let mut read = || {
             // SAFETY: a live handle and a whole struct.
             let status = unsafe { nm_mesh_options(&mesh, &mut found) };
-            (status, decode(&found).unwrap())
+            (status, decode_options(&found).unwrap())
         };
         assert_eq!(read(), (nm_status::NM_STATE, Options::default()));
         let run = |options: Options| {
@@ -245,7 +225,7 @@ mod tests {
         assert!(bytes[SIZE..200].iter().all(|&byte| byte == 0));
         assert!(bytes[200..].iter().all(|&byte| byte == 0xee));
         let options = read(&bytes);
-        assert_eq!(decode(&options).unwrap(), Options::default());
+        assert_eq!(decode_options(&options).unwrap(), Options::default());
         assert!(options.progress.is_none() && options.user_data.is_null());
     }
 
@@ -262,26 +242,7 @@ mod tests {
     #[test]
     fn sizes_that_end_inside_a_field_are_refused() {
         let mut bytes = [0xee; 256];
-        let word = size_of::<usize>();
-        let legal = [4, 8, 12, 16, 20].into_iter().chain((24..=104).step_by(8)).chain([
-            104 + word,
-            104 + 2 * word,
-            108 + 2 * word,
-            112 + 2 * word,
-            120 + 2 * word,
-            128 + 2 * word,
-            136 + 2 * word,
-            144 + 2 * word,
-            144 + 3 * word,
-            144 + 4 * word,
-            148 + 4 * word,
-            152 + 4 * word,
-            156 + 4 * word,
-            160 + 4 * word,
-            164 + 4 * word,
-            168 + 4 * word,
-        ]);
-        let legal: Vec<_> = legal.collect();
+        let legal: Vec<_> = (8..=SIZE).step_by(8).collect();
         for size in 0..=SIZE {
             let accepted = init(&mut bytes, size as u32) == nm_status::NM_OK;
             assert_eq!(accepted, legal.contains(&size), "{size}");
@@ -309,7 +270,7 @@ mod tests {
             ("interior", 4, nm_options { interior: from_c(4), ..good }),
         ];
         for (field, value, options) in bad {
-            let message = decode(&options).unwrap_err().message().to_owned();
+            let message = decode_options(&options).unwrap_err().message().to_owned();
             assert!(message.starts_with(&format!("options.{field} is {value};")), "{message}");
         }
     }
@@ -320,17 +281,9 @@ mod tests {
         let refusals = [
             (nm_options { instruments: 2, ..good }, "options.instruments is 2; it must be 0 or 1"),
             (nm_options { reserved: 7, ..good }, "options.reserved is 7; it must be 0"),
-            (
-                nm_options { reserved_after_gives_way: 7, ..good },
-                "options.reserved_after_gives_way is 7; it must be 0",
-            ),
-            (
-                nm_options { reserved_after_interior: 7, ..good },
-                "options.reserved_after_interior is 7; it must be 0",
-            ),
         ];
         for (options, message) in refusals {
-            let error = decode(&options).unwrap_err();
+            let error = decode_options(&options).unwrap_err();
             assert_eq!((error.kind(), error.message()), (ErrorKind::InvalidArgument, message));
         }
     }

@@ -5,7 +5,7 @@ use super::enums::{nm_interpolation, nm_status};
 use super::getters::result;
 use super::handle::{nm_mesh, with_mesh, with_prepared};
 use super::memory::{read_rows, rows_out};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::mesh::Mesh;
 use crate::prepared::extend_values;
 use crate::query::{Among, Values};
@@ -207,7 +207,7 @@ fn some_components(components: u32) -> Result<usize> {
         return Ok(components as usize);
     }
     let message = message!("components is {components}; it must be at least 1");
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
 #[cfg(test)]
@@ -219,7 +219,7 @@ mod tests {
     use crate::options::{Algorithm, Options};
     use std::ptr::{null, null_mut};
 
-    /// The unit square as two triangles.
+    /// Returns the unit square as two triangles.
     fn meshed() -> nm_mesh {
         let points = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0];
         let mut mesh = Mesh::new(2, 4, &points, 0).expect("four good points");

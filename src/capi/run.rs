@@ -4,7 +4,7 @@ use super::enums::nm_status;
 use super::environment::Environment;
 use super::handle::{nm_mesh, with_mesh_mut};
 use super::memory::read_struct;
-use super::options::{decode, encode};
+use super::options::{decode_options, encode};
 use super::structs::{nm_options, nm_progress};
 use crate::error::Result;
 use crate::options::{Options, Progress, ProgressFn, SizeFn};
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn nm_run(mesh: *mut nm_mesh, options: *const nm_options) 
     unsafe { with_mesh_mut(mesh, body) }
 }
 
-/// What the caller asks for, as given and as the core has it.
+/// Returns the options that the caller asks for, as C's struct and as the core has them.
 ///
 /// # Safety
 /// `options` is NULL or as long as its `struct_size` says.
@@ -61,7 +61,7 @@ pub unsafe fn read_options(options: *const nm_options) -> Result<(nm_options, Op
         // SAFETY: not NULL, so as long as its `struct_size` says.
         unsafe { read_struct("options", options, defaults)? }
     };
-    let options = decode(&given)?;
+    let options = decode_options(&given)?;
     Ok((given, options))
 }
 
@@ -87,7 +87,7 @@ pub unsafe fn report(
 fn encode_progress(progress: &Progress) -> nm_progress {
     nm_progress {
         struct_size: size_of::<nm_progress>() as u32,
-        phase: progress.phase.into(),
+        phase: progress.phase,
         fraction: progress.fraction,
         inputs_inserted: progress.inputs_inserted,
         vertices: progress.vertices,
@@ -140,7 +140,7 @@ mod tests {
         let status = unsafe { nm_run(null_mut(), null()) };
         assert_eq!((status, &*last_message()), (nm_status::NM_NULL_ARGUMENT, "mesh is NULL"));
     }
-    /// A handle with `n` points in a cube.
+    /// Returns a handle with `n` points in a cube.
     fn cube(n: usize) -> nm_mesh {
         let mut random = Random(1);
         let points: Vec<f64> = (0..3 * n).map(|_| random.unit()).collect();
@@ -161,7 +161,7 @@ mod tests {
         (unsafe { nm_mesh_counts(mesh, &mut counts) }, counts)
     }
 
-    /// What calls on the mesh answered from within its progress callback.
+    /// Statuses of calls on the mesh from within its progress callback.
     struct Witness<'a> {
         mesh: &'a nm_mesh,
         statuses: Vec<nm_status>,

@@ -1,10 +1,9 @@
 //! Sizes by values, for the runs that follow, and those that a run asked for.
 
 use super::enums::nm_status;
-use super::getters::result;
-use super::handle::{nm_mesh, with_background, with_mesh, with_prepared_mut};
-use super::memory::{copy_out, read_rows};
-use crate::mesh::Mesh;
+use super::getters::{get_array, result};
+use super::handle::{nm_mesh, with_background, with_prepared_mut};
+use super::memory::read_rows;
 
 /// Gives the inputs sizes, for the calls of nm_run that follow: beside nm_options.max_edge and
 /// nm_options.size, the least counts. Between the inputs sizes are linear in their Delaunay
@@ -82,13 +81,8 @@ pub unsafe extern "C" fn nm_mesh_get_sizes(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    let body = |mesh: &Mesh| {
-        let sizes = &result(mesh)?.sizes;
-        // SAFETY: the caller's buffer rules are those of `copy_out`.
-        unsafe { copy_out(buf, capacity, needed, sizes.len(), sizes.iter().copied()) }
-    };
-    // SAFETY: the caller gave NULL or a live handle.
-    unsafe { with_mesh(mesh, body) }
+    // SAFETY: the caller's rules are those of `get_array`.
+    unsafe { get_array(mesh, buf, capacity, needed, |mesh| Ok(&result(mesh)?.sizes)) }
 }
 
 #[cfg(test)]

@@ -1,15 +1,14 @@
 //! The structs of the boundary.
 
-use super::enums::{
-    nm_algorithm, nm_criterion, nm_crossings, nm_extent, nm_gives_way, nm_interior, nm_ordering,
-    nm_output, nm_phase,
-};
 use super::memory::Versioned;
-use super::violations::nm_violation;
+use crate::options::{
+    Algorithm, Criterion, Crossings, Extent, GivesWay, Interior, NetOrdering, Output, Phase,
+};
+use crate::validate::ViolationKind;
 use std::ffi::{c_char, c_void};
-use std::mem::{MaybeUninit, offset_of};
+use std::mem::MaybeUninit;
 
-/// Some simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
+/// Selection of simplices of a mesh: those that fulfil all conditions. Begin with NM_SELECTION_INIT, which
 /// selects all.
 #[allow(non_camel_case_types)]
 #[repr(C)]
@@ -18,7 +17,7 @@ pub struct nm_selection {
     /// sizeof(nm_selection) of the caller. Fields that a smaller struct lacks select all.
     pub struct_size: u32,
     /// The simplices inside this region (nm_placement); NM_EXTENT_AUTO is NM_EXTENT_ALL.
-    pub extent: MaybeUninit<nm_extent>,
+    pub extent: MaybeUninit<Extent>,
     /// Nonzero: those across the region's boundary, too.
     pub across: u32,
     /// The simplices of this domain and of the domains in it; NM_NONE for all. A simplex is of the
@@ -38,7 +37,8 @@ unsafe impl Versioned for nm_selection {
 
 const _: () = assert!(size_of::<nm_selection>() == 4 * 4);
 
-/// What nm_run reports while it works. The library fills it; it is valid during the callback only.
+/// Progress that nm_run reports while it works. The library fills it; it is valid during the
+/// callback only.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ pub struct nm_progress {
     /// sizeof(nm_progress) of the running library: read no field beyond it.
     pub struct_size: u32,
     /// The stage of the run; never falls.
-    pub phase: nm_phase,
+    pub phase: Phase,
     /// The fraction of the run that is done. In [0, 1] and never falling; -1 if unknown.
     pub fraction: f64,
     /// Distinct inputs that are vertices by now.
@@ -78,7 +78,8 @@ pub type nm_progress_fn =
 #[allow(non_camel_case_types)]
 pub type nm_size_fn = Option<unsafe extern "C" fn(x: *const f64, user_data: *mut c_void) -> f64>;
 
-/// What nm_run shall do. Fill it with nm_options_init, then change what you need.
+/// Options of a run. Begin with NM_OPTIONS_INIT or nm_options_init, then change what you need. The
+/// fields stand in groups: quality, domain, sizes, algorithm, run, constants of the paper.
 ///
 /// For each double and for max_vertices, 0 is the default for the dimension; anything else outside
 /// the field's range, NaN included, answers NM_INVALID_ARGUMENT. "2D, 3D, 4D, more" are the values
@@ -87,71 +88,19 @@ pub type nm_size_fn = Option<unsafe extern "C" fn(x: *const f64, user_data: *mut
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct nm_options {
-    /// sizeof(nm_options) of the caller, set by nm_options_init. Fields that a smaller struct lacks
-    /// have their defaults; a larger struct is accepted if what this version does not know is zero.
+    /// sizeof(nm_options) of the caller, set by NM_OPTIONS_INIT and nm_options_init. Fields that a
+    /// smaller struct lacks have their defaults; a larger struct is accepted if what this version
+    /// does not know is zero.
     pub struct_size: u32,
-    /// What the run leaves behind. Default NM_OUTPUT_AUTO.
-    pub output: MaybeUninit<nm_output>,
-    /// How it works. Default NM_ALGORITHM_NETMESH.
-    pub algorithm: MaybeUninit<nm_algorithm>,
-    /// How inputs are selected. Default NM_ORDERING_SAMPLED_NET.
-    pub ordering: MaybeUninit<nm_ordering>,
-    /// The measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
-    pub criterion: MaybeUninit<nm_criterion>,
-    /// Threads to use, 0 = all cores. Default 1. The result does not depend on it. Of use in 2D and
-    /// 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
-    pub threads: u32,
-    /// The promised quality, smaller is better and costs more vertices; a ratio without unit.
-    /// NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
+    /// Quality: the measure that quality_bound bounds. Default NM_CRITERION_VORONOI_ASPECT.
+    pub criterion: MaybeUninit<Criterion>,
+    /// Largest value of the criterion, smaller is better and costs more vertices; a ratio without
+    /// unit. NM_CRITERION_VORONOI_ASPECT: default 3, 4, 5, 6 in 2D, 3D, 4D, more; in [2.2, 100],
     /// [2.5, 100], [3.5, 100], [4.5, 100]. NM_CRITERION_RADIUS_EDGE: default 1.5, 2, 2.5, 3; in
-    /// [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run
-    /// usually ends; set max_vertices, too.
+    /// [0.9, 50], [1.1, 50], [1.75, 50], [2.25, 50]. Below 1 in 2D and 1.25 in 3D the run usually
+    /// ends; set max_vertices, too.
     pub quality_bound: f64,
-    /// How far apart a cluster must stand to become a domain of its own: a pair at distance x gets
-    /// one of radius x / epsilon if its surroundings are empty to encroachment * x / epsilon^2.
-    /// Smaller makes fewer domains and more vertices between. In [0.05, 0.6], default 0.5.
-    pub epsilon: f64,
-    /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better
-    /// cells at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
-    pub delta: f64,
-    /// Cage yield: a new cage vertex yields to an input within this fraction of its distance to the
-    /// nearest vertex. In [0.01, 0.25], default 0.1.
-    pub gamma: f64,
-    /// Refinement yield: a Steiner point yields to an input within this fraction of the radius of
-    /// its empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
-    pub yield_radius: f64,
-    /// How far around a domain no outside vertex may be: encroachment * radius / epsilon. In [1,
-    /// 4], default 1.
-    pub encroachment: f64,
-    /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
-    pub cage_scale: f64,
-    /// Radius of the root ball relative to the input's bounding ball; it is larger where the cage
-    /// would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
-    /// 2.5, 3, 4 in 2D, 3D, 4D, more.
-    pub root_scale: f64,
-    /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
-    /// NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
-    pub seed: u64,
-    /// The run answers NM_LIMIT rather than make more vertices, inputs included. Default (0): what
-    /// 32-bit ids allow.
-    pub max_vertices: u64,
-    /// Called during the run; NULL for none. Default NULL.
-    pub progress: nm_progress_fn,
-    /// Handed to progress as it is; the library never looks at it. Default NULL.
-    pub user_data: *mut c_void,
-    /// 1: measure the fields of nm_stats from ply_probes on as well. That takes about as long again
-    /// as the run, in 4D and more several times as long. The mesh is the same. Default 0.
-    pub instruments: u32,
-    /// Zero.
-    pub reserved: u32,
-    /// How far the cell of a vertex may reach, relative to the distance from the vertex to the
-    /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
-    /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
-    /// distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
-    /// NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: no
-    /// matter how far.
-    pub distance_ratio: f64,
-    /// 2D only: the smallest angle of the triangles, in degrees (Triangle's -q), in place of
+    /// Smallest angle of the triangles, in degrees (Triangle's -q), in 2D only and in place of
     /// criterion and quality_bound. The radius-edge ratio is bounded by 1 / (2 sin(min_angle)).
     /// With quality_bound not 0, or in 3D and up, NM_INVALID_ARGUMENT. In [0.6, 33.7], default 0
     /// (criterion and quality_bound count). Above 30 degrees the run usually ends, set
@@ -159,44 +108,96 @@ pub struct nm_options {
     /// With NM_OUTPUT_HIERARCHICAL it holds for the triangles with all vertices in one domain, and
     /// nm_quality.below_min_angle counts the others.
     pub min_angle: f64,
-    /// The least dihedral angle, in degrees, of tetrahedra with all vertices in one domain:
-    /// Steiner points move and further ones come until none is smaller. Where quality_bound cannot
-    /// be had too, gives_way says which of them holds; nm_quality.below_min_dihedral and
-    /// beyond_bound count what is left. In 3D only, without distance_ratio, and without effect
-    /// with NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
+    /// Least dihedral angle, in degrees, of tetrahedra with all vertices in one domain: Steiner
+    /// points move and further ones come until none is smaller. Where quality_bound cannot be had
+    /// too, gives_way says which of them holds; nm_quality.below_min_dihedral and beyond_bound
+    /// count what is left. In 3D only, without distance_ratio, and without effect with
+    /// NM_ALGORITHM_DELAUNAY. In [0, 22], default 0: none.
     pub min_dihedral: f64,
-    /// The length that no edge exceeds of simplices that meet the box of the inputs (the least and
-    /// largest of their coordinates on each axis); their circumradius is at most that of the
-    /// regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
-    /// allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0:
-    /// none.
+    /// Promise that gives way where min_dihedral and quality_bound cannot both be kept; without
+    /// effect where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
+    pub gives_way: MaybeUninit<GivesWay>,
+    /// Domain: the region of the plane that the result covers. What lies beyond is cut away, and
+    /// the boundary is a chain of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default
+    /// NM_EXTENT_AUTO.
+    pub extent: MaybeUninit<Extent>,
+    /// Rule by which regions between segments are inside, with NM_EXTENT_BOUNDARY and, where there
+    /// are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
+    /// NM_INTERIOR_WINDING. Seeds (nm_mesh_set_regions) may make holes of these regions. Default
+    /// NM_INTERIOR_AUTO.
+    pub interior: MaybeUninit<Interior>,
+    /// Treatment of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
+    pub crossings: MaybeUninit<Crossings>,
+    /// Sizes: the length that no edge exceeds of simplices that meet the box of the inputs (the
+    /// least and largest of their coordinates on each axis); their circumradius is at most that of
+    /// the regular simplex with such edges. Outside the box simplices grow as fast as quality_bound
+    /// allows. For NM_ALGORITHM_NETMESH, not with NM_OUTPUT_HIERARCHICAL. Above 0, default 0: none.
     pub max_edge: f64,
-    /// The size at each point, on the same conditions: no simplex that meets the box of the inputs
-    /// has a larger circumradius than the regular simplex whose edges have the least of the sizes
-    /// at its vertices (for a vertex outside the box: at the nearest point of it). Most edges have
-    /// between 0.6 times the size and the size; none is longer than twice that circumradius, 1.16
-    /// times the size in 2D, 1.23 times in 3D, 1.34 times in 8D. What the function does between
-    /// vertices is not seen. With max_edge both count. nm_mesh_set_sizes and
-    /// nm_mesh_set_background give sizes by values. Default NULL: none.
+    /// Largest reach of the cell of a vertex, relative to the distance from the vertex to the
+    /// nearest input, unless that input is the nearest one everywhere in the cell; for filtrations
+    /// (NM_FILTRATION_MESH, docs/topology.md), whose factor becomes at most the root of (1 +
+    /// distance_ratio) / (1 - distance_ratio). For NM_ALGORITHM_NETMESH, not with
+    /// NM_OUTPUT_HIERARCHICAL; root_scale then has the default 12. In [0.05, 1], default 0: cells
+    /// may reach any distance.
+    pub distance_ratio: f64,
+    /// Function that tells the size at each point, on the same conditions as max_edge: no simplex
+    /// that meets the box of the inputs has a larger circumradius than the regular simplex whose
+    /// edges have the least of the sizes at its vertices (for a vertex outside the box: at the
+    /// nearest point of it). Most edges have between 0.6 times the size and the size; none is
+    /// longer than twice that circumradius, 1.16 times the size in 2D, 1.23 times in 3D, 1.34 times
+    /// in 8D. The values of the function between vertices are not seen. With max_edge both count.
+    /// nm_mesh_set_sizes and nm_mesh_set_background give sizes by values. Default NULL: none.
     pub size: nm_size_fn,
-    /// Handed to size as it is; the library never looks at it. Default NULL.
+    /// Pointer that size gets as it is; the library never looks at it. Default NULL.
     pub size_user_data: *mut c_void,
-    /// What gives way where min_dihedral and quality_bound cannot both be had; without effect
-    /// where min_dihedral is 0. Default NM_GIVES_WAY_ANGLE.
-    pub gives_way: MaybeUninit<nm_gives_way>,
+    /// Algorithm: the kind of mesh that the run leaves behind. Default NM_OUTPUT_AUTO.
+    pub output: MaybeUninit<Output>,
+    /// Algorithm that makes the mesh. Default NM_ALGORITHM_NETMESH.
+    pub algorithm: MaybeUninit<Algorithm>,
+    /// Run: the number of threads, 0 = all cores. Default 1. The result does not depend on it. Of
+    /// use in 2D and 3D with NM_ALGORITHM_NETMESH, from 524,288 distinct inputs on.
+    pub threads: u32,
+    /// 1: the run measures the fields of nm_stats from ply_probes on as well. That takes about as
+    /// long again as the run, in 4D and more several times as long. The mesh is the same. Default
+    /// 0.
+    pub instruments: u32,
+    /// Seed of the sampling; equal inputs, options and seeds give equal meshes. Without effect with
+    /// NM_ORDERING_DETERMINISTIC_NET. Any value, default 0.
+    pub seed: u64,
+    /// Number of vertices, inputs included, beyond which the run answers NM_LIMIT. Default (0): as
+    /// many as 32-bit ids allow.
+    pub max_vertices: u64,
+    /// Function that is called during the run; NULL for none. Default NULL.
+    pub progress: nm_progress_fn,
+    /// Pointer that progress gets as it is; the library never looks at it. Default NULL.
+    pub user_data: *mut c_void,
+    /// Constants of the paper: the choice of the inputs that a round inserts. Default
+    /// NM_ORDERING_SAMPLED_NET.
+    pub ordering: MaybeUninit<NetOrdering>,
     /// Zero.
-    pub reserved_after_gives_way: u32,
-    /// How far the result reaches, in 2D: what lies beyond is cut away, and the boundary is a chain
-    /// of edges. Above 2D NM_EXTENT_AUTO or NM_EXTENT_ALL. Default NM_EXTENT_AUTO.
-    pub extent: MaybeUninit<nm_extent>,
-    /// What becomes of segments that cross where no input is. Default NM_CROSSINGS_REFUSE.
-    pub crossings: MaybeUninit<nm_crossings>,
-    /// Which of the regions that segments separate are inside, with NM_EXTENT_BOUNDARY and, where
-    /// there are segments, NM_EXTENT_AUTO; otherwise it must be neither NM_INTERIOR_PARITY nor
-    /// NM_INTERIOR_WINDING. Default NM_INTERIOR_AUTO.
-    pub interior: MaybeUninit<nm_interior>,
-    /// Zero.
-    pub reserved_after_interior: u32,
+    pub reserved: u32,
+    /// Distance that makes a cluster a domain of its own: a pair at distance x gets one of radius x
+    /// / epsilon if its surroundings are empty to encroachment * x / epsilon^2. Smaller makes fewer
+    /// domains and more vertices between. In [0.05, 0.6], default 0.5.
+    pub epsilon: f64,
+    /// Spacing of a cage's vertices relative to the radius of its sphere: smaller makes better
+    /// cells at the cage and more vertices. In [0.1, 1], default 0.8, 1, 1, 1 in 2D, 3D, 4D, more.
+    pub delta: f64,
+    /// Radius within which a new cage vertex yields to an input, as a fraction of its distance to
+    /// the nearest vertex. In [0.01, 0.25], default 0.1.
+    pub gamma: f64,
+    /// Radius within which a Steiner point yields to an input, as a fraction of the radius of its
+    /// empty ball. In [0.05, 1], default 1; with NM_ALGORITHM_SVR 0.6 in 2D, 0.9 above.
+    pub yield_radius: f64,
+    /// Distance from a domain's centre within which no outside vertex may be: encroachment * radius
+    /// / epsilon. In [1, 4], default 1.
+    pub encroachment: f64,
+    /// Radius of the cage's sphere relative to its domain's radius. In [0.3, 0.9], default 0.8.
+    pub cage_scale: f64,
+    /// Radius of the root ball relative to the input's bounding ball; it is larger where the cage
+    /// would not surround the input (a small cage_scale, a large delta). In [2, 16], default 2.5,
+    /// 2.5, 3, 4 in 2D, 3D, 4D, more.
+    pub root_scale: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), and enums, the function pointer
@@ -205,28 +206,14 @@ unsafe impl Versioned for nm_options {
     const TYPE: &'static str = "nm_options";
 
     fn ends_inside_field(size: usize) -> bool {
-        let width = if size < offset_of!(nm_options, quality_bound) {
-            size_of::<u32>()
-        } else if size < offset_of!(nm_options, progress) {
-            size_of::<u64>()
-        } else if size < offset_of!(nm_options, instruments) {
-            size_of::<usize>()
-        } else if size < offset_of!(nm_options, distance_ratio) {
-            size_of::<u32>()
-        } else if size < offset_of!(nm_options, size) {
-            size_of::<u64>()
-        } else if size < offset_of!(nm_options, gives_way) {
-            size_of::<usize>()
-        } else {
-            size_of::<u32>()
-        };
-        size % width != 0
+        // Fields of four bytes stand in pairs.
+        size % size_of::<u64>() != 0
     }
 }
 
-const _: () = assert!(size_of::<nm_options>() == 14 * 4 + 14 * 8 + 4 * size_of::<usize>());
+const _: () = assert!(size_of::<nm_options>() == 12 * 4 + 14 * 8 + 4 * size_of::<usize>());
 
-/// How large a mesh is. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
+/// Sizes of a mesh. Before nm_run: the distinct inputs as vertices, no simplices, no domains.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -255,8 +242,8 @@ unsafe impl Versioned for nm_counts {
 
 const _: () = assert!(size_of::<nm_counts>() == 2 * 4 + 5 * 8);
 
-/// What the file of a mesh or a surface has beside its points, and the nm_mesh that was made of it
-/// has not: numbers of elements. A mesh is made of the points.
+/// Numbers of elements that the file of a mesh or a surface has beside its points, and the nm_mesh
+/// that was made of it has not. A mesh is made of the points.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -294,14 +281,14 @@ pub struct nm_domain {
     pub radius: f64,
 }
 
-/// What nm_mesh_alpha_shape tells of an alpha shape.
+/// Measures of an alpha shape, from nm_mesh_alpha_shape.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct nm_alpha_shape {
     /// Set by the caller to sizeof(nm_alpha_shape).
     pub struct_size: u32,
-    /// How many of betti are known: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
+    /// Number of known elements of betti: 2 in 2D, 3 in 3D, 0 in other dimensions, whose homology takes a
     /// program that computes persistence (nm_export_filtration).
     pub betti_count: u32,
     /// The volume of its simplices (an area in 2D), in the unit of the coordinates to the power
@@ -309,9 +296,9 @@ pub struct nm_alpha_shape {
     pub volume: f64,
     /// The number of its faces of even dimension less that of those of odd dimension.
     pub euler_characteristic: i64,
-    /// How many pieces it has.
+    /// Number of pieces of the shape.
     pub components: u64,
-    /// How many bounded pieces it leaves of space: holes in 2D, cavities in 3D.
+    /// Number of bounded pieces of space that the shape leaves: holes in 2D, cavities in 3D.
     pub voids: u64,
     /// Its Betti numbers, from dimension 0 on: components and holes in 2D; components, tunnels and
     /// cavities in 3D. 0 beyond betti_count.
@@ -327,7 +314,7 @@ unsafe impl Versioned for nm_alpha_shape {
 
 const _: () = assert!(size_of::<nm_alpha_shape>() == 2 * 4 + 4 * 8 + 12 * 8);
 
-/// How good a mesh is. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
+/// Quality of a mesh. "Corners" are those of Voronoi cells. The aspect of a Voronoi cell is the
 /// distance from its vertex to its farthest corner over half the distance to the nearest other
 /// vertex; it is at least 1. A figure over no cells at all is 0. Infinity stands for ratios beyond
 /// the doubles.
@@ -371,16 +358,16 @@ pub struct nm_quality {
     /// Tetrahedra with a dihedral angle below nm_options.min_dihedral and all vertices in one
     /// domain, those at the hull included. 0 where no angle was asked for.
     pub below_min_dihedral: u64,
-    /// Such with vertices of several domains, which fill the gaps beside cages: min_dihedral says
-    /// nothing of them.
+    /// Tetrahedra with a smaller dihedral angle and vertices of several domains, which fill the gaps
+    /// beside cages: min_dihedral says nothing of them.
     pub below_min_dihedral_between_domains: u64,
-    /// Where the bound gave way to the angle (NM_GIVES_WAY_BOUND): cells with a larger aspect, or
-    /// simplices with a larger ratio. The figures above have them.
+    /// Cells with a larger aspect, or simplices with a larger ratio, than the bound, where it gave
+    /// way to the angle (NM_GIVES_WAY_BOUND). The figures above have them.
     pub beyond_bound: u64,
     /// Triangles beyond the bound that a small angle between segments forces; nothing can mend
     /// them, and worst_radius_edge and min_angle_degrees leave them out.
     pub forced: u64,
-    /// Smallest angle of these, in degrees; 0 if there are none.
+    /// Smallest angle of the forced triangles, in degrees; 0 if there are none.
     pub least_forced_angle_degrees: f64,
     /// Triangles with an angle below nm_options.min_angle, or below what NM_CRITERION_RADIUS_EDGE
     /// promises in 2D, which nothing forces: beside cages in hierarchical meshes, which break the
@@ -395,7 +382,7 @@ unsafe impl Versioned for nm_quality {
 
 const _: () = assert!(size_of::<nm_quality>() == 2 * 4 + 13 * 8);
 
-/// What the last nm_run did. "Definition" and "Theorem" are those of the paper.
+/// Statistics of the last nm_run. "Definition" and "Theorem" are those of the paper.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -420,7 +407,7 @@ pub struct nm_stats {
     pub cage_vertices: u64,
     /// Cages made during the run.
     pub cages_created: u64,
-    /// How often a cage grew during the run.
+    /// Number of times that a cage grew during the run.
     pub cages_grown: u64,
     /// Cages released during the run.
     pub cages_released: u64,
@@ -446,10 +433,16 @@ pub struct nm_stats {
     /// Steiner points inserted elsewhere: on the segment from a vertex to a Voronoi corner of its
     /// cell, or for nm_options.min_dihedral.
     pub off_centers: u64,
-    /// How often an input was inserted instead of a Steiner or cage point near it.
+    /// Number of inputs that were inserted instead of a Steiner or cage point near them.
     pub yields: u64,
     /// Points inserted in cage gaps by the final refinement. cage_points includes them.
     pub closing_points: u64,
+    /// Number of times that an input that is not on a straight segment, or on the boundary of an
+    /// extent, counts as on it: it is within 3 units in the last place of the segment's larger
+    /// coordinates, by axis.
+    pub near_inputs: u64,
+    /// Distance of the farthest of these inputs from its segment, in the same units.
+    pub farthest_near_input: f64,
     /// Points at which the ply was counted: Voronoi corners, all of them if they are few. This
     /// field and those below are 0 unless nm_options.instruments is 1. They are maxima over samples
     /// (docs/limitations.md).
@@ -478,12 +471,6 @@ pub struct nm_stats {
     /// to included. While a domain has no other vertex than its centre, the input that its cage is
     /// made for counts as inserted. 0 for NM_ALGORITHM_DELAUNAY.
     pub insertion_constant_cage: f64,
-    /// How often an input that is not on a straight segment, or on the boundary of an extent,
-    /// counts as on it: it is within 3 units in the last place of the segment's larger
-    /// coordinates, by axis. Measured always.
-    pub near_inputs: u64,
-    /// The distance of the farthest of these, in the same units. Measured always.
-    pub farthest_near_input: f64,
 }
 
 // SAFETY: repr(C), begins with a u32, no padding (checked below), numbers only.
@@ -493,7 +480,7 @@ unsafe impl Versioned for nm_stats {
 
 const _: () = assert!(size_of::<nm_stats>() == 2 * 4 + 30 * 8);
 
-/// What nm_mesh_validate found.
+/// Findings of nm_mesh_validate.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -507,7 +494,7 @@ pub struct nm_report {
     /// Checks made.
     pub checked: u64,
     /// The first violation's kind; NM_VIOLATION_NONE if there is none.
-    pub kind: nm_violation,
+    pub kind: ViolationKind,
     /// The first violation's simplex; NM_NONE if it concerns none.
     pub simplex: u32,
     /// The first violation's vertex; NM_NONE if it concerns none.

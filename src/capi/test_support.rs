@@ -1,4 +1,4 @@
-//! What the tests of this module share.
+//! Helpers that the tests of this module share.
 
 use super::error::nm_last_error;
 use super::handle::nm_mesh;
@@ -6,7 +6,7 @@ use crate::mesh::Mesh;
 use std::ffi::CStr;
 use std::mem::MaybeUninit;
 
-/// A handle with the corners of the unit square, the first one twice.
+/// Returns a handle with the corners of the unit square, the first one twice.
 pub(super) fn square() -> nm_mesh {
     let points = [0.0, 0.0, 1.0, 0.0, 0.0, -0.0, 1.0, 1.0, 0.0, 1.0];
     nm_mesh::new(Mesh::new(2, 5, &points, 0).expect("five good points"))
@@ -23,7 +23,7 @@ pub(super) fn last_message() -> String {
     message.to_str().expect("messages are UTF-8").to_owned()
 }
 
-/// `value` as C passes it for an enum, whether the enum knows it or not.
+/// Returns `value` as C passes it for an enum, whether the enum knows it or not.
 pub(super) fn from_c<E>(value: i32) -> MaybeUninit<E> {
     const { assert!(size_of::<E>() == size_of::<i32>()) };
     // SAFETY: the sizes agree and any bits are a valid MaybeUninit.

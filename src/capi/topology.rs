@@ -7,7 +7,7 @@ use super::getters::result;
 use super::handle::{nm_mesh, with_prepared};
 use super::memory::{copy_out, utf8_path};
 use crate::arrays::Lists;
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, Result, message};
 use crate::io::{FiltrationFormat, write_filtration_file};
 use crate::mesh::Mesh;
 use crate::prepared::Prepared;
@@ -15,7 +15,7 @@ use crate::topology::{Faces, Filtration, Level, has_inputs_alone};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
 
-/// The faces, made on the threads of the run.
+/// Returns the faces, made on the threads of the run.
 fn faces<'a>(mesh: &Mesh, prepared: &'a Prepared) -> Result<&'a Faces> {
     prepared.faces(mesh, result(mesh)?.parameters.threads)
 }
@@ -26,7 +26,7 @@ pub(super) fn check_dimension(k: u32, first: usize, last: usize) -> Result<usize
         return Ok(k as usize);
     }
     let message = message!("k is {k}; it must be {first} to {last}");
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
 /// Copies the ids that `ids` picks of the faces of dimension `k`, at least `first`, to a buffer of
@@ -91,7 +91,7 @@ pub unsafe extern "C" fn nm_mesh_get_face_facets(
     unsafe { copy_ids(mesh, (k, 1), |level| &level.boundary, (buf, capacity, needed)) }
 }
 
-/// The cofaces of each face of dimension `k`.
+/// Returns the cofaces of each face of dimension `k`.
 fn cofaces(mesh: &Mesh, prepared: &Prepared, k: u32) -> Result<Lists> {
     let k = check_dimension(k, 0, result(mesh)?.dim - 1)?;
     let faces = faces(mesh, prepared)?;
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn nm_mesh_get_coface_starts(
     }
 }
 
-/// The alpha values. `need` begins the message where there are none.
+/// Returns the alpha values. `need` begins the message where there are none.
 pub(super) fn alpha_values<'a>(
     mesh: &Mesh,
     prepared: &'a Prepared,
@@ -155,10 +155,10 @@ pub(super) fn alpha_values<'a>(
         "{need}, but the mesh has vertices that are no inputs; set options.algorithm to \
          NM_ALGORITHM_DELAUNAY"
     );
-    Err(Error::new(ErrorKind::InvalidArgument, message))
+    Err(Error::invalid(message))
 }
 
-/// The filtration that is asked for.
+/// Returns the filtration that is asked for.
 fn filtration<'a>(
     mesh: &Mesh,
     prepared: &'a Prepared,

@@ -9,7 +9,7 @@ use crate::options::{Algorithm, Options};
 use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
-/// A right triangle and a point beyond its hypotenuse.
+/// Returns a right triangle and a point beyond its hypotenuse.
 fn delaunay() -> nm_mesh {
     let points = [0.0, 0.0, 4.0, 0.0, 0.0, 3.0, 5.0, 4.0];
     let mut mesh = Mesh::new(2, 4, &points, 0).unwrap();
@@ -17,7 +17,7 @@ fn delaunay() -> nm_mesh {
     nm_mesh::new(mesh)
 }
 
-/// All of an array: its size first.
+/// Returns all of an array: its size first.
 fn all<T: Copy + Default>(get: impl Fn(*mut T, u64, *mut u64) -> nm_status) -> Vec<T> {
     let mut needed = u64::MAX;
     assert_eq!(get(null_mut(), 0, &mut needed), nm_status::NM_OK, "{}", last_message());

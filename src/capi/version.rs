@@ -1,4 +1,4 @@
-//! What the library is, and the names of its statuses.
+//! Version of the library, and the names of its statuses.
 
 use super::decode::bits;
 use super::enums::nm_status;
@@ -14,7 +14,7 @@ const VERSION: &CStr =
         Err(_) => panic!("the version holds a NUL"),
     };
 
-/// By value.
+/// Names of the statuses, by their values.
 const STATUS_NAMES: [&CStr; 14] = [
     c"NM_OK",
     c"NM_NULL_ARGUMENT",
@@ -32,25 +32,26 @@ const STATUS_NAMES: [&CStr; 14] = [
     c"NM_PANIC",
 ];
 
-/// The version of the library that is running, as "major.minor.patch". Static; never NULL; do not
-/// free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any thread.
+/// Returns the version of the library that is running, as "major.minor.patch". Static; never NULL;
+/// do not free. NM_VERSION_MAJOR, _MINOR and _PATCH are the version of the header. O(1); any
+/// thread.
 /// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_version() -> *const c_char {
     VERSION.as_ptr()
 }
 
-/// The ABI that the running library speaks. A program built with this header works with it if the
-/// result equals NM_ABI_VERSION: within one ABI version only functions, enum values and trailing
-/// struct fields are added. O(1); any thread.
+/// Returns the ABI that the running library speaks. A program built with this header works with it
+/// if the result equals NM_ABI_VERSION: within one ABI version only functions, enum values and
+/// trailing struct fields are added. O(1); any thread.
 /// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_abi_version() -> u32 {
     ABI_VERSION
 }
 
-/// The name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does not
-/// know. Static; never NULL; do not free. O(1); any thread.
+/// Returns the name of a status, as "NM_CAPACITY"; "NM_UNKNOWN" for a value that this version does
+/// not know. Static; never NULL; do not free. O(1); any thread.
 /// cbindgen:prefix=NM_API
 #[unsafe(no_mangle)]
 pub extern "C" fn nm_status_name(status: MaybeUninit<nm_status>) -> *const c_char {

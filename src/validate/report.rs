@@ -6,12 +6,13 @@ use std::borrow::Cow;
 /// Bytes of a message that fit the C ABI's `char[160]` with its NUL.
 const MESSAGE_BYTES: usize = 159;
 
-/// The rule that a [`Violation`] breaks (values are part of the C ABI: append only). 1 to 99 belong
-/// to level 1, 101 to 199 to level 2, 201 to 299 to level 3. Kinds 51 to 58 are of meshes on
-/// several ranks of MPI.
+/// Rule that a violation breaks. 1 to 99 are rules of level 1 (topology), 101 to 199 of level 2
+/// (geometry), 201 to 299 of level 3 (the promises). Those from 51 to 58 are of meshes on several
+/// ranks of MPI. Later versions may append kinds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u32)]
+#[repr(i32)]
 pub enum ViolationKind {
+    /// Nothing was found broken.
     None = 0,
 
     /// An array does not have the length that the number of vertices or simplices asks for.
@@ -97,7 +98,8 @@ pub enum ViolationKind {
     InputVertex = 201,
     /// The vertex of a distinct input does not have that input's bits.
     InputBits = 202,
-    /// A vertex's kind contradicts its place: inputs are vertices `0..distinct`, and no others.
+    /// A vertex's kind contradicts its id: vertices 0, 1, ... up to the number of distinct inputs
+    /// are inputs, and no others are.
     VertexKind = 203,
     /// A plain Delaunay triangulation has domains, labels or vertices that are no inputs.
     PlainDelaunay = 204,
@@ -111,12 +113,12 @@ pub enum ViolationKind {
     DomainOutsideParent = 208,
     /// The balls of two siblings overlap.
     DomainsOverlap = 209,
-    /// A vertex is labelled with a domain that does not exist, whose ball does not hold it, or
-    /// with one that has a child whose ball holds it.
+    /// A vertex is labelled with a domain that does not exist, that does not contain it, or that
+    /// has a child which contains it.
     VertexDomain = 210,
-    /// A vertex's `cage_of` contradicts its kind or its domain.
+    /// A cage vertex's kind contradicts the domain that it is labelled with.
     CageOf = 211,
-    /// A cage vertex is not near the cage's sphere (§4, nearness).
+    /// A cage vertex is not near the cage's sphere.
     CageRadius = 212,
     /// A cage has too few vertices to enclose its domain's centre.
     CageIncomplete = 213,
@@ -137,9 +139,9 @@ pub enum ViolationKind {
     /// A finished mesh has other domains than the root.
     NotFinished = 221,
     /// A tetrahedron with all vertices in one domain has a smaller dihedral angle than was asked
-    /// for, and is not among those that the run has left.
+    /// for, and the run did not say so.
     DihedralAngle = 222,
-    /// A simplex that meets the box of the inputs is larger than was asked for.
+    /// A simplex that meets the box of the inputs is larger than the sizes that were asked for.
     SimplexSize = 223,
     /// Neighbours without a subsegment between them have different labels, the label of a region is
     /// not that of its seed, or a seed has no region of its own.

@@ -334,7 +334,10 @@ impl Reader<'_> {
             if *word == "." && is(i + 2, "(") {
                 self.called.insert(words[i + 1].to_owned());
             }
+            // `pub(crate)` is no path.
+            let is_visibility = is(i + 1, ")");
             let begins = ["crate", "super"].contains(word) && !(i > 0 && is(i - 1, ":"));
+            let begins = begins && !is_visibility;
             if begins {
                 let mut path = vec![(*word).to_owned()];
                 let mut at = i + 1;

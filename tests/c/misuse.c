@@ -241,7 +241,6 @@ static void test_options(void)
     REFUSED(max_edge, -1.0, "max_edge is -1");
     REFUSED(size, answer_nothing, "options.size answers NaN");
     REFUSED(gives_way, 2, "options.gives_way is 2");
-    REFUSED(reserved_after_gives_way, 1, "options.reserved_after_gives_way is 1");
     REFUSED(interior, 4, "options.interior is 4");
     REFUSED(interior, NM_INTERIOR_WINDING, 
             "options.interior = NM_INTERIOR_WINDING needs segments; the mesh has none");
@@ -254,7 +253,6 @@ static void test_options(void)
     REFUSED(interior, NM_INTERIOR_WINDING, 
             "options.interior = NM_INTERIOR_WINDING does not go with options.extent = NM_EXTENT_ALL");
     options.extent = NM_EXTENT_AUTO;
-    REFUSED(reserved_after_interior, 1, "options.reserved_after_interior is 1");
 #undef REFUSED
     memset(&newer, 0, sizeof newer);
     OK(nm_options_init(&newer.options, sizeof newer));

@@ -5,6 +5,7 @@ use super::super::settings::Settings;
 use super::arguments::{ROOM, Room, from_c, struct_size};
 use super::handle::Handle;
 use super::{expect, last_error};
+use netmesh::capi::shared::encode;
 use netmesh::capi::{
     nm_mesh, nm_mesh_get_points, nm_mesh_validate, nm_options, nm_options_init, nm_progress,
     nm_report, nm_run, nm_status,
@@ -22,10 +23,7 @@ const MAX_VERTICES: u64 = 400;
 /// Returns true if a struct of `size` bytes, the size of no version, counts as one of an older
 /// version.
 fn is_legal(size: usize) -> bool {
-    let doubles = offset_of!(nm_options, quality_bound)..offset_of!(nm_options, instruments);
-    let last = offset_of!(nm_options, distance_ratio)..offset_of!(nm_options, gives_way);
-    let field = if doubles.contains(&size) || last.contains(&size) { 8 } else { 4 };
-    (4..=ROOM).contains(&size) && (size >= SIZE || size % field == 0)
+    (4..=ROOM).contains(&size) && (size >= SIZE || size % 8 == 0)
 }
 
 pub fn options_init(bytes: &mut Bytes<'_>) {
@@ -117,40 +115,15 @@ impl Attempt {
         if let Some((field, value)) = self.wrong {
             enums[field] = value;
         }
-        let given = &self.settings.options;
         nm_options {
             struct_size: self.struct_size,
             output: from_c(enums[0]),
             algorithm: from_c(enums[1]),
             ordering: from_c(enums[2]),
             criterion: from_c(enums[3]),
-            threads: given.threads,
-            quality_bound: given.quality_bound,
-            epsilon: given.epsilon,
-            delta: given.delta,
-            gamma: given.gamma,
-            yield_radius: given.yield_radius,
-            encroachment: given.encroachment,
-            cage_scale: given.cage_scale,
-            root_scale: given.root_scale,
-            seed: given.seed,
-            max_vertices: given.max_vertices,
             progress: Some(look),
             user_data: (&raw mut *watch).cast(),
-            instruments: u32::from(given.instruments),
-            reserved: 0,
-            distance_ratio: given.distance_ratio,
-            min_angle: given.min_angle,
-            min_dihedral: given.min_dihedral,
-            max_edge: given.max_edge,
-            size: None,
-            size_user_data: null_mut(),
-            gives_way: from_c(given.gives_way as i32),
-            reserved_after_gives_way: 0,
-            extent: from_c(given.extent as i32),
-            crossings: from_c(given.crossings as i32),
-            interior: from_c(given.interior as i32),
-            reserved_after_interior: 0,
+            ..encode(&self.settings.options)
         }
     }
 
@@ -178,7 +151,7 @@ impl Attempt {
         let enums = self.wrong.is_none_or(|(field, value)| (0..known[field]).contains(&value));
         // A criterion that is not the settings' has other ranges, and a small struct lacks fields.
         let size = self.struct_size as usize;
-        let calls = size >= offset_of!(nm_options, instruments);
+        let calls = size >= offset_of!(nm_options, ordering);
         let checked = self.settings.valid || self.wrong.is_some() || size < SIZE;
         enums && checked && !(self.cancels && calls)
     }

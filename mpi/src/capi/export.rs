@@ -5,7 +5,7 @@ use crate::comm::Communicator;
 use crate::output::{self, Format};
 use netmesh::capi::nm_status;
 use netmesh::capi::shared::{barrier, utf8_path};
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::{Error, Result};
 use std::ffi::c_char;
 use std::mem::MaybeUninit;
 
@@ -14,7 +14,7 @@ use std::mem::MaybeUninit;
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum nm_mpi_format {
-    /// By the extension of the path: .pvtu, .npy.
+    /// Format that the extension of the path names: .pvtu, .npy.
     NM_MPI_FORMAT_AUTO = 0,
     /// VTK's parallel unstructured grid: NAME.pvtu, and beside it NAME_RANK.vtu of each rank, with its
     /// ghosts (vtkGhostType 1) and all ids (GlobalNodeId, GlobalCellId). Dimensions 2 and 3.
@@ -67,6 +67,6 @@ fn decode_format(raw: MaybeUninit<nm_mpi_format>) -> Result<Format> {
         .find(|format| *format as i32 == value)
         .ok_or_else(|| {
             let message = format!("format is {value}; it must be in 0..=2");
-            Error::new(ErrorKind::InvalidArgument, message)
+            Error::invalid(message)
         })
 }

@@ -52,25 +52,24 @@ fn count(mesh: &DistributedMesh) -> nm_mpi_counts {
     }
 }
 
-/// The values of an array, and how many there are.
-type Values<'a, T> = (usize, Box<dyn Iterator<Item = T> + 'a>);
-
-/// An array getter: copies what `values` makes of the mesh.
+/// Copies `value` of each element of an array of the mesh to the caller's buffer.
 ///
 /// # Safety
 /// `mesh` is NULL or a live handle; `buf` and `needed` are as `copy_out` wants them.
-unsafe fn get<T>(
+unsafe fn get<S, T>(
     mesh: *const nm_mpi_mesh,
     buf: *mut T,
     capacity: u64,
     needed: *mut u64,
-    values: impl for<'a> FnOnce(&'a DistributedMesh) -> Values<'a, T>,
+    array: impl Fn(&DistributedMesh) -> &[S],
+    value: impl Fn(&DistributedMesh, &S) -> T,
 ) -> nm_status {
     barrier(|| {
         // SAFETY: the caller's promise.
-        let (count, values) = values(&unsafe { handle(mesh)? }.mesh);
+        let mesh = &unsafe { handle(mesh)? }.mesh;
+        let values = array(mesh).iter().map(|element| value(mesh, element));
         // SAFETY: the caller's promise.
-        unsafe { copy_out(buf, capacity, needed, count, values) }
+        unsafe { copy_out(buf, capacity, needed, values.len(), values) }
     })
 }
 
@@ -91,12 +90,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_ids.len(), Box::new(mesh.vertex_ids.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_ids, |_, value| *value) }
 }
 
 /// Writes the coordinates of the vertices that this rank knows: local_vertices x dim doubles, inputs with
@@ -111,12 +106,8 @@ pub unsafe extern "C" fn nm_mpi_get_points(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.points.len(), Box::new(mesh.points.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.points, |_, value| *value) }
 }
 
 /// Writes the kinds of the vertices that this rank knows, a byte each: values of nm_vertex_kind.
@@ -130,12 +121,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_kinds(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.kinds.len(), Box::new(mesh.kinds.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.kinds, |_, value| *value) }
 }
 
 /// Writes for each vertex that this rank knows its owner: the lowest of the ranks that have a simplex with
@@ -150,12 +137,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_owners.len(), Box::new(mesh.vertex_owners.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_owners, |_, value| *value) }
 }
 
 /// Writes for each vertex that this rank knows the id of the innermost domain that holds it, below domains;
@@ -170,12 +153,8 @@ pub unsafe extern "C" fn nm_mpi_get_vertex_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.vertex_domains.len(), Box::new(mesh.vertex_domains.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.vertex_domains, |_, value| *value) }
 }
 
 /// Writes the domains that hold a vertex that this rank knows, a tree of balls with every domain
@@ -191,11 +170,9 @@ pub unsafe extern "C" fn nm_mpi_get_domains(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
+    // SAFETY: the caller's rules are those of `get`.
     unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.domains.len(), Box::new(mesh.domains.iter().map(encode_domain)))
-        })
+        get(mesh, buf, capacity, needed, |mesh| &mesh.domains, |_, domain| encode_domain(domain))
     }
 }
 
@@ -211,13 +188,8 @@ pub unsafe extern "C" fn nm_mpi_get_simplices(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            let ids = mesh.simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
-            (mesh.simplices.len(), Box::new(ids))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.simplices, id_of) }
 }
 
 /// Writes the neighbours of this rank's simplices: local_simplices x (dim + 1) ids of simplices, the i-th
@@ -232,12 +204,8 @@ pub unsafe extern "C" fn nm_mpi_get_neighbors(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.neighbors.len(), Box::new(mesh.neighbors.iter().copied()))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.neighbors, |_, value| *value) }
 }
 
 /// Writes the ghosts: ghosts x (dim + 1) ids of vertices. They are the simplices of other ranks that
@@ -253,13 +221,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghosts(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            let ids = mesh.ghost_simplices.iter().map(|vertex| mesh.vertex_ids[*vertex as usize]);
-            (mesh.ghost_simplices.len(), Box::new(ids))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghost_simplices, id_of) }
 }
 
 /// Writes the ids of the ghosts, which rise.
@@ -273,12 +236,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_ids(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.id)))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghosts, |_, ghost| ghost.id) }
 }
 
 /// Writes the ranks whose simplices the ghosts are.
@@ -292,12 +251,8 @@ pub unsafe extern "C" fn nm_mpi_get_ghost_owners(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (mesh.ghosts.len(), Box::new(mesh.ghosts.iter().map(|ghost| ghost.owner)))
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.ghosts, |_, ghost| ghost.owner) }
 }
 
 /// Writes the interface: interface_facets elements, by rising simplex and facet. The rank on the other
@@ -312,15 +267,8 @@ pub unsafe extern "C" fn nm_mpi_get_interface(
     capacity: u64,
     needed: *mut u64,
 ) -> nm_status {
-    // SAFETY: the caller's buffer rules are those of `get`.
-    unsafe {
-        get(mesh, buf, capacity, needed, |mesh| {
-            (
-                mesh.interface.len(),
-                Box::new(mesh.interface.iter().map(|facet| encode_facet(mesh, facet))),
-            )
-        })
-    }
+    // SAFETY: the caller's rules are those of `get`.
+    unsafe { get(mesh, buf, capacity, needed, |mesh| &mesh.interface, encode_facet) }
 }
 
 fn encode_domain(domain: &Domain) -> nm_mpi_domain {
@@ -335,4 +283,9 @@ fn encode_facet(mesh: &DistributedMesh, facet: &InterfaceFacet) -> nm_mpi_facet 
         facet: facet.facet,
         owner: mesh.ghosts[facet.ghost].owner,
     }
+}
+
+/// Returns the id of a vertex that the rank has under this number.
+fn id_of(mesh: &DistributedMesh, vertex: &u32) -> u64 {
+    mesh.vertex_ids[*vertex as usize]
 }

@@ -1,7 +1,8 @@
 //! The C ABI: what `include/netmesh_mpi.h` declares, made from this module by cbindgen, but for
 //! `nm_mpi_run`, which only C can declare. The documentation of the items is the C programmer's manual.
 //!
-//! What every function relies on is what the header asks of its callers, as in the core's ABI.
+//! Every function relies on what the header asks of its callers, and on nothing else, as in the
+//! core's ABI.
 
 // The header's general rules stand for a `# Safety` section at every function.
 #![allow(clippy::missing_safety_doc)]

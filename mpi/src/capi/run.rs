@@ -6,7 +6,7 @@ use crate::distributed::DistributedMesh;
 use netmesh::capi::shared::{Environment, barrier, null_argument, read_options, read_rows, report};
 use netmesh::capi::{nm_options, nm_status};
 use netmesh::options::ProgressFn;
-use netmesh::{Error, ErrorKind, Result};
+use netmesh::{Error, Result};
 use std::ffi::{c_char, c_void};
 
 /// A rank's part of a mesh, and the ranks that have the others.
@@ -16,7 +16,7 @@ pub struct nm_mpi_mesh {
     pub(super) comm: Collective<Ranks>,
 }
 
-/// The handle behind a pointer.
+/// Returns the handle behind a pointer.
 ///
 /// # Safety
 /// `mesh` is NULL or a live handle.
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn nm_mpi_mesh_free(mesh: *mut nm_mpi_mesh) {
     }
 }
 
-/// What `nm_mpi_run` is, behind the C function that knows MPI_Comm: `comm` points to one.
+/// Runs `nm_mpi_run`, behind the C function that knows MPI_Comm: `comm` points to one.
 ///
 /// # Safety
 /// As the header says of `nm_mpi_run`.
@@ -101,7 +101,7 @@ unsafe fn run(
         if given.size.is_some() {
             let rule =
                 "options.size is set; meshes of several ranks have no sizes, it must be NULL";
-            return Err(Error::new(ErrorKind::InvalidArgument, rule));
+            return Err(Error::invalid(rule));
         }
         // SAFETY: the caller gave NULL or so many points.
         let points = unsafe { read_rows("points", points, local_count, dim as usize)? };

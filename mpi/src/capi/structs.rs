@@ -4,7 +4,7 @@ use netmesh::capi::shared::Versioned;
 use netmesh::validate::ViolationKind;
 use std::ffi::c_char;
 
-/// How large a mesh is: the whole, and what this rank has of it.
+/// Sizes of a mesh: of the whole, and of the part that this rank has.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct nm_mpi_counts {
     pub dim: u32,
     /// This rank in the communicator of the run.
     pub rank: u32,
-    /// How many ranks that has.
+    /// Number of ranks in the communicator of the run.
     pub ranks: u32,
     /// Points that all ranks have given, duplicates included.
     pub inputs: u64,
@@ -37,7 +37,7 @@ pub struct nm_mpi_counts {
     pub first_input: u64,
     /// Vertices that this rank knows: those of its simplices and those of its ghosts.
     pub local_vertices: u64,
-    /// How many of them are vertices of its own simplices; they come first.
+    /// Number of vertices of this rank's own simplices; they come first.
     pub own_vertices: u64,
     /// Simplices of this rank.
     pub local_simplices: u64,
@@ -98,7 +98,7 @@ pub struct nm_mpi_domain {
 
 const _: () = assert!(size_of::<nm_mpi_domain>() == 56);
 
-/// What nm_mpi_validate found, the same on all ranks.
+/// Findings of nm_mpi_validate, the same on all ranks.
 #[allow(non_camel_case_types)]
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,10 @@
-//! The command line: the words of `netmesh`, as far as they are for several ranks.
+//! Arguments of the command line: those of `netmesh`, as far as they are for several ranks.
 
 use crate::exit_code;
-use crate::whole::whole;
+use crate::meshing::Meshing;
 use clap::{Parser, ValueEnum};
-use netmesh::{Criterion, GivesWay, NetOrdering, Options, Output};
+use netmesh::options::Row;
+use netmesh::{Options, Output};
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "\
@@ -11,7 +12,7 @@ Examples:
   mpirun -np 8 netmesh-mpi points.npy -o mesh.pvtu
   mpirun -np 8 netmesh-mpi points.xyz -o mesh.npy --finish --bound 3.5";
 
-/// The heading of options that `netmesh` has and meshes of several ranks cannot have.
+/// Heading of options that `netmesh` has and meshes of several ranks cannot have.
 const REFUSED: &str = "Always refused: ask netmesh, on one process";
 
 /// Mesh points on the ranks of an MPI program: in goes a file of points, out comes the mesh that
@@ -26,7 +27,7 @@ pub struct Arguments {
     /// File of points: a NumPy array (.npy), or a line each (.xyz)
     pub input: PathBuf,
 
-    /// Where the mesh goes: NAME.pvtu, with a NAME_RANK.vtu of each rank; or NAME.npy, for
+    /// File for the mesh: NAME.pvtu, with a NAME_RANK.vtu of each rank; or NAME.npy, for
     /// NAME.points.npy and NAME.simplices.npy. Without it only the summary is made
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -53,7 +54,7 @@ pub struct Arguments {
     #[arg(long)]
     pub validate: bool,
 
-    /// Where a table goes of what every step of the run took on every rank: processor time, bytes
+    /// File for a table of what every step of the run took on every rank: processor time, bytes
     /// that it has sent (comma-separated values)
     #[arg(long, value_name = "FILE")]
     pub work: Option<PathBuf>,
@@ -66,108 +67,15 @@ pub struct Arguments {
     pub meshing: Meshing,
 }
 
-/// Options of the algorithm.
-#[derive(Clone, Debug, clap::Args)]
-#[command(next_help_heading = "Meshing")]
-pub struct Meshing {
-    /// How a round of inputs is chosen: by a seeded sample, or by nets without any random number
-    #[arg(long, value_enum, default_value_t = OrderingName::Sampled)]
-    pub ordering: OrderingName,
-
-    /// The quality measure that --bound bounds
-    #[arg(long, value_enum, default_value_t = CriterionName::Aspect)]
-    pub criterion: CriterionName,
-
-    /// Quality bound; by default aspect 3 in 2D, 4 in 3D, 5 in 4D and 6 above, or half of it as
-    /// radius-edge ratio
-    #[arg(long, visible_alias = "quality-bound", value_name = "X", allow_negative_numbers = true)]
-    pub bound: Option<f64>,
-
-    /// In 2D, the smallest angle of the triangles in degrees, up to 33.7, in place of --criterion
-    /// and --bound
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["bound", "criterion"])]
-    pub min_angle: Option<f64>,
-
-    /// How far other points must be for a cage to start
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub epsilon: Option<f64>,
-
-    /// Coarseness of a cage
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub delta: Option<f64>,
-
-    /// Yield radius of a cage, relative to the distance to the nearest vertex
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub gamma: Option<f64>,
-
-    /// Yield radius of refinement, relative to the D-ball's radius
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub yield_radius: Option<f64>,
-
-    /// Outer encroachment factor of a cage
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub encroachment: Option<f64>,
-
-    /// Radius of a cage relative to its domain
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub cage_scale: Option<f64>,
-
-    /// Radius of the root ball relative to the input's bounding ball
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
-    pub root_scale: Option<f64>,
-
-    /// Refused: meshes of several ranks have no bound by the distance to the input
-    #[arg(long, value_name = "X", allow_negative_numbers = true, help_heading = REFUSED)]
-    pub distance_ratio: Option<f64>,
-
-    /// Refused: meshes of several ranks have no bound of dihedral angles
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, help_heading = REFUSED)]
-    pub min_dihedral: Option<f64>,
-
-    /// Refused: meshes of several ranks have no sizes
-    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = REFUSED)]
-    pub max_edge: Option<f64>,
-
-    /// Without effect, as --min-dihedral is refused
-    #[arg(long, value_enum, default_value_t = GivesWayName::Angle, help_heading = REFUSED)]
-    pub gives_way: GivesWayName,
-
-    /// Seed of every random choice; the same seed makes the same mesh
-    #[arg(long, value_name = "N", default_value_t = 0, allow_negative_numbers = true)]
-    #[arg(value_parser = whole::<u64>)]
-    pub seed: u64,
-
-    /// Stop with exit code 5 rather than make more vertices than this
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u64>)]
-    pub max_vertices: Option<u64>,
-
-    /// Threads of each rank, 0 = all cores; the mesh does not depend on it
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true)]
-    #[arg(value_parser = whole::<u32>)]
-    pub threads: u32,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum OrderingName {
-    Sampled,
-    Deterministic,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CriterionName {
-    /// Voronoi aspect ratio: farthest corner over half the distance to the nearest neighbour
-    Aspect,
-    /// Circumradius over shortest edge of a simplex
-    RadiusEdge,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum GivesWayName {
-    /// The angle: some tetrahedra stay below it
-    Angle,
-    /// The bound: some cells, or tetrahedra, go beyond it
-    Bound,
+/// Returns the heading under which the program has an option of the library, if it has it by name:
+/// the kind of output has arguments of its own. Numbers that meshes of several ranks do not have are
+/// refused by the run, which says so in the program's words.
+pub fn heading(row: &Row) -> Option<&'static str> {
+    match row.on_ranks {
+        true if row.name == "output" => None,
+        true => Some(row.group.heading()),
+        false => row.is_number().then_some(REFUSED),
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -203,43 +111,15 @@ impl Arguments {
         }
     }
 
+    /// Returns the options of the run.
     pub fn options(&self) -> Options {
-        let meshing = &self.meshing;
-        let number = |given: Option<f64>| given.unwrap_or(0.0);
         Options {
             output: match (self.finish, self.hierarchical) {
                 (true, _) => Output::WellSpaced,
                 (_, true) => Output::Hierarchical,
                 _ => Output::Auto,
             },
-            ordering: match meshing.ordering {
-                OrderingName::Sampled => NetOrdering::SampledNet,
-                OrderingName::Deterministic => NetOrdering::DeterministicNet,
-            },
-            criterion: match meshing.criterion {
-                CriterionName::Aspect => Criterion::VoronoiAspect,
-                CriterionName::RadiusEdge => Criterion::RadiusEdge,
-            },
-            gives_way: match meshing.gives_way {
-                GivesWayName::Angle => GivesWay::Angle,
-                GivesWayName::Bound => GivesWay::Bound,
-            },
-            threads: meshing.threads,
-            quality_bound: number(meshing.bound),
-            epsilon: number(meshing.epsilon),
-            delta: number(meshing.delta),
-            gamma: number(meshing.gamma),
-            yield_radius: number(meshing.yield_radius),
-            encroachment: number(meshing.encroachment),
-            cage_scale: number(meshing.cage_scale),
-            root_scale: number(meshing.root_scale),
-            distance_ratio: number(meshing.distance_ratio),
-            min_angle: number(meshing.min_angle),
-            min_dihedral: number(meshing.min_dihedral),
-            max_edge: number(meshing.max_edge),
-            seed: meshing.seed,
-            max_vertices: meshing.max_vertices.unwrap_or(0),
-            ..Options::default()
+            ..self.meshing.options.clone()
         }
     }
 }
@@ -248,6 +128,7 @@ impl Arguments {
 mod tests {
     use super::*;
     use clap::CommandFactory;
+    use netmesh::{Criterion, GivesWay, NetOrdering};
 
     #[test]
     fn the_help_lists_what_is_always_refused() {

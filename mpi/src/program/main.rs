@@ -11,6 +11,9 @@ mod exit_code;
 #[cfg(test)]
 #[path = "../../../cli/src/manual.rs"]
 mod manual;
+// The library's options are arguments of both programs.
+#[path = "../../../cli/src/meshing.rs"]
+mod meshing;
 mod session;
 mod summary;
 #[path = "../../../cli/src/whole.rs"]
@@ -23,6 +26,7 @@ use arguments::Arguments;
 use clap::Parser;
 use exit_code::{ExitCode, Failure};
 use netmesh::capi::shared::Environment;
+use netmesh::options::Row;
 use netmesh_mpi::agreement::{Arguments as Compared, require_same};
 use netmesh_mpi::comm::mpi::{Ranks, begin, end};
 use netmesh_mpi::comm::{Collective, Communicator};
@@ -72,16 +76,20 @@ fn fail(speaks: bool, Failure { code, message }: &Failure) -> u8 {
     *code as u8
 }
 
-/// What the command lines of ranks must have in common: all but their threads.
+/// Returns all that the command lines of ranks must have in common: all but their threads.
 fn compared(parsed: &Result<Arguments, clap::Error>) -> Compared {
     let own = Compared::of_call("netmesh-mpi");
     match parsed {
         Ok(arguments) => {
             let mut arguments = arguments.clone();
-            arguments.meshing.threads = 1;
+            arguments.meshing.options.threads = 1;
             let name = |field: &str| match field {
                 "input" => "INPUT".to_owned(),
-                field => format!("--{}", field.replace('_', "-")),
+                "output" => "--output".to_owned(),
+                field => match Row::named(field) {
+                    Some(row) => format!("--{}", row.argument()),
+                    None => format!("--{}", field.replace('_', "-")),
+                },
             };
             own.and("the command line", "understood").and_fields(&arguments, name)
         }

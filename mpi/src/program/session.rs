@@ -3,7 +3,7 @@
 use crate::arguments::Arguments;
 use crate::exit_code::{ExitCode, Failure};
 use crate::summary::{self, Times};
-use netmesh::{Error, ErrorKind};
+use netmesh::Error;
 use netmesh_mpi::certificate::Report;
 use netmesh_mpi::comm::{Communicator, agreed};
 use netmesh_mpi::{input, output, validate};
@@ -11,10 +11,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-/// Topology, geometry and the paper's promises.
+/// Level of the certificate: topology, geometry and the paper's promises.
 const LEVEL: u32 = 3;
 
-/// Collective: all ranks answer the same.
+/// Runs the program. Collective: all ranks answer the same.
 pub fn run(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
     agreed(comm, || require_distinct(comm.size(), arguments))?;
     let name = |path: &Path| path.display().to_string();
@@ -60,7 +60,7 @@ fn require(report: &Report) -> Result<(), Failure> {
     Err(Failure::new(ExitCode::CertificateViolated, message))
 }
 
-/// Collective: refuses outputs that cannot be written, before anything is read.
+/// Refuses outputs that cannot be written, before anything is read. Collective.
 fn require_outputs(comm: &dyn Communicator, arguments: &Arguments) -> Result<(), Failure> {
     let failure = |path: &Path, error| Failure::writing(&path.display().to_string(), &error);
     if let Some(path) = &arguments.output {
@@ -77,7 +77,7 @@ fn require_outputs(comm: &dyn Communicator, arguments: &Arguments) -> Result<(),
 fn require_distinct(ranks: usize, arguments: &Arguments) -> netmesh::Result<()> {
     let refused = |path: &Path, why: &str| {
         let message = format!("{}: {why}", path.display());
-        Err(Error::new(ErrorKind::InvalidArgument, message))
+        Err(Error::invalid(message))
     };
     let (input, work) = (&arguments.input, arguments.work.as_deref());
     let files = match &arguments.output {
@@ -96,7 +96,7 @@ fn require_distinct(ranks: usize, arguments: &Arguments) -> netmesh::Result<()> 
     }
 }
 
-/// Two names of one file, links too, which need not be there yet.
+/// Returns true if the names, links too, are of one file, which need not be there yet.
 fn are_same(a: &Path, b: &Path) -> bool {
     let place = |path: &Path| {
         let target = netmesh::io::follow_links(path).unwrap_or_else(|_| path.to_owned());

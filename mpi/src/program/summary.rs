@@ -1,4 +1,4 @@
-//! What rank 0 prints at the end.
+//! Summary that rank 0 prints at the end.
 
 use crate::arguments::Arguments;
 use netmesh::Result;
@@ -16,7 +16,7 @@ pub struct Times {
     pub validate: Option<Duration>,
 }
 
-/// Collective.
+/// Prints the summary on rank 0. Collective.
 pub fn print(
     comm: &dyn Communicator,
     arguments: &Arguments,
@@ -41,7 +41,8 @@ pub fn print(
     let counts =
         [totals.inputs, totals.duplicates, totals.vertices, totals.simplices, totals.domains];
     let [inputs, duplicates, vertices, all_simplices, domains] = counts.map(spaced);
-    let (pieces, sent, seed) = (spaced(totals.pieces), spaced(sum[2]), arguments.meshing.seed);
+    let (pieces, sent, seed) =
+        (spaced(totals.pieces), spaced(sum[2]), arguments.meshing.options.seed);
     let task = if mesh.promise.is_finished { "finished mesh" } else { "hierarchical mesh" };
     let (dim, ranks) = (mesh.dim, mesh.ranks);
     let milliseconds = |time: Duration| format!("{:.1} ms", time.as_secs_f64() * 1e3);
@@ -82,7 +83,7 @@ pub fn print(
     Ok(())
 }
 
-/// Digits in groups of three.
+/// Returns the digits of a number in groups of three.
 fn spaced(number: u64) -> String {
     let digits = number.to_string();
     let group = |(at, digit): (usize, char)| {

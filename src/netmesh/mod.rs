@@ -1,45 +1,41 @@
-//! The paper's algorithm (§6). Each group of files is read together, and its front page says what
-//! it has:
+//! The paper's algorithm (§6), in folders that depend downwards only (ARCHITECTURE.md has the table):
 //!
-//! - [`rounds`]: the order of the inputs, the conflict lists that say where they are, the rounds
-//!   that insert them, and the nets that choose what a round inserts.
-//! - [`cages`]: domains and their tree, encroachment, where a cage goes, and the operations on
-//!   cages.
-//! - [`refinement`]: which simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH
-//!   and the final refinement.
-//! - [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
-//! - [`slivers`]: tetrahedra with small dihedral angles, and what mends them.
-//! - [`partitions`]: large meshes made in partitions, and work that all threads share.
-//! - [`distributed`]: the same for partitions of several processes, which no mesh has all of.
-//!
-//! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
-//! options in full, `numbering` and `output` write the result, and `instruments` measures what the
-//! theorems promise.
+//! 1. [`state`]: the mesh in the making, and the run that works on it.
+//! 2. [`questions`]: encroachment, quality, sites of cages, Steiner points, permissions.
+//! 3. [`instruments`]: measurements of the theorems' constants.
+//! 4. [`insertion`]: one vertex goes in, and all that the state learns from it.
+//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN, and the recovery of segments.
+//! 6. [`rounds`]: how inputs come into the mesh.
+//! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
+//! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
+//! 9. [`slivers`]: tetrahedra with small dihedral angles are mended.
+//! 10. [`partitions`]: large meshes made in partitions, on several threads.
+//! 11. [`result`]: the arrays of the result.
+//! 12. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
 
-mod cages;
 pub(crate) mod distributed;
+mod insertion;
 mod instruments;
-mod numbering;
-mod output;
-mod parameters;
+mod operations;
 mod partitions;
+mod questions;
 mod refinement;
+mod result;
 mod rounds;
 mod segments;
 mod slivers;
 mod state;
-mod watch;
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::collected;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::sizes::Sizes;
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
 use crate::parameters::{Parameters, check_region_sizes, output_for, with_segments};
-use refinement::size::Sizes;
-use state::{Cell, Mesher, Scratch, Stage, State};
+pub(crate) use state::watch::Watch;
 use std::time::Instant;
-pub(crate) use watch::Watch;
 
 /// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
 ///
@@ -86,7 +82,7 @@ pub fn run_sized(
     )
 }
 
-fn mesh<const D: usize>(
+pub(in crate::netmesh) fn mesh<const D: usize>(
     inputs: &Inputs,
     mut arrangement: Option<&mut Arrangement>,
     parameters: Parameters,
@@ -111,7 +107,7 @@ fn mesh<const D: usize>(
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Makes all of the mesh.
-    fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
+    pub(in crate::netmesh) fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
         let mut cavity = Cavity::default();
         if self.state.parameters.algorithm == Algorithm::Delaunay {
             self.start_delaunay()?;

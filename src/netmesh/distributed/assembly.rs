@@ -1,21 +1,22 @@
 //! Pieces become a partition, which goes through rounds and refinement as those of one process do
 //! (`partitions`), and that becomes a piece again.
 
-use super::hierarchy::{Domains, with_domains};
-use super::names::{NOTHING, is_input, made_by};
-use super::piece::{Corner, Piece};
 use crate::complex::{Complex, SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Inputs, Stats};
-use crate::netmesh::cages::domains::{DomainId, Hierarchy};
-use crate::netmesh::partitions::interface::Interface;
-use crate::netmesh::refinement::refine_list::RefineList;
-use crate::netmesh::rounds::conflict_lists::ConflictLists;
-use crate::netmesh::rounds::order::by_locality;
-use crate::netmesh::segments::Segments;
-use crate::netmesh::{Cell, Mesher, Stage, State, Watch};
+use crate::netmesh::distributed::hierarchy::{Domains, with_domains};
+use crate::netmesh::distributed::names::{NOTHING, is_input, made_by};
+use crate::netmesh::distributed::piece::{Corner, Piece};
+use crate::netmesh::state::conflict_lists::ConflictLists;
+use crate::netmesh::state::hierarchy::{DomainId, Hierarchy};
+use crate::netmesh::state::interface::Interface;
+use crate::netmesh::state::order::by_locality;
+use crate::netmesh::state::refine_list::RefineList;
+use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::watch::Watch;
+use crate::netmesh::state::{Cell, Mesher, Stage, State};
 use crate::options::Output;
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
@@ -271,7 +272,7 @@ impl<const D: usize> Assembly<D> {
 
     /// Vertices next to which doubles ran out, and those of simplices whose corner could not be
     /// inserted for want of precision.
-    fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
+    pub fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
         let State { delaunay, refine_list, interface, .. } = &self.state;
         let mut limited = collected(self.state.precision_limited.iter().copied())?;
         let mut is_blocked = filled(delaunay.complex().simplex_bound(), false)?;
@@ -292,7 +293,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Grows the domains around `input`, which encroaches them from inside. Whether the interface
     /// allowed it.
     fn make_room(&mut self, input: VertexId, cavity: &mut Cavity) -> Result<bool> {
-        if !self.is_inserted(input) {
+        if !self.state.is_inserted(input) {
             return Ok(false);
         }
         let x = *self.state.delaunay.point(input);
@@ -302,7 +303,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 true => self.state.hierarchy.parent(domain),
                 false => domain,
             };
-            let Some(domain) = self.inner_encroached_from(outer, &x) else { return Ok(true) };
+            let Some(domain) = self.state.inner_encroached_from(outer, &x) else { return Ok(true) };
             let start = self.state.delaunay.complex().incident(input);
             if !self.grow_cage_for(domain, &x, start, cavity)? {
                 return Ok(false);

@@ -1,8 +1,8 @@
 //! Pieces as bytes, to be sent. All numbers are written with the least byte first.
 
-use super::piece::{Corner, NamedDomain, Piece};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, with_capacity};
+use crate::netmesh::distributed::piece::{Corner, NamedDomain, Piece};
 
 /// A value that can be sent.
 trait Sent: Sized {
@@ -18,7 +18,7 @@ fn torn() -> Error {
 }
 
 impl<'a> Bytes<'a> {
-    fn take(&mut self, count: usize) -> Result<&'a [u8]> {
+    pub fn take(&mut self, count: usize) -> Result<&'a [u8]> {
         let (first, rest) = self.0.split_at_checked(count).ok_or_else(torn)?;
         self.0 = rest;
         Ok(first)
@@ -41,7 +41,9 @@ macro_rules! sent_number {
 }
 
 sent_number!(u32);
+
 sent_number!(u64);
+
 sent_number!(f64);
 
 impl Sent for bool {
@@ -107,7 +109,9 @@ macro_rules! sent_fields {
 sent_fields!(
     Corner<const D>, name, point, nearest, domain, cage, is_precision_limited
 );
+
 sent_fields!(NamedDomain<const D>, name, parent, point, radius, outside, center, cage, version);
+
 sent_fields!(
     Piece<const D>,
     corners,

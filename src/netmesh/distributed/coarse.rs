@@ -1,17 +1,18 @@
 //! The coarse mesh, which all processes make alike, and how it is cut.
 
-use super::assembly::{Assembly, First};
-use super::bisection::Bisection;
-use super::hierarchy::Domains;
-use super::maker::Maker;
-use super::piece::Piece;
 use crate::complex::VertexId;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::Inputs;
-use crate::netmesh::rounds::order::by_locality;
-use crate::netmesh::{Mesher, Watch};
+use crate::netmesh::distributed::assembly::{Assembly, First};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::hierarchy::Domains;
+use crate::netmesh::distributed::maker::Maker;
+use crate::netmesh::distributed::piece::Piece;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::order::by_locality;
+use crate::netmesh::state::watch::Watch;
 use crate::options::{Options, ProgressFn};
 use crate::parameters::Parameters;
 
@@ -52,7 +53,7 @@ impl<const D: usize> Coarse<D> {
             Parameters { inputs_per_partition: usize::MAX / 2, ..Parameters::resolve(D, options)? };
         let mut mesher = mesh(sample, &parameters, Watch::new(progress))?;
         let mut names = collected(mesher.order.iter().map(|input| names[input.index()]))?;
-        if let Some(left) = mesher.thinned(small)? {
+        if let Some(left) = mesher.state.thinned(small)? {
             let points =
                 collected(left.iter().map(|&vertex| *mesher.state.delaunay.point(vertex)))?;
             let own = collected(left.iter().map(|&vertex| names[vertex.index()]))?;

@@ -2,11 +2,11 @@
 //! at them may grow or release it. Others know what it was when one that joined them last had all of
 //! it; they may lower its clearance and add to its cage, and what all know together counts.
 
-use super::names::{NOTHING, ROOT_NAME, made_by};
-use super::piece::{Corner, NamedDomain, Piece};
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
-use crate::netmesh::cages::domains::{DomainId, Hierarchy, ROOT};
+use crate::netmesh::distributed::names::{NOTHING, ROOT_NAME, made_by};
+use crate::netmesh::distributed::piece::{Corner, NamedDomain, Piece};
+use crate::netmesh::state::hierarchy::{DomainId, Hierarchy, ROOT};
 
 /// What a partition knows of its domains beside their hierarchy.
 pub(super) struct Domains {

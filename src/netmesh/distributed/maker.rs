@@ -1,13 +1,14 @@
 //! What makes partitions of pieces: the same on all processes.
 
-use super::assembly::{Assembly, First};
-use super::names::is_input;
-use super::piece::Piece;
 use crate::error::Result;
 use crate::memory::{TryGrow, copied};
 use crate::mesh::Triangulation;
-use crate::netmesh::rounds::order::InputId;
-use crate::netmesh::{Mesher, Watch};
+use crate::netmesh::distributed::assembly::{Assembly, First};
+use crate::netmesh::distributed::names::is_input;
+use crate::netmesh::distributed::piece::Piece;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::order::InputId;
+use crate::netmesh::state::watch::Watch;
 use crate::options::{Output, ProgressFn};
 use crate::parameters::Parameters;
 use std::time::Instant;

@@ -1,10 +1,10 @@
 //! A piece of a mesh as plain data that no id of another piece is needed for: it can be sent,
 //! divided, and put together with others.
 
-use super::bisection::Bisection;
-use super::names::{NOTHING, is_input};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::names::{NOTHING, is_input};
 
 /// Beyond a facet that is the boundary of the piece, but not of the mesh, a simplex is its own
 /// neighbour.

@@ -1,9 +1,9 @@
 //! A piece of the finished mesh: its finite simplices, without what making it took.
 
-use super::names::NOTHING;
-use super::piece::Piece;
 use crate::error::Result;
 use crate::memory::{collected, filled, with_capacity};
+use crate::netmesh::distributed::names::NOTHING;
+use crate::netmesh::distributed::piece::Piece;
 
 /// What a facet has in [`PlainPiece::neighbors`] if it is on the hull of the mesh.
 pub const HULL: u32 = u32::MAX;

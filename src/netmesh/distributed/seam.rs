@@ -2,10 +2,10 @@
 //! to be seen before it goes on, and those where it could not do what it wanted. The rest is
 //! settled. A seam is what the partitions on both sides leave.
 
-use super::bisection::Bisection;
-use super::piece::{NamedDomain, Piece};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, filled, with_capacity};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::piece::{NamedDomain, Piece};
 
 /// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
 /// vertex of it. What is inserted at a seam changes cells a few steps away, and never those at its
@@ -56,7 +56,7 @@ impl<const D: usize> Piece<D> {
     }
 
     /// What is left, and the simplices that are taken out, as pieces.
-    fn split(
+    pub fn split(
         self,
         mut is_out: Vec<bool>,
         mut tick: impl FnMut() -> Result<()>,

@@ -1,13 +1,13 @@
 //! K of the feature size invariant (Definition 7) and of the insertion radius invariant (Definition
 //! 8): the largest ratios that were observed.
 
-use super::observations::Pending;
-use super::stride;
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::DomainId;
+use crate::netmesh::instruments::probes::stride;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::DomainId;
+use crate::netmesh::state::observations::Pending;
 use std::time::Instant;
 
 /// The most vertices at which feature sizes are compared in the complete mesh.
@@ -35,7 +35,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if self.instruments.search.work > WORK {
                 break;
             }
-            if self.is_inserted(VertexId::new(vertex)) {
+            if self.state.is_inserted(VertexId::new(vertex)) {
                 self.compare_feature_sizes_at(VertexId::new(vertex))?;
             }
         }
@@ -79,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let begun = Instant::now();
         if settles {
-            self.settle_pending(self.is_input(vertex))?;
+            self.settle_pending(self.state.is_input(vertex))?;
         }
         if is_probe {
             self.compare_insertion_radius(vertex, is_cage_vertex)?;
@@ -92,7 +92,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let omega = self.state.hierarchy.domain_of(vertex);
         let sizes = self.feature_sizes(vertex, omega)?.unwrap_or_default();
         let Some(insertion_radius) = sizes.mesh else { return Ok(()) };
-        let constant = match (is_cage_vertex, self.is_input(vertex)) {
+        let constant = match (is_cage_vertex, self.state.is_input(vertex)) {
             (true, _) => &mut self.state.stats.insertion_constant_cage,
             (false, true) => &mut self.state.stats.insertion_constant_input,
             (false, false) => &mut self.state.stats.insertion_constant_corner,

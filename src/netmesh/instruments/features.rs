@@ -9,12 +9,12 @@
 //! neighbour outside is followed only when the search comes to it from there.) Vertices outside
 //! Omega are followed, and do not count; none is wanted beyond the diameter of Omega's ball.
 
-use super::observations::Search;
 use crate::complex::{IdSet, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Id};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::observations::Search;
 use crate::numerics::distance;
 
 /// A search that visits this number of vertices ends without an answer.
@@ -43,7 +43,7 @@ struct Met {
 }
 
 impl Met {
-    fn add(&mut self, distance: f64, is_input: bool) {
+    pub fn add(&mut self, distance: f64, is_input: bool) {
         self.points += 1;
         if self.points == 2 {
             self.sizes.mesh = Some(distance);
@@ -93,7 +93,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(Some(met.sizes));
             }
             if is_center || self.state.hierarchy.domain_of(at) == omega {
-                met.add(distance, self.is_input(at));
+                met.add(distance, self.state.is_input(at));
                 if met.sizes.inputs.is_some() {
                     return Ok(Some(met.sizes));
                 }

@@ -2,8 +2,8 @@
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::options::Phase;
 
 impl<const D: usize> Mesher<'_, '_, D> {

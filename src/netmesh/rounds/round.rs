@@ -11,13 +11,14 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::state::{Mesher, State};
 use crate::options::Algorithm;
 use std::ops::Range;
 
 /// The number of inputs of a tile, and of a mesh that is made without tiles.
 const TILE: usize = 1 << 12;
+
 const SMALL: usize = 1 << 14;
 
 /// The coarse mesh has one input of this number.
@@ -38,7 +39,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for tile in tiles(self.state.inputs) {
             most = most.max(self.insert_rounds_until(|_| false, &tile, cavity)?);
         }
-        self.count_rounds(most);
+        self.state.count_rounds(most);
         self.state.conflict_lists.free_lists();
         Ok(())
     }
@@ -46,9 +47,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Rounds over the whole mesh until it is coarse, if tiles or partitions come next.
     pub(in crate::netmesh) fn insert_coarse_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         let all = 0..self.state.inputs;
-        if all.len() > SMALL || self.is_partitioned() {
+        if all.len() > SMALL || self.state.is_partitioned() {
             let rounds = self.insert_rounds_until(Self::is_coarse, &all, cavity)?;
-            self.count_rounds(rounds);
+            self.state.count_rounds(rounds);
         }
         Ok(())
     }
@@ -57,12 +58,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let inserted = self.state.inputs - self.state.conflict_lists.remaining();
         inserted >= self.state.inputs / COARSE
     }
+}
 
+impl<const D: usize> State<D> {
     fn count_rounds(&mut self, rounds: Rounds) {
-        self.state.stats.rounds += rounds.count;
-        self.state.stats.passes += rounds.passes;
+        self.stats.rounds += rounds.count;
+        self.stats.passes += rounds.passes;
     }
+}
 
+impl<const D: usize> Mesher<'_, '_, D> {
     /// Rounds until all inputs of `tile` are in, or enough is done.
     fn insert_rounds_until(
         &mut self,
@@ -73,10 +78,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut rounds = Rounds::default();
         let mut lists = self.lists_of(tile)?;
         while !lists.is_empty() && !is_done(self) {
-            let before = self.longest(&lists);
+            let before = self.state.longest(&lists);
             rounds.passes += self.insert_round(before / 2, tile, &mut lists, cavity)?;
             rounds.count += 1;
-            let left = f64::from(self.longest(&lists)) / f64::from(before);
+            let left = f64::from(self.state.longest(&lists)) / f64::from(before);
             self.state.stats.worst_halving = self.state.stats.worst_halving.max(left);
             self.report_progress()?;
         }
@@ -93,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<u64> {
         let mut pass = 0;
-        while pass == 0 || self.longest(lists) > target {
+        while pass == 0 || self.state.longest(lists) > target {
             self.insert_pass(pass, target, lists, cavity)?;
             *lists = self.lists_of(tile)?;
             pass += 1;
@@ -117,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             }
             if !self.insert_input(input, cavity)? {
-                self.defer(input)?;
+                self.state.defer(input)?;
             }
             if self.state.parameters.algorithm != Algorithm::Delaunay {
                 self.clean(cavity)?;
@@ -149,9 +154,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         lists.dedup();
         Ok(lists)
     }
+}
 
+impl<const D: usize> State<D> {
     fn longest(&self, lists: &[SimplexId]) -> u32 {
-        let counts = lists.iter().map(|&simplex| self.state.conflict_lists.count(simplex));
+        let counts = lists.iter().map(|&simplex| self.conflict_lists.count(simplex));
         counts.max().unwrap_or(0)
     }
 }
@@ -166,7 +173,7 @@ pub(in crate::netmesh) fn tiles(inputs: usize) -> impl Iterator<Item = Range<usi
 mod tests {
     use super::*;
     use crate::mesh::Inputs;
-    use crate::netmesh::Watch;
+    use crate::netmesh::state::watch::Watch;
     use crate::numerics::testing::Random;
     use crate::options::Options;
     use crate::parameters::Parameters;
@@ -210,5 +217,16 @@ mod tests {
             assert!(later <= count - tile.end && later + count / 4 > count - tile.end, "{later}");
         }
         assert!(mesher.state.stats.worst_halving <= 0.5);
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Defers `input`, in a partition, and the others of its simplex.
+    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
+        if self.interface.is_some() {
+            self.interface.skip(self.conflict_lists.simplex_of(input))
+        } else {
+            Ok(())
+        }
     }
 }

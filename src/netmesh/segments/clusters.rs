@@ -6,14 +6,14 @@
 //! group is as long as the way from it to all others. Edges are sorted by the powers of two below
 //! their lengths: that is enough to tell large gaps, and O(n).
 
-use super::chain::Line;
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
-use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::cages::site::CageSite;
-use crate::netmesh::{Mesher, State};
+use crate::netmesh::questions::cage_site::CageSite;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::segments::chain::Line;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 use crate::options::Output;
 
@@ -64,7 +64,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         let clusters = self.find_clusters()?;
-        self.make_domains(&clusters)?;
+        self.state.make_domains(&clusters)?;
         for line in lines {
             self.watch.poll_after(1)?;
             self.leave_domains(line.ends[0], line.ends[1])?;
@@ -78,7 +78,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// The clusters, inner ones before those around them.
     fn find_clusters(&mut self) -> Result<Clusters<D>> {
         let edges = self.edges_by_length()?;
-        let mut clusters = self.single_groups()?;
+        let mut clusters = self.state.single_groups()?;
         for Edge { ends, exponent } in edges {
             self.watch.poll_after(1)?;
             let [a, b] = ends.map(|end| clusters.group_of(end));
@@ -86,19 +86,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 // No longer than the edge.
                 let gap = f64::from_bits(u64::from(exponent) << 52);
                 for group in [a, b] {
-                    self.note_cluster(&mut clusters, group, gap)?;
+                    self.state.note_cluster(&mut clusters, group, gap)?;
                 }
                 clusters.join(a, b);
             }
         }
         Ok(clusters)
     }
+}
 
+impl<const D: usize> State<D> {
     /// A group for each vertex.
     fn single_groups(&self) -> AllocResult<Clusters<D>> {
-        let count = self.state.delaunay.point_count() as u32;
+        let count = self.delaunay.point_count() as u32;
         let groups = (0..count).map(|vertex| {
-            let x = *self.state.delaunay.point(VertexId::new(vertex as usize));
+            let x = *self.delaunay.point(VertexId::new(vertex as usize));
             Group { low: x, high: x, first: vertex, last: vertex, is_many: false }
         });
         Ok(Clusters {
@@ -109,7 +111,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             sites: Vec::new(),
         })
     }
+}
 
+impl<const D: usize> Mesher<'_, '_, D> {
     /// All edges between vertices that are not of the outer cage, by the powers of two below their
     /// lengths.
     fn edges_by_length(&mut self) -> Result<Vec<Edge>> {
@@ -149,7 +153,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         });
         Ok(collected(sorted)?)
     }
+}
 
+impl<const D: usize> State<D> {
     /// Makes a group a cluster if it is concentrated, `gap` being as far as the others are.
     fn note_cluster(&self, clusters: &mut Clusters<D>, group: u32, gap: f64) -> AllocResult<()> {
         let Group { low, high, first, is_many, .. } = clusters.groups[group as usize];
@@ -162,13 +168,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut item = first;
         while item != NONE {
             let vertex = clusters.vertex_of(item);
-            let distance = distance(self.state.delaunay.point(vertex), &middle);
+            let distance = distance(self.delaunay.point(vertex), &middle);
             if !center.is_valid() || distance < least {
                 (center, least) = (vertex, distance);
             }
             item = clusters.next[item as usize];
         }
-        let corner = self.state.delaunay.point(center);
+        let corner = self.delaunay.point(center);
         let farthest = std::array::from_fn(|axis| {
             let is_low = corner[axis] > middle[axis];
             if is_low { low[axis] } else { high[axis] }
@@ -191,15 +197,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cluster => DomainId::new(sites.len() - cluster as usize),
         };
         for (number, site) in sites.iter().enumerate().rev() {
-            let point = *self.state.delaunay.point(site.center);
-            let size = self.state.template.len();
+            let point = *self.delaunay.point(site.center);
+            let size = self.template.len();
             let parent = domain_of(vertices + number);
-            self.state.hierarchy.create(site.center, point, site.radius, parent, size)?;
-            self.state.stats.cages_created += 1;
+            self.hierarchy.create(site.center, point, site.radius, parent, size)?;
+            self.stats.cages_created += 1;
         }
         for vertex in VertexId::below(vertices).filter(|&vertex| domain_of(vertex.index()) != ROOT)
         {
-            self.state.hierarchy.set_domain(vertex, domain_of(vertex.index()));
+            self.hierarchy.set_domain(vertex, domain_of(vertex.index()));
         }
         Ok(())
     }
@@ -218,7 +224,7 @@ impl<const D: usize> Clusters<D> {
     }
 
     /// Joins two groups.
-    fn join(&mut self, a: u32, b: u32) {
+    pub fn join(&mut self, a: u32, b: u32) {
         let [into, from] = if a < b { [a, b] } else { [b, a] };
         let (own, other) = (self.groups[into as usize], self.groups[from as usize]);
         self.next[own.last as usize] = other.first;
@@ -241,7 +247,7 @@ impl<const D: usize> Clusters<D> {
     }
 
     /// What is in the group is in a new cluster from now on, and the group has that instead.
-    fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
+    pub fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
         let cluster = self.sites.len() as u32;
         let own = &mut self.groups[group as usize];
         let mut item = own.first;

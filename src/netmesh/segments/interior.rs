@@ -3,10 +3,10 @@
 //! region on the other side of a line by the balance of the line (for parity by whether that is
 //! odd), and is 0 outside of all.
 
-use super::chain::Line;
-use super::regions::{OUTSIDE, Regions};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
-use crate::netmesh::State;
+use crate::netmesh::state::State;
+use crate::netmesh::state::segments::chain::Line;
+use crate::netmesh::state::segments::regions::{OUTSIDE, Regions};
 use crate::options::{Extent, Interior};
 
 impl<const D: usize> State<D> {

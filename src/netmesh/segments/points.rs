@@ -12,9 +12,8 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
-use crate::netmesh::{Cell, State};
+use crate::netmesh::state::hierarchy::ROOT;
+use crate::netmesh::state::{Cell, Mesher, State};
 use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
@@ -22,7 +21,7 @@ use rand_core::Rng;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts all inputs. `center` is the one that is in already.
     pub(super) fn insert_points(&mut self, center: VertexId, cavity: &mut Cavity) -> Result<()> {
-        let rounds = self.rounds_of_inputs()?;
+        let rounds = self.state.rounds_of_inputs()?;
         let count = rounds.iter().copied().max().unwrap_or(0);
         self.state.conflict_lists.dismiss_unassigned();
         for round in (0..=count).rev() {
@@ -43,13 +42,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.refine_list.forget(&[], bound)?;
         self.measure_cells()
     }
+}
 
+impl<const D: usize> State<D> {
     /// Input -> how many rounds come after its own.
     fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
-        let ordering = self.state.parameters.ordering;
-        collected((0..self.state.inputs as u32).map(|input| {
+        let ordering = self.parameters.ordering;
+        collected((0..self.inputs as u32).map(|input| {
             let bits = match ordering {
-                NetOrdering::SampledNet => self.state.random.next_u32(),
+                NetOrdering::SampledNet => self.random.next_u32(),
                 // The fractions of multiples of the golden ratio.
                 NetOrdering::DeterministicNet => input.wrapping_mul(0x9e37_79b9),
             };
@@ -57,7 +58,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             (bits.leading_zeros() / 2) as u8
         }))
     }
+}
 
+impl<const D: usize> Mesher<'_, '_, D> {
     fn insert_by_walk(
         &mut self,
         input: VertexId,

@@ -1,9 +1,9 @@
 //! The tetrahedra that a point would make: the cone over the boundary of its cavity.
 
-use super::View;
-use super::shape::{Corners, Measure, corners, in_space};
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::slivers::shape::{Corners, Measure, corners, in_space};
+use crate::netmesh::slivers::view::View;
 
 /// A tetrahedron whose vertex number `apex` is the point.
 #[derive(Clone, Copy)]
@@ -42,6 +42,13 @@ impl Cone {
             account.charge(corners)
         });
         if is_worth { account.rest() } else { None }
+    }
+
+    /// Whether a vertex at `x` would make simplices that are small enough. It asks the caller, so it
+    /// comes after all other tests.
+    pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> bool {
+        let Some(sizes) = view.sizes else { return true };
+        self.sides.iter().all(|side| sizes.allow(view.delaunay, &side.vertices, side.apex, x))
     }
 }
 

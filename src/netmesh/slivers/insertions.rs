@@ -1,15 +1,15 @@
 //! Insertions: a further point in the D-ball of a sliver.
 
-use super::cone::Cone;
-use super::journal::Step;
-use super::queue::Sliver;
-use super::random::Random;
-use super::{Slivers, View};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::{Cell, Mesher};
+use crate::netmesh::slivers::cone::Cone;
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::view::View;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::{Mesher, State};
 
 /// The vertices of a sliver whose middles are tried. The middle of an edge is in the D-balls of all
 /// simplices round it, and most of those round an edge of slivers may be such: in a lattice a point
@@ -47,7 +47,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll_after(20)?;
             let x: [f64; D] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
                 None => center,
-                Some(Some(&ends)) => self.middle(ends.map(|at| sliver.vertices[at])),
+                Some(Some(&ends)) => self.state.middle(ends.map(|at| sliver.vertices[at])),
                 Some(None) => {
                     let spread = radius * SPREADS[number % SPREADS.len()];
                     let way: [f64; D] = random.in_ball();
@@ -77,12 +77,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(best)
     }
+}
 
-    fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
-        let [a, b] = ends.map(|end| self.state.delaunay.point(end));
+impl<const D: usize> State<D> {
+    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
+        let [a, b] = ends.map(|end| self.delaunay.point(end));
         std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
     }
+}
 
+impl<const D: usize> Mesher<'_, '_, D> {
     /// What it is worth to insert `x`, whose conflicts are `cavity`, if that is more than `least`,
     /// and whether it would leave no sliver.
     pub(super) fn judge_insertion(
@@ -92,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         slivers: &mut Slivers<D>,
         cavity: &Cavity,
     ) -> AllocResult<Option<(f64, bool)>> {
-        let Some(domain) = self.common_domain(cavity) else { return Ok(None) };
+        let Some(domain) = self.state.common_domain(cavity) else { return Ok(None) };
         let Slivers { measure, penalties, cone, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
@@ -108,37 +112,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             .judge(view, x, before, least)
             .filter(|_| cone.keeps_cells(view, x) && cone.keeps_sizes(view, x));
         Ok(gain.map(|gain| (gain, gain >= before)))
-    }
-
-    /// Inserts a point into the D-ball of `start`.
-    pub(super) fn insert_point(
-        &mut self,
-        start: SimplexId,
-        x: &[f64; D],
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<VertexId> {
-        self.state.delaunay.find_cavity(start, x, cavity)?;
-        let domain = self.enter(x, cavity)?;
-        let vertex = match slivers.free.pop() {
-            Some(vertex) => {
-                self.state.delaunay.set_point(vertex, *x);
-                self.state.cells[vertex] = Cell::NEW;
-                self.state.precision_limited[vertex] = false;
-                vertex
-            }
-            None => self.add_vertex(*x)?,
-        };
-        self.state.stats.off_centers += 1;
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Inserted(vertex))?;
-        }
-        self.state.hierarchy.set_domain(vertex, domain);
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
-        self.weigh_cone(slivers)?;
-        self.note_arrival(vertex, &cavity.vertices.ids);
-        self.ask_size_again(vertex)?;
-        Ok(vertex)
     }
 }
 

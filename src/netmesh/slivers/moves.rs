@@ -1,15 +1,14 @@
 //! Moves: a vertex of a sliver goes elsewhere or away, or one of a simplex beside it does.
 
-use super::journal::Step;
-use super::queue::Sliver;
-use super::random::Random;
-use super::vacancy::Place;
-use super::{Slivers, View};
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::TryGrow;
-use crate::netmesh::{Cell, Mesher};
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::vacancy::Place;
+use crate::netmesh::slivers::view::View;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::Mesher;
 use crate::numerics::distance;
 
 /// Places that are tried for a vertex.
@@ -21,6 +20,7 @@ const REACH: f64 = 0.6;
 /// How deep in the D-ball of a sliver a neighbour may go, relative to the radius, and how far from
 /// the way there, relative to its nearest neighbour.
 const DEPTH: f64 = 0.35;
+
 const ASIDE: f64 = 0.3;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -134,31 +134,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(best)
-    }
-
-    /// Moves the vertex that `slivers.vacancy` is without.
-    pub(super) fn move_vertex(
-        &mut self,
-        vertex: VertexId,
-        place: &Place<D>,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
-        let from = *self.state.delaunay.point(vertex);
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Moved(vertex, from))?;
-        }
-        let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
-        self.state.delaunay.set_point(vertex, place.x);
-        self.state.delaunay.find_cavity(filled[place.near], &place.x, cavity)?;
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
-        self.state.cells[vertex] = Cell::NEW;
-        self.weigh(&filled, slivers)?;
-        self.weigh_cone(slivers)?;
-        slivers.filled = filled;
-        self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
-        self.note_arrival(vertex, &cavity.vertices.ids);
-        self.ask_size_again(vertex)
     }
 }

@@ -1,15 +1,15 @@
 //! The phase: every sliver in turn, then passes over those left, with more and more effort.
 
-use super::offers::Offers;
-use super::queue::{Queue, Sliver};
-use super::random::Random;
-use super::shape::Measure;
-use super::{LEAST_GAIN, Slivers};
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
-use crate::netmesh::Mesher;
+use crate::netmesh::slivers::candidates::Offers;
+use crate::netmesh::slivers::queue::{Queue, Sliver};
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::shape::Measure;
+use crate::netmesh::slivers::work::{LEAST_GAIN, LEAST_GAIN_BEYOND, POINTS, Slivers};
+use crate::netmesh::state::Mesher;
 use crate::options::GivesWay;
 use crate::parameters::Parameters;
 
@@ -22,16 +22,17 @@ const PASSES: [u32; 6] = [8, 4, 2, 1, 1, 1];
 /// beside as many as there were slivers at first.
 const MOST_PLACES: usize = 1 << 12;
 
-/// Points that are tried for a sliver with the least effort.
-pub(super) const POINTS: usize = 12;
-
 /// Exact tests that the phase may take, and as many again for each sliver: where doubles decide
 /// little, as among subnormals, the slivers that are left by then stay.
 const EXACT_TESTS: u64 = 20_000;
+
 const EXACT_TESTS_OF_SLIVER: u64 = 250;
 
 /// What it takes to mend a sliver, in the units of the watch.
 const WORK: u32 = 400;
+
+/// What the bound is multiplied by, in turn.
+const LOOSER: [f64; 4] = [1.25, 1.5, 2.0, f64::INFINITY];
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Mends the slivers as far as that can be done.
@@ -55,7 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Passes over the slivers that are left, with more and more effort.
-    pub(super) fn mend_with_effort(
+    fn mend_with_effort(
         &mut self,
         found: usize,
         slivers: &mut Slivers<D>,
@@ -69,6 +70,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
                     break;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Mends slivers that are left, as near to the bound as that can be done.
+    fn let_bound_give_way(
+        &mut self,
+        found: usize,
+        slivers: &mut Slivers<D>,
+        cavity: &mut Cavity,
+    ) -> Result<()> {
+        let Parameters { min_dihedral, criterion, quality_bound, .. } = self.state.parameters;
+        slivers.least_gain = LEAST_GAIN_BEYOND;
+        for factor in LOOSER {
+            slivers.measure = Measure::new(min_dihedral, criterion, factor * quality_bound);
+            self.mend_with_effort(found, slivers, cavity)?;
         }
         Ok(())
     }
@@ -98,10 +115,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         for simplex in self.state.delaunay.complex().simplices() {
             self.watch.poll_after(1)?;
-            let penalty = self.penalty(simplex, &slivers.measure);
+            let penalty = self.state.penalty(simplex, &slivers.measure);
             slivers.penalties.try_push(penalty)?;
             if penalty > 0.0 {
-                slivers.queue.push(self.sliver(simplex, penalty))?;
+                slivers.queue.push(self.state.sliver(simplex, penalty))?;
             }
         }
         let allowed = EXACT_TESTS + EXACT_TESTS_OF_SLIVER * slivers.queue.len() as u64;
@@ -123,7 +140,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 self.state.stage.sliver_fraction = fraction;
                 self.report_progress()?;
             }
-            if !self.is_current(&sliver, &slivers.penalties) {
+            if !self.state.is_current(&sliver, &slivers.penalties) {
                 continue;
             }
             let random = &mut Random::of(&sliver, 0);
@@ -131,7 +148,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.check_sizes()?;
             if !is_moved {
                 self.make_offer(&sliver, slivers, cavity)?;
-            } else if self.is_current(&sliver, &slivers.penalties) {
+            } else if self.state.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
             }
         }
@@ -148,15 +165,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
-            if self.is_spent(slivers) {
+            if self.state.is_spent(slivers) {
                 return Ok(false);
             }
-            if !self.is_current(&sliver, &slivers.penalties) {
+            if !self.state.is_current(&sliver, &slivers.penalties) {
                 continue;
             }
             if self.mend(&sliver, effort, slivers, cavity)? {
                 any = true;
-                if self.is_current(&sliver, &slivers.penalties) {
+                if self.state.is_current(&sliver, &slivers.penalties) {
                     slivers.queue.push(sliver)?;
                 }
                 self.mend_waiting(found, slivers, cavity)?;
@@ -165,10 +182,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(any)
-    }
-
-    pub(super) fn is_spent(&self, slivers: &Slivers<D>) -> bool {
-        self.state.delaunay.exact_fallbacks() > slivers.most_exact
     }
 
     /// Makes a change at `sliver` that lets the objective fall; whether there was one.
@@ -211,7 +224,7 @@ mod tests {
     use super::*;
     use crate::mesh::Inputs;
     use crate::netmesh::slivers::shape::corners;
-    use crate::netmesh::watch::Watch;
+    use crate::netmesh::state::watch::Watch;
     use crate::numerics::testing::Random;
     use crate::options::Options;
 

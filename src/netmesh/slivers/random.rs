@@ -1,7 +1,7 @@
 //! Random numbers of one sliver, which its vertices and the effort determine.
 
-use super::queue::Sliver;
 use crate::complex::VertexId;
+use crate::netmesh::slivers::queue::Sliver;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014).
 pub(super) struct Random(u64);
@@ -21,7 +21,7 @@ impl Random {
         Self(u64::from(vertex.number()) << 32)
     }
 
-    fn bits(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -30,7 +30,7 @@ impl Random {
     }
 
     /// A number in [-1, 1).
-    fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
     }
 

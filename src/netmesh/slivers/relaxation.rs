@@ -1,19 +1,20 @@
 //! Insertion with a relaxation: a point that is worth it only when vertices near it have moved. If
 //! it is not worth it then, all is undone.
 
-use super::Slivers;
-use super::insertions::Insertion;
-use super::journal::Journal;
-use super::queue::Sliver;
-use super::random::Random;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::Mesher;
+use crate::netmesh::slivers::insertions::Insertion;
+use crate::netmesh::slivers::journal::Journal;
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::Mesher;
 
 /// Points that are tried, and slivers whose vertices are moved after each.
 const POINTS: usize = 3;
+
 const SLIVERS: usize = 8;
 
 /// What a point may cost before vertices move.
@@ -39,7 +40,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.insert_point(start, &x, slivers, cavity)?;
             let wanted = slivers.least_gain - gain;
             if self.move_around(wanted, random, slivers, cavity)? >= wanted {
-                self.keep_changes(slivers)?;
+                self.state.keep_changes(slivers)?;
                 return Ok(true);
             }
             self.undo_changes(slivers, cavity)?;
@@ -62,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let fresh = &mut journal.fresh;
             let worst = (0..fresh.len()).max_by_key(|&at| fresh[at]);
             let Some(sliver) = worst.map(|at| fresh.swap_remove(at)) else { break };
-            if self.is_current(&sliver, &slivers.penalties) {
+            if self.state.is_current(&sliver, &slivers.penalties) {
                 tried += 1;
                 let gain = self.mend_by_move(&sliver, 1, random, slivers, cavity)?;
                 total += gain.unwrap_or(0.0);

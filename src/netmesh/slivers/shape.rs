@@ -28,7 +28,7 @@ const LOPSIDED: f64 = 1e-8;
 
 /// What shapes are measured against.
 #[derive(Clone, Copy)]
-pub(super) struct Measure {
+pub(in crate::netmesh) struct Measure {
     /// The least dihedral angle, in radians, and the square of its cosine.
     angle: f64,
     square_cosine: f64,
@@ -240,7 +240,7 @@ pub(super) fn corners<const D: usize>(delaunay: &Delaunay<D>, vertices: &[Vertex
 }
 
 #[inline(always)]
-pub(super) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
+pub(in crate::netmesh) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
     std::array::from_fn(|axis| point[axis])
 }
 

@@ -1,12 +1,12 @@
 //! The mesh without one vertex, as far as it differs from that with it: where the vertex may go is
 //! judged here, and nothing is changed.
 
-use super::View;
-use super::cone::{Account, Cone};
-use super::shape::{corners, in_space};
 use crate::complex::{Beside, SimplexId, VertexId};
 use crate::delaunay::{Delaunay, Hole};
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::slivers::cone::{Account, Cone};
+use crate::netmesh::slivers::shape::{corners, in_space};
+use crate::netmesh::slivers::view::View;
 use crate::numerics::{Sign, distance, in_ball};
 
 /// A vertex with more neighbours than this stays: its hole would take too long to fill.
@@ -57,11 +57,13 @@ struct Seen {
 
 /// Marks of a search are its number and these.
 const INSIDE: u32 = 0;
+
 const OUTSIDE: u32 = 1;
+
 const OF_STAR: u32 = 2;
 
 impl Seen {
-    fn begin(&mut self, star: &[SimplexId]) {
+    pub fn begin(&mut self, star: &[SimplexId]) {
         if self.search >= u32::MAX - 2 * (OF_STAR + 1) {
             self.marks.fill(0);
             self.search = 0;
@@ -302,6 +304,16 @@ impl<const D: usize> Vacancy<D> {
             })
         };
         self.staying().all(|number| is_good(number as usize))
+    }
+
+    /// Whether the simplices of the filling that would stay are small enough.
+    pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> bool {
+        let Some(sizes) = view.sizes else { return true };
+        self.staying().all(|number| {
+            let vertices = self.hole.filling.vertices(number);
+            let x = view.delaunay.point(vertices[0]);
+            sizes.allow(view.delaunay, vertices, 0, x)
+        })
     }
 
     /// The simplices of the filling whose balls do not hold the place that is judged.

@@ -14,8 +14,8 @@
 //! The coordinates are rounded, relative to the median and to the median distance from it. That
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.
 
-use super::PointId;
 use crate::memory::{AllocResult, TryGrow, reserve};
+use crate::netmesh::rounds::net::PointId;
 
 /// A subset, and the point of its hull that is over the medians so far.
 struct Part<const D: usize> {
@@ -32,7 +32,7 @@ impl<const D: usize> Part<D> {
     }
 
     /// The point that is `share` of `self` and the rest of `other`.
-    fn between(&self, other: &Self, share: f64) -> ([f64; D], f64) {
+    pub fn between(&self, other: &Self, share: f64) -> ([f64; D], f64) {
         let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
         (std::array::from_fn(|axis| mix(self.at[axis], other.at[axis])), mix(self.lift, other.lift))
     }
@@ -155,7 +155,7 @@ impl<const D: usize> Center<D> {
     }
 
     /// Collects the numbers of the points of part `root` into `leaves`.
-    fn collect(&mut self, root: u32) -> AllocResult<()> {
+    pub fn collect(&mut self, root: u32) -> AllocResult<()> {
         self.leaves.clear();
         self.paired.clear();
         self.paired.try_push(root)?;

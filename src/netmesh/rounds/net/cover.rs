@@ -8,10 +8,10 @@
 //! in sum, or all the D-balls around it in union. Balls without bound, half-spaces, are among the
 //! B.
 
-use super::PointId;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::memory::{AllocResult, Array, TryGrow};
+use crate::netmesh::rounds::net::PointId;
 
 /// Counts points around the edges at a vertex; keeps its buffers.
 pub(in crate::netmesh) struct Rings<const D: usize> {
@@ -75,7 +75,7 @@ impl<const D: usize> Rings<D> {
     }
 
     /// Fills in the largest counts around the edges at `vertex`.
-    fn count(
+    pub fn count(
         &mut self,
         delaunay: &mut Delaunay<D>,
         inside: &[Vec<PointId>],

@@ -28,15 +28,15 @@
 //! **Time.** As the size is constant, so is the number of D-balls ever made, and each point of P is
 //! tested against each at most once: linear in |P|.
 
-use super::PointId;
-use super::center::Center;
-use super::cover::Rings;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::mesh::MAX_DIM;
-use crate::netmesh::watch::Watch;
+use crate::netmesh::rounds::net::PointId;
+use crate::netmesh::rounds::net::center::Center;
+use crate::netmesh::rounds::net::cover::Rings;
+use crate::netmesh::state::watch::Watch;
 
 /// Makes nets; keeps its buffers from one to the next.
 pub(in crate::netmesh) struct Net<const D: usize> {

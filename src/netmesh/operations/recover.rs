@@ -1,0 +1,166 @@
+//! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
+
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::segments::chain::Subsegment;
+use crate::netmesh::state::segments::{Crowded, Segments, name_of};
+use crate::netmesh::state::{Mesher, State};
+use crate::numerics::in_diametral_ball;
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits subsegments until all that wait are recovered.
+    ///
+    /// # Errors
+    /// `Limit` where doubles have no room for a chain; [`Segments::crowded`] has the points where
+    /// segments had to go through a common vertex.
+    pub(in crate::netmesh) fn recover_segments(&mut self, cavity: &mut Cavity) -> Result<()> {
+        while let Some(subsegment) = self.state.segments.chains.next() {
+            self.recover(subsegment, cavity)?;
+        }
+        match self.state.segments.crowded.first() {
+            None => Ok(()),
+            Some(crowded) => Err(self.state.crowded_error(crowded)),
+        }
+    }
+
+    /// Splits `subsegment` unless it is recovered.
+    fn recover(&mut self, subsegment: u32, cavity: &mut Cavity) -> Result<()> {
+        self.watch.poll_after(8)?;
+        let [a, b] = self.state.segments.chains.get(subsegment).ends;
+        self.leave_domains(a, b)?;
+        let apexes = self.state.apexes(a, b);
+        let [from, to] = [a, b].map(|end| self.state.delaunay.point(end));
+        let encroaches = |&apex: &VertexId| {
+            apex.is_valid()
+                && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
+        };
+        let is_edge = apexes.is_some();
+        if apexes.is_some_and(|apexes| !apexes.iter().any(encroaches))
+            || !(is_edge && self.state.is_short(subsegment)) && self.split(subsegment, cavity)?
+        {
+            return Ok(());
+        }
+        Ok(self.state.limit_subsegment(subsegment, is_edge)?)
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
+    /// mesh, it must go through a vertex beside it.
+    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
+        let own = *self.segments.chains.get(subsegment);
+        let Subsegment { ends, line, .. } = own;
+        if !is_edge {
+            let place = self.splitting_place(&own);
+            let x = self.point_at(line, place);
+            let State { delaunay, segments: Segments { chains, .. }, .. } = self;
+            let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
+            let beside = vertex.and_then(|vertex| chains.line_at(vertex));
+            let segment_of = |line: u32| chains.lines[line as usize].segment;
+            let (segment, beside) = (segment_of(line), beside.map(segment_of));
+            let crowded = Crowded { segment, beside, x: [0, 1].map(|axis| x[axis]) };
+            self.segments.crowded.try_push(crowded)?;
+        }
+        self.segments.chains.limit(subsegment);
+        ends.into_iter().for_each(|end| self.precision_limited[end] = true);
+        Ok(())
+    }
+
+    fn crowded_error(&self, &Crowded { segment, beside, x: [x, y] }: &Crowded) -> Error {
+        let name = name_of(segment);
+        let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
+        let message = message!(
+            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
+             subsegments"
+        );
+        Error::new(ErrorKind::Limit, message)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits `subsegment`; false where doubles have no room for a vertex on it.
+    pub(in crate::netmesh) fn split(
+        &mut self,
+        subsegment: u32,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let Subsegment { ends: [a, _], line, .. } = *self.state.segments.chains.get(subsegment);
+        if self.state.segments.chains.is_limited(subsegment) {
+            return Ok(false);
+        }
+        let place = self.state.splitting_place(self.state.segments.chains.get(subsegment));
+        let x = self.state.point_at(line, place);
+        let near = self.state.delaunay.complex().incident(a);
+        if self.state.delaunay.vertex_at(near, &x).is_some() {
+            return Ok(false);
+        }
+        let Some(start) = self.state.delaunay.locate(near, &x) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, &x, cavity)?;
+        let domain = self.enter_from_segment(&x, cavity)?;
+        let vertex = self.state.add_vertex(x)?;
+        self.state.stats.segment_points += 1;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.state.segments.chains.split(subsegment, vertex, place)?;
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(true)
+    }
+
+    /// Releases the cages that a subsegment between two vertices crosses: those of the domains
+    /// that have one of them.
+    pub(in crate::netmesh) fn leave_domains(
+        &mut self,
+        a: VertexId,
+        b: VertexId,
+    ) -> AllocResult<()> {
+        loop {
+            let [first, second] = [a, b].map(|end| self.state.hierarchy.domain_of(end));
+            if first == second {
+                return Ok(());
+            }
+            let radius = |domain: DomainId| self.state.hierarchy.node(domain).radius;
+            let inner = if radius(first) < radius(second) { first } else { second };
+            self.release_cage(inner)?;
+        }
+    }
+
+    /// The innermost domain that holds `x`, which is on a segment, after the release of all whose
+    /// cages it is too close to from either side.
+    pub(in crate::netmesh) fn enter_from_segment(
+        &mut self,
+        x: &[f64; D],
+        cavity: &Cavity,
+    ) -> AllocResult<DomainId> {
+        let mut domain = self.enter(x, cavity)?;
+        while let Some(encroached) = self.state.inner_encroached_from(domain, x) {
+            self.release_cage(encroached)?;
+            domain = self.state.hierarchy.find(domain);
+        }
+        debug_assert!(domain == ROOT || self.state.hierarchy.contains(domain, x));
+        Ok(domain)
+    }
+
+    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False
+    /// if there is none.
+    pub(super) fn split_encroached(
+        &mut self,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> Result<Option<bool>> {
+        if !self.state.segments.is_active() || !self.state.find_encroached(x, cavity)? {
+            return Ok(None);
+        }
+        let mut encroached = std::mem::take(&mut self.state.segments.encroached);
+        encroached.sort_unstable();
+        encroached.dedup();
+        let mut is_any = false;
+        for &subsegment in &encroached {
+            is_any |= self.split(subsegment, cavity)?;
+        }
+        self.state.segments.encroached = encroached;
+        self.recover_segments(cavity)?;
+        Ok(Some(is_any))
+    }
+}

@@ -1,0 +1,78 @@
+//! Candidates: points that wait for their insertion, the best first.
+
+use crate::memory::AllocResult;
+use crate::netmesh::slivers::queue::Sliver;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// A point for a sliver, and when it was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Offer<const D: usize> {
+    pub sliver: Sliver,
+    pub x: [f64; D],
+    pub class: i32,
+    pub time: u64,
+}
+
+impl<const D: usize> Eq for Offer<D> {}
+
+impl<const D: usize> PartialOrd for Offer<D> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The one of a higher class is greater, then that with smaller ids: inputs that are near each
+/// other have ids that are, so points of one class go in side by side.
+impl<const D: usize> Ord for Offer<D> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ids = |offer: &Self| (offer.sliver.vertices, offer.sliver.simplex);
+        self.class.cmp(&other.class).then_with(|| ids(other).cmp(&ids(self)))
+    }
+}
+
+/// The class of points that are worth `gain`: twice as much is one class more.
+pub(super) fn class(gain: f64) -> i32 {
+    gain.log2().floor() as i32
+}
+
+/// Offers, the best first.
+#[derive(Default)]
+pub(super) struct Offers<const D: usize>(pub BinaryHeap<Offer<D>>);
+
+impl<const D: usize> Offers<D> {
+    pub fn push(&mut self, offer: Offer<D>) -> AllocResult<()> {
+        if self.0.len() == self.0.capacity() {
+            self.0.try_reserve(1)?;
+        }
+        self.0.push(offer);
+        Ok(())
+    }
+
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::complex::{SimplexId, VertexId};
+
+    #[test]
+    fn what_is_worth_more_comes_first_and_equals_by_place() {
+        let offer = |gain, first: usize| {
+            let vertices = [first, 7, 8, 9].map(VertexId::new);
+            let sliver = Sliver { penalty: 1.5, simplex: SimplexId::new(first), vertices };
+            Offer { sliver, x: [0.0; 3], class: class(gain), time: 0 }
+        };
+        let mut offers = Offers::default();
+        for (gain, first) in [(3.9, 3), (2.1, 2), (0.001, 0), (8.0, 6), (7.9, 1)] {
+            offers.push(offer(gain, first)).unwrap();
+        }
+        assert_eq!(offers.len(), 5);
+        let all = std::iter::from_fn(|| offers.0.pop());
+        let all: Vec<_> = all.map(|offer| offer.sliver.vertices[0].index()).collect();
+        assert_eq!(all, [6, 1, 2, 3, 0]);
+    }
+}

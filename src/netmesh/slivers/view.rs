@@ -1,0 +1,36 @@
+//! The view of a mesh by which places for vertices are judged.
+
+use crate::complex::SimplexId;
+use crate::delaunay::Delaunay;
+use crate::netmesh::slivers::shape::Measure;
+use crate::netmesh::state::hierarchy::Hierarchy;
+use crate::netmesh::state::sizes::Sizes;
+use crate::netmesh::state::{Cell, State};
+
+/// What judges a place looks at.
+#[derive(Clone, Copy)]
+pub(super) struct View<'a, const D: usize> {
+    pub delaunay: &'a Delaunay<D>,
+    pub hierarchy: &'a Hierarchy<D>,
+    pub cells: &'a [Cell],
+    pub penalties: &'a [f32],
+    pub measure: &'a Measure,
+    pub sizes: Option<&'a Sizes<'a, D>>,
+}
+
+impl<'a, const D: usize> View<'a, D> {
+    pub fn new(
+        state: &'a State<D>,
+        sizes: Option<&'a Sizes<'a, D>>,
+        penalties: &'a [f32],
+        measure: &'a Measure,
+    ) -> Self {
+        let State { delaunay, hierarchy, cells, .. } = state;
+        Self { delaunay, hierarchy, cells, penalties, measure, sizes }
+    }
+
+    /// What live simplices add to the objective.
+    pub fn sum(&self, simplices: &[SimplexId]) -> f64 {
+        simplices.iter().map(|&simplex| f64::from(self.penalties[simplex])).sum()
+    }
+}

@@ -1,0 +1,49 @@
+//! The work on slivers: all that it needs beside the mesh.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::memory::Array;
+use crate::netmesh::slivers::candidates::Offers;
+use crate::netmesh::slivers::cone::Cone;
+use crate::netmesh::slivers::journal::Journal;
+use crate::netmesh::slivers::queue::Queue;
+use crate::netmesh::slivers::shape::Measure;
+use crate::netmesh::slivers::vacancy::Vacancy;
+use crate::netmesh::state::State;
+
+/// A change is worth at least so much; ...
+pub(super) const LEAST_GAIN: f64 = 0.001;
+
+/// ... one for which the bound gives way, about a sliver.
+pub(super) const LEAST_GAIN_BEYOND: f64 = 0.999;
+
+/// What the phase works on beside the mesh.
+pub(super) struct Slivers<const D: usize> {
+    pub measure: Measure,
+    /// What a change is worth at least.
+    pub least_gain: f64,
+    /// Simplex -> what it adds to the objective; stale for a dead one.
+    pub penalties: Array<f32>,
+    /// Vertex -> the number of simplices made when its star changed last.
+    pub changed: Array<u64>,
+    pub queue: Queue,
+    pub offers: Offers<D>,
+    /// The phase ends when the mesh has taken as many exact tests.
+    pub most_exact: u64,
+    pub vacancy: Vacancy<D>,
+    pub cone: Cone,
+    /// The simplices that filled a hole.
+    pub filled: Vec<SimplexId>,
+    /// Ids of vertices that were removed.
+    pub free: Vec<VertexId>,
+    /// Changes that may be undone, while there are such.
+    pub journal: Option<Journal<D>>,
+}
+
+/// Points that are tried for a sliver with the least effort.
+pub(super) const POINTS: usize = 12;
+
+impl<const D: usize> State<D> {
+    pub(super) fn is_spent(&self, slivers: &Slivers<D>) -> bool {
+        self.delaunay.exact_fallbacks() > slivers.most_exact
+    }
+}

@@ -1,0 +1,79 @@
+//! What the algorithm derives from its parameters (§4, end).
+
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::workers::threads;
+use crate::options::{Algorithm, Criterion};
+use crate::parameters::Parameters;
+
+/// Largest value of [`Parameters::corner_restriction`].
+const CORNER_RESTRICTION: f64 = 0.85;
+
+/// A cage surrounds its domain's inputs if they are within this fraction of its sphere's radius.
+const SURROUNDED: f64 = 0.8;
+
+/// How much larger than the bound the quality of the mesh may be while inputs go in; and where the
+/// criterion is radius-edge (docs/decisions.md).
+const LOOSE: f64 = 3.0;
+
+const LOOSE_EDGES: f64 = 4.5;
+
+impl Parameters {
+    /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of
+    /// the domain's cage sphere; corners beyond the hull of the cage are the cage's business.
+    pub(in crate::netmesh) fn corner_restriction(&self) -> f64 {
+        CORNER_RESTRICTION.min(self.hull_radius())
+    }
+
+    /// The hull of a delta-net of the unit sphere holds the ball of this radius.
+    pub(in crate::netmesh) fn hull_radius(&self) -> f64 {
+        1.0 - 0.5 * self.delta * self.delta
+    }
+
+    /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at
+    /// the end: with all inputs in their places it needs fewer points, and redistributes no input.
+    pub(in crate::netmesh) fn loose_bound(&self) -> f64 {
+        let factor = match self.criterion {
+            Criterion::VoronoiAspect => LOOSE,
+            Criterion::RadiusEdge => LOOSE_EDGES,
+        };
+        factor * self.quality_bound
+    }
+
+    /// Whether the final refinement bounds the cells of `domain` over all their corners, not only
+    /// over those within the corner restriction: the cage must surround the domain's inputs. The
+    /// root's always does.
+    pub(in crate::netmesh) fn counts_all_corners_in(&self, domain: DomainId) -> bool {
+        domain == ROOT || self.counts_all_corners()
+    }
+
+    /// Whether it does so in every domain.
+    pub(in crate::netmesh) fn counts_all_corners(&self) -> bool {
+        self.epsilon <= SURROUNDED * self.cage_scale
+    }
+}
+
+/// In higher dimensions most of the mesh is at interfaces.
+const MAX_DIM: usize = 3;
+
+/// Whether a mesh of so many `inputs` is made in partitions.
+pub(in crate::netmesh) fn is_partitioned<const D: usize>(
+    parameters: &Parameters,
+    inputs: usize,
+) -> bool {
+    parameters.algorithm == Algorithm::Netmesh
+        && D <= MAX_DIM
+        && inputs >= 2 * parameters.inputs_per_partition
+}
+
+/// The number of threads for work that changes nothing on a mesh of so many `inputs`, at most the
+/// number of cores: the caller may allow any number. A mesh that is not partitioned is made on one
+/// thread.
+pub(in crate::netmesh) fn usable_threads<const D: usize>(
+    parameters: &Parameters,
+    inputs: usize,
+) -> usize {
+    match is_partitioned::<D>(parameters, inputs) {
+        true => threads(parameters.threads).min(threads(0)),
+        false => 1,
+    }
+}

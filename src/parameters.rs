@@ -59,7 +59,7 @@ pub struct Parameters {
     pub interior: Interior,
     /// A mesh of at least twice this number of inputs is made in partitions of about this number
     /// or fewer.
-    pub(crate) inputs_per_partition: usize,
+    pub(crate) inputs_per_partition: Option<usize>,
     /// Whether the inputs are a sample of more, which come when the mesh of these is made.
     pub(crate) is_sample: bool,
 }
@@ -148,7 +148,7 @@ impl Parameters {
             max_edge: max_edge(options)?,
             gives_way: options.gives_way,
             interior: with_interior(options, false).interior,
-            inputs_per_partition: INPUTS_PER_PARTITION,
+            inputs_per_partition: Some(INPUTS_PER_PARTITION),
             is_sample: false,
         })
     }

@@ -68,7 +68,7 @@ pub fn run_sized(
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
-            inputs_per_partition: usize::MAX / 2,
+            inputs_per_partition: None,
             ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
         },
     };
@@ -127,7 +127,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.refine_by_distance(&mut cavity)?;
         }
         if D == 3 && self.state.parameters.min_dihedral > 0.0 {
-            self.remove_slivers(&mut cavity)?;
+            self.remove_slivers()?;
         }
         Ok(())
     }

@@ -50,7 +50,7 @@ impl<const D: usize> Coarse<D> {
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<Self> {
         let parameters =
-            Parameters { inputs_per_partition: usize::MAX / 2, ..Parameters::resolve(D, options)? };
+            Parameters { inputs_per_partition: None, ..Parameters::resolve(D, options)? };
         let mut mesher = mesh(sample, &parameters, Watch::new(progress))?;
         let mut names = collected(mesher.order.iter().map(|input| names[input.index()]))?;
         if let Some(left) = mesher.state.thinned(small)? {

@@ -10,6 +10,16 @@ use crate::netmesh::state::segments::{Crowded, Segments, name_of};
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::in_diametral_ball;
 
+/// The subsegments that a Steiner point would encroach, and what became of them.
+pub(super) enum Encroachment {
+    /// The point encroaches none.
+    None,
+    /// Some of them have been split.
+    Split,
+    /// Doubles have no room for a vertex on any of them.
+    TooShort,
+}
+
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits subsegments until all that wait are recovered.
     ///
@@ -142,15 +152,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(domain)
     }
 
-    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all. False
-    /// if there is none.
+    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all.
     pub(super) fn split_encroached(
         &mut self,
         x: &[f64; D],
         cavity: &mut Cavity,
-    ) -> Result<Option<bool>> {
+    ) -> Result<Encroachment> {
         if !self.state.segments.is_active() || !self.state.find_encroached(x, cavity)? {
-            return Ok(None);
+            return Ok(Encroachment::None);
         }
         let mut encroached = std::mem::take(&mut self.state.segments.encroached);
         encroached.sort_unstable();
@@ -161,6 +170,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.state.segments.encroached = encroached;
         self.recover_segments(cavity)?;
-        Ok(Some(is_any))
+        Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
     }
 }

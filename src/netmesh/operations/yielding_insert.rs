@@ -5,6 +5,7 @@ use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::operations::recover::Encroachment;
 use crate::netmesh::questions::steiner_point::SteinerPoint;
 use crate::netmesh::state::{Mesher, State};
 
@@ -57,12 +58,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(());
         }
         match self.split_encroached(&x, cavity)? {
-            Some(true) => return Ok(()),
-            Some(false) => {
+            Encroachment::Split => return Ok(()),
+            Encroachment::TooShort => {
                 self.state.refine_list.limit(simplex);
                 return Ok(());
             }
-            None => {}
+            Encroachment::None => {}
         }
         if !self.state.may_insert(&x, cavity) {
             return Ok(self.state.block(simplex)?);

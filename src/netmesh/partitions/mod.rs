@@ -36,15 +36,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Inserts most inputs, and refines most of the mesh; dissolves most cages before that, if none
     /// is to be left.
     pub(in crate::netmesh) fn insert_in_partitions(&mut self, cavity: &mut Cavity) -> Result<()> {
-        if !self.state.is_partitioned() || self.state.conflict_lists.remaining() == 0 {
+        let has_inputs = self.state.conflict_lists.remaining() > 0;
+        let Some(count) = self.state.partition_count().filter(|_| has_inputs) else {
             return Ok(());
-        }
-        // Two threads, or four, do even numbers of partitions in the same time.
-        let count = self
-            .state
-            .inputs
-            .div_ceil(self.state.parameters.inputs_per_partition)
-            .next_multiple_of(2);
+        };
         let interfaces = self.state.interfaces(count)?;
         self.insert_at_interfaces(&interfaces, cavity)?;
         let runs = self.between(&interfaces)?;

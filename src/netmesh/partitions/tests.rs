@@ -19,7 +19,7 @@ fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
 
 fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
     let resolved = Parameters::resolve(dim, options).unwrap();
-    Parameters { threads, inputs_per_partition: INPUTS_PER_PARTITION, ..resolved }
+    Parameters { threads, inputs_per_partition: Some(INPUTS_PER_PARTITION), ..resolved }
 }
 
 fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
@@ -64,7 +64,7 @@ fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     assert_eq!(report.level, 3, "{report:?}");
     assert_eq!(one.stats.input_vertices as usize, points.len());
     let undivided = Parameters::resolve(D, options).unwrap();
-    assert!(points.len() < 2 * undivided.inputs_per_partition);
+    assert!(points.len() < 2 * undivided.inputs_per_partition.unwrap());
     let undivided = mesh::<D>(&inputs, None, undivided, None, None).unwrap();
     assert_ne!(bits(&one.points), bits(&undivided.points));
     let ratio = one.vertex_count() as f64 / undivided.vertex_count() as f64;
@@ -210,8 +210,10 @@ fn cages_are_dissolved() {
 fn partitions_dissolve_most_cages() {
     let points = [scattered::<2>(20_000, 3), pairs(400)].concat();
     let options = Options { output: Output::WellSpaced, ..Options::default() };
-    let parameters =
-        Parameters { inputs_per_partition: 5_000, ..Parameters::resolve(2, &options).unwrap() };
+    let parameters = Parameters {
+        inputs_per_partition: Some(5_000),
+        ..Parameters::resolve(2, &options).unwrap()
+    };
     let inputs = inputs(&points);
     let mut mesher = Mesher::<2>::new(&inputs, parameters, Watch::new(None)).unwrap();
     insert_in_partitions(&mut mesher);
@@ -243,7 +245,7 @@ fn other_options() {
 fn higher_dimensions_go_as_one() {
     let inputs = inputs(&scattered::<4>(800, 4));
     let parameters = |inputs_per_partition| Parameters {
-        inputs_per_partition,
+        inputs_per_partition: Some(inputs_per_partition),
         ..Parameters::resolve(4, &Options::default()).unwrap()
     };
     let [a, b] = [100, 1 << 20]
@@ -329,7 +331,7 @@ fn few_inputs_wait_for_the_global_mesh() {
     fn check<const D: usize>(count: usize, most: f64) {
         let inputs = inputs(&scattered::<D>(count, 12));
         let resolved = Parameters::resolve(D, &Options::default()).unwrap();
-        let parameters = Parameters { inputs_per_partition: count / 4, ..resolved };
+        let parameters = Parameters { inputs_per_partition: Some(count / 4), ..resolved };
         let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
         let mut cavity = Cavity::default();
         mesher.start_netmesh(&mut cavity).unwrap();

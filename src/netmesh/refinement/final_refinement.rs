@@ -42,7 +42,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn refine_finally(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.begin_final_refinement()?;
         let mut scan = Scan::All;
-        if self.state.delaunay.complex().simplex_count() > SMALL && !self.state.is_partitioned() {
+        if self.state.delaunay.complex().simplex_count() > SMALL
+            && self.state.partition_count().is_none()
+        {
             self.refine_tiles(cavity)?;
             scan = Scan::SpanningDomains;
         }

@@ -156,10 +156,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
             for &vertex in piece {
                 let cage = renumbered(hierarchy.cage_of(vertex));
                 own.points.try_extend(delaunay.point(vertex))?;
-                own.kinds.try_push(match () {
-                    () if vertex.index() < *inputs => VertexKind::Input,
-                    () if cage != NONE => VertexKind::Cage,
-                    () => VertexKind::Steiner,
+                own.kinds.try_push(match vertex.index() < *inputs {
+                    true => VertexKind::Input,
+                    false if cage != NONE => VertexKind::Cage,
+                    false => VertexKind::Steiner,
                 })?;
                 own.domains.try_push(match indices.is_empty() {
                     true => NONE,

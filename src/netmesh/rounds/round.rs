@@ -47,7 +47,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Rounds over the whole mesh until it is coarse, if tiles or partitions come next.
     pub(in crate::netmesh) fn insert_coarse_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         let all = 0..self.state.inputs;
-        if all.len() > SMALL || self.state.is_partitioned() {
+        if all.len() > SMALL || self.state.partition_count().is_some() {
             let rounds = self.insert_rounds_until(Self::is_coarse, &all, cavity)?;
             self.state.count_rounds(rounds);
         }

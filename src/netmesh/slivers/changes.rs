@@ -1,7 +1,6 @@
 //! The three changes of a mesh: a point goes in, a vertex moves, a vertex goes.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
@@ -18,10 +17,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         start: SimplexId,
         x: &[f64; D],
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<VertexId> {
-        self.state.delaunay.find_cavity(start, x, cavity)?;
-        let domain = self.enter(x, cavity)?;
+        self.state.delaunay.find_cavity(start, x, &mut slivers.cavity)?;
+        let domain = self.enter(x, &slivers.cavity)?;
         let vertex = match slivers.free.pop() {
             Some(vertex) => {
                 self.state.delaunay.set_point(vertex, *x);
@@ -36,9 +34,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             journal.steps.try_push(Step::Inserted(vertex))?;
         }
         self.state.hierarchy.set_domain(vertex, domain);
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
+        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
         self.weigh_cone(slivers)?;
-        self.state.note_arrival(vertex, &cavity.vertices.ids);
+        self.state.note_arrival(vertex, &slivers.cavity.vertices.ids);
         self.ask_size_again(vertex)?;
         Ok(vertex)
     }
@@ -49,7 +47,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: VertexId,
         place: &Place<D>,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<()> {
         let from = *self.state.delaunay.point(vertex);
         if let Some(journal) = &mut slivers.journal {
@@ -58,14 +55,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut filled = std::mem::take(&mut slivers.filled);
         self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
         self.state.delaunay.set_point(vertex, place.x);
-        self.state.delaunay.find_cavity(filled[place.near], &place.x, cavity)?;
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
+        self.state.delaunay.find_cavity(filled[place.near], &place.x, &mut slivers.cavity)?;
+        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
         self.state.cells[vertex] = Cell::NEW;
         self.state.weigh(&filled, slivers)?;
         self.weigh_cone(slivers)?;
         slivers.filled = filled;
         self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
-        self.state.note_arrival(vertex, &cavity.vertices.ids);
+        self.state.note_arrival(vertex, &slivers.cavity.vertices.ids);
         self.ask_size_again(vertex)
     }
 

@@ -1,6 +1,7 @@
 //! The tetrahedra that a point would make: the cone over the boundary of its cavity.
 
 use crate::complex::VertexId;
+use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::shape::{Corners, Measure, corners, in_space};
 use crate::netmesh::slivers::view::View;
@@ -46,9 +47,14 @@ impl Cone {
 
     /// Whether a vertex at `x` would make simplices that are small enough. It asks the caller, so it
     /// comes after all other tests.
-    pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> bool {
-        let Some(sizes) = view.sizes else { return true };
-        self.sides.iter().all(|side| sizes.allow(view.delaunay, &side.vertices, side.apex, x))
+    pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> Result<bool> {
+        let Some(sizes) = view.sizes else { return Ok(true) };
+        for side in &self.sides {
+            if !sizes.allow(view.delaunay, &side.vertices, side.apex, x)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 }
 

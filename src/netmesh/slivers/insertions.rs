@@ -36,7 +36,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         least: f64,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<Vec<Insertion<D>>> {
         let mut best: Vec<Insertion<D>> = Vec::new();
         let ball = self.state.delaunay.ball(sliver.simplex).map(|ball| ball.radius());
@@ -63,8 +62,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 Some(last) => last.gain,
                 None => least,
             };
-            self.state.delaunay.find_cavity(sliver.simplex, &x, cavity)?;
-            if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers, cavity)? {
+            self.state.delaunay.find_cavity(sliver.simplex, &x, &mut slivers.cavity)?;
+            if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers)? {
                 let at = best.iter().position(|other| other.gain < gain).unwrap_or(best.len());
                 best.truncate(most - 1);
                 best.try_push(Insertion { x, gain })?;
@@ -87,17 +86,16 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// What it is worth to insert `x`, whose conflicts are `cavity`, if that is more than `least`,
-    /// and whether it would leave no sliver.
+    /// Returns the gain of inserting `x`, whose conflicts are `slivers.cavity`, if that is more than
+    /// `least`, and whether it would leave no sliver.
     pub(super) fn judge_insertion(
         &mut self,
         x: &[f64; D],
         least: f64,
         slivers: &mut Slivers<D>,
-        cavity: &Cavity,
-    ) -> AllocResult<Option<(f64, bool)>> {
-        let Some(domain) = self.state.common_domain(cavity) else { return Ok(None) };
-        let Slivers { measure, penalties, cone, .. } = slivers;
+    ) -> Result<Option<(f64, bool)>> {
+        let Some(domain) = self.state.common_domain(&slivers.cavity) else { return Ok(None) };
+        let Slivers { measure, penalties, cone, cavity, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
         if cavity.simplices.iter().any(is_infinite) || !view.hierarchy.contains(domain, x) {
@@ -108,10 +106,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         cone_over(view, cavity, cone)?;
-        let gain = cone
-            .judge(view, x, before, least)
-            .filter(|_| cone.keeps_cells(view, x) && cone.keeps_sizes(view, x));
-        Ok(gain.map(|gain| (gain, gain >= before)))
+        let Some(gain) = cone.judge(view, x, before, least) else { return Ok(None) };
+        let is_kept = cone.keeps_cells(view, x) && cone.keeps_sizes(view, x)?;
+        Ok(is_kept.then_some((gain, gain >= before)))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Moves: a vertex of a sliver goes elsewhere or away, or one of a simplex beside it does.
 
 use crate::complex::VertexId;
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::random::Random;
@@ -32,10 +31,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         times: usize,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<Option<f64>> {
         for vertex in sliver.vertices {
-            let gain = self.mend_by_vertex(vertex, None, times, random, slivers, cavity)?;
+            let gain = self.mend_by_vertex(vertex, None, times, random, slivers)?;
             if gain.is_some() {
                 return Ok(gain);
             }
@@ -45,7 +43,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let vertices = self.state.delaunay.complex().vertices(neighbor);
             let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
             let Some(&apex) = apex.filter(|apex| apex.is_valid()) else { continue };
-            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers, cavity)?;
+            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers)?;
             if gain.is_some() {
                 return Ok(gain);
             }
@@ -62,7 +60,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         times: usize,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<Option<f64>> {
         if !self.find_vacancy(vertex, slivers)? {
             return Ok(None);
@@ -71,14 +68,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         // What a journal has is often one point too many: that is not to go at once.
         if slivers.journal.is_none() {
-            if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain) {
+            if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain)? {
                 self.remove_vertex(vertex, slivers)?;
                 return Ok(Some(gain));
             }
         }
         let place = self.best_place(vertex, into, times, random, slivers)?;
         if let Some(place) = &place {
-            self.move_vertex(vertex, place, slivers, cavity)?;
+            self.move_vertex(vertex, place, slivers)?;
         }
         Ok(place.map(|place| place.gain))
     }

@@ -1,7 +1,6 @@
 //! Points for slivers that no move mends. They go in by what they are worth, the best first: one
 //! point may mend slivers all round it, and where it went in, moves may mend what is left.
 
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::slivers::candidates::{Offer, class};
 use crate::netmesh::slivers::queue::Sliver;
@@ -11,11 +10,7 @@ use crate::netmesh::state::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// The next sliver to mend. Where none waits, points go in until one does.
-    pub(super) fn next_sliver(
-        &mut self,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<Option<Sliver>> {
+    pub(super) fn next_sliver(&mut self, slivers: &mut Slivers<D>) -> Result<Option<Sliver>> {
         loop {
             if self.state.is_spent(slivers) {
                 return Ok(None);
@@ -24,21 +19,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(Some(sliver));
             }
             let Some(offer) = slivers.offers.0.pop() else { return Ok(None) };
-            self.take_offer(&offer, slivers, cavity)?;
+            self.take_offer(&offer, slivers)?;
         }
     }
 
     /// Finds a point for `sliver`, which waits for another pass if there is none.
-    pub(super) fn make_offer(
-        &mut self,
-        sliver: &Sliver,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    pub(super) fn make_offer(&mut self, sliver: &Sliver, slivers: &mut Slivers<D>) -> Result<()> {
         let random = &mut Random::of(sliver, 0);
         let numbers = [1, POINTS];
-        let points =
-            self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers, cavity)?;
+        let points = self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers)?;
         let time = self.state.now();
         match points.first() {
             Some(point) => {
@@ -52,12 +41,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Inserts the point of an offer if it is worth as much as it was. Moves come first where
     /// something has changed since.
-    fn take_offer(
-        &mut self,
-        offer: &Offer<D>,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    fn take_offer(&mut self, offer: &Offer<D>, slivers: &mut Slivers<D>) -> Result<()> {
         let Offer { sliver, x, class: expected, time } = offer;
         if !self.state.is_current(sliver, &slivers.penalties) {
             return Ok(());
@@ -65,12 +49,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if sliver.vertices.iter().any(|&vertex| slivers.changed[vertex] > *time) {
             return Ok(slivers.queue.push(*sliver)?);
         }
-        self.state.delaunay.find_cavity(sliver.simplex, x, cavity)?;
-        let worth = self.judge_insertion(x, slivers.least_gain, slivers, cavity)?;
+        self.state.delaunay.find_cavity(sliver.simplex, x, &mut slivers.cavity)?;
+        let worth = self.judge_insertion(x, slivers.least_gain, slivers)?;
         if worth.is_none_or(|(gain, _)| class(gain) < *expected) {
-            return self.make_offer(sliver, slivers, cavity);
+            return self.make_offer(sliver, slivers);
         }
-        self.insert_point(sliver.simplex, x, slivers, cavity)?;
+        self.insert_point(sliver.simplex, x, slivers)?;
         if self.state.is_current(sliver, &slivers.penalties) {
             slivers.queue.push(*sliver)?;
         }

@@ -36,18 +36,16 @@ const LOOSER: [f64; 4] = [1.25, 1.5, 2.0, f64::INFINITY];
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Mends the slivers as far as that can be done.
-    pub(in crate::netmesh) fn remove_slivers(&mut self, cavity: &mut Cavity) -> Result<()> {
+    pub(in crate::netmesh) fn remove_slivers(&mut self) -> Result<()> {
         let slivers = &mut self.find_slivers()?;
-        let found = slivers.queue.len();
         let first = self.state.delaunay.point_count();
-        self.mend_waiting(found, slivers, cavity)?;
-        self.thin_out(first, slivers, cavity)?;
-        self.mend_waiting(found, slivers, cavity)?;
-        self.mend_with_effort(found, slivers, cavity)?;
+        self.mend_waiting(slivers)?;
+        self.thin_out(first, slivers)?;
+        self.mend_waiting(slivers)?;
+        self.mend_with_effort(slivers)?;
         if self.state.parameters.gives_way == GivesWay::Bound {
-            self.let_bound_give_way(found, slivers, cavity)?;
+            self.let_bound_give_way(slivers)?;
         }
-        self.check_sizes()?;
         self.ask_all_sizes()?;
         self.state.removed = std::mem::take(&mut slivers.free);
         self.state.removed.sort_unstable();
@@ -56,17 +54,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Passes over the slivers that are left, with more and more effort.
-    fn mend_with_effort(
-        &mut self,
-        found: usize,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
-        let most = MOST_PLACES + found;
+    fn mend_with_effort(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+        let most = MOST_PLACES + slivers.found;
         for (effort, passes) in (0..).zip(PASSES) {
             for _ in 0..passes {
                 let is_too_much = slivers.queue.failed() * places(effort) > most;
-                if is_too_much || !self.mend_failed(found, effort, slivers, cavity)? {
+                if is_too_much || !self.mend_failed(effort, slivers)? {
                     break;
                 }
             }
@@ -75,17 +68,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Mends slivers that are left, as near to the bound as that can be done.
-    fn let_bound_give_way(
-        &mut self,
-        found: usize,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    fn let_bound_give_way(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
         let Parameters { min_dihedral, criterion, quality_bound, .. } = self.state.parameters;
         slivers.least_gain = LEAST_GAIN_BEYOND;
         for factor in LOOSER {
             slivers.measure = Measure::new(min_dihedral, criterion, factor * quality_bound);
-            self.mend_with_effort(found, slivers, cavity)?;
+            self.mend_with_effort(slivers)?;
         }
         Ok(())
     }
@@ -101,9 +89,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             changed: Array::filled(self.state.delaunay.point_count(), 0)?,
             queue: Queue::default(),
             offers: Offers::default(),
+            found: 0,
             most_exact: 0,
             vacancy: Default::default(),
             cone: Default::default(),
+            cavity: Cavity::default(),
             filled: Vec::new(),
             free: Vec::new(),
             journal: None,
@@ -121,21 +111,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 slivers.queue.push(self.state.sliver(simplex, penalty))?;
             }
         }
-        let allowed = EXACT_TESTS + EXACT_TESTS_OF_SLIVER * slivers.queue.len() as u64;
+        slivers.found = slivers.queue.len();
+        let allowed = EXACT_TESTS + EXACT_TESTS_OF_SLIVER * slivers.found as u64;
         slivers.most_exact = self.state.delaunay.exact_fallbacks() + allowed;
         Ok(slivers)
     }
 
     /// Takes every sliver that waits, and those that come, with the least effort.
-    fn mend_waiting(
-        &mut self,
-        found: usize,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
-        while let Some(sliver) = self.next_sliver(slivers, cavity)? {
+    fn mend_waiting(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+        while let Some(sliver) = self.next_sliver(slivers)? {
             if self.watch.is_due(WORK) {
-                let left = (slivers.queue.len() + slivers.offers.len()) as f64 / found as f64;
+                let left =
+                    (slivers.queue.len() + slivers.offers.len()) as f64 / slivers.found as f64;
                 let fraction = self.state.stage.sliver_fraction.max(1.0 - left);
                 self.state.stage.sliver_fraction = fraction;
                 self.report_progress()?;
@@ -144,10 +131,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             }
             let random = &mut Random::of(&sliver, 0);
-            let is_moved = self.mend_by_move(&sliver, 1, random, slivers, cavity)?.is_some();
-            self.check_sizes()?;
+            let is_moved = self.mend_by_move(&sliver, 1, random, slivers)?.is_some();
             if !is_moved {
-                self.make_offer(&sliver, slivers, cavity)?;
+                self.make_offer(&sliver, slivers)?;
             } else if self.state.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
             }
@@ -156,13 +142,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Takes every sliver that was left, with `effort`. Returns whether any was mended.
-    fn mend_failed(
-        &mut self,
-        found: usize,
-        effort: u32,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<bool> {
+    fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers<D>) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
             if self.state.is_spent(slivers) {
@@ -171,12 +151,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if !self.state.is_current(&sliver, &slivers.penalties) {
                 continue;
             }
-            if self.mend(&sliver, effort, slivers, cavity)? {
+            if self.mend(&sliver, effort, slivers)? {
                 any = true;
                 if self.state.is_current(&sliver, &slivers.penalties) {
                     slivers.queue.push(sliver)?;
                 }
-                self.mend_waiting(found, slivers, cavity)?;
+                self.mend_waiting(slivers)?;
             } else {
                 slivers.queue.fail(sliver)?;
             }
@@ -185,32 +165,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Makes a change at `sliver` that lets the objective fall; whether there was one.
-    fn mend(
-        &mut self,
-        sliver: &Sliver,
-        effort: u32,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<bool> {
+    fn mend(&mut self, sliver: &Sliver, effort: u32, slivers: &mut Slivers<D>) -> Result<bool> {
         let random = &mut Random::of(sliver, effort);
         let times = places(effort);
-        let is_moved = self.mend_by_move(sliver, times, random, slivers, cavity)?.is_some();
-        self.check_sizes()?;
+        let is_moved = self.mend_by_move(sliver, times, random, slivers)?.is_some();
         if is_moved {
             return Ok(true);
         }
         let numbers = [1, POINTS * times];
-        let points =
-            self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers, cavity)?;
-        self.check_sizes()?;
+        let points = self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers)?;
         if let Some(point) = points.first() {
-            self.insert_point(sliver.simplex, &point.x, slivers, cavity)?;
+            self.insert_point(sliver.simplex, &point.x, slivers)?;
             return Ok(true);
         }
         if effort == 0 {
             return Ok(false);
         }
-        self.relax(sliver, POINTS * times, random, slivers, cavity)
+        self.relax(sliver, POINTS * times, random, slivers)
     }
 }
 

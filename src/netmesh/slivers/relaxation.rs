@@ -2,7 +2,6 @@
 //! it is not worth it then, all is undone.
 
 use crate::complex::{SimplexId, VertexId};
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::insertions::Insertion;
@@ -29,21 +28,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         count: usize,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<bool> {
         let numbers = [POINTS, count];
-        let points = self.best_insertions(sliver, numbers, -COST, random, slivers, cavity)?;
+        let points = self.best_insertions(sliver, numbers, -COST, random, slivers)?;
         for Insertion { x, gain } in points {
             // What was undone has come back by other ids.
             let Some(start) = self.find_simplex(&sliver.vertices)? else { break };
             slivers.journal = Some(Journal::default());
-            self.insert_point(start, &x, slivers, cavity)?;
+            self.insert_point(start, &x, slivers)?;
             let wanted = slivers.least_gain - gain;
-            if self.move_around(wanted, random, slivers, cavity)? >= wanted {
+            if self.move_around(wanted, random, slivers)? >= wanted {
                 self.state.keep_changes(slivers)?;
                 return Ok(true);
             }
-            self.undo_changes(slivers, cavity)?;
+            self.undo_changes(slivers)?;
         }
         Ok(false)
     }
@@ -55,7 +53,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         wanted: f64,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<f64> {
         let (mut total, mut tried) = (0.0, 0);
         while total < wanted && tried < SLIVERS {
@@ -65,7 +62,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let Some(sliver) = worst.map(|at| fresh.swap_remove(at)) else { break };
             if self.state.is_current(&sliver, &slivers.penalties) {
                 tried += 1;
-                let gain = self.mend_by_move(&sliver, 1, random, slivers, cavity)?;
+                let gain = self.mend_by_move(&sliver, 1, random, slivers)?;
                 total += gain.unwrap_or(0.0);
                 if let Some(journal) = &mut slivers.journal {
                     journal.failed.try_push(sliver)?;

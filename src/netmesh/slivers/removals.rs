@@ -1,7 +1,6 @@
 //! Removals: a Steiner point goes, where the mesh is as good without it or becomes so by moves.
 
 use crate::complex::VertexId;
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::netmesh::slivers::journal::Journal;
 use crate::netmesh::slivers::random::Random;
@@ -18,12 +17,7 @@ const ROUNDING: f64 = 1e-6;
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Removes the points from number `first` on that the mesh can do without, the last first:
     /// they were inserted for slivers that others may have mended since.
-    pub(super) fn thin_out(
-        &mut self,
-        first: usize,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    pub(super) fn thin_out(&mut self, first: usize, slivers: &mut Slivers<D>) -> Result<()> {
         for number in (first..self.state.delaunay.point_count()).rev() {
             if self.state.is_spent(slivers) {
                 break;
@@ -31,30 +25,25 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll_after(200)?;
             let vertex = VertexId::new(number);
             if self.state.is_inserted(vertex) && self.find_vacancy(vertex, slivers)? {
-                self.do_without(vertex, slivers, cavity)?;
+                self.do_without(vertex, slivers)?;
             }
         }
         Ok(())
     }
 
     /// Removes the vertex that `slivers.vacancy` is without, if moves then make up for it.
-    fn do_without(
-        &mut self,
-        vertex: VertexId,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    fn do_without(&mut self, vertex: VertexId, slivers: &mut Slivers<D>) -> Result<()> {
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
-        let Some(gain) = vacancy.judge_removal(view, -COST) else { return Ok(()) };
+        let Some(gain) = vacancy.judge_removal(view, -COST)? else { return Ok(()) };
         let random = &mut Random::of_vertex(vertex);
         slivers.journal = Some(Journal::default());
         self.remove_vertex(vertex, slivers)?;
         let wanted = -ROUNDING - gain;
-        let made_up = self.move_around(wanted, random, slivers, cavity)?;
+        let made_up = self.move_around(wanted, random, slivers)?;
         match made_up >= wanted {
             true => self.state.keep_changes(slivers),
-            false => self.undo_changes(slivers, cavity),
+            false => self.undo_changes(slivers),
         }
     }
 }

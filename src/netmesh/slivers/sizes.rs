@@ -29,10 +29,4 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         sizes.ask(vertex, self.state.delaunay.point(vertex)).map(drop)
     }
-
-    /// Fails if an answer was no size since the last call.
-    pub(super) fn check_sizes(&self) -> Result<()> {
-        let refusal = self.sizes.as_ref().and_then(|sizes| sizes.refusal.take());
-        refusal.map_or(Ok(()), Err)
-    }
 }

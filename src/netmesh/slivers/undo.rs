@@ -1,7 +1,6 @@
 //! Changes are kept, or undone.
 
 use crate::complex::VertexId;
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::netmesh::slivers::journal::{Journal, Step};
@@ -30,19 +29,15 @@ impl<const D: usize> State<D> {
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Ends the journal and undoes what it has, the last step first. The slivers that come back
     /// wait for another pass.
-    pub(super) fn undo_changes(
-        &mut self,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
+    pub(super) fn undo_changes(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
         let steps = slivers.journal.take().unwrap_or_default().steps;
         // What comes back is not new.
         slivers.journal = Some(Journal::default());
         for &step in steps.iter().rev() {
             let is_undone = match step {
-                Step::Removed(vertex, near) => self.put_back(vertex, near, slivers, cavity)?,
+                Step::Removed(vertex, near) => self.put_back(vertex, near, slivers)?,
                 Step::Inserted(vertex) => self.take_out(vertex, slivers)?,
-                Step::Moved(vertex, x) => self.move_back(vertex, &x, slivers, cavity)?,
+                Step::Moved(vertex, x) => self.move_back(vertex, &x, slivers)?,
             };
             debug_assert!(is_undone, "the mesh is as it was after the step");
             if !is_undone {
@@ -71,7 +66,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: VertexId,
         x: &[f64; D],
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<bool> {
         if !self.state.delaunay.find_hole(vertex, &mut slivers.vacancy.hole)? {
             return Ok(false);
@@ -80,7 +74,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(false);
         };
         let place = Place { x: *x, gain: 0.0, near, is_clean: false };
-        self.move_vertex(vertex, &place, slivers, cavity)?;
+        self.move_vertex(vertex, &place, slivers)?;
         Ok(true)
     }
 
@@ -90,17 +84,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         vertex: VertexId,
         near: VertexId,
         slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
     ) -> Result<bool> {
         let x = *self.state.delaunay.point(vertex);
         let start = self.state.delaunay.complex().incident(near);
         let Some(start) = self.state.delaunay.locate(start, &x) else { return Ok(false) };
-        self.state.delaunay.find_cavity(start, &x, cavity)?;
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
+        self.state.delaunay.find_cavity(start, &x, &mut slivers.cavity)?;
+        self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
         self.state.cells[vertex] = Cell::NEW;
         self.state.stats.off_centers += 1;
         self.weigh_cone(slivers)?;
-        self.state.note_arrival(vertex, &cavity.vertices.ids);
+        self.state.note_arrival(vertex, &slivers.cavity.vertices.ids);
         Ok(true)
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::complex::{Beside, SimplexId, VertexId};
 use crate::delaunay::{Delaunay, Hole};
+use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::cone::{Account, Cone};
 use crate::netmesh::slivers::shape::{corners, in_space};
@@ -143,11 +144,13 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// What it is worth that the vertex goes away, if that is more than `least`.
-    pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Option<f64> {
+    pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Result<Option<f64>> {
         let gain = self.star - self.penalties.iter().sum::<f64>();
         self.is_inside[..self.hole.balls.len()].fill(false);
-        (gain > least && self.keeps_filling_cells(view, None) && self.keeps_filling_sizes(view))
-            .then_some(gain)
+        let is_kept = gain > least
+            && self.keeps_filling_cells(view, None)
+            && self.keeps_filling_sizes(view)?;
+        Ok(is_kept.then_some(gain))
     }
 
     /// A simplex of the filling whose ball holds `x`.
@@ -165,7 +168,7 @@ impl<const D: usize> Vacancy<D> {
         view: View<'_, D>,
         x: &[f64; D],
         least: f64,
-    ) -> AllocResult<Option<Place<D>>> {
+    ) -> Result<Option<Place<D>>> {
         let Some((near, left)) = self.find_inside(view, x) else { return Ok(None) };
         let Some(lost) = self.find_outside(view, x)? else { return Ok(None) };
         let before = self.star + lost;
@@ -185,8 +188,8 @@ impl<const D: usize> Vacancy<D> {
             self.find_cone(view)?;
             let is_kept = self.keeps_filling_cells(view, Some(x))
                 && self.cone.keeps_cells(view, x)
-                && self.keeps_filling_sizes(view)
-                && self.cone.keeps_sizes(view, x);
+                && self.keeps_filling_sizes(view)?
+                && self.cone.keeps_sizes(view, x)?;
             if !is_kept {
                 return Ok(None);
             }
@@ -307,13 +310,16 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// Whether the simplices of the filling that would stay are small enough.
-    pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> bool {
-        let Some(sizes) = view.sizes else { return true };
-        self.staying().all(|number| {
+    pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> Result<bool> {
+        let Some(sizes) = view.sizes else { return Ok(true) };
+        for number in self.staying() {
             let vertices = self.hole.filling.vertices(number);
             let x = view.delaunay.point(vertices[0]);
-            sizes.allow(view.delaunay, vertices, 0, x)
-        })
+            if !sizes.allow(view.delaunay, vertices, 0, x)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// The simplices of the filling whose balls do not hold the place that is judged.

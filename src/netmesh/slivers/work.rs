@@ -1,6 +1,7 @@
 //! The work on slivers: all that it needs beside the mesh.
 
 use crate::complex::{SimplexId, VertexId};
+use crate::delaunay::Cavity;
 use crate::memory::Array;
 use crate::netmesh::slivers::candidates::Offers;
 use crate::netmesh::slivers::cone::Cone;
@@ -27,10 +28,14 @@ pub(super) struct Slivers<const D: usize> {
     pub changed: Array<u64>,
     pub queue: Queue,
     pub offers: Offers<D>,
+    /// The number of slivers that the mesh had at first.
+    pub found: usize,
     /// The phase ends when the mesh has taken as many exact tests.
     pub most_exact: u64,
     pub vacancy: Vacancy<D>,
     pub cone: Cone,
+    /// The conflicts of the point that is judged or goes in.
+    pub cavity: Cavity,
     /// The simplices that filled a hole.
     pub filled: Vec<SimplexId>,
     /// Ids of vertices that were removed.

@@ -39,7 +39,7 @@ use crate::netmesh::state::hierarchy::Hierarchy;
 use crate::netmesh::state::interface::Interface;
 use crate::netmesh::state::observations::Instruments;
 use crate::netmesh::state::order::{InputId, by_locality};
-use crate::netmesh::state::parameters::{is_partitioned, usable_threads};
+use crate::netmesh::state::parameters::{partition_count, usable_threads};
 use crate::netmesh::state::refine_list::RefineList;
 use crate::netmesh::state::segments::Segments;
 use crate::netmesh::state::sizes::Sizes;
@@ -276,7 +276,8 @@ impl<const D: usize> State<D> {
         usable_threads::<D>(&self.parameters, self.inputs)
     }
 
-    pub(in crate::netmesh) fn is_partitioned(&self) -> bool {
-        is_partitioned::<D>(&self.parameters, self.inputs)
+    /// Returns the number of partitions that the mesh is made in, if it is.
+    pub(in crate::netmesh) fn partition_count(&self) -> Option<usize> {
+        partition_count::<D>(&self.parameters, self.inputs)
     }
 }

@@ -52,17 +52,19 @@ impl Parameters {
     }
 }
 
-/// In higher dimensions most of the mesh is at interfaces.
+/// Highest dimension in which meshes are divided: in higher ones most of the mesh is at interfaces.
 const MAX_DIM: usize = 3;
 
-/// Whether a mesh of so many `inputs` is made in partitions.
-pub(in crate::netmesh) fn is_partitioned<const D: usize>(
+/// Returns the number of partitions that a mesh of so many `inputs` is made in, if it is.
+pub(super) fn partition_count<const D: usize>(
     parameters: &Parameters,
     inputs: usize,
-) -> bool {
-    parameters.algorithm == Algorithm::Netmesh
-        && D <= MAX_DIM
-        && inputs >= 2 * parameters.inputs_per_partition
+) -> Option<usize> {
+    let least = parameters.inputs_per_partition?;
+    let is_large =
+        parameters.algorithm == Algorithm::Netmesh && D <= MAX_DIM && inputs >= 2 * least;
+    // Two threads, or four, do even numbers of partitions in the same time.
+    is_large.then(|| inputs.div_ceil(least).next_multiple_of(2))
 }
 
 /// The number of threads for work that changes nothing on a mesh of so many `inputs`, at most the
@@ -72,8 +74,8 @@ pub(in crate::netmesh) fn usable_threads<const D: usize>(
     parameters: &Parameters,
     inputs: usize,
 ) -> usize {
-    match is_partitioned::<D>(parameters, inputs) {
-        true => threads(parameters.threads).min(threads(0)),
-        false => 1,
+    match partition_count::<D>(parameters, inputs) {
+        Some(_) => threads(parameters.threads).min(threads(0)),
+        None => 1,
     }
 }

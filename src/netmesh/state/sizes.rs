@@ -9,7 +9,6 @@ use crate::mesh::{Inputs, MAX_DIM};
 use crate::numerics::{Circumball, distance};
 use crate::options::SizeFn;
 use crate::parameters::Parameters;
-use std::cell::RefCell;
 
 /// Circumradii stay this far below what was asked for: the certificate rounds otherwise.
 const MARGIN: f64 = 1e-9;
@@ -27,8 +26,6 @@ pub(in crate::netmesh) struct Sizes<'a, const D: usize> {
     high: [f64; D],
     /// Vertex -> what the function answered.
     pub answers: Array<f64>,
-    /// An answer that was no size, while nobody could be told.
-    pub refusal: RefCell<Option<Error>>,
 }
 
 impl<'a, const D: usize> Sizes<'a, D> {
@@ -51,8 +48,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
             }
         }
         let max_edge = if parameters.max_edge > 0.0 { parameters.max_edge } else { f64::INFINITY };
-        let (answers, refusal) = (Array::new(), RefCell::new(None));
-        Some(Self { function, max_edge, low, high, answers, refusal })
+        Some(Self { function, max_edge, low, high, answers: Array::new() })
     }
 
     /// The distance from a point to the farthest one of the box.
@@ -101,22 +97,25 @@ impl<'a, const D: usize> Sizes<'a, D> {
         Ok(excess_of(points, ball.radius(), size, max_edge.min(self.max_edge)))
     }
 
-    /// Whether a simplex may be made that has these vertices, with the vertex number `apex` at `x`.
-    /// Where the function answers no size it may not, and [`Self::refusal`] has that.
+    /// Returns true if a simplex may be made that has these vertices, with the vertex number `apex` at
+    /// `x`.
+    ///
+    /// # Errors
+    /// `InvalidArgument` if the function answers no size.
     pub fn allow(
         &self,
         delaunay: &Delaunay<D>,
         vertices: &[VertexId],
         apex: usize,
         x: &[f64; D],
-    ) -> bool {
+    ) -> Result<bool> {
         let mut points = [x; MAX_DIM + 1];
         for (at, &vertex) in vertices.iter().enumerate().filter(|&(at, _)| at != apex) {
             points[at] = delaunay.point(vertex);
         }
         let points = &points[..=D];
         if !self.meets_box(points) {
-            return true;
+            return Ok(true);
         }
         let mut size = f64::INFINITY;
         for (at, &vertex) in vertices.iter().enumerate() {
@@ -126,15 +125,9 @@ impl<'a, const D: usize> Sizes<'a, D> {
                 (Some(&known), _) => Ok(known),
                 (None, _) => self.answer_at(points[at]),
             };
-            match answer {
-                Ok(answer) => size = size.min(answer),
-                Err(error) => {
-                    *self.refusal.borrow_mut() = Some(error);
-                    return false;
-                }
-            }
+            size = size.min(answer?);
         }
-        excess_of(points, Circumball::new(points).radius(), size, self.max_edge) <= 1.0
+        Ok(excess_of(points, Circumball::new(points).radius(), size, self.max_edge) <= 1.0)
     }
 
     /// Whether the box of a simplex meets that of the inputs.

@@ -1,10 +1,12 @@
-//! The paper's algorithm (§6), in folders that depend downwards only (ARCHITECTURE.md has the table):
+//! The paper's algorithm (§6), in folders that depend downwards only (ARCHITECTURE.md has the
+//! table):
 //!
 //! 1. [`state`]: the mesh in the making, and the run that works on it.
 //! 2. [`questions`]: encroachment, quality, sites of cages, Steiner points, permissions.
 //! 3. [`instruments`]: measurements of the theorems' constants.
 //! 4. [`insertion`]: one vertex goes in, and all that the state learns from it.
-//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN, and the recovery of segments.
+//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN, and the recovery of
+//!   segments.
 //! 6. [`rounds`]: how inputs come into the mesh.
 //! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
 //! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
@@ -50,7 +52,7 @@ pub fn run(
     run_sized(inputs, arrangement, options, None, progress)
 }
 
-/// As [`run`], with sizes.
+/// Meshes `inputs` as [`run`] does, with simplices no larger than `size` asks for.
 ///
 /// # Errors
 /// As those of [`run`]; `InvalidArgument` if `size` answers no size.

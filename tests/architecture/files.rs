@@ -1,7 +1,7 @@
-//! Which file below one module depends on which, read from parsed sources, tests apart: by imports and
-//! other paths, and by calls of methods. The type of a receiver is told from the fields and parameters
-//! that lead to it; where it is not known, the name of the method decides if no other module has one
-//! of that name.
+//! Which file below one module depends on which, read from parsed sources, tests apart: by imports
+//! and other paths, and by calls of methods. The type of a receiver is told from the fields and
+//! parameters that lead to it; where it is not known, the name of the method decides if no other
+//! module has one of that name.
 
 use super::uses::{Source, attributes, flatten, is_for_tests, is_standard, words};
 use std::collections::{BTreeMap, BTreeSet};
@@ -62,14 +62,17 @@ impl Graph {
                 of: None,
                 within: None,
                 parameters: BTreeMap::new(),
+                unsure: Vec::new(),
             };
             source.items.iter().for_each(|item| reader.visit_item(item));
+            reader.guess();
         }
         graph
     }
 
     /// What is wrong with the files if those of a folder may use their own and the `folders` before
-    /// it only, files beside the folders may use all, and no files depend on each other in a circle.
+    /// it only, files beside the folders may use all, and no files depend on each other in a
+    /// circle.
     pub fn complaints(&self, root: &str, folders: &[String]) -> Vec<String> {
         let rank = |path: &str| {
             let below = path.strip_prefix(root).and_then(|path| path.strip_prefix('/'));
@@ -160,8 +163,8 @@ fn item_name(item: &Item) -> Option<String> {
     })
 }
 
-/// The methods of an item, with their types. Those of traits of other crates, of `Iterator` say, are
-/// everywhere.
+/// The methods of an item, with their types. Those of traits of other crates, of `Iterator` say,
+/// are everywhere.
 fn methods_of(item: &Item) -> Vec<(String, &syn::Signature)> {
     match item {
         Item::Impl(item) if item.trait_.is_none() => {
@@ -273,6 +276,8 @@ struct Reader<'a> {
     within: Option<String>,
     /// Its parameters, and those of closures -> the names in their types.
     parameters: BTreeMap<String, Names>,
+    /// Calls that may be of several methods: those, and the method that calls.
+    unsure: Vec<(BTreeSet<(String, String)>, String, Option<Method>)>,
 }
 
 impl Reader<'_> {
@@ -290,10 +295,14 @@ impl Reader<'_> {
         }
     }
 
-    fn call(&mut self, of: &str, method: &str, file: &str) {
+    fn caller(&self) -> Option<Method> {
+        self.of.clone().zip(self.within.clone())
+    }
+
+    fn call(&mut self, of: &str, method: &str, file: &str, caller: Option<Method>) {
         self.depend(file, method);
-        if let (Some(own), Some(within)) = (&self.of, &self.within) {
-            let called = self.graph.methods.entry((own.clone(), within.clone())).or_default();
+        if let Some(caller) = caller {
+            let called = self.graph.methods.entry(caller).or_default();
             called.insert((of.to_owned(), method.to_owned()));
         }
     }
@@ -301,20 +310,35 @@ impl Reader<'_> {
     /// A call of a method; `types` are the names in the receiver's type, if they are known.
     fn note_call(&mut self, method: &str, types: Option<&Names>) {
         let Some(all) = self.definitions.methods.get(method) else { return };
-        let all = all.clone();
-        if let Some(types) = types {
-            for (of, file) in all.iter().filter(|(of, _)| types.contains(of)) {
-                self.call(of, method, file);
-            }
-            return;
+        let mut all = all.clone();
+        match types {
+            Some(types) => all.retain(|(of, _)| types.contains(of)),
+            None if is_standard(method) || self.definitions.foreign.contains(method) => return,
+            None => {}
         }
-        let is_elsewhere = is_standard(method) || self.definitions.foreign.contains(method);
-        // A method of a file that is used anyway is taken for the one that is called.
-        let known = self.graph.files.get(self.file);
-        let is_known =
-            |file: &str| file == self.file || known.is_some_and(|known| known.contains_key(file));
-        if !is_elsewhere && (all.len() == 1 || !all.iter().any(|(_, file)| is_known(file))) {
-            all.iter().for_each(|(of, file)| self.call(of, method, file));
+        let caller = self.caller();
+        match all.len() {
+            0 => {}
+            1 => all.iter().for_each(|(of, file)| self.call(of, method, file, caller.clone())),
+            _ => self.unsure.push((all, method.to_owned(), caller)),
+        }
+    }
+
+    /// Of the methods that a call may be of, takes those in files that are used anyway, or else
+    /// all.
+    fn guess(&mut self) {
+        for (all, method, caller) in std::mem::take(&mut self.unsure) {
+            let known = self.graph.files.get(self.file);
+            let is_known = |file: &String| {
+                file == self.file || known.is_some_and(|known| known.contains_key(file))
+            };
+            let mut likely: Vec<_> = all.iter().filter(|(_, file)| is_known(file)).collect();
+            if likely.is_empty() {
+                likely = all.iter().collect();
+            }
+            for (of, file) in likely {
+                self.call(of, &method, file, caller.clone());
+            }
         }
     }
 
@@ -361,8 +385,8 @@ impl Reader<'_> {
         }
     }
 
-    /// The names in the types of all fields of a name: a variable has mostly that of the field that it
-    /// was taken from.
+    /// The names in the types of all fields of a name: a variable has mostly that of the field that
+    /// it was taken from.
     fn fields_named(&self, name: &str) -> Option<Names> {
         let fields = self.definitions.fields.iter().filter(|((_, field), _)| field == name);
         let mut fields = fields.peekable();
@@ -461,8 +485,10 @@ impl<'ast> Visit<'ast> for Reader<'_> {
                     of: self.of.clone(),
                     within: self.within.clone(),
                     parameters: self.parameters.clone(),
+                    unsure: Vec::new(),
                 };
                 expressions.iter().for_each(|expression| inner.visit_expr(expression));
+                self.unsure.append(&mut inner.unsure);
             }
             Err(_) => self.read_tokens(&item.tokens.to_string()),
         }

@@ -93,7 +93,7 @@ fn a_call_upwards_is_seen() {
 fn an_import_upwards_is_seen() {
     for planted in [
         "use crate::netmesh::questions::quality;",
-        "use super::super::questions::quality::State;",
+        "use super::super::questions::quality as other;",
         "fn f() { crate::netmesh::questions::quality::f() }",
     ] {
         let found = complaints("netmesh/state/lists.rs", planted);
@@ -101,6 +101,16 @@ fn an_import_upwards_is_seen() {
             |text: &String| text.contains("state/lists.rs is below netmesh/questions/quality.rs");
         assert!(found.iter().any(is_it), "{planted}: {found:?}");
     }
+}
+
+/// Lists and cages have a method of this name: a call is taken for the one that is used anyway.
+#[test]
+fn a_call_that_may_be_of_several_methods_is_one_of_a_file_that_is_used() {
+    let planted = "impl State { fn f(it: impl Fn() -> Lists) { let it = it(); it.limit() } }";
+    assert!(complaints("netmesh/questions/quality.rs", planted).is_empty());
+    let planted = "fn f(it: u32) { let it = it + 1; it.limit() }";
+    let found = complaints("netmesh/questions/other.rs", planted);
+    assert!(found.is_empty(), "no file of that name: {found:?}");
 }
 
 #[test]

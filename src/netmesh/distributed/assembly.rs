@@ -35,7 +35,7 @@ pub(super) struct Assembly<const D: usize> {
     pub state: State<D>,
 }
 
-/// Which vertices get the first ids, as those that a state calls inputs.
+/// Vertices that get the first ids: the inputs of the state.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum First {
     /// Inputs that wait for their insertion, in an order of locality.
@@ -49,7 +49,7 @@ struct Vertices<const D: usize> {
     corners: Vec<Corner<D>>,
     /// Piece -> vertex of it -> id.
     ids: Vec<Vec<u32>>,
-    /// How many of them are what [`First`] says.
+    /// Number of vertices that come first, by [`First`].
     first: usize,
 }
 
@@ -341,7 +341,7 @@ fn measure_farthest<const D: usize>(cells: &mut [Cell], delaunay: &Delaunay<D>, 
     }
 }
 
-/// Where the simplices of each piece begin.
+/// Returns the number at which the simplices of each piece begin.
 fn simplex_bases<const D: usize>(pieces: &[Piece<D>]) -> Result<Vec<usize>> {
     let mut bases = with_capacity(pieces.len())?;
     let mut next = 0;

@@ -10,7 +10,7 @@ trait Sent: Sized {
     fn read(bytes: &mut Bytes<'_>) -> Result<Self>;
 }
 
-/// What is left to read.
+/// Bytes that are left to read.
 struct Bytes<'a>(&'a [u8]);
 
 fn torn() -> Error {
@@ -152,7 +152,7 @@ impl<const D: usize> Piece<D> {
         }
     }
 
-    /// Whether every id is of something that there is.
+    /// Returns true if every id names something that the piece has.
     fn is_consistent(&self) -> bool {
         let count = self.simplex_count();
         let is_vertex = |&id: &u32| id == u32::MAX || (id as usize) < self.corners.len();

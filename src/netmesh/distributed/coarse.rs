@@ -16,12 +16,12 @@ use crate::netmesh::state::watch::Watch;
 use crate::options::{Options, ProgressFn};
 use crate::parameters::Parameters;
 
-/// Where points are in the coarse mesh.
+/// Places of points in the coarse mesh.
 pub struct Located {
-    /// By point, a simplex that it is in; `u32::MAX` if it is at a vertex.
+    /// Point -> a simplex that it is in; `u32::MAX` if it is at a vertex.
     pub simplices: Vec<u32>,
-    /// The points at vertices that are not of the sample, each with the vertex. On lattices there are
-    /// some.
+    /// The points at vertices that are not of the sample, each with the vertex. On lattices there
+    /// are some.
     pub at_steiner_points: Vec<(usize, u32)>,
 }
 
@@ -29,7 +29,7 @@ pub struct Located {
 pub struct Coarse<const D: usize> {
     piece: Piece<D>,
     delaunay: Delaunay<D>,
-    /// How many vertices are of the sample. They come first.
+    /// Number of vertices that are of the sample. They come first.
     pub(super) sample: usize,
     maker: Maker<D>,
 }
@@ -87,8 +87,8 @@ impl<const D: usize> Coarse<D> {
         &self.maker
     }
 
-    /// Where `points` are. That does not depend on the others of them. They are visited in an order of
-    /// locality, so that walks are short.
+    /// Locates `points` in the coarse mesh. The place of one does not depend on the others. They
+    /// are visited in an order of locality, so that walks are short.
     ///
     /// # Errors
     /// `NonFinite`; `OutOfMemory`; `Cancelled`.
@@ -118,8 +118,8 @@ impl<const D: usize> Coarse<D> {
         Ok(found)
     }
 
-    /// Makes Steiner points, by [`Located::at_steiner_points`], the inputs of the given names, as if
-    /// they had yielded to them. Each vertex is there once.
+    /// Makes Steiner points, by [`Located::at_steiner_points`], the inputs of the given names, as
+    /// if they had yielded to them. Each vertex is there once.
     ///
     /// # Errors
     /// `OutOfMemory`.

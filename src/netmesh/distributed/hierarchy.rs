@@ -1,6 +1,6 @@
 //! The domains of pieces. A partition that has the centre of a domain, its cage, and all simplices
-//! at them may grow or release it. Others know what it was when one that joined them last had all of
-//! it; they may lower its clearance and add to its cage, and what all know together counts.
+//! at them may grow or release it. Others know what it was when one that joined them last had all
+//! of it; they may lower its clearance and add to its cage, and what all know together counts.
 
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
@@ -8,7 +8,7 @@ use crate::netmesh::distributed::names::{NOTHING, ROOT_NAME, made_by};
 use crate::netmesh::distributed::piece::{Corner, NamedDomain, Piece};
 use crate::netmesh::state::hierarchy::{DomainId, Hierarchy, ROOT};
 
-/// What a partition knows of its domains beside their hierarchy.
+/// Names, versions and owners of a partition's domains, which its hierarchy does not have.
 pub(super) struct Domains {
     /// Domain -> name.
     names: Vec<u64>,
@@ -16,7 +16,7 @@ pub(super) struct Domains {
     /// Domain -> its centre and the vertices of its cage, where the partition may not change it.
     fixed: Vec<Option<(u64, Vec<u64>)>>,
     released: Vec<[u64; 2]>,
-    /// How many of them others may know.
+    /// Number of domains that other partitions may know.
     known: usize,
 }
 
@@ -105,8 +105,8 @@ pub(super) fn with_domains<const D: usize>(
     Ok((hierarchy, domains))
 }
 
-/// What the `copies` of a domain know together, the latest first. Every partition that has vertices
-/// on both sides may have lowered the clearance and narrowed gaps of the cage.
+/// Returns the domain that `copies` describe together, the latest first. Every partition that has
+/// vertices on both sides may have lowered the clearance and narrowed gaps of the cage.
 fn merged<const D: usize>(copies: &[&NamedDomain<D>]) -> AllocResult<NamedDomain<D>> {
     let mut cage = collected(copies[0].cage.iter().copied())?;
     let mut outside = copies[0].outside;

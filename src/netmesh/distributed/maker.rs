@@ -47,7 +47,8 @@ impl<const D: usize> Maker<D> {
         assembly.refine(number, watch)
     }
 
-    /// Whether nothing is left to do in `piece`, if there are no others that it has not joined.
+    /// Returns true if nothing is left to do in `piece`, and there are no pieces that it has not
+    /// joined.
     ///
     /// # Errors
     /// `OutOfMemory`.

@@ -62,7 +62,8 @@ pub(super) struct NamedDomain<const D: usize> {
     pub outside: f64,
     pub center: u64,
     pub cage: Vec<u64>,
-    /// How often it has been in a partition that might change it: the highest is the latest.
+    /// Number of partitions that it has been in and that might change it: the highest version is
+    /// the latest.
     pub version: u64,
 }
 
@@ -84,7 +85,7 @@ impl<const D: usize> Piece<D> {
         self.corners.iter().map(|corner| (corner.name, corner.point))
     }
 
-    /// How many inputs wait for their insertion.
+    /// Returns the number of inputs that wait for their insertion.
     pub fn waiting_count(&self) -> usize {
         self.waiting.len()
     }
@@ -190,8 +191,8 @@ impl<const D: usize> Piece<D> {
         })
     }
 
-    /// Simplex -> the part of `cut` that its middle is in; infinite ones go with the finite ones beside
-    /// them.
+    /// Simplex -> the part of `cut` that its middle is in; infinite ones go with the finite ones
+    /// beside them.
     pub(super) fn parts(&self, cut: &Bisection<D>) -> Result<Vec<u32>> {
         let share = 1.0 / Self::CORNERS as f64;
         let middle = |simplex: usize| {
@@ -254,7 +255,7 @@ impl<const D: usize> Piece<D> {
         Ok(is_wanted)
     }
 
-    /// Those of `names` that are of vertices of this piece.
+    /// Returns those of `names` that are names of vertices of this piece.
     fn own_names(&self, names: &[u64]) -> AllocResult<Vec<u64>> {
         let mut wanted = collected(names.iter().copied())?;
         wanted.sort_unstable();

@@ -5,10 +5,11 @@ use crate::memory::{collected, filled, with_capacity};
 use crate::netmesh::distributed::names::NOTHING;
 use crate::netmesh::distributed::piece::Piece;
 
-/// What a facet has in [`PlainPiece::neighbors`] if it is on the hull of the mesh.
+/// Entry of a facet in [`PlainPiece::neighbors`] that is on the hull of the mesh.
 pub const HULL: u32 = u32::MAX;
 
-/// What it has if another piece is beyond it, which has the same facet.
+/// Entry of a facet in [`PlainPiece::neighbors`] beyond which another piece is, which has the same
+/// facet.
 pub const INTERFACE: u32 = u32::MAX - 1;
 
 /// No domain.
@@ -40,7 +41,7 @@ pub struct PlainPiece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlainDomain {
     pub name: u64,
-    /// Of all that pieces know of a domain, what has the highest version holds.
+    /// Version of the domain: of all that pieces say of it, the highest version holds.
     pub version: u64,
     /// The domain around it, or one that was dissolved; none for the root.
     pub parent: u64,

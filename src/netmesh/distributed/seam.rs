@@ -7,9 +7,9 @@ use crate::memory::{TryGrow, collected, filled, with_capacity};
 use crate::netmesh::distributed::bisection::Bisection;
 use crate::netmesh::distributed::piece::{NamedDomain, Piece};
 
-/// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
-/// vertex of it. What is inserted at a seam changes cells a few steps away, and never those at its
-/// end.
+/// Number of rings that a seam has beyond unsettled simplices, a ring being the simplices with a
+/// vertex of those before. A point that goes in at a seam changes cells a few steps away, and never
+/// those at its end.
 pub const RINGS: usize = 3;
 
 impl<const D: usize> Piece<D> {
@@ -27,8 +27,8 @@ impl<const D: usize> Piece<D> {
         self.split_around(is_seam, rings, tick)
     }
 
-    /// What is left of the piece, and the simplices that have a vertex of the given names, which
-    /// rise, with the rings around them; nothing if there are none.
+    /// Returns the rest of the piece, and the simplices that have a vertex of the given names,
+    /// which rise, with the rings around them, if there are any.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -55,7 +55,7 @@ impl<const D: usize> Piece<D> {
         Ok((settled, Some(seam)))
     }
 
-    /// What is left, and the simplices that are taken out, as pieces.
+    /// Returns the rest of the piece, and the simplices that are taken out, as pieces.
     pub fn split(
         self,
         mut is_out: Vec<bool>,
@@ -67,8 +67,8 @@ impl<const D: usize> Piece<D> {
         Ok((self.select(&is_out, &mut tick)?, out))
     }
 
-    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number, in
-    /// rising order.
+    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number,
+    /// in rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -124,8 +124,8 @@ impl<const D: usize> Piece<D> {
         Ok(names)
     }
 
-    /// The names of the vertices of the simplices that have a vertex of the given names, which rise.
-    /// In rising order.
+    /// The names of the vertices of the simplices that have a vertex of the given names, which
+    /// rise. In rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -170,7 +170,7 @@ impl<const D: usize> Piece<D> {
         Ok(names)
     }
 
-    /// Whether all is done that can be done without others.
+    /// Returns true if all is done that can be done without other pieces.
     pub fn is_settled(&self) -> Result<bool> {
         let mut is_unsettled = filled(self.simplex_count(), false)?;
         self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;

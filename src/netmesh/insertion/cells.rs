@@ -7,7 +7,8 @@ use crate::netmesh::state::{Cell, Mesher, State};
 use crate::numerics::{Circumball, distance};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// After a vertex has left `x`: the cells of `neighbors` that it was the nearest of.
+    /// Measures the cells of those of `neighbors` whose nearest vertex may have been the one that
+    /// has left `x`.
     pub(in crate::netmesh) fn note_departure(
         &mut self,
         x: &[f64; D],
@@ -37,7 +38,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// After `simplex` came.
+    /// Lets the cells of the vertices of `simplex`, which is new, reach as far as its corner.
     pub(in crate::netmesh) fn note_corner(&mut self, simplex: SimplexId) {
         let complex = self.delaunay.complex();
         let Some(ball) = self.delaunay.ball(simplex) else { return };
@@ -50,7 +51,7 @@ impl<const D: usize> State<D> {
         }
     }
 
-    /// After `vertex` went in among `neighbors`.
+    /// Updates the nearest distances of `vertex`, which went in among `neighbors`, and of those.
     pub(in crate::netmesh) fn note_arrival(&mut self, vertex: VertexId, neighbors: &[VertexId]) {
         let x = *self.delaunay.point(vertex);
         self.cells[vertex].nearest = f64::INFINITY;

@@ -1,4 +1,5 @@
-//! The queue of crowded simplices, whose conflict lists are not empty, for Sparse Voronoi Refinement.
+//! The queue of crowded simplices, whose conflict lists are not empty, for Sparse Voronoi
+//! Refinement.
 
 use crate::complex::SimplexId;
 use crate::memory::{AllocResult, enqueue};

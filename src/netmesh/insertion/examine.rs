@@ -1,5 +1,5 @@
-//! Examination: simplices that an insertion or a release changed are tested, and the bad ones are put
-//! on REFINELIST (§6.4).
+//! Examination: simplices that an insertion or a release changed are tested, and the bad ones are
+//! put on REFINELIST (§6.4).
 
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::AllocResult;
@@ -67,9 +67,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// After the nearest distance of `vertex` fell: its cell may have gone bad. The lengths of the
-    /// edges there are what they were, and so is all that other cells depend on. The cell of a
-    /// cage's vertex has no bound of its own.
+    /// Queues the simplices that make the cell of `vertex` bad, after its nearest distance fell.
+    /// The lengths of the edges there are what they were, and so is all that other cells depend on.
+    /// The cell of a cage's vertex has no bound of its own.
     pub(super) fn examine_cell(&mut self, vertex: VertexId) -> AllocResult<()> {
         let Cell { nearest, farthest } = self.state.cells[vertex];
         if self.state.parameters.criterion == Criterion::RadiusEdge
@@ -90,8 +90,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         })
     }
 
-    /// After the clearance of `cage` fell: its union cell may have gone bad over the corners at its
-    /// vertices that are beyond the bound now. All other cells are what they were.
+    /// Queues the simplices that make the union cell of `cage` bad, after its clearance fell: those
+    /// at its vertices whose corners are beyond the bound now. All other cells are what they were.
     pub(super) fn examine_union_cell(&mut self, cage: DomainId) -> AllocResult<()> {
         let farthest = self.state.cage_bound(cage);
         for at in 0..self.state.hierarchy.node(cage).cage.len() {
@@ -164,7 +164,7 @@ impl<const D: usize> State<D> {
         self.queue_by(simplex, length)
     }
 
-    /// The same by a `length` that is known.
+    /// Puts a live simplex on REFINELIST by a `length` that is known, unless it is exempt.
     fn queue_by(&mut self, simplex: SimplexId, length: f64) -> AllocResult<()> {
         match self.is_exempt(simplex) {
             true => Ok(()),

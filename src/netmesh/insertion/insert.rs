@@ -1,5 +1,5 @@
-//! INSERT, second half (§6.3): a vertex goes into the Voronoi diagram, and all that the state knows of
-//! the simplices that it replaces is brought up to date.
+//! INSERT, second half (§6.3): a vertex goes into the Voronoi diagram, and all that the state knows
+//! of the simplices that it replaces is brought up to date.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
@@ -21,7 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_noted(vertex, cavity)
     }
 
-    /// The same for a vertex that encroaches no subsegment.
+    /// Inserts `vertex`, which encroaches no subsegment, as [`Self::insert_into_cavity`] does.
     pub(in crate::netmesh) fn insert_off_segments(
         &mut self,
         vertex: VertexId,

@@ -1,5 +1,5 @@
-//! The insertion of one vertex, whose cavity is found and whose domain is set, and all that the state
-//! has to learn from it.
+//! The insertion of one vertex, whose cavity is found and whose domain is set, and all that the
+//! state has to learn from it.
 //!
 //! - `insert`: the Delaunay triangulation, conflict lists, and then the rest.
 //! - `update`: distances to nearest neighbours, and clearances of cages.

@@ -37,13 +37,15 @@ impl<const D: usize> State<D> {
         Ok(!encroached.is_empty())
     }
 
-    /// Before a vertex goes in with `cavity` that encroaches nothing.
+    /// Notes that a vertex goes in with `cavity`, and encroaches no subsegment: the new simplices
+    /// will be in the regions of those that they replace.
     pub(super) fn note_insertion_off_segments(&mut self, cavity: &Cavity) -> AllocResult<()> {
         self.segments.regions.note_insertion(cavity, false)
     }
 
-    /// Before `vertex` goes in: what it encroaches waits. Regions stay known where all subsegments
-    /// but the one that it splits are recovered, and that one is an edge.
+    /// Queues the subsegments that `vertex`, which goes in with `cavity`, encroaches. Regions stay
+    /// known where all subsegments but the one that it splits are recovered, and that one is an
+    /// edge.
     pub(super) fn note_insertion_near_segments(
         &mut self,
         vertex: VertexId,
@@ -62,10 +64,10 @@ impl<const D: usize> State<D> {
         regions.note_insertion(cavity, is_split)
     }
 
-    /// Whether no segment passes through a simplex of `cavity`, but for the one that `vertex` is
-    /// on and has split: where another waits, it may be no edge. A vertex that is rounded to one
-    /// side of its edge may have no conflict on the other; then a simplex on the edge, which
-    /// leaves `cavity`, is beyond the two edges that replace it.
+    /// Returns true if no segment passes through a simplex of `cavity`, but for the one that
+    /// `vertex` is on and has split: where another waits, it may be no edge. A vertex that is
+    /// rounded to one side of its edge may have no conflict on the other; then a simplex on the
+    /// edge, which leaves `cavity`, is beyond the two edges that replace it.
     fn is_within_regions(&self, vertex: VertexId, cavity: &Cavity) -> bool {
         let chains = &self.segments.chains;
         let Some(ends) = chains.neighbors_on_line(vertex) else {

@@ -41,8 +41,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// After `vertex` went in: it and its neighbours may be the nearest outside of each other's
-    /// cages.
+    /// Lowers clearances of cages, after `vertex` went in: it and its neighbours may be the nearest
+    /// outside of each other's cages.
     fn update_clearances(&mut self, vertex: VertexId, neighbors: &[VertexId]) -> AllocResult<()> {
         for &neighbor in neighbors {
             if self.state.hierarchy.same_domain(&[vertex, neighbor]) {

@@ -13,7 +13,7 @@ use std::time::Instant;
 /// The most vertices at which feature sizes are compared in the complete mesh.
 const FEATURE_PROBES: usize = 20_000;
 
-/// So many insertions are all observed, then half as many of each doubling.
+/// Number of insertions that are all observed; of each doubling of it half as many are.
 const INSERTION_PROBES: usize = 1 << 12;
 
 /// Probes end when all of them together visited this number of simplices: a vertex of a finished
@@ -42,7 +42,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// In all domains that have `vertex`.
+    /// Compares the feature sizes at `vertex` in every domain that has it.
     fn compare_feature_sizes_at(&mut self, vertex: VertexId) -> Result<()> {
         let mut omega = self.state.hierarchy.domain_of(vertex);
         loop {
@@ -67,7 +67,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// After `vertex` went in: f_P^Omega(v) / lambda_v, if it is one of those to be observed.
+    /// Observes f_P^Omega(v) / lambda_v of `vertex`, which has just gone in, if it is one of those
+    /// to be observed.
     pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: VertexId) -> Result<()> {
         let is_cage_vertex = self.state.hierarchy.cage_of(vertex).is_valid();
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();

@@ -27,7 +27,7 @@ pub(super) struct FeatureSizes {
     pub inputs: Option<f64>,
 }
 
-/// Whether `id` was not in `set`, where it is now.
+/// Adds `id` to `set`. Returns true if it was not there.
 fn is_new<Of>(set: &mut IdSet<Of>, id: Id<Of>) -> AllocResult<bool> {
     let before = set.ids.len();
     set.insert(id)?;

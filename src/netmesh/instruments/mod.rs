@@ -1,14 +1,12 @@
 //! The constants of the paper's theorems as observed on the mesh at hand: ply and intersections of
-//! D-balls (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of feature sizes
-//! (`features`), at some probes of the mesh (`probes`). Only where the options ask for it; the mesh does
-//! not depend on it.
+//! D-balls (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of feature
+//! sizes (`features`), at some probes of the mesh (`probes`). Only where the options ask for it;
+//! the mesh does not depend on it.
 
 mod balls;
 mod constants;
 mod features;
 mod probes;
-#[cfg(test)]
-mod tests;
 
 use crate::error::Result;
 use crate::netmesh::state::Mesher;
@@ -31,3 +29,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(std::mem::take(&mut self.instruments).spent + begun.elapsed())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -72,7 +72,7 @@ fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: VertexId) -> f6
     sizes.inputs.map_or(0.0, |inputs| inputs / sizes.mesh.expect("no fewer points than inputs"))
 }
 
-/// What has been seen: inputs, Steiner points of either kind, cages.
+/// Numbers of inputs, Steiner points of either kind and cages that the checks have seen.
 #[derive(Debug, Default)]
 struct Seen {
     inputs: u32,

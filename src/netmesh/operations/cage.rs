@@ -1,5 +1,5 @@
-//! NEWCAGE and GROWCAGE (§6.3). They call each other: a new cage may take in inputs that encroach the
-//! domains around it, whose cages then grow.
+//! NEWCAGE and GROWCAGE (§6.3). They call each other: a new cage may take in inputs that encroach
+//! the domains around it, whose cages then grow.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
@@ -84,30 +84,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(self.measure_clearance(cage)?)
     }
-}
 
-impl<const D: usize> State<D> {
-    /// What turns the template for `cage`: random bits, or in a deterministic ordering those of a
-    /// fixed sequence (the fractions of multiples of the golden ratio).
-    fn turn_of(&mut self, cage: DomainId) -> u64 {
-        match self.parameters.ordering {
-            NetOrdering::SampledNet => self.random.next_u64(),
-            NetOrdering::DeterministicNet => {
-                (cage.index() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            }
-        }
-    }
-
-    /// Puts the centre, or the outermost domain concentric with it, into the new domain.
-    fn adopt_center(&mut self, cage: DomainId, site: CageSite) {
-        match site.inner {
-            Some(child) => self.hierarchy.set_parent(child, cage),
-            None => self.hierarchy.set_domain(site.center, cage),
-        }
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.
     fn insert_cage_vertex(
         &mut self,
@@ -159,16 +136,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.hierarchy.join_cage(vertex, domain)?;
         self.insert_into_cavity(vertex, cavity)
     }
-}
 
-impl<const D: usize> State<D> {
-    fn limit_cage(&mut self, cage: DomainId) {
-        let center = self.hierarchy.node(cage).center;
-        self.precision_limited[center] = true;
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// Inputs that the new cage yielded to may encroach the domains around it from inside.
     pub(in crate::netmesh) fn make_room_outside(
         &mut self,
@@ -251,5 +219,31 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(())
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Returns the bits that turn the template for `cage`: random ones, or in a deterministic
+    /// ordering those of a fixed sequence (the fractions of multiples of the golden ratio).
+    fn turn_of(&mut self, cage: DomainId) -> u64 {
+        match self.parameters.ordering {
+            NetOrdering::SampledNet => self.random.next_u64(),
+            NetOrdering::DeterministicNet => {
+                (cage.index() as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            }
+        }
+    }
+
+    /// Puts the centre, or the outermost domain concentric with it, into the new domain.
+    fn adopt_center(&mut self, cage: DomainId, site: CageSite) {
+        match site.inner {
+            Some(child) => self.hierarchy.set_parent(child, cage),
+            None => self.hierarchy.set_domain(site.center, cage),
+        }
+    }
+
+    fn limit_cage(&mut self, cage: DomainId) {
+        let center = self.hierarchy.node(cage).center;
+        self.precision_limited[center] = true;
     }
 }

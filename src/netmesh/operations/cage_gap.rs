@@ -41,11 +41,35 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
     }
+
+    /// Finds the cavity of `x` and returns true if `x` is far enough from its vertices, and is no
+    /// uninserted input, of which a partition may have some left.
+    fn finds_room(
+        &mut self,
+        near: SimplexId,
+        domain: DomainId,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let Some(start) = self.state.delaunay.locate(near, x) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, x, cavity)?;
+        let is_apart = self.state.nearest_vertex_distance(x, cavity)
+            >= SPACING * self.state.sphere_radius(domain);
+        Ok(is_apart && self.input_near(x, 0.0, cavity)?.is_none())
+    }
+
+    /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
+    fn join_at(&mut self, domain: DomainId, x: [f64; D], cavity: &Cavity) -> Result<()> {
+        self.state.stats.cage_points += 1;
+        self.state.stats.closing_points += 1;
+        let vertex = self.state.add_vertex(x)?;
+        self.insert_into_cage(domain, vertex, cavity)
+    }
 }
 
 impl<const D: usize> State<D> {
-    /// Whether the corner of `simplex` is inside the cage sphere by a fraction of its radius, and
-    /// everything next to it is inside the domain.
+    /// Returns true if the corner of `simplex` is inside the cage sphere by a fraction of its
+    /// radius, and everything next to it is inside the domain.
     fn is_clear_of_cage(
         &mut self,
         simplex: SimplexId,
@@ -69,8 +93,8 @@ impl<const D: usize> State<D> {
         Ok(cavity.simplices.iter().all(|&simplex| self.is_inside(simplex, domain)))
     }
 
-    /// Whether all vertices of `simplex` are in `domain`. The hull of the root's cage is the hull
-    /// of the mesh.
+    /// Returns true if all vertices of `simplex` are in `domain`. The hull of the root's cage is
+    /// the hull of the mesh.
     fn is_inside(&self, simplex: SimplexId, domain: DomainId) -> bool {
         self.delaunay.complex().vertices(simplex).iter().all(|&vertex| {
             vertex.is_valid() && self.hierarchy.contains(domain, self.delaunay.point(vertex))
@@ -85,31 +109,5 @@ impl<const D: usize> State<D> {
         let stretch = self.sphere_radius(domain) / norm(&offset);
         let x: [f64; D] = std::array::from_fn(|axis| center[axis] + stretch * offset[axis]);
         x.iter().all(|x| x.is_finite()).then_some(x)
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// Finds the cavity of `x` and returns true if `x` is far enough from its vertices, and is no
-    /// uninserted input, of which a partition may have some left.
-    fn finds_room(
-        &mut self,
-        near: SimplexId,
-        domain: DomainId,
-        x: &[f64; D],
-        cavity: &mut Cavity,
-    ) -> Result<bool> {
-        let Some(start) = self.state.delaunay.locate(near, x) else { return Ok(false) };
-        self.state.delaunay.find_cavity(start, x, cavity)?;
-        let is_apart = self.state.nearest_vertex_distance(x, cavity)
-            >= SPACING * self.state.sphere_radius(domain);
-        Ok(is_apart && self.input_near(x, 0.0, cavity)?.is_none())
-    }
-
-    /// Inserts `x`, whose conflicts are `cavity`, as a vertex of the cage of `domain`.
-    fn join_at(&mut self, domain: DomainId, x: [f64; D], cavity: &Cavity) -> Result<()> {
-        self.state.stats.cage_points += 1;
-        self.state.stats.closing_points += 1;
-        let vertex = self.state.add_vertex(x)?;
-        self.insert_into_cage(domain, vertex, cavity)
     }
 }

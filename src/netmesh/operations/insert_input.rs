@@ -1,4 +1,5 @@
-//! INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy is changed first.
+//! INSERTINPUT (§6.3): every insertion is medial in its domain, because the hierarchy is changed
+//! first.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;

@@ -55,42 +55,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(self.state.limit_subsegment(subsegment, is_edge)?)
     }
-}
 
-impl<const D: usize> State<D> {
-    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
-    /// mesh, it must go through a vertex beside it.
-    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
-        let own = *self.segments.chains.get(subsegment);
-        let Subsegment { ends, line, .. } = own;
-        if !is_edge {
-            let place = self.splitting_place(&own);
-            let x = self.point_at(line, place);
-            let State { delaunay, segments: Segments { chains, .. }, .. } = self;
-            let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
-            let beside = vertex.and_then(|vertex| chains.line_at(vertex));
-            let segment_of = |line: u32| chains.lines[line as usize].segment;
-            let (segment, beside) = (segment_of(line), beside.map(segment_of));
-            let crowded = Crowded { segment, beside, x: [0, 1].map(|axis| x[axis]) };
-            self.segments.crowded.try_push(crowded)?;
-        }
-        self.segments.chains.limit(subsegment);
-        ends.into_iter().for_each(|end| self.precision_limited[end] = true);
-        Ok(())
-    }
-
-    fn crowded_error(&self, &Crowded { segment, beside, x: [x, y] }: &Crowded) -> Error {
-        let name = name_of(segment);
-        let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
-        let message = message!(
-            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
-             subsegments"
-        );
-        Error::new(ErrorKind::Limit, message)
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// Splits `subsegment`; false where doubles have no room for a vertex on it.
     pub(in crate::netmesh) fn split(
         &mut self,
@@ -171,5 +136,38 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.segments.encroached = encroached;
         self.recover_segments(cavity)?;
         Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
+    /// mesh, it must go through a vertex beside it.
+    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
+        let own = *self.segments.chains.get(subsegment);
+        let Subsegment { ends, line, .. } = own;
+        if !is_edge {
+            let place = self.splitting_place(&own);
+            let x = self.point_at(line, place);
+            let State { delaunay, segments: Segments { chains, .. }, .. } = self;
+            let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
+            let beside = vertex.and_then(|vertex| chains.line_at(vertex));
+            let segment_of = |line: u32| chains.lines[line as usize].segment;
+            let (segment, beside) = (segment_of(line), beside.map(segment_of));
+            let crowded = Crowded { segment, beside, x: [0, 1].map(|axis| x[axis]) };
+            self.segments.crowded.try_push(crowded)?;
+        }
+        self.segments.chains.limit(subsegment);
+        ends.into_iter().for_each(|end| self.precision_limited[end] = true);
+        Ok(())
+    }
+
+    fn crowded_error(&self, &Crowded { segment, beside, x: [x, y] }: &Crowded) -> Error {
+        let name = name_of(segment);
+        let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
+        let message = message!(
+            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
+             subsegments"
+        );
+        Error::new(ErrorKind::Limit, message)
     }
 }

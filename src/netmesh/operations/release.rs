@@ -1,5 +1,5 @@
-//! RELEASECAGE (§6.3), and OUTENCROACH, which calls it for every cage that a new point is too close to
-//! from outside.
+//! RELEASECAGE (§6.3), and OUTENCROACH, which calls it for every cage that a new point is too close
+//! to from outside.
 
 use crate::delaunay::Cavity;
 use crate::memory::AllocResult;

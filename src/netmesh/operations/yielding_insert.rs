@@ -1,5 +1,5 @@
-//! YIELDINGINSERT (§6.3): the Steiner point for a bad simplex goes in, or the input nearest to it in its
-//! D-ball instead.
+//! YIELDINGINSERT (§6.3): the Steiner point for a bad simplex goes in, or the input nearest to it
+//! in its D-ball instead.
 
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
@@ -10,7 +10,7 @@ use crate::netmesh::questions::steiner_point::SteinerPoint;
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// YIELDINGINSERT of the Steiner point for `simplex`.
+    /// Inserts the Steiner point for `simplex`, or the input that it yields to (YIELDINGINSERT).
     pub(in crate::netmesh) fn refine_corner(
         &mut self,
         simplex: SimplexId,
@@ -20,7 +20,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_steiner(simplex, steiner, cavity)
     }
 
-    /// The same with the corner itself, which no bound asks for.
+    /// Inserts the corner of `simplex` itself, or the input that it yields to, though no bound asks
+    /// for it.
     pub(in crate::netmesh) fn insert_corner(
         &mut self,
         simplex: SimplexId,

@@ -15,9 +15,9 @@ use rand_pcg::Pcg64Mcg;
 use std::sync::{Mutex, PoisonError};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Each of the `runs` of live simplices as a partition, with the inputs on their conflict lists,
-    /// which are on no list of the global mesh from then on. No id is given in the global mesh
-    /// before or afterwards.
+    /// Each of the `runs` of live simplices as a partition, with the inputs on their conflict
+    /// lists, which are on no list of the global mesh from then on. No id is given in the global
+    /// mesh before or afterwards.
     pub(super) fn extract(&mut self, runs: Vec<Array<SimplexId>>) -> Result<Vec<Partition<D>>> {
         let threads = self.state.threads();
         let Self { state, watch, .. } = self;

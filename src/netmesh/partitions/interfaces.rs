@@ -19,6 +19,23 @@ impl<const D: usize> State<D> {
         let first = |partition| VertexId::new(partition * self.inputs / count);
         collected((1..count).map(first))
     }
+
+    /// Returns true if `simplex`, or a neighbour of it, has neighbours in several partitions.
+    fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
+        let neighbors =
+            |simplex: SimplexId| self.delaunay.complex().neighbors(simplex).iter().copied();
+        let near = neighbors(simplex).flat_map(neighbors);
+        let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
+        let first = partitions.next();
+        partitions.any(|partition| Some(partition) != first)
+    }
+
+    /// The number of the partition that a simplex is in, if it has an input.
+    fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
+        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
+        let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
+        Some(interfaces.partition_point(|&interface| interface <= anchor))
+    }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -80,24 +97,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
             collected(piece.filter(has_inputs).filter(is_at_interface))
         })?;
         Ok(collected(lists.into_iter().flatten())?)
-    }
-}
-
-impl<const D: usize> State<D> {
-    /// Whether `simplex` is at an interface, or next to one that is.
-    fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
-        let neighbors =
-            |simplex: SimplexId| self.delaunay.complex().neighbors(simplex).iter().copied();
-        let near = neighbors(simplex).flat_map(neighbors);
-        let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
-        let first = partitions.next();
-        partitions.any(|partition| Some(partition) != first)
-    }
-
-    /// The number of the partition that a simplex is in, if it has an input.
-    fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
-        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
-        let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
-        Some(interfaces.partition_point(|&interface| interface <= anchor))
     }
 }

@@ -23,8 +23,6 @@ pub(super) mod partition;
 pub(super) mod reserves;
 pub(super) mod rounds;
 pub(super) mod schedule;
-#[cfg(test)]
-mod tests;
 
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
@@ -61,3 +59,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.clean(cavity)
     }
 }
+
+#[cfg(test)]
+mod tests;

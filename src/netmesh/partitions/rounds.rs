@@ -31,7 +31,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.run_rounds_locked(cavity)
     }
 
-    /// The same where the interface is locked already.
+    /// Goes through rounds and refinement, as far as the interface allows, which is locked already.
     pub(in crate::netmesh) fn run_rounds_locked(&mut self, cavity: &mut Cavity) -> Result<()> {
         for tile in tiles(self.state.inputs) {
             self.insert_most(&tile, cavity)?;

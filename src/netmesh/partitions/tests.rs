@@ -127,7 +127,8 @@ fn uniform_points() {
     check::<3>(&scattered(6000, 2), &Options::default());
 }
 
-/// What has slivers mended depends neither on threads nor on the order that they end in.
+/// The slivers that are mended depend neither on the number of threads nor on the order in which
+/// they end.
 #[test]
 fn slivers_of_partitions_are_mended_alike_on_any_number_of_threads() {
     let points = [scattered::<3>(3000, 3), grid(12)].concat();
@@ -240,7 +241,7 @@ fn other_options() {
     check(&points, &Options { instruments: true, ..Options::default() });
 }
 
-/// In 4D interfaces would be most of the mesh.
+/// Meshes in 4D are not divided: most of one would be at interfaces.
 #[test]
 fn higher_dimensions_go_as_one() {
     let inputs = inputs(&scattered::<4>(800, 4));
@@ -270,7 +271,7 @@ fn the_limit_is_that_of_the_global_mesh() {
     }
 }
 
-/// What the caller is told goes up, and it can end the run at any time.
+/// The fraction that the caller is told rises, and the caller can end the run at any time.
 #[test]
 fn runs_in_partitions_are_watched() {
     let inputs = inputs(&scattered::<3>(15_000, 7));
@@ -299,8 +300,8 @@ fn runs_in_partitions_are_watched() {
     }
 }
 
-/// What comes after partitions has its share of what the caller is told, and slivers have theirs
-/// after that, from 0.4 on.
+/// The fraction that the caller is told goes on to rise after the partitions, and slivers have the
+/// part of it from 0.4 on.
 #[test]
 fn progress_goes_on_after_partitions() {
     let inputs = inputs(&scattered::<3>(5000, 7));
@@ -324,8 +325,8 @@ fn progress_goes_on_after_partitions() {
     }
 }
 
-/// What is left for the global mesh are the inputs at interfaces; those were inserted before, as
-/// long as simplices there were large.
+/// Only inputs at interfaces are left for the global mesh; those were inserted before, as long as
+/// simplices there were large.
 #[test]
 fn few_inputs_wait_for_the_global_mesh() {
     fn check<const D: usize>(count: usize, most: f64) {

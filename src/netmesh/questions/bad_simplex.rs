@@ -18,15 +18,15 @@ pub(in crate::netmesh) struct BadSimplexView<'a, const D: usize> {
     measure: Measure,
 }
 
-/// Which simplices a scan tests.
+/// Simplices that a scan tests.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::netmesh) enum Scan {
     All,
-    /// Those with vertices of several domains.
+    /// Simplices with vertices of several domains.
     SpanningDomains,
 }
 
-/// What a simplex is measured by.
+/// Criterion and bound that simplices are measured by.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Measure {
     pub criterion: Criterion,
@@ -34,8 +34,8 @@ pub(in crate::netmesh) struct Measure {
 }
 
 impl<const D: usize> BadSimplexView<'_, D> {
-    /// Whether a live simplex has what all bad ones have, and few others: vertices too near to
-    /// others for the radius, or vertices of several domains.
+    /// Returns true if a live simplex has what all bad ones have, and few others: vertices too near
+    /// to others for the radius, or vertices of several domains.
     #[inline]
     pub fn is_suspect(&self, simplex: SimplexId) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
@@ -46,16 +46,16 @@ impl<const D: usize> BadSimplexView<'_, D> {
             || !self.hierarchy.same_domain(vertices)
     }
 
-    /// Whether a live simplex has vertices of several domains.
+    /// Returns true if a live simplex has vertices of several domains.
     #[inline]
     fn spans_domains(&self, simplex: SimplexId) -> bool {
         let is_finite = self.delaunay.ball(simplex).is_some();
         is_finite && !self.hierarchy.same_domain(self.delaunay.complex().vertices(simplex))
     }
 
-    /// Whether a live simplex is suspect, and not only for its domains or for the vertices of a
-    /// cage: the corner is beyond the bound of a union cell, or the cell of a near vertex has a
-    /// bound. Of a hierarchy that is compressed.
+    /// Returns true if a live simplex is suspect, and not only for its domains or for the vertices
+    /// of a cage: the corner is beyond the bound of a union cell, or the cell of a near vertex has
+    /// a bound. The hierarchy must be compressed.
     fn may_be_bad(&self, simplex: SimplexId) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let allowed = self.measure.nearest_allowed(ball.radius());
@@ -71,7 +71,8 @@ impl<const D: usize> BadSimplexView<'_, D> {
                 && self.hierarchy.spans(vertices, |cage| self.is_beyond_cage_bound(simplex, cage))
     }
 
-    /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
+    /// Returns true if the corner of `simplex` is farther from the centre of `cage` than the bound
+    /// allows.
     pub fn is_beyond_cage_bound(&self, simplex: SimplexId, cage: DomainId) -> bool {
         let node = self.hierarchy.node(cage);
         let distance = self.delaunay.corner_distance(simplex, &node.point);
@@ -80,8 +81,8 @@ impl<const D: usize> BadSimplexView<'_, D> {
 }
 
 impl Measure {
-    /// How many vertices of a bad simplex, whose vertices are of one domain, are too near to
-    /// others: an edge has two ends.
+    /// Returns the number of vertices of a bad simplex in one domain that are too near to others:
+    /// an edge has two ends.
     #[inline]
     pub fn near_of_bad(&self) -> usize {
         match self.criterion {

@@ -13,7 +13,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-/// Where a cage is wanted.
+/// Site of a cage: its centre, its radius, and the domains around and inside it.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::netmesh) struct CageSite {
     pub center: VertexId,
@@ -42,14 +42,15 @@ impl<const D: usize> Member<D> {
 /// radius, so that the input is strictly inside epsilon r.
 const SLACK: f64 = 1.001;
 
-/// How much more room than the inputs of a sample need their cages have, for those to come.
+/// Room that the cages in the mesh of a sample have, relative to that which its inputs need, for
+/// the inputs to come.
 const SAMPLE_ROOM: f64 = 1.5;
 
 /// Subnormal distances are rounded to whole units of the smallest double.
 const ROUNDING: f64 = 4.0 * f64::from_bits(1);
 
-/// How much more room than it needs a cage must have in a mesh that FINISHMESH completes: that
-/// fills the gap which the cage bridges, and the cage's vertices are then too many
+/// Room that a cage must have, relative to that which it needs, in a mesh that FINISHMESH
+/// completes: that fills the gap which the cage bridges, and the cage's vertices are then too many
 /// (docs/decisions.md).
 const ROOM_IF_FINISHED: f64 = 128.0;
 
@@ -246,8 +247,8 @@ impl<const D: usize> State<D> {
         nearest
     }
 
-    /// What stands for an inserted vertex in M_Omega: the vertex itself if it lies in Omega, or the
-    /// centre of the child of Omega that holds it, or nothing.
+    /// Returns the member of M_Omega that stands for an inserted vertex: the vertex itself if it
+    /// lies in Omega, or the centre of the child of Omega that holds it, or none.
     fn representative(&mut self, vertex: VertexId, omega: DomainId) -> Option<Member<D>> {
         if self.hierarchy.domain_of(vertex) == omega {
             return Some(Member { vertex, point: *self.delaunay.point(vertex), child: None });

@@ -83,7 +83,7 @@ impl<const D: usize> State<D> {
         self.outer_encroachment() * self.hierarchy.node(domain).radius
     }
 
-    /// Whether `x`, which is outside of `domain`, encroaches it.
+    /// Returns true if `x`, which is outside of `domain`, encroaches it.
     pub(in crate::netmesh) fn outer_encroaches(&self, domain: DomainId, x: &[f64; D]) -> bool {
         self.hierarchy.distance_to_center(domain, x) < self.outer_reach(domain)
     }

@@ -26,7 +26,7 @@ impl<const D: usize> State<D> {
         self.segments.is_active() && radius < SMALLEST_BALL * (largest.next_up() - largest)
     }
 
-    /// Whether a live simplex is known to need no refinement.
+    /// Returns true if a live simplex is known to be outside, or forced.
     pub(in crate::netmesh) fn is_exempt(&self, simplex: SimplexId) -> bool {
         let segments = &self.segments;
         if !segments.is_active() {
@@ -39,13 +39,15 @@ impl<const D: usize> State<D> {
         is_outside || self.is_forced(simplex)
     }
 
-    /// As [`Self::is_exempt`], with regions that were not known. All subsegments are recovered.
+    /// Returns true if a live simplex is outside, or forced. Finds the regions that are not known.
+    /// All subsegments are recovered.
     pub(in crate::netmesh) fn is_left_alone(&mut self, simplex: SimplexId) -> Result<bool> {
         let is_known = self.segments.is_active() && self.segments.regions.is_known();
         Ok(is_known && (self.is_outside(simplex)? || self.is_forced(simplex)))
     }
 
-    /// Whether segments leave a live simplex out of the domain. All subsegments are recovered.
+    /// Returns true if segments leave a live simplex out of the domain. All subsegments are
+    /// recovered.
     pub(in crate::netmesh) fn is_outside(&mut self, simplex: SimplexId) -> Result<bool> {
         let State { delaunay, segments, .. } = self;
         if !segments.is_active() || !segments.regions.is_known() {
@@ -67,8 +69,8 @@ impl<const D: usize> State<D> {
         Ok(regions.max_edges[region as usize])
     }
 
-    /// Whether the shortest edge of a live simplex is between two lines that meet at a sharp end,
-    /// on one shell about that.
+    /// Returns true if a live simplex is forced: its shortest edge is between two lines that meet
+    /// at a sharp end, on one shell about that.
     fn is_forced(&self, simplex: SimplexId) -> bool {
         let vertices = self.delaunay.complex().vertices(simplex);
         let chains = &self.segments.chains;
@@ -82,7 +84,7 @@ impl<const D: usize> State<D> {
         self.is_on_shell(vertices[a], vertices[b])
     }
 
-    /// Whether a simplex beyond the bound stays for that.
+    /// Returns true if a live simplex is beyond the bound, and stays because it is forced.
     pub(in crate::netmesh) fn is_bad_but_forced(&self, simplex: SimplexId) -> bool {
         let radius = self.delaunay.ball(simplex).map_or(0.0, |ball| ball.radius());
         self.is_forced(simplex) && self.short_edge(simplex, radius).is_some()

@@ -1,5 +1,5 @@
-//! Questions about a state. They change nothing that the mesh depends on: an answer may leave a shortcut
-//! in the tree of domains, or a note for the global mesh that a domain is wanted.
+//! Questions about a state. They change nothing that the mesh depends on: an answer may leave a
+//! shortcut in the tree of domains, or a note for the global mesh that a domain is wanted.
 //!
 //! - `encroachment`: the cages that a point is too close to (Definition 2).
 //! - `cage_site`: the place and the size of a cage.

@@ -12,19 +12,19 @@ use std::ops::RangeInclusive;
 /// to the global mesh.
 const MOST_ROUND_CAGE: usize = 1 << 13;
 
-/// How much farther from the cage sphere than inputs that its vertices yield to a partition must
-/// extend: cage vertices and D-balls are rounded.
+/// Room that a partition must have beside a cage sphere, relative to the yield radius of the cage's
+/// vertices: cage vertices and D-balls are rounded.
 const MARGIN: f64 = 1.0 + 1e-6;
 
 impl<const D: usize> State<D> {
-    /// Whether no simplex of `cavity` is locked.
+    /// Returns true if no simplex of `cavity` is locked.
     pub(in crate::netmesh) fn may_replace_cavity(&self, cavity: &Cavity) -> bool {
         !self.interface.is_some()
             || !cavity.simplices.iter().any(|&simplex| self.interface.is_locked(simplex))
     }
 
-    /// Whether `x`, whose cavity is given, may be inserted, and the cages that it encroaches from
-    /// outside released.
+    /// Returns true if `x`, whose cavity is given, may be inserted, and the cages that it
+    /// encroaches from outside released.
     pub(in crate::netmesh) fn may_insert(&mut self, x: &[f64; D], cavity: &Cavity) -> bool {
         if !self.interface.is_some() {
             return true;
@@ -50,9 +50,9 @@ impl<const D: usize> State<D> {
         true
     }
 
-    /// Whether vertices in the `shell` about `center`, given by distances, encroach no non-owned
-    /// domain from outside, of those from the domain of `vertex` up to `parent`, or to one as
-    /// large.
+    /// Returns true if vertices in the `shell` about `center`, given by distances, encroach no
+    /// non-owned domain from outside, of those from the domain of `vertex` up to `parent`, or to
+    /// one as large.
     fn keeps_off_below(
         &mut self,
         parent: DomainId,
@@ -80,9 +80,9 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Whether a cage may be made at `site`: no locked simplex is in conflict with a point near its
-    /// sphere, and the partition owns all domains between there and the parent. What the sphere
-    /// surrounds stays as it is.
+    /// Returns true if a cage may be made at `site`: no locked simplex is in conflict with a point
+    /// near its sphere, and the partition owns all domains between there and the parent. The inside
+    /// of the sphere stays as it is.
     pub(in crate::netmesh) fn may_make_cage(&mut self, site: &CageSite) -> AllocResult<bool> {
         if !self.state.interface.is_some() {
             return Ok(true);

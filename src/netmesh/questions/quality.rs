@@ -16,7 +16,8 @@ use crate::numerics::shortest_distance;
 use crate::options::Criterion;
 
 impl<const D: usize> State<D> {
-    /// Whether the Voronoi corner of a live simplex makes a cell, or the union cell of a cage, bad.
+    /// Returns true if the Voronoi corner of a live simplex makes a cell, or the union cell of a
+    /// cage, bad.
     pub(in crate::netmesh) fn is_bad(&mut self, simplex: SimplexId) -> bool {
         let Some(ball) = self.delaunay.ball(simplex) else { return false };
         let radius = ball.radius();
@@ -68,7 +69,8 @@ impl<const D: usize> State<D> {
         worst
     }
 
-    /// As [`Self::short_edge`], if the corner of `simplex` counts for all its vertices.
+    /// Returns the shortest edge of `simplex`, if that is too short for its radius, and the corner
+    /// of `simplex` counts for all its vertices.
     pub(super) fn inner_short_edge(
         &mut self,
         simplex: SimplexId,
@@ -125,7 +127,8 @@ impl<const D: usize> State<D> {
         (vertices[a], vertices[b], length)
     }
 
-    /// See [`super::bad_simplex::Measure::nearest_allowed`].
+    /// Returns the distance from its nearest neighbour that a vertex of a good simplex of this
+    /// radius has.
     #[inline]
     pub(in crate::netmesh) fn nearest_allowed(&self, radius: f64) -> f64 {
         self.measure().nearest_allowed(radius)
@@ -137,7 +140,7 @@ impl<const D: usize> State<D> {
         vertices.map(|&vertex| self.cells[vertex].nearest).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the corner of `simplex` counts for the cell of its vertex `vertex`.
+    /// Returns true if the corner of `simplex` counts for the cell of its vertex `vertex`.
     fn counts_for(&mut self, simplex: SimplexId, vertex: VertexId) -> bool {
         if self.hierarchy.cage_of(vertex).is_valid() {
             return false;
@@ -146,7 +149,7 @@ impl<const D: usize> State<D> {
         self.is_well_inside(simplex, domain)
     }
 
-    /// Whether the corner of `simplex` is within the corner restriction of `domain`.
+    /// Returns true if the corner of `simplex` is within the corner restriction of `domain`.
     pub(in crate::netmesh) fn is_well_inside(&self, simplex: SimplexId, domain: DomainId) -> bool {
         let max_distance = self.parameters.corner_restriction() * self.sphere_radius(domain);
         let distance = self.delaunay.corner_distance(simplex, &self.hierarchy.node(domain).point);
@@ -196,12 +199,14 @@ impl<const D: usize> State<D> {
         domains
     }
 
-    /// Whether the corner of `simplex` is farther from the centre of `cage` than the bound allows.
+    /// Returns true if the corner of `simplex` is farther from the centre of `cage` than the bound
+    /// allows.
     pub(super) fn is_beyond_cage_bound(&self, simplex: SimplexId, cage: DomainId) -> bool {
         self.bad_simplex_view().is_beyond_cage_bound(simplex, cage)
     }
 
-    /// See [`super::bad_simplex::Measure::cage_bound`].
+    /// Returns the distance from the centre of `cage` within which the corners of a good union cell
+    /// are.
     pub(in crate::netmesh) fn cage_bound(&self, cage: DomainId) -> f64 {
         self.measure().cage_bound(self.hierarchy.node(cage))
     }
@@ -223,8 +228,8 @@ impl<const D: usize> State<D> {
         })
     }
 
-    /// Whether all that is bad (`is_bad`) is open, too: the same corners are too far, only more of
-    /// them count. By edges that is not so where a simplex has vertices of several domains.
+    /// Returns true if all that is bad (`is_bad`) is open, too: the same corners are too far, only
+    /// more of them count. By edges that is not so where a simplex has vertices of several domains.
     pub(in crate::netmesh) fn is_bad_open(&self) -> bool {
         let is_by_cells = self.parameters.criterion == Criterion::VoronoiAspect;
         self.stage.is_final

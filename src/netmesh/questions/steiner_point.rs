@@ -13,13 +13,14 @@ use crate::options::Criterion;
 pub(in crate::netmesh) struct SteinerPoint<const D: usize> {
     pub point: [f64; D],
     pub radius: f64,
-    /// Whether it is the corner itself, and no off-centre.
+    /// True if the point is the corner itself, and no off-centre.
     pub is_corner: bool,
 }
 
-/// How far an off-centre is from the vertex of a bad cell, relative to what the bound allows its
-/// corners (docs/decisions.md has the figures). Times half the bound it is above 1: then no
-/// Steiner point is as near to a vertex as its nearest neighbour, and refinement ends.
+/// Returns the distance of an off-centre from the vertex of a bad cell, relative to the distance
+/// that the bound allows its corners (docs/decisions.md has the figures). Times half the bound it
+/// is above 1: then no Steiner point is as near to a vertex as its nearest neighbour, and
+/// refinement ends.
 const fn cell_factor<const D: usize>() -> f64 {
     match D {
         2 => 1.2,
@@ -28,15 +29,15 @@ const fn cell_factor<const D: usize>() -> f64 {
     }
 }
 
-/// How far an off-centre is from the middle of a short edge, relative to the apex of the triangle
-/// on it whose radius-edge ratio is the bound. At least 1/2: then it is no nearer to any vertex
-/// than the bound times the edge.
+/// Returns the distance of an off-centre from the middle of a short edge, relative to the apex of
+/// the triangle on it whose radius-edge ratio is the bound. It is at least 1/2: then the point is
+/// no nearer to any vertex than the bound times the edge.
 const fn edge_factor<const D: usize>() -> f64 {
     if D == 2 { 0.97 } else { 0.6 }
 }
 
-/// The same for a simplex whose vertices are all on segments: those are likely to need others between
-/// them, whatever comes now.
+/// Distance of an off-centre, as [`edge_factor`], for a simplex whose vertices are all on segments:
+/// those are likely to need others between them, whatever comes now.
 const FACTOR_BETWEEN_SEGMENTS: f64 = 0.8;
 
 impl<const D: usize> State<D> {
@@ -76,9 +77,9 @@ impl<const D: usize> State<D> {
         distance >= 0.5 * steiner.radius && distance <= 1.5 * steiner.radius
     }
 
-    /// On the way from v, the vertex of the worst cell that `corner` makes bad, to the corner, at
-    /// the distance t that the bound allows, times [`cell_factor`]. The ball of radius t about it
-    /// is inside the D-ball: no vertex is nearer to it than v.
+    /// Returns the point on the way from v, the vertex of the worst cell that `corner` makes bad,
+    /// to the corner, at the distance t that the bound allows, times [`cell_factor`]. The ball of
+    /// radius t about it is inside the D-ball: no vertex is nearer to it than v.
     fn off_center_of_cell(
         &mut self,
         simplex: SimplexId,
@@ -94,7 +95,8 @@ impl<const D: usize> State<D> {
             .then_some(off_center)
     }
 
-    /// On the way from the middle of the shortest edge to `corner`.
+    /// Returns the point on the way from the middle of the shortest edge to `corner` that makes a
+    /// good triangle with the edge.
     fn off_center_of_edge(
         &mut self,
         simplex: SimplexId,

@@ -19,7 +19,7 @@ const SAFE: std::ops::Range<f64> = 1e-100..1e100;
 const SHORTEST: f64 = 64.0;
 
 impl<const D: usize> State<D> {
-    /// Where a subsegment is to be split.
+    /// Returns the place on its line at which a subsegment is to be split.
     pub(in crate::netmesh) fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
         let [first, second] = subsegment.fractions;
         match self.shell_of(subsegment) {
@@ -56,8 +56,8 @@ impl<const D: usize> State<D> {
         point_between(point(from), point(to), place.of_line)
     }
 
-    /// Whether the ways from `center` to two others make a sharp angle; `None` where squares of
-    /// lengths overflow or vanish.
+    /// Returns true if the ways from `center` to two others make a sharp angle; `None` where
+    /// squares of lengths overflow or vanish.
     pub(in crate::netmesh) fn is_sharp_between(
         &self,
         center: VertexId,

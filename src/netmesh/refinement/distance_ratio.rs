@@ -19,10 +19,10 @@ use crate::netmesh::state::hierarchy::ROOT;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 
-/// What rounding may add to the distance of a corner.
+/// Relative error that rounding may add to the distance of a corner.
 const SLACK: f64 = 1e-11;
 
-/// What the reach of cells is compared with.
+/// Distances from the inputs, with which the out-radii of cells are compared.
 struct Distances {
     inputs: Tree,
     ratio: f64,
@@ -55,24 +55,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.report_progress()
     }
-}
 
-impl<const D: usize> State<D> {
-    fn distances(&self) -> AllocResult<Distances> {
-        let inputs = (0..self.inputs).map(VertexId::new);
-        let points = collected(inputs.flat_map(|input| *self.delaunay.point(input)))?;
-        let parameters = &self.parameters;
-        Ok(Distances {
-            inputs: Tree::of_all::<D>(&points)?,
-            ratio: parameters.distance_ratio,
-            end: self.hierarchy.node(ROOT).radius / parameters.root_scale,
-        })
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The simplex with the farthest corner, of those well inside the root's cage, of a cell that is
-    /// to be refined.
+    /// The simplex with the farthest corner, of those well inside the root's cage, of a cell that
+    /// is to be refined.
     fn far_corner(
         &mut self,
         vertex: VertexId,
@@ -111,7 +96,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(simplex.filter(|_| is_refined))
     }
 
-    /// Whether `input` is the nearest one of all corners in the scratch star, and so of the cell.
+    /// Returns true if `input` is the nearest input of all corners in the scratch star, and so of
+    /// the whole cell.
     fn is_in_group(&self, input: VertexId, distances: &Distances) -> bool {
         let input = self.state.delaunay.point(input);
         self.scratch.star.iter().all(|&simplex| {
@@ -119,6 +105,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let (_, least) = nearest(&distances.inputs, &corner);
                 distance(&corner, input) <= least * (1.0 + SLACK)
             })
+        })
+    }
+}
+
+impl<const D: usize> State<D> {
+    fn distances(&self) -> AllocResult<Distances> {
+        let inputs = (0..self.inputs).map(VertexId::new);
+        let points = collected(inputs.flat_map(|input| *self.delaunay.point(input)))?;
+        let parameters = &self.parameters;
+        Ok(Distances {
+            inputs: Tree::of_all::<D>(&points)?,
+            ratio: parameters.distance_ratio,
+            end: self.hierarchy.node(ROOT).radius / parameters.root_scale,
         })
     }
 }

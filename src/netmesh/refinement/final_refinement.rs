@@ -28,8 +28,8 @@ const TILE: usize = 1 << 12;
 
 const SMALL: usize = 1 << 17;
 
-/// Tiles of a mesh with segments and a bound below `TIGHT`, where the order by length is worth 1.5 %
-/// of the vertices, and a quarter of the time.
+/// Tiles of a mesh with segments and a bound below `TIGHT`, where the order by length is worth 1.5
+/// % of the vertices, and a quarter of the time.
 const LARGE_TILE: usize = 1 << 15;
 
 const TIGHT: f64 = 1.1;
@@ -100,16 +100,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(())
     }
-}
 
-impl<const D: usize> State<D> {
-    fn tile_length(&self) -> usize {
-        let is_tight = self.segments.is_active() && self.stage.bound < TIGHT;
-        if is_tight { LARGE_TILE } else { TILE }
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// Mends the bad ones of some simplices, and all that becomes bad by it.
     fn refine_simplices(&mut self, simplices: &[SimplexId], cavity: &mut Cavity) -> Result<()> {
         for &simplex in simplices {
@@ -134,6 +125,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
+    fn tile_length(&self) -> usize {
+        let is_tight = self.segments.is_active() && self.stage.bound < TIGHT;
+        if is_tight { LARGE_TILE } else { TILE }
+    }
+
     fn is_any_open(&mut self) -> bool {
         let mut all = self.delaunay.complex().simplices();
         all.any(|simplex| {

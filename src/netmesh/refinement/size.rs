@@ -64,8 +64,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(largest.1)
     }
 
-    /// By what factor a live simplex is larger than it may be; 0 where nothing is asked for, or
-    /// nothing can be done.
+    /// Returns the factor by which a live simplex is larger than it may be, 0 where no size is
+    /// asked for or doubles are too coarse for a point in it.
     pub(in crate::netmesh) fn excess(&mut self, simplex: SimplexId) -> Result<f64> {
         if self.sizes.is_none() || self.state.refine_list.is_limited(simplex) {
             return Ok(0.0);

@@ -9,7 +9,7 @@ use crate::numerics::{Circumball, distance, shortest_distance};
 use crate::options::{Criterion, GivesWay};
 
 impl<const D: usize> State<D> {
-    /// Whether the bound may have given way somewhere.
+    /// Returns true if the bound of this criterion may have given way to the angle somewhere.
     fn may_be_beyond(&self, criterion: Criterion) -> bool {
         let parameters = &self.parameters;
         D == 3
@@ -41,7 +41,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(beyond)
     }
 
-    /// By the corners and neighbours that `vertex` has, not those that it has had.
+    /// Returns true if the cell of `vertex` is beyond the bound by the corners and neighbours that
+    /// it has now.
     fn is_cell_beyond(&mut self, vertex: VertexId, half_aspect: f64) -> Result<bool> {
         self.state.delaunay.star(vertex, &mut self.scratch.star)?;
         let (mut nearest, mut farthest) = (f64::INFINITY, 0.0f64);
@@ -108,7 +109,8 @@ mod tests {
         }
     }
 
-    /// Those that a run with other options would mark in `mesh`.
+    /// Returns the simplices of `mesh` that a run with other options would mark as beyond the
+    /// bound.
     fn marked(inputs: &Inputs, options: &Options, mesh: &Triangulation) -> Vec<u32> {
         let parameters = Parameters::resolve(3, options).unwrap();
         let mut mesher = Mesher::<3>::new(inputs, parameters, Watch::new(None)).unwrap();

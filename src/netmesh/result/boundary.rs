@@ -36,8 +36,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(is_outside)
     }
 
-    /// What segments and regions are in the result. All regions are known. `limited`: whether a
-    /// vertex is precision-limited.
+    /// Returns the subsegments, regions and forced simplices of the result. All regions are known.
+    /// `limited`: vertex -> true if it is precision-limited.
     pub(super) fn boundary(&mut self, numbering: &Numbering, limited: &[bool]) -> Result<Boundary> {
         let mut boundary = Boundary::default();
         if !self.state.segments.is_active() {

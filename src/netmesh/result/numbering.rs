@@ -10,10 +10,10 @@ use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::workers::{PIECE, on_threads, pieces};
 use crate::netmesh::state::{Mesher, State};
 
-/// Where a vertex is.
+/// Side of the domain's boundary that a vertex is on.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
-    /// In no simplex of the result.
+    /// The vertex is in no simplex of the result.
     Nowhere,
     Outside,
     Inside,
@@ -26,9 +26,9 @@ pub(super) struct Numbering {
     pub order: Vec<VertexId>,
     /// Simplex -> its number.
     pub simplices: Vec<u32>,
-    /// How many simplices of each piece are inside, then how many are outside.
+    /// Numbers of simplices inside in each piece, then those outside.
     pub counts: Vec<usize>,
-    /// How many vertices and simplices are inside.
+    /// Numbers of vertices and of simplices inside.
     pub inside_vertices: usize,
     pub inside_simplices: usize,
 }

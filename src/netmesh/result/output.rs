@@ -123,7 +123,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((simplices.into_vec()?, neighbors.into_vec()?))
     }
 
-    /// What the result has of each vertex in `order`. `indices`: domain -> its index.
+    /// Returns the arrays of the vertices in `order`. `indices`: domain -> its index in the result.
     fn vertices(
         &mut self,
         order: &[VertexId],
@@ -241,7 +241,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// What the result has of every vertex.
+/// Arrays of the result with an entry for every vertex.
 #[derive(Default)]
 struct Vertices {
     points: Array<f64>,

@@ -24,7 +24,7 @@ const SMALL: usize = 1 << 14;
 /// The coarse mesh has one input of this number.
 const COARSE: usize = 128;
 
-/// How many rounds came one after the other, and their passes.
+/// Numbers of rounds that came one after the other, and of their passes.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Rounds {
     count: u64,
@@ -58,16 +58,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let inserted = self.state.inputs - self.state.conflict_lists.remaining();
         inserted >= self.state.inputs / COARSE
     }
-}
 
-impl<const D: usize> State<D> {
-    fn count_rounds(&mut self, rounds: Rounds) {
-        self.stats.rounds += rounds.count;
-        self.stats.passes += rounds.passes;
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// Rounds until all inputs of `tile` are in, or enough is done.
     fn insert_rounds_until(
         &mut self,
@@ -157,9 +148,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
+    fn count_rounds(&mut self, rounds: Rounds) {
+        self.stats.rounds += rounds.count;
+        self.stats.passes += rounds.passes;
+    }
+
     fn longest(&self, lists: &[SimplexId]) -> u32 {
         let counts = lists.iter().map(|&simplex| self.conflict_lists.count(simplex));
         counts.max().unwrap_or(0)
+    }
+
+    /// Defers `input`, in a partition, and the others of its simplex.
+    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
+        if self.interface.is_some() {
+            self.interface.skip(self.conflict_lists.simplex_of(input))
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -217,16 +222,5 @@ mod tests {
             assert!(later <= count - tile.end && later + count / 4 > count - tile.end, "{later}");
         }
         assert!(mesher.state.stats.worst_halving <= 0.5);
-    }
-}
-
-impl<const D: usize> State<D> {
-    /// Defers `input`, in a partition, and the others of its simplex.
-    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
-        if self.interface.is_some() {
-            self.interface.skip(self.conflict_lists.simplex_of(input))
-        } else {
-            Ok(())
-        }
     }
 }

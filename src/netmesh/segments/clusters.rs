@@ -21,7 +21,7 @@ use crate::options::Output;
 /// about as many as those between scales that are so far apart.
 const ROOM: f64 = 4.0;
 
-/// What is no cluster, or of none.
+/// Number that stands for no cluster, and for the end of a list.
 const NONE: u32 = u32::MAX;
 
 /// A vertex, or after those a cluster, by its number.
@@ -32,17 +32,17 @@ type Item = u32;
 struct Group<const D: usize> {
     low: [f64; D],
     high: [f64; D],
-    /// What it has that is in no cluster, as a list.
+    /// First and last item of the list of its vertices and clusters that are in no cluster yet.
     first: Item,
     last: Item,
-    /// Whether there are more vertices than one.
+    /// True if the group has more vertices than one.
     is_many: bool,
 }
 
 struct Clusters<const D: usize> {
     /// Vertex -> one of its group, by which the group is found; the group's first points to itself.
     towards: Vec<u32>,
-    /// Of the vertices that groups are found by.
+    /// Groups, each by the number of the vertex that it is found by.
     groups: Vec<Group<D>>,
     /// Item -> the next one of its group's list.
     next: Vec<Item>,
@@ -93,27 +93,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(clusters)
     }
-}
 
-impl<const D: usize> State<D> {
-    /// A group for each vertex.
-    fn single_groups(&self) -> AllocResult<Clusters<D>> {
-        let count = self.delaunay.point_count() as u32;
-        let groups = (0..count).map(|vertex| {
-            let x = *self.delaunay.point(VertexId::new(vertex as usize));
-            Group { low: x, high: x, first: vertex, last: vertex, is_many: false }
-        });
-        Ok(Clusters {
-            groups: collected(groups)?,
-            towards: collected(0..count)?,
-            next: filled(count as usize, NONE)?,
-            cluster_of: filled(count as usize, NONE)?,
-            sites: Vec::new(),
-        })
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     /// All edges between vertices that are not of the outer cage, by the powers of two below their
     /// lengths.
     fn edges_by_length(&mut self) -> Result<Vec<Edge>> {
@@ -156,6 +136,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
+    /// A group for each vertex.
+    fn single_groups(&self) -> AllocResult<Clusters<D>> {
+        let count = self.delaunay.point_count() as u32;
+        let groups = (0..count).map(|vertex| {
+            let x = *self.delaunay.point(VertexId::new(vertex as usize));
+            Group { low: x, high: x, first: vertex, last: vertex, is_many: false }
+        });
+        Ok(Clusters {
+            groups: collected(groups)?,
+            towards: collected(0..count)?,
+            next: filled(count as usize, NONE)?,
+            cluster_of: filled(count as usize, NONE)?,
+            sites: Vec::new(),
+        })
+    }
+
     /// Makes a group a cluster if it is concentrated, `gap` being as far as the others are.
     fn note_cluster(&self, clusters: &mut Clusters<D>, group: u32, gap: f64) -> AllocResult<()> {
         let Group { low, high, first, is_many, .. } = clusters.groups[group as usize];
@@ -246,7 +242,7 @@ impl<const D: usize> Clusters<D> {
         }
     }
 
-    /// What is in the group is in a new cluster from now on, and the group has that instead.
+    /// Makes a cluster of the items of a group; the group then has that cluster as its one item.
     pub fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
         let cluster = self.sites.len() as u32;
         let own = &mut self.groups[group as usize];

@@ -10,7 +10,7 @@ use crate::netmesh::state::hierarchy::DomainId;
 use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Circumball, shortest_distance};
 
-/// What each removal uses again.
+/// Buffers that all removals share.
 #[derive(Default)]
 struct Buffers<const D: usize> {
     hole: Hole<D>,
@@ -45,7 +45,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Whether `vertex` went.
+    /// Removes `vertex` if the bound holds without it. Returns true if it went.
     fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers<D>) -> Result<bool> {
         let Buffers { hole, filled } = buffers;
         let is_needless = !self.state.is_input(vertex)
@@ -75,21 +75,21 @@ impl<const D: usize> State<D> {
         Ok(is_center)
     }
 
-    /// Whether refinement made `vertex`, and it is in the mesh, but on no segment.
+    /// Returns true if `vertex` is in the mesh, in no cage, and on no segment.
     fn is_free(&self, vertex: VertexId) -> bool {
         self.is_inserted(vertex)
             && !self.hierarchy.cage_of(vertex).is_valid()
             && !self.segments.chains.holds(vertex)
     }
 
-    /// Whether a simplex would be beyond the bound without `vertex`, by a look at its neighbours.
+    /// Returns true if doubles tell that some simplex would be beyond the bound without `vertex`.
     fn is_surely_needed(&self, vertex: VertexId) -> bool {
         let ring = Ring::around(&self.delaunay, vertex);
         ring.is_some_and(|ring| ring.has_beyond(self.parameters.quality_bound))
     }
 
-    /// Whether all simplices that would fill the hole of `vertex` are within the bound, and in its
-    /// domain.
+    /// Returns true if all simplices that would fill the hole of `vertex` keep the bound, and its
+    /// neighbours are in its domain.
     fn is_needless(&self, vertex: VertexId, hole: &Hole<D>) -> bool {
         let around = &hole.vertices.ids;
         let bound = self.parameters.quality_bound;

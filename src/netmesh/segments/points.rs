@@ -4,8 +4,8 @@
 //! would have been put near segments would be in their way.
 //!
 //! The inputs come in rounds, each of which has about three times as many as those before together,
-//! chosen at random (N. Amenta, S. Choi and G. Rote, "Incremental constructions con BRIO", 2003), so
-//! that the expected time is O(n log n) for all points. In a round they come in their order of
+//! chosen at random (N. Amenta, S. Choi and G. Rote, "Incremental constructions con BRIO", 2003),
+//! so that the expected time is O(n log n) for all points. In a round they come in their order of
 //! locality, and a walk finds each from the one before it in that order that is in the mesh.
 
 use crate::complex::VertexId;
@@ -42,25 +42,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.refine_list.forget(&[], bound)?;
         self.measure_cells()
     }
-}
 
-impl<const D: usize> State<D> {
-    /// Input -> how many rounds come after its own.
-    fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
-        let ordering = self.parameters.ordering;
-        collected((0..self.inputs as u32).map(|input| {
-            let bits = match ordering {
-                NetOrdering::SampledNet => self.random.next_u32(),
-                // The fractions of multiples of the golden ratio.
-                NetOrdering::DeterministicNet => input.wrapping_mul(0x9e37_79b9),
-            };
-            // Three of four inputs are of the last round.
-            (bits.leading_zeros() / 2) as u8
-        }))
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
     fn insert_by_walk(
         &mut self,
         input: VertexId,
@@ -102,5 +84,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(())
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Input -> how many rounds come after its own.
+    fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
+        let ordering = self.parameters.ordering;
+        collected((0..self.inputs as u32).map(|input| {
+            let bits = match ordering {
+                NetOrdering::SampledNet => self.random.next_u32(),
+                // The fractions of multiples of the golden ratio.
+                NetOrdering::DeterministicNet => input.wrapping_mul(0x9e37_79b9),
+            };
+            // Three of four inputs are of the last round.
+            (bits.leading_zeros() / 2) as u8
+        }))
     }
 }

@@ -1,6 +1,6 @@
-//! The ring of neighbours of a vertex in the plane, and what doubles tell of the triangles that would
-//! fill it if the vertex went. Most vertices are needed for one of those, and need no exact search
-//! of the hole that they would leave.
+//! The ring of neighbours of a vertex in the plane, and what doubles tell of the triangles that
+//! would fill it if the vertex went. Most vertices are needed for one of those, and need no exact
+//! search of the hole that they would leave.
 
 use crate::complex::VertexId;
 use crate::delaunay::Delaunay;
@@ -38,8 +38,8 @@ impl Ring {
         }
     }
 
-    /// Whether one of the triangles on the sides of the ring has a radius-edge ratio above `bound`.
-    /// Where doubles overflow or vanish there seems to be none.
+    /// Returns true if one of the triangles on the sides of the ring has a radius-edge ratio above
+    /// `bound`. Where doubles overflow or vanish the answer is no.
     pub fn has_beyond(&self, bound: f64) -> bool {
         (0..self.count).any(|side| self.squared_ratio_on(side) > bound * bound)
     }

@@ -435,7 +435,7 @@ fn extents_that_cannot_be_are_refused() {
     assert!(refusal(2, Extent::Boundary).contains("needs segments; the mesh has none"));
 }
 
-/// What is cut away holds no point of a query.
+/// A location query finds no simplex at a point in a hole.
 #[test]
 fn points_in_holes_are_outside() {
     let (outer, inner) = (circle(40, [0.0; 2], 1.0), circle(10, [0.0; 2], 0.5));

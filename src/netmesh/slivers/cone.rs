@@ -45,8 +45,8 @@ impl Cone {
         if is_worth { account.rest() } else { None }
     }
 
-    /// Whether a vertex at `x` would make simplices that are small enough. It asks the caller, so it
-    /// comes after all other tests.
+    /// Returns true if the simplices that a vertex at `x` would make are as small as the caller
+    /// asks for. This asks the caller, so it comes after all other tests.
     pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> Result<bool> {
         let Some(sizes) = view.sizes else { return Ok(true) };
         for side in &self.sides {
@@ -58,7 +58,8 @@ impl Cone {
     }
 }
 
-/// What is left of a gain while tetrahedra come. They are measured two at a time, which is faster.
+/// Account of a gain, less the penalties of tetrahedra as they come. They are measured two at a
+/// time, which is faster.
 pub(super) struct Account<'a> {
     measure: &'a Measure,
     gain: f64,
@@ -85,7 +86,7 @@ impl<'a> Account<'a> {
         self.gain > self.least
     }
 
-    /// What is left in the end, if that is more than the least.
+    /// Returns the gain less all penalties, if that is more than the least.
     pub fn rest(self) -> Option<f64> {
         let last = self.waiting.map_or(0.0, |corners| self.measure.penalty(&corners));
         let gain = self.gain - last;

@@ -16,7 +16,7 @@ use crate::netmesh::state::{Mesher, State};
 /// so mends four of its cells.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// How far from the circumcentre a point may go, relative to the radius, in turns.
+/// Largest distances of a point from the circumcentre, relative to the radius, in turns.
 const SPREADS: [f64; 3] = [0.25, 0.5, 0.85];
 
 /// A point to insert.
@@ -76,18 +76,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(best)
     }
-}
 
-impl<const D: usize> State<D> {
-    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
-        let [a, b] = ends.map(|end| self.delaunay.point(end));
-        std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
-    }
-}
-
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// Returns the gain of inserting `x`, whose conflicts are `slivers.cavity`, if that is more than
-    /// `least`, and whether it would leave no sliver.
+    /// Returns the gain of inserting `x`, whose conflicts are `slivers.cavity`, if that is more
+    /// than `least`, and whether it would leave no sliver.
     pub(super) fn judge_insertion(
         &mut self,
         x: &[f64; D],
@@ -109,6 +100,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(gain) = cone.judge(view, x, before, least) else { return Ok(None) };
         let is_kept = cone.keeps_cells(view, x) && cone.keeps_sizes(view, x)?;
         Ok(is_kept.then_some((gain, gain >= before)))
+    }
+}
+
+impl<const D: usize> State<D> {
+    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
+        let [a, b] = ends.map(|end| self.delaunay.point(end));
+        std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
     }
 }
 

@@ -7,7 +7,8 @@ use crate::netmesh::slivers::queue::Sliver;
 #[derive(Default)]
 pub(super) struct Journal<const D: usize> {
     pub steps: Vec<Step<D>>,
-    /// Slivers that came with them, which are not queued; and those of them that moves did not mend.
+    /// Slivers that came with them, which are not queued; and those of them that moves did not
+    /// mend.
     pub fresh: Vec<Sliver>,
     pub failed: Vec<Sliver>,
 }
@@ -15,7 +16,7 @@ pub(super) struct Journal<const D: usize> {
 #[derive(Clone, Copy)]
 pub(super) enum Step<const D: usize> {
     Inserted(VertexId),
-    /// From where.
+    /// The vertex moved away from this point.
     Moved(VertexId, [f64; D]),
     /// A neighbour of the vertex.
     Removed(VertexId, VertexId),

@@ -13,11 +13,11 @@ use crate::numerics::distance;
 /// Places that are tried for a vertex.
 const PLACES: usize = 16;
 
-/// How far from where it is a vertex may go, relative to its nearest neighbour.
+/// Largest distance that a vertex moves, relative to that of its nearest neighbour.
 const REACH: f64 = 0.6;
 
-/// How deep in the D-ball of a sliver a neighbour may go, relative to the radius, and how far from
-/// the way there, relative to its nearest neighbour.
+/// Depth that a neighbour may go into the D-ball of a sliver, relative to the radius, and distance
+/// from the way there, relative to its nearest neighbour.
 const DEPTH: f64 = 0.35;
 
 const ASIDE: f64 = 0.3;
@@ -51,8 +51,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(None)
     }
 
-    /// Removes or moves `vertex` such that the objective falls. Returns what that was worth. `into`:
-    /// a sliver in whose D-ball the vertex would destroy it.
+    /// Removes or moves `vertex` such that the objective falls. Returns what that was worth.
+    /// `into`: a sliver in whose D-ball the vertex would destroy it.
     fn mend_by_vertex(
         &mut self,
         vertex: VertexId,

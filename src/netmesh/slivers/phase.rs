@@ -28,10 +28,10 @@ const EXACT_TESTS: u64 = 20_000;
 
 const EXACT_TESTS_OF_SLIVER: u64 = 250;
 
-/// What it takes to mend a sliver, in the units of the watch.
+/// Work that a sliver takes, in the units of the watch.
 const WORK: u32 = 400;
 
-/// What the bound is multiplied by, in turn.
+/// Factors of the bound when it gives way, in turn.
 const LOOSER: [f64; 4] = [1.25, 1.5, 2.0, f64::INFINITY];
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -185,7 +185,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// How many times as many places an effort tries as the least does.
+/// Returns the number of places that an effort tries for each that the least effort tries.
 fn places(effort: u32) -> usize {
     4usize.pow(effort)
 }

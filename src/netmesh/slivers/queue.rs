@@ -8,10 +8,10 @@ use std::collections::BinaryHeap;
 /// A sliver as it was when it was queued.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliver {
-    /// What it adds to the objective.
+    /// Penalty of the sliver in the objective.
     pub penalty: f32,
     pub simplex: SimplexId,
-    /// In rising order.
+    /// Vertices in rising order.
     pub vertices: [VertexId; 4],
 }
 
@@ -56,7 +56,7 @@ impl Queue {
         self.failed.try_push(sliver)
     }
 
-    /// Those kept for another pass.
+    /// Takes the slivers that were kept for another pass.
     pub fn take_failed(&mut self) -> Vec<Sliver> {
         std::mem::take(&mut self.failed)
     }

@@ -16,7 +16,7 @@ impl Random {
         random
     }
 
-    /// The same, of one vertex.
+    /// Returns the random numbers of one vertex.
     pub fn of_vertex(vertex: VertexId) -> Self {
         Self(u64::from(vertex.number()) << 32)
     }

@@ -16,7 +16,7 @@ const POINTS: usize = 3;
 
 const SLIVERS: usize = 8;
 
-/// What a point may cost before vertices move.
+/// Largest cost of a point before vertices move.
 const COST: f64 = 4.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {

@@ -8,10 +8,10 @@ use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::Mesher;
 
-/// What a removal may cost before vertices move: about three slivers.
+/// Largest cost of a removal before vertices move: about three slivers.
 const COST: f64 = 6.0;
 
-/// What the objective may be larger by in the end, for the rounding of its terms.
+/// Largest rise of the objective in the end, for the rounding of its terms.
 const ROUNDING: f64 = 1e-6;
 
 impl<const D: usize> Mesher<'_, '_, D> {

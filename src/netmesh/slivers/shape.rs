@@ -9,8 +9,8 @@ use std::ops::RangeInclusive;
 /// The vertices of a tetrahedron.
 pub(super) type Corners = [[f64; 3]; 4];
 
-/// What a tetrahedron beyond the bound of the criterion adds to the objective. No change that makes
-/// one is worth it.
+/// Penalty of a tetrahedron beyond the bound of the criterion. No change that makes one is worth
+/// it.
 const VIOLATION: f64 = 1000.0;
 
 /// The angle that is aimed at is so many radians larger than that asked for, about 1e-6 degrees:
@@ -26,7 +26,7 @@ const SAFE: RangeInclusive<f64> = 1e-30..=1e30;
 /// A face is small beside another if its squared area is so many times smaller.
 const LOPSIDED: f64 = 1e-8;
 
-/// What shapes are measured against.
+/// Angle and bound that tetrahedra are measured against.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Measure {
     /// The least dihedral angle, in radians, and the square of its cosine.
@@ -50,20 +50,20 @@ impl Measure {
         Self { angle, square_cosine: angle.cos().powi(2), square_bound, half_aspect }
     }
 
-    /// Of angles alone.
+    /// Returns a measure of angles alone, without a bound.
     pub fn of_angles(degrees: f64) -> Self {
         Self::new(degrees, Criterion::RadiusEdge, f64::INFINITY)
     }
 
-    /// What a tetrahedron adds to the objective: nothing if its shape is good, 1 to 2 for a sliver,
-    /// more beyond the bound.
+    /// Returns the penalty of a tetrahedron in the objective: 0 if its shape is good, 1 to 2 for a
+    /// sliver, more beyond the bound.
     #[inline]
     pub fn penalty(&self, corners: &Corners) -> f64 {
         let signs = self.signs(*corners);
         if is_good(signs) { 0.0 } else { self.penalty_with_care(corners) }
     }
 
-    /// The same of two, in less than twice the time of one.
+    /// Returns the penalties of two tetrahedra, in less than twice the time of one.
     #[inline]
     pub fn penalties(&self, [first, second]: [&Corners; 2]) -> [f64; 2] {
         let both = |i: usize, k: usize| F64x2::new(first[i][k], second[i][k]);
@@ -76,9 +76,10 @@ impl Measure {
         [of(0, first), of(1, second)]
     }
 
-    /// What [`is_good`] looks at: the largest difference of coordinates; the volume; what is positive
-    /// where an angle is too small, where the radius is beyond the bound, and where a face is too
-    /// small beside others for these to tell; the least squared normal.
+    /// Returns the numbers that [`is_good`] tests: the largest difference of coordinates; the
+    /// volume; a number that is positive where an angle is too small, one where the radius is
+    /// beyond the bound, one where a face is too small beside others for these to tell; the least
+    /// squared normal.
     #[inline(always)]
     fn signs<R: Real>(&self, [origin, a, b, c]: [[R; 3]; 4]) -> [R; 6] {
         let [a, b, c] = [a, b, c].map(|corner| minus(corner, origin));
@@ -118,7 +119,7 @@ impl Measure {
         [largest, volume, near.max(beside_far), square(center) - bound, lopsided, least]
     }
 
-    /// As [`Self::penalty`], of one that is not known to add nothing.
+    /// Returns the penalty of a tetrahedron that the fast test does not know to be good.
     #[cold]
     #[inline(never)]
     fn penalty_with_care(&self, corners: &Corners) -> f64 {
@@ -180,8 +181,8 @@ impl Measure {
     }
 }
 
-/// Whether a tetrahedron with these [`Measure::signs`] surely adds nothing to the objective. Where
-/// one is NaN, that is not known.
+/// Returns true if a tetrahedron with these [`Measure::signs`] surely has no penalty; false where
+/// one of them is NaN.
 #[inline(always)]
 fn is_good([largest, volume, small, beyond, lopsided, least_square]: [f64; 6]) -> bool {
     SAFE.contains(&largest)

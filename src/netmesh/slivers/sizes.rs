@@ -6,7 +6,7 @@ use crate::netmesh::state::Mesher;
 use crate::netmesh::state::sizes::UNKNOWN;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// After slivers were mended: the sizes at all vertices that count.
+    /// Asks for the sizes at all vertices that have none yet, after slivers were mended.
     pub(super) fn ask_all_sizes(&mut self) -> Result<()> {
         if self.sizes.is_none() {
             return Ok(());
@@ -21,7 +21,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// After `vertex` came or moved: the size there.
+    /// Asks for the size at `vertex`, which has come or moved.
     pub(super) fn ask_size_again(&mut self, vertex: VertexId) -> Result<()> {
         let Some(sizes) = &mut self.sizes else { return Ok(()) };
         if let Some(answer) = sizes.answers.get_mut(vertex.index()) {

@@ -23,7 +23,7 @@ pub(super) struct Vacancy<const D: usize> {
     pub nearest: f64,
     /// The middle of the neighbours.
     pub middle: Vec<f64>,
-    /// What the simplices at the vertex add to the objective.
+    /// Sum of the penalties of the simplices at the vertex.
     star: f64,
     /// Simplex of the filling -> what it adds to the objective.
     penalties: Vec<f64>,
@@ -44,11 +44,11 @@ pub(super) struct Place<const D: usize> {
     pub gain: f64,
     /// A simplex of the filling whose ball holds it.
     pub near: usize,
-    /// Whether no sliver is left where the vertex was and will be.
+    /// True if the move leaves no sliver at either place.
     pub is_clean: bool,
 }
 
-/// What a search has seen of the simplices that are there.
+/// Marks of a search on the simplices of the mesh.
 #[derive(Default)]
 struct Seen {
     /// Simplex -> the number of the search that saw it last, and what it saw.
@@ -143,7 +143,7 @@ impl<const D: usize> Vacancy<D> {
         Ok(())
     }
 
-    /// What it is worth that the vertex goes away, if that is more than `least`.
+    /// Returns the gain of removing the vertex, if that is more than `least`.
     pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Result<Option<f64>> {
         let gain = self.star - self.penalties.iter().sum::<f64>();
         self.is_inside[..self.hole.balls.len()].fill(false);
@@ -162,7 +162,7 @@ impl<const D: usize> Vacancy<D> {
         })
     }
 
-    /// What it is worth that the vertex goes to `x`, if that is more than `least`.
+    /// Returns the gain of moving the vertex to `x`, if that is more than `least`.
     pub fn judge(
         &mut self,
         view: View<'_, D>,
@@ -256,8 +256,9 @@ impl<const D: usize> Vacancy<D> {
         pushed
     }
 
-    /// Whether `holds` is true of all sides of the cone over the boundary of what was found: each
-    /// by the vertices of a simplex at it, and the number of that which is not of the side.
+    /// Returns true if `holds` is true of all sides of the cone over the boundary of the cavity
+    /// that was found. Each side is given by the vertices of a simplex at it, and the number of the
+    /// vertex that is not of the side.
     #[inline(always)]
     fn all_sides(
         &self,
@@ -292,9 +293,8 @@ impl<const D: usize> Vacancy<D> {
         })
     }
 
-    /// Whether the simplices of the filling that would stay keep the bound of the Voronoi aspect,
-    /// if that is the criterion.
-    /// `x` is where the vertex would be, if anywhere.
+    /// Returns true if the simplices of the filling that would stay keep the bound of the Voronoi
+    /// aspect, or another criterion is in force. `x` is the new place of the vertex, if it has one.
     fn keeps_filling_cells(&self, view: View<'_, D>, x: Option<&[f64; D]>) -> bool {
         let Some(half_aspect) = view.measure.half_aspect else { return true };
         let is_good = |number: usize| {
@@ -309,7 +309,8 @@ impl<const D: usize> Vacancy<D> {
         self.staying().all(|number| is_good(number as usize))
     }
 
-    /// Whether the simplices of the filling that would stay are small enough.
+    /// Returns true if the simplices of the filling that would stay are as small as the caller asks
+    /// for.
     pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> Result<bool> {
         let Some(sizes) = view.sizes else { return Ok(true) };
         for number in self.staying() {

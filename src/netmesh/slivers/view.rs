@@ -7,7 +7,7 @@ use crate::netmesh::state::hierarchy::Hierarchy;
 use crate::netmesh::state::sizes::Sizes;
 use crate::netmesh::state::{Cell, State};
 
-/// What judges a place looks at.
+/// Parts of a mesh by which a place for a vertex is judged.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a, const D: usize> {
     pub delaunay: &'a Delaunay<D>,
@@ -29,7 +29,7 @@ impl<'a, const D: usize> View<'a, D> {
         Self { delaunay, hierarchy, cells, penalties, measure, sizes }
     }
 
-    /// What live simplices add to the objective.
+    /// Returns the sum of the penalties of live simplices.
     pub fn sum(&self, simplices: &[SimplexId]) -> f64 {
         simplices.iter().map(|&simplex| f64::from(self.penalties[simplex])).sum()
     }

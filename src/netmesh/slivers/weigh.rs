@@ -8,7 +8,7 @@ use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> State<D> {
-    /// Whether the phase may move `vertex`, as far as that is known without its star.
+    /// Returns true if `vertex` is no input and in no cage. Its star may still keep it from moving.
     pub(super) fn may_move(&self, vertex: VertexId) -> bool {
         !self.is_input(vertex) && !self.hierarchy.cage_of(vertex).is_valid()
     }
@@ -49,19 +49,7 @@ impl<const D: usize> State<D> {
     pub(in crate::netmesh) fn now(&self) -> u64 {
         self.delaunay.simplices_created()
     }
-}
 
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The same for the simplices of a vertex that went in.
-    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers<D>) -> AllocResult<()> {
-        let created = std::mem::take(&mut self.scratch.created);
-        let weighed = self.state.weigh(&created, slivers);
-        self.scratch.created = created;
-        weighed
-    }
-}
-
-impl<const D: usize> State<D> {
     pub(in crate::netmesh) fn penalty(&self, simplex: SimplexId, measure: &Measure) -> f32 {
         let complex = self.delaunay.complex();
         let vertices = complex.vertices(simplex);
@@ -81,13 +69,23 @@ impl<const D: usize> State<D> {
         Sliver { penalty, simplex, vertices }
     }
 
-    /// Whether `sliver` is still what it was when it was queued. Its id may be that of another
-    /// simplex now; or of one with the same vertices, which have moved.
+    /// Returns true if `sliver` is still as it was when it was queued. Its id may be that of
+    /// another simplex now, or of one with the same vertices, which have moved.
     pub(super) fn is_current(&self, sliver: &Sliver, penalties: &[f32]) -> bool {
         let complex = self.delaunay.complex();
         let is_own = |vertex: &VertexId| sliver.vertices.contains(vertex);
         complex.is_live(sliver.simplex)
             && penalties[sliver.simplex] == sliver.penalty
             && complex.vertices(sliver.simplex).iter().all(is_own)
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Measures the simplices of a vertex that went in, and queues the slivers among them.
+    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers<D>) -> AllocResult<()> {
+        let created = std::mem::take(&mut self.scratch.created);
+        let weighed = self.state.weigh(&created, slivers);
+        self.scratch.created = created;
+        weighed
     }
 }

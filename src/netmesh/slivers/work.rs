@@ -11,18 +11,18 @@ use crate::netmesh::slivers::shape::Measure;
 use crate::netmesh::slivers::vacancy::Vacancy;
 use crate::netmesh::state::State;
 
-/// A change is worth at least so much; ...
+/// Least gain of a change that keeps the bound.
 pub(super) const LEAST_GAIN: f64 = 0.001;
 
-/// ... one for which the bound gives way, about a sliver.
+/// Least gain of a change for which the bound gives way: about a sliver.
 pub(super) const LEAST_GAIN_BEYOND: f64 = 0.999;
 
-/// What the phase works on beside the mesh.
+/// Work on slivers: the objective, the slivers that wait, and the buffers of changes.
 pub(super) struct Slivers<const D: usize> {
     pub measure: Measure,
-    /// What a change is worth at least.
+    /// Least gain of a change.
     pub least_gain: f64,
-    /// Simplex -> what it adds to the objective; stale for a dead one.
+    /// Simplex -> its penalty in the objective; stale for a dead one.
     pub penalties: Array<f32>,
     /// Vertex -> the number of simplices made when its star changed last.
     pub changed: Array<u64>,
@@ -30,7 +30,7 @@ pub(super) struct Slivers<const D: usize> {
     pub offers: Offers<D>,
     /// The number of slivers that the mesh had at first.
     pub found: usize,
-    /// The phase ends when the mesh has taken as many exact tests.
+    /// Number of exact tests after which the work ends.
     pub most_exact: u64,
     pub vacancy: Vacancy<D>,
     pub cone: Cone,

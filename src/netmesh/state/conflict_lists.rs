@@ -39,9 +39,9 @@ impl Entry {
 }
 
 pub(in crate::netmesh) struct ConflictLists {
-    /// By simplex.
+    /// Simplex -> its list.
     lists: Array<ConflictList>,
-    /// By input.
+    /// Input -> its entry.
     inputs: Array<Entry>,
     remaining: usize,
     /// The number of uninserted inputs that are suspended.

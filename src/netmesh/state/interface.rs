@@ -40,7 +40,7 @@ impl Interface {
         Ok(Self { wanted: filled(non_owned.len(), false)?, non_owned, ..Self::default() })
     }
 
-    /// Whether the inputs of `simplex` may be tried.
+    /// Returns true if the inputs of `simplex` may be tried.
     #[inline]
     pub fn is_eligible(&self, simplex: SimplexId) -> bool {
         self.skipped.get(simplex.index()).is_none_or(|&is_skipped| !is_skipped)
@@ -65,7 +65,7 @@ impl Interface {
         }
     }
 
-    /// Whether this is the interface of a partition.
+    /// Returns true if this is the interface of a partition.
     pub fn is_some(&self) -> bool {
         !self.non_owned.is_empty()
     }
@@ -88,7 +88,8 @@ impl Interface {
         Ok(())
     }
 
-    /// The same if another partition owns `domain`. Whether that is so.
+    /// Notes that something is left to do at `domain` if another partition owns it. Returns true if
+    /// one does.
     pub fn want_non_owned(&mut self, domain: DomainId) -> bool {
         let is_non_owned = self.is_non_owned(domain);
         if is_non_owned {

@@ -1,6 +1,6 @@
-//! The state of a run. `State` is the mesh in the making, which a partition and the global mesh both
-//! have; `Mesher` is a run: a state, the watch over it, and the buffers of its steps. All other folders
-//! are methods of these two.
+//! The state of a run. `State` is the mesh in the making, which a partition and the global mesh
+//! both have; `Mesher` is a run: a state, the watch over it, and the buffers of its steps. All
+//! other folders are methods of these two.
 //!
 //! - `hierarchy`: the tree of domains, and the domain of every vertex.
 //! - `conflict_lists`: the uninserted inputs of every simplex.
@@ -62,7 +62,7 @@ pub(in crate::netmesh) struct State<const D: usize> {
     pub conflict_lists: ConflictLists,
     pub refine_list: RefineList,
     pub segments: Segments,
-    /// What a partition must leave as it is. The global mesh has no interface.
+    /// Simplices and domains that a partition must leave as they are. The global mesh has none.
     pub interface: Interface,
     pub stage: Stage,
     /// Vertex -> the extent of its Voronoi cell.
@@ -80,12 +80,12 @@ pub(in crate::netmesh) struct State<const D: usize> {
     pub stats: Stats,
 }
 
-/// How far a run has come, and which cells it refines.
+/// Stage of a run: the progress that it has made, and the cells that it refines.
 pub(in crate::netmesh) struct Stage {
     pub phase: Phase,
     /// The bound that refinement keeps at the time.
     pub bound: f64,
-    /// Whether this is the final refinement, in which a cell answers for all its corners.
+    /// True in the final refinement, in which a cell answers for all its corners.
     pub is_final: bool,
     /// The fraction of the final refinement that is done.
     pub final_fraction: f64,
@@ -121,7 +121,7 @@ pub(in crate::netmesh) struct Mesher<'a, 'b, const D: usize> {
     /// Simplices that had inputs when they were queued, oldest first: the coarse ones come before
     /// those that replace them. Used by Sparse Voronoi Refinement only.
     pub crowded: VecDeque<SimplexId>,
-    /// What a partition reported last.
+    /// Counts that a partition reported last.
     pub reported: [u64; 3],
     pub instruments: Instruments,
     pub scratch: Scratch,
@@ -271,7 +271,7 @@ impl<const D: usize> State<D> {
         Ok(self.delaunay.add_point(x)?)
     }
 
-    /// See [`usable_threads`].
+    /// Returns the number of threads for work that changes nothing ([`usable_threads`]).
     pub(in crate::netmesh) fn threads(&self) -> usize {
         usable_threads::<D>(&self.parameters, self.inputs)
     }

@@ -7,7 +7,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::time::Duration;
 
-/// What the instruments remember during a run.
+/// Memory of the instruments during a run.
 #[derive(Default)]
 pub(in crate::netmesh) struct Instruments {
     pub search: Search,

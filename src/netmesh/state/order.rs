@@ -15,7 +15,7 @@ use std::ops::Range;
 /// ([`VertexId`](crate::complex::VertexId)).
 pub(in crate::netmesh) type InputId = Id<Input>;
 
-/// What an [`InputId`] is the id of.
+/// Kind of thing that an [`InputId`] names.
 pub(in crate::netmesh) enum Input {}
 
 /// Bits of a key in all, and of one that buckets are made of.
@@ -23,10 +23,11 @@ const KEY_BITS: usize = 63;
 
 const BUCKET_BITS: usize = 12;
 
-/// So many inputs are sorted in one go; more would keep the caller's callback waiting.
+/// Largest number of inputs that are sorted in one go; more would keep the caller's callback
+/// waiting.
 const MANY: usize = 1 << 15;
 
-/// So few inputs in a cell may stay as they are.
+/// Largest number of inputs in a cell that may stay as they are.
 const FEW: usize = 8;
 
 /// The distinct inputs in order, whatever the number of `threads` that make it. O(n log n), since a
@@ -68,7 +69,7 @@ type Crowd = Range<usize>;
 struct Pieces<'a> {
     order: &'a mut [InputId],
     begin: usize,
-    /// In their order.
+    /// Crowds that are left, in their order.
     crowds: &'a [Crowd],
 }
 
@@ -144,7 +145,7 @@ fn sort_crowds<const D: usize>(
     Ok(found)
 }
 
-/// Whether so many inputs in one cell of `crowd` are to be ordered among themselves.
+/// Returns true if so many inputs in one cell of `crowd` are to be ordered among themselves.
 fn is_crowd(length: usize, crowd: &Crowd) -> bool {
     length > FEW && length < crowd.len()
 }
@@ -217,8 +218,8 @@ impl<const D: usize> Cells<D> {
         D * Self::AXIS_BITS
     }
 
-    /// Where on the curve the cell of `x` is. What overflows, or has no size, is in the last cell
-    /// or the first one: a cast saturates.
+    /// Returns the place on the curve of the cell of `x`. A coordinate that overflows, or has no
+    /// size, is in the last cell or the first one: a cast saturates.
     fn key(&self, x: &[f64; D]) -> u64 {
         let mut key = 0;
         for (axis, (&x, &low)) in x.iter().zip(&self.low).enumerate() {
@@ -312,7 +313,7 @@ mod tests {
         assert!(step(&points, &inner) < 0.4e-200);
     }
 
-    /// So many inputs that crowds of crowds are sorted in several pieces.
+    /// The grid has so many inputs that crowds of crowds are sorted in several pieces.
     #[test]
     fn a_large_grid_is_ordered_as_the_curve_goes() {
         const BITS: usize = 9;

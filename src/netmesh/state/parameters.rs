@@ -11,8 +11,8 @@ const CORNER_RESTRICTION: f64 = 0.85;
 /// A cage surrounds its domain's inputs if they are within this fraction of its sphere's radius.
 const SURROUNDED: f64 = 0.8;
 
-/// How much larger than the bound the quality of the mesh may be while inputs go in; and where the
-/// criterion is radius-edge (docs/decisions.md).
+/// Factors of the bound that the mesh keeps while inputs go in; the second one is for radius-edge
+/// ratios (docs/decisions.md).
 const LOOSE: f64 = 3.0;
 
 const LOOSE_EDGES: f64 = 4.5;
@@ -39,14 +39,15 @@ impl Parameters {
         factor * self.quality_bound
     }
 
-    /// Whether the final refinement bounds the cells of `domain` over all their corners, not only
-    /// over those within the corner restriction: the cage must surround the domain's inputs. The
-    /// root's always does.
+    /// Returns true if the final refinement bounds the cells of `domain` over all their corners,
+    /// not only over those within the corner restriction: the cage must surround the domain's
+    /// inputs. The root's always does.
     pub(in crate::netmesh) fn counts_all_corners_in(&self, domain: DomainId) -> bool {
         domain == ROOT || self.counts_all_corners()
     }
 
-    /// Whether it does so in every domain.
+    /// Returns true if the final refinement bounds the cells of every domain over all their
+    /// corners.
     pub(in crate::netmesh) fn counts_all_corners(&self) -> bool {
         self.epsilon <= SURROUNDED * self.cage_scale
     }

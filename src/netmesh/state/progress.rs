@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::netmesh::state::{Mesher, State};
 use crate::options::{Algorithm, Output, Phase};
 
-impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
+impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn report_progress(&mut self) -> Result<()> {
         self.note_progress();
         self.watch.report()
@@ -20,20 +20,7 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
             self.watch.note(self.state.stage.phase, self.done(), counts);
         }
     }
-}
 
-impl<const D: usize> State<D> {
-    /// Inputs inserted, vertices and simplices.
-    pub(in crate::netmesh) fn progress_counts(&self) -> [u64; 3] {
-        let inserted = self.inputs - self.conflict_lists.uninserted();
-        let vertices =
-            self.delaunay.point_count() - self.conflict_lists.uninserted() - self.removed.len();
-        let simplices = self.delaunay.complex().simplex_count();
-        [inserted as u64, vertices as u64, simplices as u64]
-    }
-}
-
-impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
     /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that
     /// need no more refinement, by their usual shares of the time.
     fn done(&self) -> f64 {
@@ -59,22 +46,9 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
         let before = (1.0 - sizes) * before + sizes * self.state.stage.size_fraction;
         (1.0 - slivers) * before + slivers * self.state.stage.sliver_fraction
     }
-}
 
-impl<const D: usize> State<D> {
-    /// What insertion and FINISHMESH are of a run without options that take longer. The rest is the
-    /// final refinement.
-    fn shares(&self) -> [f64; 2] {
-        match (self.parameters.algorithm, self.parameters.output) {
-            (Algorithm::Delaunay, _) => [1.0, 0.0],
-            (_, Output::Auto | Output::Hierarchical) => [0.6, 0.0],
-            (_, Output::WellSpaced) => [0.3, 0.4],
-        }
-    }
-}
-
-impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
-    /// What sizes are of what is before the slivers, and slivers of the whole run.
+    /// Returns the share that sizes have of the time before slivers, and that slivers have of the
+    /// whole run.
     fn shares_of_options(&self) -> [f64; 2] {
         let sizes = if self.sizes.is_some() { 0.8 } else { 0.0 };
         let slivers = if self.state.parameters.min_dihedral > 0.0 { 0.6 } else { 0.0 };
@@ -89,8 +63,28 @@ impl<'a, 'b, const D: usize> Mesher<'a, 'b, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// What is bad in one place lets cells around it get bad, and most refinement may come at the
-    /// first place. Of a mesh that is not finished yet it makes one twice as large, usually.
+    /// Inputs inserted, vertices and simplices.
+    pub(in crate::netmesh) fn progress_counts(&self) -> [u64; 3] {
+        let inserted = self.inputs - self.conflict_lists.uninserted();
+        let vertices =
+            self.delaunay.point_count() - self.conflict_lists.uninserted() - self.removed.len();
+        let simplices = self.delaunay.complex().simplex_count();
+        [inserted as u64, vertices as u64, simplices as u64]
+    }
+
+    /// Returns the shares of insertion and of FINISHMESH in the time of a run without options that
+    /// take longer. The rest is the final refinement.
+    fn shares(&self) -> [f64; 2] {
+        match (self.parameters.algorithm, self.parameters.output) {
+            (Algorithm::Delaunay, _) => [1.0, 0.0],
+            (_, Output::Auto | Output::Hierarchical) => [0.6, 0.0],
+            (_, Output::WellSpaced) => [0.3, 0.4],
+        }
+    }
+
+    /// Returns the fraction of the final refinement that is done by the number of vertices: a mesh
+    /// that is not finished yet becomes twice as large by it, usually. Most refinement may come at
+    /// the first place, for what is bad there lets cells around it get bad.
     fn usual_final_fraction(&self) -> f64 {
         let vertices = self.delaunay.point_count() as f64;
         (vertices / self.stage.vertices_before_final as f64 - 1.0).min(0.9)

@@ -74,7 +74,8 @@ impl RefineList {
         self.flags.absorb(partition.flags)
     }
 
-    /// From now on the simplex with the smallest length comes first. The list must be empty.
+    /// Orders the list by length from now on: the simplex with the smallest one comes first. The
+    /// list must be empty.
     pub fn sort_by_length(&mut self) -> AllocResult<()> {
         debug_assert!(self.is_empty());
         self.make_buckets(BUCKETS)
@@ -89,7 +90,7 @@ impl RefineList {
         self.occupied.cover(count.div_ceil(64), 0)
     }
 
-    /// Whether [`Self::push`] uses lengths.
+    /// Returns true if [`Self::push`] uses lengths.
     pub fn is_sorted(&self) -> bool {
         self.buckets.len() > 1
     }
@@ -150,12 +151,12 @@ impl RefineList {
         }
     }
 
-    /// Whether no new simplex has taken the id since `entry` was queued.
+    /// Returns true if no new simplex has taken the id since `entry` was queued.
     pub fn is_current(&self, entry: Entry) -> bool {
         generation(self.flags[entry.simplex]) == entry.generation
     }
 
-    /// Whether the corner of `simplex` cannot be inserted for want of precision.
+    /// Returns true if the corner of `simplex` cannot be inserted for want of precision.
     pub fn is_limited(&self, simplex: SimplexId) -> bool {
         self.flags.get(simplex.index()).is_some_and(|flags| flags & LIMITED != 0)
     }

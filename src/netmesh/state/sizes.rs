@@ -13,10 +13,10 @@ use crate::parameters::Parameters;
 /// Circumradii stay this far below what was asked for: the certificate rounds otherwise.
 const MARGIN: f64 = 1e-9;
 
-/// Of a vertex at which no size was needed yet.
+/// Answer at a vertex at which no size was needed yet.
 pub(in crate::netmesh) const UNKNOWN: f64 = f64::NAN;
 
-/// What the caller asks for, where, and what was answered so far.
+/// Sizes that the caller asks for, the box where they hold, and the answers so far.
 pub(in crate::netmesh) struct Sizes<'a, const D: usize> {
     function: Option<&'a SizeFn<'a>>,
     /// Infinite if there is none.
@@ -62,15 +62,15 @@ impl<'a, const D: usize> Sizes<'a, D> {
         distance(from, &corner)
     }
 
-    /// What a vertex was answered, infinite if nobody asked; `None` without a function.
+    /// Returns the answer at a vertex, infinite if nobody asked; `None` without a function.
     pub fn answer(&self, vertex: VertexId) -> Option<f64> {
         self.function?;
         let answer = self.answers.get(vertex.index()).copied();
         Some(answer.filter(|answer| !answer.is_nan()).unwrap_or(f64::INFINITY))
     }
 
-    /// By what factor a live simplex is larger than it may be; 0 where nothing is asked for.
-    /// `max_edge`: that of its region.
+    /// Returns the factor by which a live simplex is larger than it may be; 0 where nothing is
+    /// asked for. `max_edge`: the longest edge that its region may have.
     ///
     /// # Errors
     /// `InvalidArgument` if the function answers no size.
@@ -97,8 +97,8 @@ impl<'a, const D: usize> Sizes<'a, D> {
         Ok(excess_of(points, ball.radius(), size, max_edge.min(self.max_edge)))
     }
 
-    /// Returns true if a simplex may be made that has these vertices, with the vertex number `apex` at
-    /// `x`.
+    /// Returns true if a simplex may be made that has these vertices, with the vertex number `apex`
+    /// at `x`.
     ///
     /// # Errors
     /// `InvalidArgument` if the function answers no size.
@@ -130,7 +130,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         Ok(excess_of(points, Circumball::new(points).radius(), size, self.max_edge) <= 1.0)
     }
 
-    /// Whether the box of a simplex meets that of the inputs.
+    /// Returns true if the box of a simplex meets that of the inputs.
     fn meets_box(&self, points: &[&[f64; D]]) -> bool {
         (0..D).all(|axis| {
             points.iter().any(|point| point[axis] >= self.low[axis])
@@ -167,8 +167,8 @@ impl<'a, const D: usize> Sizes<'a, D> {
     }
 }
 
-/// By what factor a simplex is larger than its circumradius and edges may be, with the least answer
-/// `size` at its vertices.
+/// Returns the factor by which a simplex is larger than its circumradius and edges may be, with the
+/// least answer `size` at its vertices.
 fn excess_of<const D: usize>(points: &[&[f64; D]], radius: f64, size: f64, max_edge: f64) -> f64 {
     let allowed = regular_circumradius(D) * size.min(max_edge);
     let of_radius = radius / ((1.0 - MARGIN) * allowed);

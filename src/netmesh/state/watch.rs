@@ -16,13 +16,13 @@ pub(crate) struct Watch<'a, 'b> {
     callback: Option<&'a mut ProgressFn<'b>>,
     last: Instant,
     countdown: u32,
-    /// What was noted last, for places that cannot count.
+    /// Progress that was noted last, for places that cannot count.
     progress: Progress,
-    /// What all partitions have done, in a run that has some.
+    /// Counts of all partitions, in a run that has some.
     tally: Option<&'a Tally>,
 }
 
-/// What the partitions of a mesh have done together, and whether they are to stop.
+/// Counts of the partitions of a mesh together, and the sign for them to stop.
 pub(crate) struct Tally {
     /// The number of inputs of the mesh.
     inputs: u64,
@@ -34,8 +34,8 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    /// Begins with `counts`, what the mesh of `inputs` inputs had when it was cut. `share`: the part
-    /// of the run that is done when all partitions are.
+    /// Begins with `counts`, what the mesh of `inputs` inputs had when it was cut. `share`: the
+    /// part of the run that is done when all partitions are.
     pub fn new(inputs: usize, share: f64, counts: [u64; 3]) -> Self {
         Self {
             inputs: inputs as u64,
@@ -86,7 +86,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         }
     }
 
-    /// Whether it is time to [`Self::report`], after so much more `work`.
+    /// Returns true if it is time to [`Self::report`], after so much more `work`.
     #[inline]
     pub fn is_due(&mut self, work: u32) -> bool {
         if work < self.countdown {
@@ -111,7 +111,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         if self.is_due(work) { self.report() } else { Ok(()) }
     }
 
-    /// As [`Self::poll_after`], after work that was long.
+    /// Calls the caller if it is time to, after work that was long.
     ///
     /// # Errors
     /// `Cancelled` if the caller says so.
@@ -119,7 +119,7 @@ impl<'a, 'b> Watch<'a, 'b> {
         self.poll_after(STRIDE)
     }
 
-    /// What the next call tells the caller; its fraction never falls.
+    /// Sets the progress that the next call tells the caller; its fraction never falls.
     pub fn note(&mut self, phase: Phase, fraction: f64, counts: [u64; 3]) {
         let fraction = self.progress.fraction.max(fraction).min(1.0);
         let [inputs_inserted, vertices, simplices] = counts;
@@ -162,7 +162,7 @@ impl<'a, 'b> Watch<'a, 'b> {
     }
 }
 
-/// What a run ends with that its caller has stopped.
+/// Returns the error of a run that its caller has stopped.
 pub(in crate::netmesh) fn cancelled() -> Error {
     Error::new(ErrorKind::Cancelled, "the progress function cancelled the run")
 }

@@ -30,8 +30,8 @@ pub(in crate::netmesh) fn pieces(
     (0..bound).step_by(PIECE).map(move |begin| SimplexId::range(begin..end(begin)))
 }
 
-/// What `act` makes of each of the `pieces`, in their order. The calling thread is one of the
-/// workers, and polls the watch. It does alone what the system refuses other threads for.
+/// Returns what `act` makes of each of the `pieces`, in their order. The calling thread is one of
+/// the workers, and polls the watch. It does alone what the system refuses other threads for.
 pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
     threads: usize,
     watch: &mut Watch<'_, '_>,
@@ -41,8 +41,9 @@ pub(in crate::netmesh) fn on_threads<W: Send, T: Send>(
     on_threads_with_ticks(threads, watch, pieces, |piece, _| Ok(act(piece)?))
 }
 
-/// The same for pieces that take long: `act` calls the tick after each bit of work, and gives up
-/// where that is an error. On the calling thread it polls the watch.
+/// Returns what `act` makes of each of the `pieces`, which take long: `act` calls the tick after
+/// each bit of work, and gives up where that is an error. On the calling thread the tick polls the
+/// watch.
 pub(in crate::netmesh) fn on_threads_with_ticks<W: Send, T: Send>(
     threads: usize,
     watch: &mut Watch<'_, '_>,
@@ -78,7 +79,8 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
     }
 
     /// Does pieces until there are none, or until a worker has failed: the first one to do so has
-    /// the error. `deliver` gets what was made of each, with its number. `tick` is for what makes it.
+    /// the error. `deliver` gets what was made of each, with its number. `tick` is for what makes
+    /// it.
     pub fn work<T>(
         &self,
         tick: &mut Tick<'_>,
@@ -169,7 +171,7 @@ mod tests {
         }
     }
 
-    /// What stops a long piece on one thread is an error on another one, and that error counts.
+    /// An error on one thread stops a long piece on another one, and it is the error that counts.
     #[test]
     fn long_pieces_are_given_up_when_another_one_fails() {
         for (threads, failing) in [(2, 0), (2, 1), (3, 2)] {
@@ -197,7 +199,7 @@ mod tests {
         assert_eq!(done.unwrap_err().kind(), ErrorKind::Cancelled);
     }
 
-    /// Also where another thread is refused memory, or the caller wants no more.
+    /// All workers give up where one is refused memory, or the caller wants no more.
     #[test]
     fn all_give_up_when_one_does() {
         for threads in [1, 2, 3] {

@@ -48,8 +48,9 @@ impl<const D: usize> Rings<D> {
         self.marks.cover(points, 0)
     }
 
-    /// Of the D-balls around the edges at `vertex` that may cover a ball with `threshold` points,
-    /// the fullest: it has at least a D-th of `threshold`. `inside` are the points in each D-ball.
+    /// Returns the fullest of the D-balls around the edges at `vertex` that may cover a ball with
+    /// `threshold` points: it has at least a D-th of `threshold`. `inside` are the points in each
+    /// D-ball.
     pub fn fullest(
         &mut self,
         delaunay: &mut Delaunay<D>,
@@ -136,7 +137,7 @@ impl<const D: usize> Rings<D> {
     }
 }
 
-/// What stands for the infinite vertex in arrays by vertex.
+/// Returns the id that stands for the infinite vertex in arrays by vertex.
 fn after_last<const D: usize>(delaunay: &Delaunay<D>) -> VertexId {
     VertexId::new(delaunay.point_count())
 }

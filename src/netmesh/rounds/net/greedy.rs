@@ -50,7 +50,7 @@ pub(in crate::netmesh) struct Net<const D: usize> {
     rings: Rings<D>,
     cavity: Cavity,
     created: Vec<SimplexId>,
-    /// In-ball tests of points, those that a D-ball's two parents answer included.
+    /// Number of in-ball tests of points, those that a D-ball's two parents answer included.
     tests: u64,
 }
 
@@ -102,7 +102,7 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// In-ball tests made by all nets so far.
+    /// Returns the number of in-ball tests that all nets have made so far.
     #[cfg(test)]
     pub fn tests(&self) -> u64 {
         self.tests

@@ -21,13 +21,14 @@ mod deterministic;
 mod greedy;
 mod sampled;
 mod select;
-#[cfg(test)]
-mod tests;
 
 use crate::memory::Id;
 
 /// One of the points that a net is chosen from, by its place among them.
 pub(super) type PointId = Id<Point>;
 
-/// What a [`PointId`] is the id of.
+/// Kind of thing that a [`PointId`] names.
 pub(super) enum Point {}
+
+#[cfg(test)]
+mod tests;

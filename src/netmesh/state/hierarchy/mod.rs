@@ -13,7 +13,7 @@ use crate::numerics::distance;
 /// a vertex that is not inserted.
 pub(in crate::netmesh) type DomainId = Id<OfDomain>;
 
-/// What a [`DomainId`] is the id of.
+/// Kind of thing that a [`DomainId`] names.
 pub(in crate::netmesh) enum OfDomain {}
 
 /// The root domain.
@@ -71,7 +71,7 @@ impl<const D: usize> Hierarchy<D> {
         self.nodes.len()
     }
 
-    /// Whether the root is the only domain, so that no cage separates anything.
+    /// Returns true if the root is the only domain, so that no cage separates anything.
     pub fn is_single(&self) -> bool {
         self.alive <= 1
     }
@@ -156,8 +156,8 @@ impl<const D: usize> Hierarchy<D> {
         domain
     }
 
-    /// Whether inserted vertices are known to be of one domain, without a climb: all have the same
-    /// label, or there is only one domain.
+    /// Returns true if inserted vertices are known to be of one domain, without a climb: all have
+    /// the same label, or there is only one domain.
     #[inline]
     pub fn same_domain(&self, vertices: &[VertexId]) -> bool {
         self.is_single() || {

@@ -12,7 +12,7 @@ pub(in crate::netmesh) struct Spanned {
 }
 
 impl Spanned {
-    /// Of vertices whose innermost `domains` are given.
+    /// Returns the domains of vertices, given the innermost one of each.
     pub fn new(domains: impl Iterator<Item = DomainId>) -> Self {
         let mut spanned = Self { left: [DomainId::NONE; MAX_DIM + 1], count: 0 };
         for domain in domains {
@@ -48,8 +48,8 @@ impl Spanned {
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// Has every dissolved domain forward to a living one, so that [`Self::spans`] takes no climbs.
-    /// `tick` is called for every domain.
+    /// Makes every dissolved domain forward to a living one, so that [`Self::spans`] takes no
+    /// climbs. `tick` is called for every domain.
     pub fn compress<E>(&mut self, mut tick: impl FnMut() -> Result<(), E>) -> Result<(), E> {
         for domain in (ROOT.index()..self.len()).map(DomainId::new) {
             tick()?;
@@ -58,8 +58,8 @@ impl<const D: usize> Hierarchy<D> {
         Ok(())
     }
 
-    /// Whether inserted `vertices` span a domain that `is_wanted`. Changes nothing, so that all
-    /// threads may ask; slow unless the hierarchy is compressed.
+    /// Returns true if inserted `vertices` span a domain that `is_wanted`. Changes nothing, so that
+    /// all threads may ask; slow unless the hierarchy is compressed.
     pub fn spans(&self, vertices: &[VertexId], is_wanted: impl Fn(DomainId) -> bool) -> bool {
         let domains = vertices.iter().map(|&vertex| self.compressed_domain_of(vertex));
         let mut spanned = Spanned::new(domains);
@@ -72,18 +72,20 @@ impl<const D: usize> Hierarchy<D> {
         false
     }
 
-    /// As [`Self::domain_of`], of a hierarchy that is compressed; none for a vertex that is not
-    /// inserted.
+    /// Returns the domain of `vertex` as [`Self::domain_of`] does, and changes nothing; fast if the
+    /// hierarchy is compressed. None for a vertex that is not inserted.
     pub fn compressed_domain_of(&self, vertex: VertexId) -> DomainId {
         self.living(self.places[vertex].label)
     }
 
-    /// As [`Self::parent`], of a hierarchy that is compressed.
+    /// Returns the parent of `domain` as [`Self::parent`] does, and changes nothing; fast if the
+    /// hierarchy is compressed.
     pub fn compressed_parent(&self, domain: DomainId) -> DomainId {
         self.living(self.node(domain).parent)
     }
 
-    /// As [`Self::find`], without a short cut for the next time.
+    /// Returns the living domain that `domain` is or was dissolved into, and leaves no short cut
+    /// for the next time.
     fn living(&self, mut domain: DomainId) -> DomainId {
         while domain.is_valid() && !self.node(domain).alive {
             domain = self.node(domain).parent;

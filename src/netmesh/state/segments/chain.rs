@@ -21,22 +21,22 @@ pub(in crate::netmesh) struct Chains {
     waiting: VecDeque<u32>,
 }
 
-/// See the module.
+/// Line: a segment, or the part of one between two inputs or crossings on it.
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Line {
     pub ends: [VertexId; 2],
     /// The caller's segment that it is part of.
     pub segment: u32,
-    /// At which ends it makes a sharp angle with another line.
+    /// End -> true if the line makes a sharp angle with another one there.
     pub is_sharp: [bool; 2],
-    /// How many segments run along it, less those that run against it.
+    /// Number of segments that run along it, less those that run against it.
     pub balance: i64,
 }
 
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Subsegment {
     pub ends: [VertexId; 2],
-    /// Where the ends are on the line.
+    /// Places of the ends on the line.
     pub fractions: [Fraction; 2],
     pub line: u32,
     is_waiting: bool,
@@ -52,7 +52,7 @@ pub(in crate::netmesh) struct Fraction {
     pub of_line: f64,
 }
 
-/// Where a vertex is on the chains.
+/// Place of a vertex on the chains.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     Elsewhere,
@@ -67,7 +67,7 @@ enum Place {
 pub(in crate::netmesh) struct AtEnd {
     pub other: VertexId,
     pub line: u32,
-    /// Whether it has been split.
+    /// True if the line has been split.
     is_split: bool,
 }
 
@@ -182,7 +182,7 @@ impl Chains {
         self.places.get(vertex.index()).copied().unwrap_or(Place::Elsewhere)
     }
 
-    /// Whether `vertex` is on a segment.
+    /// Returns true if `vertex` is on a segment.
     pub fn holds(&self, vertex: VertexId) -> bool {
         self.place(vertex) != Place::Elsewhere
     }
@@ -222,13 +222,13 @@ impl Chains {
         self.waiting.len()
     }
 
-    /// Where several lines end.
+    /// Returns the lines at every vertex where several of them end.
     pub fn fans(&self) -> impl Iterator<Item = &[AtEnd]> {
         let ranges = self.starts.windows(2).map(|range| range[0] as usize..range[1] as usize);
         ranges.filter(|range| range.len() > 1).map(|range| &self.at_ends[range])
     }
 
-    /// Where `at_ends` has a line between an end, by its number, and another vertex.
+    /// Returns the index in `at_ends` of a line between an end, by its number, and another vertex.
     #[inline]
     fn find_at_end(&self, end: u32, other: VertexId) -> Option<usize> {
         let [start, end] = [end, end + 1].map(|at| self.starts[at as usize] as usize);
@@ -313,7 +313,7 @@ impl Chains {
         }
     }
 
-    /// Has a look at `subsegment` in its turn.
+    /// Queues `subsegment`, unless it waits or is limited.
     pub fn wait(&mut self, subsegment: u32) -> AllocResult<()> {
         let Subsegment { is_waiting, is_limited, .. } = &mut self.subsegments[subsegment as usize];
         if *is_waiting || *is_limited {
@@ -323,8 +323,8 @@ impl Chains {
         enqueue(&mut self.waiting, subsegment)
     }
 
-    /// Has a look at `subsegment` in its turn, and lets it be split although doubles are coarse
-    /// there: it is no edge any more.
+    /// Queues `subsegment`, and lets it be split although doubles are coarse there: it is no edge
+    /// any more.
     pub fn wait_although_limited(&mut self, subsegment: u32) -> AllocResult<()> {
         self.subsegments[subsegment as usize].is_limited = false;
         self.wait(subsegment)

@@ -11,7 +11,7 @@ use crate::netmesh::state::segments::chain::Chains;
 use crate::netmesh::state::segments::regions::Regions;
 use std::borrow::Cow;
 
-/// What a mesh with segments has beside the points.
+/// Segments of a mesh: their chains, the regions between them, and what is known of both.
 #[derive(Default)]
 pub(in crate::netmesh) struct Segments {
     pub chains: Chains,
@@ -20,12 +20,12 @@ pub(in crate::netmesh) struct Segments {
     pub seeds: Vec<Seed>,
     /// The subsegments that a point would encroach.
     pub encroached: Vec<u32>,
-    /// Those of them that would be no edges any more, although doubles are too coarse to split
-    /// them.
+    /// Encroached subsegments that would be no edges any more, although doubles are too coarse to
+    /// split them.
     pub crossed: Vec<u32>,
-    /// Where segments have no room beside each other.
+    /// Points where segments have no room beside each other.
     pub crowded: Vec<Crowded>,
-    /// Where a search for what is known of a region has been.
+    /// Simplices that a search for a known region has visited.
     pub visited: Vec<SimplexId>,
 }
 
@@ -46,7 +46,7 @@ pub(in crate::netmesh) struct Crowded {
     pub x: [f64; 2],
 }
 
-/// What an error calls a segment.
+/// Returns the name of a segment in errors.
 pub(in crate::netmesh) fn name_of(segment: u32) -> Cow<'static, str> {
     match segment {
         NONE => "the boundary of the hull or box".into(),
@@ -55,7 +55,7 @@ pub(in crate::netmesh) fn name_of(segment: u32) -> Cow<'static, str> {
 }
 
 impl Segments {
-    /// Whether the mesh has segments, and they are being recovered or have been.
+    /// Returns true if the mesh has segments, and they are being recovered or have been.
     #[inline]
     pub fn is_active(&self) -> bool {
         !self.chains.is_empty()

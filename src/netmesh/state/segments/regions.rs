@@ -20,7 +20,7 @@ pub(in crate::netmesh) struct Regions {
     of: Array<u32>,
     /// Line -> the regions on its left and on its right.
     pub sides: Vec<[u32; 2]>,
-    /// Region -> whether it belongs to the domain, and so is refined.
+    /// Region -> true if it belongs to the domain, and so is refined.
     pub is_inside: Vec<bool>,
     /// Region -> the caller's number for its simplices.
     pub labels: Vec<i32>,
@@ -31,7 +31,7 @@ pub(in crate::netmesh) struct Regions {
 }
 
 impl Regions {
-    /// Whether regions have been found.
+    /// Returns true if regions have been found.
     pub fn is_known(&self) -> bool {
         !self.sides.is_empty()
     }

@@ -7,7 +7,8 @@ use crate::memory::with_capacity;
 use crate::netmesh::partitions::partition::Partition;
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::watch::{INTERVAL, Tally, Watch, cancelled};
-use crate::netmesh::state::workers::{Tick, Workers, threads};
+use crate::netmesh::state::workers::{Tick, Workers};
+use crate::threads::asked;
 use std::sync::mpsc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 
@@ -23,7 +24,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<()> {
         let tally =
             Tally::new(self.state.inputs, self.share_of_partitions(), self.state.progress_counts());
-        let threads = threads(self.state.parameters.threads).min(partitions.len());
+        let threads = asked(self.state.parameters.threads).min(partitions.len());
         if threads > 1 {
             return self.refine_on(threads, partitions, &tally, moved);
         }

@@ -1,9 +1,9 @@
 //! What the algorithm derives from its parameters (§4, end).
 
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
-use crate::netmesh::state::workers::threads;
 use crate::options::{Algorithm, Criterion};
 use crate::parameters::Parameters;
+use crate::threads::usable;
 
 /// Largest value of [`Parameters::corner_restriction`].
 const CORNER_RESTRICTION: f64 = 0.85;
@@ -76,7 +76,7 @@ pub(in crate::netmesh) fn usable_threads<const D: usize>(
     inputs: usize,
 ) -> usize {
     match partition_count::<D>(parameters, inputs) {
-        Some(_) => threads(parameters.threads).min(threads(0)),
+        Some(_) => usable(parameters.threads),
         None => 1,
     }
 }

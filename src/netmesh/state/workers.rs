@@ -4,23 +4,13 @@
 
 use crate::complex::SimplexId;
 use crate::error::Result;
-use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
+use crate::memory::{AllocResult, TryGrow, collected};
 use crate::netmesh::state::watch::{Watch, cancelled};
-use std::iter::Enumerate;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use crate::threads::{Pieces, together};
 
 /// The number of ids in a piece. It takes a millisecond or a few, after which the caller may want
 /// to be called.
 pub(in crate::netmesh) const PIECE: usize = 1 << 14;
-
-/// Threads that the caller allows.
-pub(in crate::netmesh) fn threads(wanted: u32) -> usize {
-    match wanted {
-        0 => std::thread::available_parallelism().map_or(1, |count| count.get()),
-        _ => wanted as usize,
-    }
-}
 
 /// The simplices below `bound`, in pieces.
 pub(in crate::netmesh) fn pieces(
@@ -51,11 +41,7 @@ pub(in crate::netmesh) fn on_threads_with_ticks<W: Send, T: Send>(
     act: impl Fn(W, &mut Tick<'_>) -> Result<T> + Sync,
 ) -> Result<Vec<T>> {
     let workers = Workers::new(pieces, act);
-    // A scope asks for memory that cannot be refused.
-    let mut done = match threads {
-        0 | 1 => workers.collect(|work| watch.poll_after(work))?,
-        _ => workers.collect_together(threads, watch)?,
-    };
+    let mut done = workers.collect_together(threads, watch)?;
     done.sort_unstable_by_key(|&(at, _)| at);
     Ok(collected(done.into_iter().map(|(_, made)| made))?)
 }
@@ -66,16 +52,15 @@ pub(in crate::netmesh) type Tick<'a> = dyn FnMut(u32) -> Result<()> + 'a;
 /// More work than may pass without a look at the clock.
 const LONG: u32 = u32::MAX;
 
-/// Pieces that no worker has taken yet, with their numbers, and what is to be made of each.
-pub(in crate::netmesh) struct Workers<Q, A> {
-    queue: Mutex<Q>,
-    is_stopped: AtomicBool,
+/// Pieces that no worker has taken yet, and the function that does one.
+pub(in crate::netmesh) struct Workers<I, A> {
+    pieces: Pieces<I>,
     act: A,
 }
 
-impl<I: Iterator, A> Workers<Enumerate<I>, A> {
+impl<I: Iterator, A> Workers<I, A> {
     pub fn new(pieces: I, act: A) -> Self {
-        Self { queue: Mutex::new(pieces.enumerate()), is_stopped: AtomicBool::new(false), act }
+        Self { pieces: Pieces::new(pieces), act }
     }
 
     /// Does pieces until there are none, or until a worker has failed: the first one to do so has
@@ -89,12 +74,10 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
     where
         A: Fn(I::Item, &mut Tick<'_>) -> Result<T>,
     {
-        while !self.is_stopped.load(Ordering::Relaxed) {
-            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some((at, piece)) = next else { break };
+        while let Some((at, piece)) = self.pieces.take() {
             let made = (self.act)(piece, tick);
             let delivered = made.and_then(|made| deliver(at, made, tick));
-            if delivered.is_err() && !self.is_stopped.swap(true, Ordering::Relaxed) {
+            if delivered.is_err() && self.pieces.stop() {
                 return delivered;
             }
         }
@@ -116,7 +99,7 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
 
     /// The tick of a worker that has no watch.
     fn check(&self) -> Result<()> {
-        match self.is_stopped.load(Ordering::Relaxed) {
+        match self.pieces.is_stopped() {
             true => Err(cancelled()),
             false => Ok(()),
         }
@@ -132,22 +115,14 @@ impl<I: Iterator, A> Workers<Enumerate<I>, A> {
         I: Send,
         A: Fn(I::Item, &mut Tick<'_>) -> Result<T> + Sync,
     {
-        std::thread::scope(|scope| {
-            let mut others = with_capacity(threads)?;
-            for _ in 1..threads {
-                let builder = std::thread::Builder::new();
-                others.extend(builder.spawn_scoped(scope, || self.collect(|_| self.check())));
+        let own = || self.collect(|work| self.check().and_then(|()| watch.poll_after(work)));
+        let mut done = Vec::new();
+        for made in together(threads, own, || self.collect(|_| self.check()))? {
+            for piece in made? {
+                done.try_push(piece)?;
             }
-            let mut done =
-                self.collect(|work| self.check().and_then(|()| watch.poll_after(work)))?;
-            for other in others {
-                let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-                for made in other? {
-                    done.try_push(made)?;
-                }
-            }
-            Ok(done)
-        })
+        }
+        Ok(done)
     }
 }
 

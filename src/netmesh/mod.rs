@@ -134,7 +134,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The mesh of the inputs, with the loose bound.
+    /// Makes the mesh of the inputs, with the loose bound.
     fn mesh_points(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.start_netmesh(cavity)?;
         match self.state.parameters.algorithm {

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, with_capacity};
-use crate::netmesh::distributed::piece::{Corner, NamedDomain, Piece};
+use crate::netmesh::distributed::piece::{NamedDomain, NamedVertex, Piece};
 
 /// A value that can be sent.
 trait Sent: Sized {
@@ -107,14 +107,14 @@ macro_rules! sent_fields {
 }
 
 sent_fields!(
-    Corner<const D>, name, point, nearest, domain, cage, is_precision_limited
+    NamedVertex<const D>, name, point, nearest, domain, cage, is_precision_limited
 );
 
 sent_fields!(NamedDomain<const D>, name, parent, point, radius, outside, center, cage, version);
 
 sent_fields!(
     Piece<const D>,
-    corners,
+    vertices,
     waiting,
     simplices,
     neighbors,
@@ -129,7 +129,7 @@ sent_fields!(
 );
 
 impl<const D: usize> Piece<D> {
-    /// The piece as bytes.
+    /// Returns the piece as bytes.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -139,7 +139,7 @@ impl<const D: usize> Piece<D> {
         Ok(bytes)
     }
 
-    /// The piece that [`Self::to_bytes`] wrote.
+    /// Returns the piece that [`Self::to_bytes`] wrote.
     ///
     /// # Errors
     /// `InvalidArgument` if they are not all the bytes of a piece; `OutOfMemory`.
@@ -155,10 +155,10 @@ impl<const D: usize> Piece<D> {
     /// Returns true if every id names something that the piece has.
     fn is_consistent(&self) -> bool {
         let count = self.simplex_count();
-        let is_vertex = |&id: &u32| id == u32::MAX || (id as usize) < self.corners.len();
-        self.simplices.len() == count * Self::CORNERS
+        let is_vertex = |&id: &u32| id == u32::MAX || (id as usize) < self.vertices.len();
+        self.simplices.len() == count * Self::PER_SIMPLEX
             && self.neighbors.len() == self.simplices.len()
-            && self.waiting.len() <= self.corners.len()
+            && self.waiting.len() <= self.vertices.len()
             && self.neighbors.iter().chain(&self.waiting).all(|&id| (id as usize) < count)
             && self.simplices.iter().all(is_vertex)
     }

@@ -35,10 +35,10 @@ pub struct Coarse<const D: usize> {
 }
 
 impl<const D: usize> Coarse<D> {
-    /// The coarse mesh of `sample`, which must be distinct, have the extreme points of all inputs
-    /// along every axis, the input nearest to the middle of their box, and that farthest from the
-    /// latter. `names`: their numbers among all inputs. Clusters of at most `small` points have one
-    /// vertex.
+    /// Makes the coarse mesh of `sample`, which must be distinct, have the extreme points of all
+    /// inputs along every axis, the input nearest to the middle of their box, and that farthest
+    /// from the latter. `names`: their numbers among all inputs. Clusters of at most `small` points
+    /// have one vertex.
     ///
     /// # Errors
     /// As those of [`crate::Mesh::run`].
@@ -126,8 +126,8 @@ impl<const D: usize> Coarse<D> {
     pub fn yield_to(&mut self, inputs: &[(u32, u64)]) -> Result<()> {
         let mut renamed = with_capacity(inputs.len())?;
         for &(vertex, name) in inputs {
-            let corner = &mut self.piece.corners[vertex as usize];
-            renamed.push((std::mem::replace(&mut corner.name, name), name));
+            let named = &mut self.piece.vertices[vertex as usize];
+            renamed.push((std::mem::replace(&mut named.name, name), name));
         }
         renamed.sort_unstable();
         let domains = self.piece.domains.iter_mut();
@@ -139,7 +139,7 @@ impl<const D: usize> Coarse<D> {
         Ok(())
     }
 
-    /// Simplex -> its partition.
+    /// Returns the partition of every simplex.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -147,21 +147,21 @@ impl<const D: usize> Coarse<D> {
         self.piece.parts(cut)
     }
 
-    /// Partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]), and the
-    /// ids that its simplices had: `ids[i]` is that of simplex i.
+    /// Returns partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]),
+    /// and the ids that its simplices had: `ids[i]` is that of simplex i.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn cut(&self, partition_of: &[u32], partition: u32) -> Result<(Piece<D>, Vec<u32>)> {
-        let is_own = collected(partition_of.iter().map(|&of| of == partition))?;
-        let mut piece = self.piece.select(&is_own, || Ok(()))?;
+        let is_selected = collected(partition_of.iter().map(|&of| of == partition))?;
+        let mut piece = self.piece.select(&is_selected, || Ok(()))?;
         piece.set_outer()?;
-        let own = (0..).zip(&is_own).filter(|(_, is_own)| **is_own);
+        let own = (0..).zip(&is_selected).filter(|(_, is_selected)| **is_selected);
         Ok((piece, collected(own.map(|(simplex, _)| simplex))?))
     }
 }
 
-/// The mesh of distinct `points`, with the loose bound.
+/// Makes the mesh of distinct `points`, with the loose bound.
 pub(super) fn mesh<'a, 'b, const D: usize>(
     points: &[[f64; D]],
     parameters: &Parameters,
@@ -176,7 +176,7 @@ pub(super) fn mesh<'a, 'b, const D: usize>(
     Ok(mesher)
 }
 
-/// The places of `points` in an order of locality.
+/// Returns the places of `points` in an order of locality.
 fn order_of<const D: usize>(points: &[[f64; D]], watch: &mut Watch<'_, '_>) -> Result<Vec<usize>> {
     let is_one = points.windows(2).all(|pair| pair[0] == pair[1]);
     if is_one {

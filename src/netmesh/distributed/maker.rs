@@ -60,8 +60,8 @@ impl<const D: usize> Maker<D> {
         Ok(is_finished && piece.is_settled()?)
     }
 
-    /// The mesh that `pieces` are together, for one process to have. Names of inputs must be the
-    /// numbers from 0 on.
+    /// Returns the mesh that `pieces` are together, for one process to have. Names of inputs must
+    /// be the numbers from 0 on.
     ///
     /// # Errors
     /// `OutOfMemory`, `Limit`.

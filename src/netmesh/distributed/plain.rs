@@ -51,7 +51,7 @@ pub struct PlainDomain {
 }
 
 impl<const D: usize> Piece<D> {
-    /// The finite simplices of a piece that is settled.
+    /// Returns the finite simplices of a piece that is settled.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -65,8 +65,8 @@ impl<const D: usize> Piece<D> {
             ids[simplex] = count;
             count += 1;
         }
-        let mut simplices = with_capacity(count as usize * Self::CORNERS)?;
-        let mut neighbors = with_capacity(count as usize * Self::CORNERS)?;
+        let mut simplices = with_capacity(count as usize * Self::PER_SIMPLEX)?;
+        let mut neighbors = with_capacity(count as usize * Self::PER_SIMPLEX)?;
         for simplex in finite() {
             simplices.extend_from_slice(self.vertices_of(simplex));
             neighbors.extend(self.neighbors_of(simplex).iter().map(|&neighbor| {
@@ -76,19 +76,19 @@ impl<const D: usize> Piece<D> {
                 }
             }));
         }
-        let corners = &self.corners;
-        let mut points = with_capacity(D * corners.len())?;
-        corners.iter().for_each(|corner| points.extend_from_slice(&corner.point));
+        let vertices = &self.vertices;
+        let mut points = with_capacity(D * vertices.len())?;
+        vertices.iter().for_each(|vertex| points.extend_from_slice(&vertex.point));
         let mut centers = with_capacity(D * self.domains.len())?;
         self.domains.iter().for_each(|domain| centers.extend_from_slice(&domain.point));
         Ok(PlainPiece {
-            names: collected(corners.iter().map(|corner| corner.name))?,
+            names: collected(vertices.iter().map(|vertex| vertex.name))?,
             points,
             is_precision_limited: collected(
-                corners.iter().map(|corner| corner.is_precision_limited),
+                vertices.iter().map(|vertex| vertex.is_precision_limited),
             )?,
-            vertex_domains: collected(corners.iter().map(|corner| corner.domain))?,
-            cages: collected(corners.iter().map(|corner| corner.cage))?,
+            vertex_domains: collected(vertices.iter().map(|vertex| vertex.domain))?,
+            cages: collected(vertices.iter().map(|vertex| vertex.cage))?,
             simplices,
             neighbors,
             domains: collected(self.domains.iter().map(|domain| PlainDomain {

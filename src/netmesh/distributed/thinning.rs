@@ -11,8 +11,9 @@ use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::numerics::distance;
 
 impl<const D: usize> State<D> {
-    /// The inputs that are left, in their order, if each outermost domain with at most `most` of
-    /// them keeps one; nothing if that are all. What the outer cage follows from is left as well.
+    /// Returns the inputs that are left, in their order, if each outermost domain with at most
+    /// `most` of them keeps one; nothing if that are all. The inputs from which the outer cage
+    /// follows are left as well.
     pub(super) fn thinned(&mut self, most: usize) -> Result<Option<Vec<VertexId>>> {
         let small = self.small_domains(most)?;
         let mut is_taken = filled(small.len(), false)?;
@@ -31,8 +32,8 @@ impl<const D: usize> State<D> {
         Ok((left.len() < self.inputs).then_some(left))
     }
 
-    /// Living domain -> the outermost domain around it, or itself, that has at most `most` inputs;
-    /// none if it has more.
+    /// Returns, for every living domain, the outermost domain around it, or itself, that has at
+    /// most `most` inputs; none if it has more.
     fn small_domains(&mut self, most: usize) -> Result<Vec<DomainId>> {
         let hierarchy = &mut self.hierarchy;
         let mut inputs = filled(hierarchy.len(), 0)?;
@@ -59,8 +60,8 @@ impl<const D: usize> State<D> {
         Ok(small)
     }
 
-    /// Vertex -> whether it is at an end of the inputs along an axis, at the centre of the outer
-    /// cage, or farthest from that.
+    /// Returns, for every vertex, true if it is at an end of the inputs along an axis, at the
+    /// centre of the outer cage, or farthest from that.
     fn needed_for_outer_cage(&self) -> Result<Vec<bool>> {
         let points = || VertexId::below(self.inputs).map(|v| self.delaunay.point(v));
         let center = self.hierarchy.node(ROOT).point;

@@ -8,8 +8,8 @@ use crate::netmesh::state::Mesher;
 use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// INSERT, second half: adds `vertex`, whose domain is set, to the Voronoi diagram. Then
-    /// updates conflict lists, nearest distances and the refine list.
+    /// Adds `vertex`, whose domain is set, to the Voronoi diagram. Then updates conflict lists,
+    /// nearest distances and the refine list (INSERT, second half).
     pub(in crate::netmesh) fn insert_into_cavity(
         &mut self,
         vertex: VertexId,

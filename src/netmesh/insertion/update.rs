@@ -9,8 +9,8 @@ use crate::netmesh::state::{Cell, Mesher, State};
 use crate::numerics::distance;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Nearest distances, cages' clearances and the quality of cells after `vertex` went in. Its
-    /// neighbours are the corners of its cavity: no vertex is inside that, for all keep a star.
+    /// Updates nearest distances, clearances of cages and the quality of cells after `vertex` went
+    /// in. Its neighbours are the vertices of its cavity: none is inside that, for all keep a star.
     pub(super) fn update_star(&mut self, vertex: VertexId, cavity: &Cavity) -> AllocResult<()> {
         let mut nearest = f64::INFINITY;
         let neighbors: &[VertexId] = &cavity.vertices.ids;
@@ -79,7 +79,8 @@ impl<const D: usize> State<D> {
         }
     }
 
-    /// The nearest distance of a corner of the first simplex; its farthest corner is not known.
+    /// Measures the nearest distance of a vertex of the first simplex; its farthest corner is not
+    /// known.
     pub(in crate::netmesh) fn measure_nearest(&mut self, vertex: VertexId) {
         let simplex = self.delaunay.complex().incident(vertex);
         let x = self.delaunay.point(vertex);

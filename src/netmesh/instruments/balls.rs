@@ -32,14 +32,15 @@ impl Counts {
         self.max = self.max.max(count);
     }
 
-    /// 0 of nothing.
+    /// Returns the mean of the counts, 0 if there are none.
     fn mean(&self) -> f64 {
         self.sum as f64 / self.counts.max(1) as f64
     }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The D-balls with a point inside are the finite simplices of its cavity.
+    /// Counts the D-balls that hold probes of the mesh: those that hold a point are the finite
+    /// simplices of its cavity.
     pub(super) fn measure_ply(&mut self) -> Result<()> {
         let mut ply = Counts::default();
         let mut cavity = Cavity::default();

@@ -25,7 +25,7 @@ const WORK: u64 = 1 << 26;
 const SWEEPS: usize = 16;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
+    /// Measures the largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
     pub(super) fn measure_feature_size_constant(&mut self) -> Result<()> {
         let count = self.state.delaunay.point_count();
         let step = stride(count, FEATURE_PROBES);
@@ -106,9 +106,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// A new cage has its centre for an input, and the one that it is made for goes in after it; so
-    /// the proof of Lemma 7 has it. That input, or what else went in, may be the second one. If
-    /// `last` there is no use in waiting for another.
+    /// Compares the vertices of new cages whose domains have a second input by now. A new cage has
+    /// its centre for an input, and the one that it is made for goes in after it; so the proof of
+    /// Lemma 7 has it. That input, or another vertex that went in, may be the second one. If `last`
+    /// there is no use in waiting for another.
     fn settle_pending(&mut self, last: bool) -> Result<()> {
         let mut pending = std::mem::take(&mut self.instruments.pending);
         let mut kept = 0;

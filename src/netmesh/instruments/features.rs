@@ -58,8 +58,8 @@ impl Met {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs inserted so
-    /// far. `None` if the search became too long.
+    /// Returns f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs
+    /// inserted so far. `None` if the search became too long.
     pub(super) fn feature_sizes(
         &mut self,
         vertex: VertexId,

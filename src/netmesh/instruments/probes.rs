@@ -6,7 +6,7 @@ use crate::memory::TryGrow;
 use crate::netmesh::state::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Live finite simplices at a regular stride, at most `most`.
+    /// Returns live finite simplices at a regular stride, at most `most`.
     pub(super) fn probes(&mut self, most: usize) -> Result<Vec<SimplexId>> {
         let complex = self.state.delaunay.complex();
         let all = complex.simplices();
@@ -28,7 +28,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Every how many-th of `count` things is a probe, so that there are at most `probes`.
+/// Returns the stride at which at most `probes` of `count` things are probes.
 pub(super) fn stride(count: usize, probes: usize) -> usize {
     count.div_ceil(probes).max(1)
 }

@@ -21,8 +21,8 @@ const PACKING: f64 = 0.1;
 const GROWTH: f64 = 1.5;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// NEWCAGE(p, r): a domain in `site.parent` around the vertex `site.center` and all that is
-    /// concentric with it there, and the cage's vertices. `start` is a simplex near the sphere.
+    /// Makes a domain in `site.parent` around the vertex `site.center` and all that is concentric
+    /// with it there, and the vertices of its cage (NEWCAGE). `start` is a simplex near the sphere.
     /// Where rounding leaves no room for a cage vertex there is none, and the centre is
     /// precision-limited.
     pub(super) fn new_cage(
@@ -58,8 +58,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.make_room_outside(cage, &yielded, cavity)
     }
 
-    /// The cage of a domain that has all its vertices already. There is none where the domain has
-    /// been released, or its ball is not inside that of its parent.
+    /// Makes the cage of a domain that has all its vertices already. There is none where the domain
+    /// has been released, or its ball is not inside that of its parent.
     pub(in crate::netmesh) fn make_cage(
         &mut self,
         cage: DomainId,
@@ -85,7 +85,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.measure_clearance(cage)?)
     }
 
-    /// YIELDINGINSERT of one cage point; `None` if rounding leaves no room for it.
+    /// Inserts one cage point, or the input that it yields to (YIELDINGINSERT); `None` if rounding
+    /// leaves no room for it.
     fn insert_cage_vertex(
         &mut self,
         cage: DomainId,
@@ -137,7 +138,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_into_cavity(vertex, cavity)
     }
 
-    /// Inputs that the new cage yielded to may encroach the domains around it from inside.
+    /// Grows the domains around a new cage that inputs which it yielded to encroach from inside.
     pub(in crate::netmesh) fn make_room_outside(
         &mut self,
         cage: DomainId,
@@ -163,8 +164,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// GROWCAGE(C): a cage of radius `least`, or a little more where there is room for it. Then the
-    /// old one is released. The paper's radius is r / epsilon. False if the interface defers it.
+    /// Makes a cage of radius `least`, or a little more where there is room for it, and releases
+    /// the old one (GROWCAGE). The paper's radius is r / epsilon. Returns false if the interface
+    /// defers it.
     pub(in crate::netmesh) fn grow_cage(
         &mut self,
         cage: DomainId,
@@ -189,7 +191,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(true)
     }
 
-    /// GROWCAGE of the cage that the point at `x` encroaches from inside.
+    /// Grows the cage that the point at `x` encroaches from inside.
     pub(in crate::netmesh) fn grow_cage_for(
         &mut self,
         cage: DomainId,
@@ -202,8 +204,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.grow_cage(cage, least, start, cavity)
     }
 
-    /// The distance from the centre of `cage` to the nearest vertex outside; it is a neighbour of
-    /// a cage vertex.
+    /// Measures the distance from the centre of `cage` to the nearest vertex outside, which is a
+    /// neighbour of a cage vertex.
     fn measure_clearance(&mut self, cage: DomainId) -> AllocResult<()> {
         for at in 0..self.state.hierarchy.node(cage).cage.len() {
             let vertex = self.state.hierarchy.node(cage).cage[at];

@@ -101,7 +101,7 @@ impl<const D: usize> State<D> {
         })
     }
 
-    /// The point of the cage sphere nearest to the corner of `simplex`.
+    /// Returns the point of the cage sphere nearest to the corner of `simplex`.
     fn projected_corner(&self, simplex: SimplexId, domain: DomainId) -> Option<[f64; D]> {
         let corner = self.delaunay.corner(simplex)?;
         let center = &self.hierarchy.node(domain).point;

@@ -7,7 +7,7 @@ use crate::netmesh::state::refine_list::Entry;
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// CLEAN: refines until no cell is bad that doubles can mend.
+    /// Refines until no cell is bad that doubles can mend (CLEAN).
     pub(in crate::netmesh) fn clean(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.recover_segments(cavity)?;
         while let Some(entry) = self.state.refine_list.pop() {
@@ -31,8 +31,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// An input that was yielded to may lie on the D-ball within rounding, and a further cage
-    /// vertex beyond it: they leave the simplex.
+    /// Queues the simplex of `entry` again if it is still there and bad: an input that was yielded
+    /// to may lie on the D-ball within rounding, and a further cage vertex beyond it.
     fn queue_again(&mut self, entry: Entry) -> AllocResult<()> {
         if self.refine_list.is_current(entry) && self.delaunay.complex().is_live(entry.simplex) {
             self.examine(entry.simplex)?;

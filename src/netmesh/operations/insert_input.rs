@@ -11,10 +11,11 @@ use crate::netmesh::state::{Mesher, State};
 use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// INSERTINPUT(v): larger cages where `input` encroaches from inside, a new cage where it is
-    /// not medial, then INSERT. The paper makes the new cage first. When the nearest neighbour is
-    /// itself a vertex of the encroached cage, the new cage would extend out of that one, release
-    /// it from outside and leave nothing to grow. False if the interface defers the input.
+    /// Inserts `input` after cages that it encroaches from inside have grown, and a new cage where
+    /// it is not medial (INSERTINPUT). The paper makes the new cage first. When the nearest
+    /// neighbour is itself a vertex of the encroached cage, the new cage would extend out of that
+    /// one, release it from outside and leave nothing to grow. Returns false if the interface
+    /// defers the input.
     pub(in crate::netmesh) fn insert_input(
         &mut self,
         input: VertexId,

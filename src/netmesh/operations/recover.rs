@@ -101,8 +101,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The innermost domain that holds `x`, which is on a segment, after the release of all whose
-    /// cages it is too close to from either side.
+    /// Releases all cages that `x`, which is on a segment, is too close to from either side.
+    /// Returns the innermost domain that then holds it.
     pub(in crate::netmesh) fn enter_from_segment(
         &mut self,
         x: &[f64; D],

@@ -7,8 +7,9 @@ use crate::netmesh::state::Mesher;
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// RELEASECAGE(C): its vertices become vertices of the parent domain. Their cells, and those of
-    /// their neighbours, whose corners were exempt inside the cage, are examined anew.
+    /// Releases a cage (RELEASECAGE): its vertices become vertices of the parent domain. Their
+    /// cells, and those of their neighbours, whose corners were exempt inside the cage, are
+    /// examined anew.
     pub(super) fn release_cage(&mut self, cage: DomainId) -> AllocResult<()> {
         debug_assert!(!self.state.interface.is_non_owned(cage));
         self.state.hierarchy.release(cage);
@@ -33,8 +34,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// OUTENCROACH with RELEASECAGE: releases every cage that `x`, whose conflicts are `cavity`,
-    /// encroaches from outside. Returns the innermost domain that then holds `x`.
+    /// Releases every cage that `x`, whose conflicts are `cavity`, encroaches from outside
+    /// (OUTENCROACH). Returns the innermost domain that then holds `x`.
     pub(in crate::netmesh) fn enter(
         &mut self,
         x: &[f64; D],

@@ -10,8 +10,8 @@ use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, TAU};
 
-/// A delta-net of the unit sphere, or a part of it that is more than `most` points. In 2D the
-/// regular polygon, which is the smallest one.
+/// Returns a delta-net of the unit sphere, or a part of it that is more than `most` points. In 2D
+/// it is the regular polygon, which is the smallest one.
 ///
 /// # Errors
 /// `Cancelled`, since the smallest delta takes minutes in 4D and more; `OutOfMemory`.
@@ -23,7 +23,8 @@ pub(in crate::netmesh) fn cage_template<const D: usize>(
     if D == 2 { Ok(polygon(delta)?) } else { greedy_net(delta, most, watch) }
 }
 
-/// Every point of the circle is within 2 sin(pi / 2n) of the regular n-gon's vertices.
+/// Returns the vertices of a regular n-gon such that every point of the circle is within `delta` of
+/// one; it is within 2 sin(pi / 2n).
 fn polygon<const D: usize>(delta: f64) -> AllocResult<Vec<[f64; D]>> {
     let count = (PI / (2.0 * (delta / 2.0).asin())).ceil();
     let vertex = |i: u32| {
@@ -35,7 +36,7 @@ fn polygon<const D: usize>(delta: f64) -> AllocResult<Vec<[f64; D]>> {
     collected((0..count as u32).map(vertex))
 }
 
-/// The points c + r T.
+/// Returns the points c + r T.
 pub(in crate::netmesh) fn cage_points<const D: usize>(
     template: &[[f64; D]],
     center: &[f64; D],
@@ -46,8 +47,9 @@ pub(in crate::netmesh) fn cage_points<const D: usize>(
     collected(template.iter().map(point))
 }
 
-/// T with its axes permuted and reflected as `bits` say, which is exact: cages about one centre
-/// that are turned alike have cospherical and coplanar vertices, and the mesh flat simplices.
+/// Returns T with its axes permuted and reflected as `bits` say, which is exact: cages about one
+/// centre that are turned alike have cospherical and coplanar vertices, and the mesh flat
+/// simplices.
 pub(in crate::netmesh) fn turned<const D: usize>(
     template: &[[f64; D]],
     bits: u64,
@@ -103,7 +105,7 @@ fn greedy_net<const D: usize>(
     }
 }
 
-/// The simplex with the largest D-ball; among equals within rounding the first.
+/// Returns the simplex with the largest D-ball; among equals within rounding the first.
 fn widest_facet<const D: usize>(
     delaunay: &Delaunay<D>,
     star: &[SimplexId],
@@ -117,8 +119,8 @@ fn widest_facet<const D: usize>(
     }))
 }
 
-/// D orthonormal directions, turned at random so that grids do not align with them, and the one
-/// that balances them: together they hold the origin inside.
+/// Returns D orthonormal directions, turned at random so that grids do not align with them, and the
+/// one that balances them: together they hold the origin inside.
 fn spanning_directions<const D: usize>() -> AllocResult<Vec<[f64; D]>> {
     let mut random = Pcg64Mcg::new(0x5eed);
     let mut directions: Vec<[f64; D]> = with_capacity(D + 1)?;
@@ -144,7 +146,7 @@ fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-/// Uniform in [-1, 1).
+/// Returns a uniform number in [-1, 1).
 fn uniform(random: &mut Pcg64Mcg) -> f64 {
     (random.next_u64() >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }

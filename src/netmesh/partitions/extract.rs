@@ -15,7 +15,7 @@ use rand_pcg::Pcg64Mcg;
 use std::sync::{Mutex, PoisonError};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Each of the `runs` of live simplices as a partition, with the inputs on their conflict
+    /// Makes a partition of each of the `runs` of live simplices, with the inputs on their conflict
     /// lists, which are on no list of the global mesh from then on. No id is given in the global
     /// mesh before or afterwards.
     pub(super) fn extract(&mut self, runs: Vec<Array<SimplexId>>) -> Result<Vec<Partition<D>>> {
@@ -44,7 +44,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// The live `simplices` as a partition.
+    /// Returns the live `simplices` as a partition.
     fn extract(
         &self,
         simplices: Array<SimplexId>,

@@ -13,8 +13,8 @@ use crate::netmesh::state::{Mesher, State};
 pub(super) const FEW: usize = 32;
 
 impl<const D: usize> State<D> {
-    /// The inputs at which partitions begin, except the first one. Partitions have equal numbers of
-    /// inputs. A simplex belongs to the partition of its anchor.
+    /// Returns the inputs at which partitions begin, except the first one. Partitions have equal
+    /// numbers of inputs. A simplex belongs to the partition of its anchor.
     pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<VertexId>> {
         let first = |partition| VertexId::new(partition * self.inputs / count);
         collected((1..count).map(first))
@@ -30,7 +30,7 @@ impl<const D: usize> State<D> {
         partitions.any(|partition| Some(partition) != first)
     }
 
-    /// The number of the partition that a simplex is in, if it has an input.
+    /// Returns the number of the partition that a simplex is in, if it has an input.
     fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
         let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
         let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
@@ -39,7 +39,7 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// All simplices in an order of locality, a run for each partition.
+    /// Returns all simplices in an order of locality, a run for each partition.
     pub(in crate::netmesh) fn between(
         &mut self,
         interfaces: &[VertexId],
@@ -85,7 +85,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The simplices at interfaces that have inputs, in rising order.
+    /// Returns the simplices at interfaces that have inputs, in rising order.
     fn lists_at(&mut self, interfaces: &[VertexId]) -> Result<Vec<SimplexId>> {
         let threads = self.state.threads();
         let Self { state, watch, .. } = self;

@@ -8,7 +8,7 @@ use crate::netmesh::state::hierarchy::partition::DomainsToGlobal;
 pub(super) struct Partition<const D: usize> {
     pub local_to_global: LocalToGlobal,
     pub domains: DomainsToGlobal,
-    /// Vertex -> whether other partitions have simplices at it. Vertices that are made later are
+    /// Vertex -> true if other partitions have simplices at it. Vertices that are made later are
     /// not there.
     pub shared: Vec<bool>,
     pub state: State<D>,

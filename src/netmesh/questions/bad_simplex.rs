@@ -15,7 +15,7 @@ pub(in crate::netmesh) struct BadSimplexView<'a, const D: usize> {
     delaunay: &'a Delaunay<D>,
     hierarchy: &'a Hierarchy<D>,
     cells: &'a [Cell],
-    measure: Measure,
+    measure: QualityBound,
 }
 
 /// Simplices that a scan tests.
@@ -28,7 +28,7 @@ pub(in crate::netmesh) enum Scan {
 
 /// Criterion and bound that simplices are measured by.
 #[derive(Clone, Copy)]
-pub(in crate::netmesh) struct Measure {
+pub(in crate::netmesh) struct QualityBound {
     pub criterion: Criterion,
     pub bound: f64,
 }
@@ -80,7 +80,7 @@ impl<const D: usize> BadSimplexView<'_, D> {
     }
 }
 
-impl Measure {
+impl QualityBound {
     /// Returns the number of vertices of a bad simplex in one domain that are too near to others:
     /// an edge has two ends.
     #[inline]
@@ -91,7 +91,8 @@ impl Measure {
         }
     }
 
-    /// A vertex nearer than this to its nearest neighbour makes a simplex of the given radius bad.
+    /// Returns the distance from its nearest neighbour below which a vertex makes a simplex of the
+    /// given radius bad.
     #[inline]
     pub fn nearest_allowed(&self, radius: f64) -> f64 {
         match self.criterion {
@@ -100,9 +101,9 @@ impl Measure {
         }
     }
 
-    /// tau for the union cells of cages: a simplex's radius over its shortest edge is at most half
-    /// the aspect of its vertices' cells. Not below what an aspect may be bounded by: the criterion
-    /// does not ask for it.
+    /// Returns tau for the union cells of cages: a simplex's radius over its shortest edge is at
+    /// most half the aspect of its vertices' cells. It is not below the least bound of an aspect,
+    /// which the criterion does not ask for.
     fn aspect_bound<const D: usize>(&self) -> f64 {
         match self.criterion {
             Criterion::VoronoiAspect => self.bound,
@@ -110,7 +111,8 @@ impl Measure {
         }
     }
 
-    /// The distance from the centre of `cage` within which the corners of a good union cell are.
+    /// Returns the distance from the centre of `cage` within which the corners of a good union cell
+    /// are.
     pub fn cage_bound<const D: usize>(&self, cage: &Node<D>) -> f64 {
         let in_radius = 0.5 * (cage.outside + cage.radius);
         self.aspect_bound::<D>() * in_radius
@@ -125,14 +127,14 @@ impl<const D: usize> State<D> {
     }
 
     #[inline]
-    pub(in crate::netmesh) fn measure(&self) -> Measure {
-        Measure { criterion: self.parameters.criterion, bound: self.stage.bound }
+    pub(in crate::netmesh) fn measure(&self) -> QualityBound {
+        QualityBound { criterion: self.parameters.criterion, bound: self.stage.bound }
     }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// All live simplices that a scan finds suspect, in rising order, in pieces. Many span domains,
-    /// and few of those are bad: which ones may be is told here, on all threads.
+    /// Returns all live simplices that a scan finds suspect, in rising order, in pieces. Many span
+    /// domains, and few of those are bad: those that may be are told here, on all threads.
     pub(in crate::netmesh) fn suspects(&mut self, scan: Scan) -> Result<Vec<Vec<SimplexId>>> {
         if scan == Scan::SpanningDomains && self.state.hierarchy.is_single() {
             return Ok(Vec::new());

@@ -58,10 +58,10 @@ const ROOM_IF_FINISHED: f64 = 128.0;
 pub(in crate::netmesh) const REPRESENTABLE: f64 = 16.0;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour u in
-    /// M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second nearest.
-    /// That may leave the new cage encroached, and s need not be in U(v) when it is behind u. We
-    /// ask for what the cage needs: no vertex within encroachment r / epsilon of u.
+    /// Returns the cage that INSERTINPUT makes before `input` goes in, around its nearest neighbour
+    /// u in M_Omega. The paper asks for mediality |u-v| / |v-s| <= epsilon, s being the second
+    /// nearest. That may leave the new cage encroached, and s need not be in U(v) when it is behind
+    /// u. We ask for what the cage needs: no vertex within encroachment r / epsilon of u.
     pub(in crate::netmesh) fn wanted_cage(
         &mut self,
         input: VertexId,
@@ -83,9 +83,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(radius.map(|radius| center.site(radius, parent)))
     }
 
-    /// The larger cage that GROWCAGE makes in place of `cage`, if there is room for it. (The paper
-    /// compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest outside
-    /// vertex's distance d tells whether the new cage is un-encroached.)
+    /// Returns the larger cage that GROWCAGE makes in place of `cage`, if there is room for it.
+    /// (The paper compares Vor(C)'s in-radius (d + r)/2 with r / epsilon^2, but only the nearest
+    /// outside vertex's distance d tells whether the new cage is un-encroached.)
     pub(in crate::netmesh) fn grown_site(
         &mut self,
         cage: DomainId,
@@ -101,9 +101,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(radius.map(|radius| center.site(radius, parent)))
     }
 
-    /// The smallest radius in `least..=most` that no uninserted input nearby would encroach when
-    /// its turn comes. Any radius in the range is a correct one; this one spares cages that would
-    /// soon be released and leave their vertices behind. In the mesh of a sample, whose other
+    /// Returns the smallest radius in `least..=most` that no uninserted input nearby would encroach
+    /// when its turn comes. Any radius in the range is a correct one; this one spares cages that
+    /// would soon be released and leave their vertices behind. In the mesh of a sample, whose other
     /// inputs nobody knows, it is a larger one.
     fn lasting_radius(
         &mut self,
@@ -139,9 +139,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((radius <= most).then_some(radius))
     }
 
-    /// The distances in `range` from `center` to the uninserted inputs whose conflict lists are in
-    /// `cavity` or next to the centre (or the cage of the child round it), as bits, which are
-    /// ordered as distances are.
+    /// Returns the distances in `range` from `center` to the uninserted inputs whose conflict lists
+    /// are in `cavity` or next to the centre (or the cage of the child round it), as bits, which
+    /// are ordered as distances are.
     fn distances_nearby(
         &mut self,
         center: &Member<D>,
@@ -180,8 +180,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// The radius of a cage for a cluster that reaches no farther than `reach` from the vertex
-    /// `center`, if there is `room` times as much as it needs within the `gap` around the cluster.
+    /// Returns the radius of a cage for a cluster that reaches no farther than `reach` from the
+    /// vertex `center`, if there is `room` times as much as it needs within the `gap` around the
+    /// cluster.
     pub(in crate::netmesh) fn concentrated_radius(
         &self,
         center: VertexId,
@@ -201,31 +202,32 @@ impl<const D: usize> State<D> {
         }
     }
 
-    /// The radius of a cage that has an input at `distance` from its centre well inside.
+    /// Returns the radius of a cage that has an input at `distance` from its centre well inside.
     pub(in crate::netmesh) fn radius_for(&self, distance: f64) -> f64 {
         SLACK * distance / self.parameters.epsilon + ROUNDING
     }
 
-    /// The largest radius of a cage with the nearest vertex outside at distance `clearance`.
+    /// Returns the largest radius of a cage with the nearest vertex outside at distance
+    /// `clearance`.
     fn radius_within(&self, clearance: f64) -> f64 {
         (clearance - ROUNDING) / self.outer_encroachment()
     }
 
-    /// The largest radius of a cage round a point of `parent` that stays inside its ball. With
-    /// epsilon at most 0.5 the clearance asks for less.
+    /// Returns the largest radius of a cage round a point of `parent` that stays inside its ball.
+    /// With epsilon at most 0.5 the clearance asks for less.
     pub(in crate::netmesh) fn room_inside(&self, parent: DomainId, center: &[f64; D]) -> f64 {
         let radius = self.hierarchy.node(parent).radius;
         radius * (1.0 - 1e-9) - self.hierarchy.distance_to_center(parent, center)
     }
 
-    /// The smallest radius about a point that doubles can express: a cage around inputs that are a
-    /// few units of roundoff apart is as large as that takes.
+    /// Returns the smallest radius about a point that doubles can express: a cage around inputs
+    /// that are a few units of roundoff apart is as large as that takes.
     fn smallest_radius(&self, center: &[f64; D]) -> f64 {
         let spacing = spacing_near(center);
         REPRESENTABLE * spacing / (self.parameters.delta * self.parameters.cage_scale)
     }
 
-    /// The vertex of M_Omega nearest to `x`, and its distance.
+    /// Returns the vertex of M_Omega nearest to `x`, and its distance.
     fn nearest_in_domain(
         &mut self,
         x: &[f64; D],
@@ -259,7 +261,7 @@ impl<const D: usize> State<D> {
     }
 }
 
-/// The largest distance between neighbouring doubles among the coordinates of `point`.
+/// Returns the largest distance between neighbouring doubles among the coordinates of `point`.
 pub(in crate::netmesh) fn spacing_near<const D: usize>(point: &[f64; D]) -> f64 {
     let largest = point.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     largest.next_up() - largest

@@ -14,7 +14,7 @@ pub(in crate::netmesh) const LEVELS: usize = 3;
 const SMALLEST: f64 = f64::from_bits(1);
 
 impl<const D: usize> State<D> {
-    /// The innermost domain that holds `x`, over the climbs from U(x).
+    /// Returns the innermost domain that holds `x`, over the climbs from U(x).
     pub(in crate::netmesh) fn containing_domain(
         &mut self,
         x: &[f64; D],
@@ -37,13 +37,13 @@ impl<const D: usize> State<D> {
         innermost
     }
 
-    /// The domain of all of U(x), where that is known without a climb.
+    /// Returns the domain of all of U(x), where that is known without a climb.
     pub(in crate::netmesh) fn common_domain(&mut self, cavity: &Cavity) -> Option<DomainId> {
         let vertices = &cavity.vertices.ids;
         self.hierarchy.same_domain(vertices).then(|| self.hierarchy.domain_of(vertices[0]))
     }
 
-    /// INENCROACH: the innermost domain that `input` encroaches from inside.
+    /// Returns the innermost domain that `input` encroaches from inside (INENCROACH).
     pub(in crate::netmesh) fn inner_encroached(
         &mut self,
         input: VertexId,
@@ -57,8 +57,8 @@ impl<const D: usize> State<D> {
         self.inner_encroached_from(domain, &x)
     }
 
-    /// The first domain from `domain` outward whose annulus (epsilon r, r) holds `x`. The root is
-    /// exempt: its ball is chosen to hold all inputs.
+    /// Returns the first domain from `domain` outward whose annulus (epsilon r, r) holds `x`. The
+    /// root is exempt: its ball is chosen to hold all inputs.
     pub(in crate::netmesh) fn inner_encroached_from(
         &mut self,
         domain: DomainId,
@@ -78,7 +78,8 @@ impl<const D: usize> State<D> {
         None
     }
 
-    /// The distance from the centre of `domain` within which a vertex outside encroaches it.
+    /// Returns the distance from the centre of `domain` within which a vertex outside encroaches
+    /// it.
     pub(super) fn outer_reach(&self, domain: DomainId) -> f64 {
         self.outer_encroachment() * self.hierarchy.node(domain).radius
     }
@@ -88,12 +89,13 @@ impl<const D: usize> State<D> {
         self.hierarchy.distance_to_center(domain, x) < self.outer_reach(domain)
     }
 
-    /// A vertex within this times r of a cage's centre outer-encroaches it.
+    /// Returns the distance from a cage's centre, relative to the radius of its domain, within
+    /// which a vertex outer-encroaches it.
     pub(super) fn outer_encroachment(&self) -> f64 {
         self.parameters.encroachment / self.parameters.epsilon
     }
 
-    /// The radius of the sphere that the vertices of the cage of `domain` are near.
+    /// Returns the radius of the sphere that the vertices of the cage of `domain` are near.
     pub(in crate::netmesh) fn sphere_radius(&self, domain: DomainId) -> f64 {
         self.parameters.cage_scale * self.hierarchy.node(domain).radius
     }

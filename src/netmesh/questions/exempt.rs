@@ -58,7 +58,7 @@ impl<const D: usize> State<D> {
         Ok(!regions.is_inside[region as usize])
     }
 
-    /// The longest edge that the region of a live simplex may have, infinite for any.
+    /// Returns the longest edge that the region of a live simplex may have, infinite for any.
     pub(in crate::netmesh) fn max_edge_of_region(&mut self, simplex: SimplexId) -> Result<f64> {
         let State { delaunay, segments, .. } = self;
         if !segments.is_active() || !segments.regions.is_known() {

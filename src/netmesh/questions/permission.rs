@@ -163,13 +163,15 @@ mod tests {
             non_owned[domain.index()] = is_non_owned;
             mesher.state.interface = Interface::new(non_owned.clone()).unwrap();
             assert_eq!(mesher.state.keeps_off_below(ROOT, vertex, &at(distance), &shell), expected);
-            assert_eq!(mesher.state.interface.is_wanted(domain), !expected);
+            assert_eq!(mesher.state.interface.has_work_left(domain), !expected);
         }
         let around = 8.0 * reach;
         let site = CageSite { center: vertex, radius: around, parent: ROOT, inner: Some(domain) };
         assert!(mesher.may_make_cage(&site).unwrap());
         non_owned[domain.index()] = true;
         mesher.state.interface = Interface::new(non_owned).unwrap();
-        assert!(!mesher.may_make_cage(&site).unwrap() && mesher.state.interface.is_wanted(domain));
+        assert!(
+            !mesher.may_make_cage(&site).unwrap() && mesher.state.interface.has_work_left(domain)
+        );
     }
 }

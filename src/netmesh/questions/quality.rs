@@ -34,13 +34,13 @@ impl<const D: usize> State<D> {
                 .is_some()
     }
 
-    /// The worst cell among those that the corner of `simplex` counts for.
+    /// Returns the worst cell among those that the corner of `simplex` counts for.
     pub(super) fn worst_inner_cell(&mut self, simplex: SimplexId, radius: f64) -> Option<VertexId> {
         self.worst_cell(simplex, radius, |state, vertex| state.counts_for(simplex, vertex))
     }
 
-    /// The vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v) / 2,
-    /// among those that it `counts` for.
+    /// Returns the vertex v of `simplex` with the largest R / r_v above the bound, with r_v = NN(v)
+    /// / 2, among those that it `counts` for.
     fn worst_cell(
         &mut self,
         simplex: SimplexId,
@@ -91,7 +91,7 @@ impl<const D: usize> State<D> {
         counts.then_some(edge)
     }
 
-    /// The shortest edge of `simplex`, if that is too short for its radius.
+    /// Returns the shortest edge of `simplex`, if that is too short for its radius.
     pub(in crate::netmesh) fn short_edge(
         &self,
         simplex: SimplexId,
@@ -102,8 +102,8 @@ impl<const D: usize> State<D> {
         (edge.2 < allowed).then_some(edge)
     }
 
-    /// The ends and the length of the shortest edge of `simplex` between vertices nearer than
-    /// `limit` to another one: that is the shortest of all, if there is one below `limit`.
+    /// Returns the ends and the length of the shortest edge of `simplex` between vertices nearer
+    /// than `limit` to another one: that is the shortest of all, if there is one below `limit`.
     /// Infinitely long where there is none.
     pub(in crate::netmesh) fn shortest_edge(
         &self,
@@ -134,7 +134,7 @@ impl<const D: usize> State<D> {
         self.measure().nearest_allowed(radius)
     }
 
-    /// The nearest distance of a vertex of `simplex`: no edge is shorter.
+    /// Returns the nearest distance of a vertex of `simplex`: no edge is shorter.
     pub(in crate::netmesh) fn nearest_of(&self, simplex: SimplexId) -> f64 {
         let vertices = self.delaunay.complex().vertices(simplex).iter();
         vertices.map(|&vertex| self.cells[vertex].nearest).fold(f64::INFINITY, f64::min)
@@ -156,8 +156,8 @@ impl<const D: usize> State<D> {
         distance.is_some_and(|distance| distance < max_distance)
     }
 
-    /// Condition 2 of Definition 4 for every cage that separates vertices of `simplex`: the parent
-    /// of one whose union cell the corner makes bad, where it `counts` for the parent.
+    /// Returns the parent of a cage that separates vertices of `simplex` and whose union cell the
+    /// corner makes bad (condition 2 of Definition 4), where the corner `counts` for the parent.
     fn parent_of_bad_cage(
         &mut self,
         simplex: SimplexId,
@@ -169,12 +169,12 @@ impl<const D: usize> State<D> {
         .map(|(_, parent)| parent)
     }
 
-    /// The first domain, from the smallest up, that has vertices of the finite `simplex` inside and
-    /// outside and `is_wanted`, and its parent.
+    /// Returns the first domain, from the smallest up, that has vertices of the finite `simplex`
+    /// inside and outside and `accepts`, and its parent.
     fn spanned_domain(
         &mut self,
         simplex: SimplexId,
-        is_wanted: impl Fn(&Self, DomainId, DomainId) -> bool,
+        accepts: impl Fn(&Self, DomainId, DomainId) -> bool,
     ) -> Option<(DomainId, DomainId)> {
         if self.hierarchy.same_domain(self.delaunay.complex().vertices(simplex)) {
             return None;
@@ -182,7 +182,7 @@ impl<const D: usize> State<D> {
         let mut spanned = Spanned::new(self.domains_of(simplex)[..=D].iter().copied());
         while let Some(inner) = spanned.smallest(&self.hierarchy) {
             let parent = self.hierarchy.parent(inner);
-            if is_wanted(self, inner, parent) {
+            if accepts(self, inner, parent) {
                 return Some((inner, parent));
             }
             spanned.climb(inner, parent);
@@ -190,7 +190,7 @@ impl<const D: usize> State<D> {
         None
     }
 
-    /// The domains of the vertices of `simplex`, in their order.
+    /// Returns the domains of the vertices of `simplex`, in their order.
     fn domains_of(&mut self, simplex: SimplexId) -> [DomainId; MAX_DIM + 1] {
         let mut domains = [DomainId::NONE; MAX_DIM + 1];
         for (domain, &vertex) in domains.iter_mut().zip(self.delaunay.complex().vertices(simplex)) {
@@ -211,7 +211,8 @@ impl<const D: usize> State<D> {
         self.measure().cage_bound(self.hierarchy.node(cage))
     }
 
-    /// The domain through whose cage the corner of a live simplex slips and makes a cell bad.
+    /// Returns the domain through whose cage the corner of a live simplex slips and makes a cell
+    /// bad.
     pub(in crate::netmesh) fn open_domain(&mut self, simplex: SimplexId) -> Option<DomainId> {
         let radius = self.delaunay.ball(simplex)?.radius();
         if !self.stage.is_final || self.refine_list.is_limited(simplex) {
@@ -237,15 +238,15 @@ impl<const D: usize> State<D> {
             && (is_by_cells || self.hierarchy.is_single())
     }
 
-    /// The domain of the vertex with the worst cell, if that is bad.
+    /// Returns the domain of the vertex with the worst cell, if that is bad.
     fn domain_of_open_cell(&mut self, simplex: SimplexId, radius: f64) -> Option<DomainId> {
         let is_cell = |state: &mut Self, vertex| !state.hierarchy.cage_of(vertex).is_valid();
         let worst = self.worst_cell(simplex, radius, is_cell);
         worst.map(|vertex| self.hierarchy.domain_of(vertex))
     }
 
-    /// The domain of all vertices, if an edge is too short for the radius. Where the vertices are
-    /// of several domains, the corner is that of a cage's union cell.
+    /// Returns the domain of all vertices, if an edge is too short for the radius. Where the
+    /// vertices are of several domains, the corner is that of a cage's union cell.
     fn domain_of_short_edge(&mut self, simplex: SimplexId, radius: f64) -> Option<DomainId> {
         self.short_edge(simplex, radius)?;
         let vertices = self.delaunay.complex().vertices(simplex);

@@ -41,9 +41,9 @@ const fn edge_factor<const D: usize>() -> f64 {
 const FACTOR_BETWEEN_SEGMENTS: f64 = 0.8;
 
 impl<const D: usize> State<D> {
-    /// The point to insert for `simplex`, which is bad or has inputs. `None` if rounding moved it
-    /// out of the D-ball, or closer to a vertex than half the radius: then doubles are too coarse
-    /// for a vertex there.
+    /// Returns the point to insert for `simplex`, which is bad or has inputs. `None` if rounding
+    /// moved it out of the D-ball, or closer to a vertex than half the radius: then doubles are too
+    /// coarse for a vertex there.
     pub(in crate::netmesh) fn steiner_point(
         &mut self,
         simplex: SimplexId,
@@ -56,7 +56,8 @@ impl<const D: usize> State<D> {
         Some(off_center.unwrap_or(corner))
     }
 
-    /// The corner, on the same condition.
+    /// Returns the corner of `simplex`. `None` if rounding moved it out of the D-ball, or closer to
+    /// a vertex than half the radius.
     pub(in crate::netmesh) fn sound_corner(&self, simplex: SimplexId) -> Option<SteinerPoint<D>> {
         let radius = self.delaunay.ball(simplex)?.radius();
         let point = self.delaunay.corner(simplex)?;
@@ -124,7 +125,7 @@ impl<const D: usize> State<D> {
     }
 }
 
-/// The point at `fraction` of the way; `None` if that is not before the end.
+/// Returns the point at `fraction` of the way; `None` if that is not before the end.
 fn between<const D: usize>(from: &[f64; D], to: &[f64; D], fraction: f64) -> Option<[f64; D]> {
     (fraction < 1.0)
         .then(|| std::array::from_fn(|axis| from[axis] + fraction * (to[axis] - from[axis])))

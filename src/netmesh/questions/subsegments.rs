@@ -31,8 +31,8 @@ impl<const D: usize> State<D> {
         }
     }
 
-    /// The end of the line, if just that end of the subsegment is a sharp one, and how far from it
-    /// the shell is that comes nearest to the middle, relative to the length.
+    /// Returns the end of the line, if just that end of the subsegment is a sharp one, and how far
+    /// from it the shell is that comes nearest to the middle, relative to the length.
     fn shell_of(&self, subsegment: &Subsegment) -> Option<(u8, f64)> {
         let line = self.segments.chains.lines[subsegment.line as usize];
         let is_at = |end: usize| subsegment.ends[end] == line.ends[end] && line.is_sharp[end];
@@ -45,7 +45,7 @@ impl<const D: usize> State<D> {
         Some((end, ratio_of_shell(distance(a, b))))
     }
 
-    /// The vertex at `place` of a line.
+    /// Returns the vertex at `place` of a line.
     pub(in crate::netmesh) fn point_at(&self, line: u32, place: Fraction) -> [f64; D] {
         let Line { ends, .. } = self.segments.chains.lines[line as usize];
         let [from, to] = match place.end {
@@ -86,7 +86,7 @@ impl<const D: usize> State<D> {
         })
     }
 
-    /// The direction of the way between two vertices, in degrees.
+    /// Returns the direction of the way between two vertices, in degrees.
     pub(in crate::netmesh) fn direction(&self, from: VertexId, to: VertexId) -> f64 {
         let [from, to] = [from, to].map(|vertex| self.delaunay.point(vertex));
         let way = [0, 1].map(|axis| to[axis] - from[axis]);
@@ -108,7 +108,7 @@ impl<const D: usize> State<D> {
         a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SHORTEST * unit)
     }
 
-    /// The vertices opposite the edge between `a` and `b`, if there is one.
+    /// Returns the vertices opposite the edge between `a` and `b`, if there is one.
     pub(in crate::netmesh) fn apexes(&self, a: VertexId, b: VertexId) -> Option<[VertexId; 2]> {
         // The star of an end of many lines is large, that of a vertex between two is not.
         let chains = &self.segments.chains;
@@ -134,7 +134,7 @@ impl<const D: usize> State<D> {
     }
 }
 
-/// The power of two between a third and two thirds of `length`, relative to it.
+/// Returns the power of two between a third and two thirds of `length`, relative to it.
 fn ratio_of_shell(length: f64) -> f64 {
     // The significand of a normal number, in [1, 2).
     let significand = match length.is_normal() {

@@ -56,8 +56,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// The simplex with the farthest corner, of those well inside the root's cage, of a cell that
-    /// is to be refined.
+    /// Returns the simplex with the farthest corner, of those well inside the root's cage, of a
+    /// cell that is to be refined.
     fn far_corner(
         &mut self,
         vertex: VertexId,

@@ -59,7 +59,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// The first scan of a partition. The global mesh finds what it leaves bad.
+    /// Does the first scan of a partition. The global mesh finds what it leaves bad.
     pub(in crate::netmesh) fn refine_partition_finally(
         &mut self,
         cavity: &mut Cavity,
@@ -68,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.refine_tiles(cavity)
     }
 
-    /// The scans that come after the first one, in a partition that no global mesh takes over.
+    /// Does the scans that come after the first one, in a partition that no global mesh takes over.
     pub(in crate::netmesh) fn refine_spanning_domains(
         &mut self,
         cavity: &mut Cavity,
@@ -86,7 +86,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.state.refine_list.sort_by_length()?)
     }
 
-    /// The first scan, one tile after the other.
+    /// Does the first scan, one tile after the other.
     fn refine_tiles(&mut self, cavity: &mut Cavity) -> Result<()> {
         let watch = &mut self.watch;
         let complex = self.state.delaunay.complex();

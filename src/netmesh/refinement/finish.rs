@@ -22,7 +22,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// GROWCAGE and CLEAN, unless another cage has taken this one in, or the interface defers it.
+    /// Grows a cage and cleans the mesh, unless another cage has taken this one in, or the
+    /// interface defers it.
     fn dissolve(&mut self, domain: DomainId, cavity: &mut Cavity) -> Result<()> {
         let node = self.state.hierarchy.node(domain);
         if !node.alive || self.state.interface.is_non_owned(domain) {

@@ -47,7 +47,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(any)
     }
 
-    /// The simplex at `vertex` that is too large by the largest factor.
+    /// Returns the simplex at `vertex` that is too large by the largest factor.
     fn largest_at(&mut self, vertex: VertexId) -> Result<Option<SimplexId>> {
         if !self.state.is_inserted(vertex) {
             return Ok(None);

@@ -20,7 +20,8 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The vertices in no cage with cells beyond the bound, if it is one of cells and may give way.
+    /// Returns the vertices in no cage with cells beyond the bound, if it is one of cells and may
+    /// give way.
     pub(super) fn cells_beyond_bound(&mut self) -> Result<Vec<VertexId>> {
         let mut beyond = Vec::new();
         if !self.state.may_be_beyond(Criterion::VoronoiAspect) {
@@ -58,8 +59,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(farthest > half_aspect * nearest)
     }
 
-    /// The simplices of the result's arrays, with all vertices in one domain, that are beyond the
-    /// bound, if it is one of simplices and may give way.
+    /// Returns the simplices of the result's arrays, with all vertices in one domain, that are
+    /// beyond the bound, if it is one of simplices and may give way.
     pub(super) fn simplices_beyond_bound(
         &mut self,
         points: &[f64],
@@ -73,14 +74,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let bound = self.state.parameters.quality_bound;
         for (simplex, vertices) in (0..).zip(simplices.chunks_exact(D + 1)) {
             self.watch.poll_after(1)?;
-            let corners: [&[f64; D]; 4] = std::array::from_fn(|index| {
+            let tetrahedron: [&[f64; D]; 4] = std::array::from_fn(|index| {
                 let at = vertices[index] as usize * D;
                 points[at..at + D].try_into().expect("D coordinates")
             });
             let domain = domains[vertices[0] as usize];
             let is_of_one = vertices.iter().all(|&vertex| domains[vertex as usize] == domain);
-            let radius = Circumball::of(|index| corners[index]).radius();
-            if is_of_one && domain != NONE && radius > bound * shortest_distance(&corners).2 {
+            let radius = Circumball::of(|index| tetrahedron[index]).radius();
+            if is_of_one && domain != NONE && radius > bound * shortest_distance(&tetrahedron).2 {
                 beyond.try_push(simplex)?;
             }
         }

@@ -14,7 +14,8 @@ use crate::netmesh::state::segments::Segments;
 use crate::netmesh::state::{Mesher, State};
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Simplex -> whether it is outside of the domain; nothing for a mesh without segments.
+    /// Returns, for every simplex, true if it is outside of the domain; nothing for a mesh without
+    /// segments.
     pub(super) fn outside_simplices(&mut self) -> Result<Vec<bool>> {
         if !self.state.segments.is_active() {
             return Ok(Vec::new());
@@ -106,7 +107,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// The part of `whole` that is the domain, with the whole of it, if that is more.
+/// Returns the part of `whole` that is the domain, with the whole of it if that is more.
 pub(super) fn crop(whole: Triangulation, numbering: &Numbering) -> AllocResult<Triangulation> {
     if numbering.inside_simplices == whole.simplex_count() {
         return Ok(whole);
@@ -117,14 +118,14 @@ pub(super) fn crop(whole: Triangulation, numbering: &Numbering) -> AllocResult<T
     Ok(result)
 }
 
-/// The first simplices and vertices of `whole`.
+/// Returns the first simplices and vertices of `whole`.
 fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult<Triangulation> {
-    let corners = whole.dim + 1;
+    let per_simplex = whole.dim + 1;
     let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
-    let neighbors = whole.neighbors[..simplices * corners].iter();
+    let neighbors = whole.neighbors[..simplices * per_simplex].iter();
     let all = &whole.boundary;
     // A subsegment of which neither side is inside is no edge of the domain.
-    let inside = whole.simplices[..simplices * corners].chunks_exact(corners);
+    let inside = whole.simplices[..simplices * per_simplex].chunks_exact(per_simplex);
     let is_edge = all.edges_of(vertices, inside)?;
     let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
     let boundary = Boundary {
@@ -137,7 +138,7 @@ fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult
     Ok(Triangulation {
         dim: whole.dim,
         points: copied(&whole.points[..vertices * whole.dim])?,
-        simplices: copied(&whole.simplices[..simplices * corners])?,
+        simplices: copied(&whole.simplices[..simplices * per_simplex])?,
         neighbors: collected(neighbors.map(|id| if is_inside(id) { *id } else { NONE }))?,
         kinds: copied(&whole.kinds[..vertices])?,
         vertex_domains: copied(&whole.vertex_domains[..vertices])?,

@@ -7,8 +7,8 @@ use crate::netmesh::state::Mesher;
 use crate::options::Algorithm;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The tetrahedra below the angle that was asked for, given the arrays of the result; those
-    /// with vertices of several domains are left out.
+    /// Returns the tetrahedra below the angle that was asked for, given the arrays of the result;
+    /// those with vertices of several domains are left out.
     pub(super) fn slivers_left(
         &mut self,
         points: &[f64],
@@ -26,12 +26,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.watch.poll_after(1)?;
             let domain = |&vertex: &u32| domains[vertex as usize];
             let is_of_one = vertices.iter().all(|vertex| domain(vertex) == domain(&vertices[0]));
-            let corners = std::array::from_fn(|index| {
+            let tetrahedron = std::array::from_fn(|index| {
                 let at = vertices[index] as usize * D;
                 let point: &[f64; D] = points[at..at + D].try_into().expect("D coordinates");
                 in_space(point)
             });
-            if is_of_one && measure.penalty(&corners) > 0.0 {
+            if is_of_one && measure.penalty(&tetrahedron) > 0.0 {
                 left.try_push(simplex)?;
             }
         }

@@ -34,7 +34,8 @@ pub(super) struct Numbering {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// `is_outside`: simplex -> whether it is outside of the domain; empty if none is.
+    /// Numbers the vertices and simplices of the result. `is_outside`: simplex -> true if it is
+    /// outside of the domain; empty if none is.
     pub(super) fn numbering(&mut self, is_outside: &[bool]) -> Result<Numbering> {
         let (simplices, counts) = self.simplex_numbers(is_outside)?;
         let inside_simplices = counts[..counts.len() / 2].iter().sum();
@@ -58,7 +59,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(Numbering { vertices, order, simplices, counts, inside_vertices, inside_simplices })
     }
 
-    /// Numbers of the finite simplices by rising ids, those inside first, and how many there are.
+    /// Numbers the finite simplices by rising ids, those inside first, and counts them in each
+    /// piece.
     fn simplex_numbers(&mut self, is_outside: &[bool]) -> Result<(Vec<u32>, Vec<usize>)> {
         let threads = self.state.threads();
         let Self { state, watch, .. } = self;
@@ -96,7 +98,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((numbers, counts))
     }
 
-    /// Inputs and the centres of domains are inside, whatever simplices are.
+    /// Returns the side of every vertex. Inputs and the centres of domains are inside, wherever
+    /// their simplices are.
     fn sides_of_vertices(&mut self, is_outside: &[bool]) -> Result<Vec<Side>> {
         let count = self.state.delaunay.point_count();
         if !self.state.segments.is_active() {

@@ -82,7 +82,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Vertices and neighbours of the finite simplices.
+    /// Returns the vertices and neighbours of the finite simplices.
     fn finite_simplices(&mut self, numbering: &Numbering) -> Result<(Vec<u32>, Vec<u32>)> {
         let Numbering { vertices, simplices: numbers, counts, .. } = numbering;
         let reserves = collected(counts.iter().map(|count| count * (D + 1)))?;
@@ -180,7 +180,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(all)
     }
 
-    /// The living domains, parents before children, and the map from ids to their indices.
+    /// Returns the living domains, parents before children, and the map from ids to their indices.
     fn living_domains(&mut self, numbering: &Numbering) -> Result<(Vec<Domain>, Vec<u32>)> {
         let count = self.state.hierarchy.len();
         let is_alive = |&domain: &DomainId| self.state.hierarchy.node(domain).alive;
@@ -207,8 +207,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok((domains, ids))
     }
 
-    /// Vertices whose cage could not be made, or with a corner that could not be inserted, or so
-    /// near to another that ratios of radii and distances drown in the rounding of subnormals.
+    /// Returns, for every vertex, true if its cage could not be made, or a corner next to it could
+    /// not be inserted, or it is so near to another that ratios of radii and distances drown in the
+    /// rounding of subnormals.
     pub(in crate::netmesh) fn limited_vertices(&mut self) -> Result<Vec<bool>> {
         const SUBNORMAL: f64 = f64::from_bits(1 << 30);
         let mut limited = std::mem::take(&mut self.state.precision_limited);

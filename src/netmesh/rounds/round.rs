@@ -32,7 +32,7 @@ struct Rounds {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Rounds until all inputs are in.
+    /// Does rounds until all inputs are in.
     pub(in crate::netmesh) fn insert_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.insert_coarse_rounds(cavity)?;
         let mut most = Rounds::default();
@@ -44,7 +44,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Rounds over the whole mesh until it is coarse, if tiles or partitions come next.
+    /// Does rounds over the whole mesh until it is coarse, if tiles or partitions come next.
     pub(in crate::netmesh) fn insert_coarse_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         let all = 0..self.state.inputs;
         if all.len() > SMALL || self.state.partition_count().is_some() {
@@ -59,7 +59,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         inserted >= self.state.inputs / COARSE
     }
 
-    /// Rounds until all inputs of `tile` are in, or enough is done.
+    /// Does rounds until all inputs of `tile` are in, or enough is done. Returns their numbers.
     fn insert_rounds_until(
         &mut self,
         is_done: impl Fn(&Self) -> bool,
@@ -79,8 +79,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(rounds)
     }
 
-    /// One round: some inputs of each of the `lists`, which are those of `tile`, then more until
-    /// none holds over `target`. Returns the number of passes.
+    /// Does one round: inserts some inputs of each of the `lists`, which are those of `tile`, then
+    /// more until none holds over `target`. Returns the number of passes.
     fn insert_round(
         &mut self,
         target: u32,
@@ -122,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The simplices whose conflict lists have inputs of `tile`, in rising order.
+    /// Returns the simplices whose conflict lists have inputs of `tile`, in rising order.
     pub(in crate::netmesh) fn lists_of(&mut self, tile: &Range<usize>) -> Result<Vec<SimplexId>> {
         let mut lists = Vec::new();
         if tile.len() == self.state.inputs {
@@ -168,7 +168,7 @@ impl<const D: usize> State<D> {
     }
 }
 
-/// The inputs of each tile, as ids; those of a small mesh are one.
+/// Returns the inputs of each tile, as ids; those of a small mesh are one.
 pub(in crate::netmesh) fn tiles(inputs: usize) -> impl Iterator<Item = Range<usize>> {
     let length = if inputs > SMALL { TILE } else { inputs.max(1) };
     (0..inputs).step_by(length).map(move |begin| begin..inputs.min(begin + length))

@@ -15,15 +15,16 @@ use crate::numerics::{affine_basis, distance};
 const ROOM: f64 = 1.25;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The outer cage, with all inputs on conflict lists.
+    /// Makes the outer cage, and puts all inputs on conflict lists.
     pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
         let center = self.start_outer_cage(cavity)?;
         self.assign_inputs(center)?;
         self.clean(cavity)
     }
 
-    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
-    /// root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns that.
+    /// Makes the outer cage around all inputs, centred at the input nearest to the middle, so that
+    /// the root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns
+    /// that vertex.
     pub(in crate::netmesh) fn start_outer_cage(&mut self, cavity: &mut Cavity) -> Result<VertexId> {
         let most = self.state.parameters.max_vertices;
         self.state.template =
@@ -84,7 +85,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_into_cavity(vertex, cavity)
     }
 
-    /// The first D + 1 affinely independent inputs.
+    /// Makes the first simplex of a plain Delaunay triangulation, of the first D + 1 affinely
+    /// independent inputs.
     pub(in crate::netmesh) fn start_delaunay(&mut self) -> Result<()> {
         let basis =
             affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(VertexId::new(i)));
@@ -120,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The input nearest to the middle of the bounding box.
+    /// Returns the input nearest to the middle of the bounding box.
     fn central_input(&mut self) -> Result<VertexId> {
         let mut low = *self.state.delaunay.point(VertexId::new(0));
         let mut high = low;
@@ -143,7 +145,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(best)
     }
 
-    /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
+    /// Returns `root_scale` times the inputs' radius about `center`, but so much that doubles can
     /// express the outer cage, and that its hull surrounds the inputs with room to spare.
     fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
         let mut radius = 0.0f64;

@@ -75,7 +75,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The clusters, inner ones before those around them.
+    /// Returns the clusters, inner ones before those around them.
     fn find_clusters(&mut self) -> Result<Clusters<D>> {
         let edges = self.edges_by_length()?;
         let mut clusters = self.state.single_groups()?;
@@ -94,8 +94,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(clusters)
     }
 
-    /// All edges between vertices that are not of the outer cage, by the powers of two below their
-    /// lengths.
+    /// Returns all edges between vertices that are not of the outer cage, by the powers of two
+    /// below their lengths.
     fn edges_by_length(&mut self) -> Result<Vec<Edge>> {
         const EXPONENTS: usize = 1 << 11;
         let mut edges = Vec::new();
@@ -136,7 +136,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// A group for each vertex.
+    /// Returns a group for each vertex.
     fn single_groups(&self) -> AllocResult<Clusters<D>> {
         let count = self.delaunay.point_count() as u32;
         let groups = (0..count).map(|vertex| {
@@ -184,7 +184,7 @@ impl<const D: usize> State<D> {
         }
     }
 
-    /// The domains of all clusters, outer ones first, and what is in each.
+    /// Makes the domains of all clusters, outer ones first, and puts their vertices into them.
     fn make_domains(&mut self, clusters: &Clusters<D>) -> Result<()> {
         let Clusters { sites, cluster_of, .. } = clusters;
         let vertices = cluster_of.len() - sites.len();
@@ -208,7 +208,7 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Clusters<D> {
-    /// The vertex that the group of `vertex` is found by.
+    /// Returns the vertex that the group of `vertex` is found by.
     fn group_of(&mut self, vertex: VertexId) -> u32 {
         let mut at = vertex.index();
         while self.towards[at] as usize != at {
@@ -234,7 +234,7 @@ impl<const D: usize> Clusters<D> {
         self.towards[from as usize] = into;
     }
 
-    /// The vertex itself, or the centre of a cluster.
+    /// Returns the vertex that an item is, or the centre of the cluster that it is.
     fn vertex_of(&self, item: Item) -> VertexId {
         match (item as usize).checked_sub(self.towards.len()) {
             None => VertexId::new(item as usize),

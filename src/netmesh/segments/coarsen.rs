@@ -63,7 +63,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// Vertex -> whether it is the centre of a living domain: its cage is found from there.
+    /// Returns, for every vertex, true if it is the centre of a living domain: its cage is found
+    /// from there.
     fn centers(&self) -> AllocResult<Vec<bool>> {
         let mut is_center = filled(self.delaunay.point_count(), false)?;
         for domain in (0..self.hierarchy.len()).map(DomainId::new) {

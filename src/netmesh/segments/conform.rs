@@ -33,7 +33,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.judge_regions(&arrangement.regions)
     }
 
-    /// The lines of the arrangement. Crossings become vertices.
+    /// Returns the lines of the arrangement. Crossings become vertices.
     fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
         let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
@@ -54,7 +54,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(lines)
     }
 
-    /// The vertex at a point where segments cross, found or made.
+    /// Finds the vertex at a point where segments cross, or makes it.
     fn crossing_at(
         &mut self,
         x: &[f64; D],

@@ -63,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The extent of all cells.
+    /// Measures the extent of all cells.
     fn measure_cells(&mut self) -> Result<()> {
         self.state.cells.iter_mut().for_each(|cell| *cell = Cell::NEW);
         for simplex in self.state.delaunay.complex().simplices() {
@@ -88,7 +88,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// Input -> how many rounds come after its own.
+    /// Returns, for every input, the number of rounds that come after its own.
     fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
         let ordering = self.parameters.ordering;
         collected((0..self.inputs as u32).map(|input| {

@@ -15,7 +15,7 @@ pub(super) struct Ring {
 }
 
 impl Ring {
-    /// `None` for a vertex of the hull.
+    /// Returns the ring of a vertex; `None` for one of the hull or with many neighbours.
     pub fn around<const D: usize>(delaunay: &Delaunay<D>, vertex: VertexId) -> Option<Self> {
         let (complex, x) = (delaunay.complex(), delaunay.point(vertex));
         let mut ring = Self { points: [[0.0; 2]; MOST], count: 0 };
@@ -44,8 +44,8 @@ impl Ring {
         (0..self.count).any(|side| self.squared_ratio_on(side) > bound * bound)
     }
 
-    /// The square of the radius-edge ratio of the triangle on a side: its apex is the vertex that
-    /// sees the side at the largest angle.
+    /// Returns the square of the radius-edge ratio of the triangle on a side: its apex is the
+    /// vertex that sees the side at the largest angle.
     fn squared_ratio_on(&self, side: usize) -> f64 {
         let next = (side + 1) % self.count;
         let (a, b) = (self.points[side], self.points[next]);

@@ -85,12 +85,12 @@ fn dot(a: &[IBig; 2], b: &[IBig; 2], c: &[IBig; 2]) -> IBig {
 }
 
 /// Twice the area of the simplices.
-fn area(mesh: &Triangulation, is_wanted: impl Fn(usize) -> bool) -> IBig {
+fn area(mesh: &Triangulation, selects: impl Fn(usize) -> bool) -> IBig {
     let area = |simplex: usize| {
         let [a, b, c] = [0, 1, 2].map(|i| point(mesh, mesh.simplex(simplex)[i]));
         cross(&a, &b, &c)
     };
-    (0..mesh.simplex_count()).filter(|&simplex| is_wanted(simplex)).map(area).sum()
+    (0..mesh.simplex_count()).filter(|&simplex| selects(simplex)).map(area).sum()
 }
 
 /// The smallest angle in degrees of the simplices that no corner forces.

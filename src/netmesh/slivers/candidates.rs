@@ -7,16 +7,16 @@ use std::collections::BinaryHeap;
 
 /// A point for a sliver, and when it was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Offer<const D: usize> {
+pub(super) struct Candidate<const D: usize> {
     pub sliver: Sliver,
     pub x: [f64; D],
     pub class: i32,
     pub time: u64,
 }
 
-impl<const D: usize> Eq for Offer<D> {}
+impl<const D: usize> Eq for Candidate<D> {}
 
-impl<const D: usize> PartialOrd for Offer<D> {
+impl<const D: usize> PartialOrd for Candidate<D> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
@@ -24,28 +24,28 @@ impl<const D: usize> PartialOrd for Offer<D> {
 
 /// The one of a higher class is greater, then that with smaller ids: inputs that are near each
 /// other have ids that are, so points of one class go in side by side.
-impl<const D: usize> Ord for Offer<D> {
+impl<const D: usize> Ord for Candidate<D> {
     fn cmp(&self, other: &Self) -> Ordering {
-        let ids = |offer: &Self| (offer.sliver.vertices, offer.sliver.simplex);
+        let ids = |candidate: &Self| (candidate.sliver.vertices, candidate.sliver.simplex);
         self.class.cmp(&other.class).then_with(|| ids(other).cmp(&ids(self)))
     }
 }
 
-/// The class of points that are worth `gain`: twice as much is one class more.
+/// Returns the class of points that are worth `gain`: twice as much is one class more.
 pub(super) fn class(gain: f64) -> i32 {
     gain.log2().floor() as i32
 }
 
-/// Offers, the best first.
+/// Candidates, the best first.
 #[derive(Default)]
-pub(super) struct Offers<const D: usize>(pub BinaryHeap<Offer<D>>);
+pub(super) struct Candidates<const D: usize>(pub BinaryHeap<Candidate<D>>);
 
-impl<const D: usize> Offers<D> {
-    pub fn push(&mut self, offer: Offer<D>) -> AllocResult<()> {
+impl<const D: usize> Candidates<D> {
+    pub fn push(&mut self, candidate: Candidate<D>) -> AllocResult<()> {
         if self.0.len() == self.0.capacity() {
             self.0.try_reserve(1)?;
         }
-        self.0.push(offer);
+        self.0.push(candidate);
         Ok(())
     }
 
@@ -61,18 +61,18 @@ mod tests {
 
     #[test]
     fn what_is_worth_more_comes_first_and_equals_by_place() {
-        let offer = |gain, first: usize| {
+        let candidate = |gain, first: usize| {
             let vertices = [first, 7, 8, 9].map(VertexId::new);
             let sliver = Sliver { penalty: 1.5, simplex: SimplexId::new(first), vertices };
-            Offer { sliver, x: [0.0; 3], class: class(gain), time: 0 }
+            Candidate { sliver, x: [0.0; 3], class: class(gain), time: 0 }
         };
-        let mut offers = Offers::default();
+        let mut candidates = Candidates::default();
         for (gain, first) in [(3.9, 3), (2.1, 2), (0.001, 0), (8.0, 6), (7.9, 1)] {
-            offers.push(offer(gain, first)).unwrap();
+            candidates.push(candidate(gain, first)).unwrap();
         }
-        assert_eq!(offers.len(), 5);
-        let all = std::iter::from_fn(|| offers.0.pop());
-        let all: Vec<_> = all.map(|offer| offer.sliver.vertices[0].index()).collect();
+        assert_eq!(candidates.len(), 5);
+        let all = std::iter::from_fn(|| candidates.0.pop());
+        let all: Vec<_> = all.map(|candidate| candidate.sliver.vertices[0].index()).collect();
         assert_eq!(all, [6, 1, 2, 3, 0]);
     }
 }

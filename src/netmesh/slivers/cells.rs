@@ -1,7 +1,7 @@
 //! The bound of the Voronoi aspect in cells that a change would make.
 
 use crate::complex::VertexId;
-use crate::netmesh::slivers::cone::{Cone, Side};
+use crate::netmesh::slivers::cone::{Cone, ConeSimplex};
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::state::Cell;
 use crate::numerics::{Circumball, distance};
@@ -39,8 +39,8 @@ impl Cone {
     }
 }
 
-impl Side {
-    /// The vertices of the facet.
+impl ConeSimplex {
+    /// Returns the vertices of the facet.
     fn base(&self) -> impl Iterator<Item = VertexId> {
         let apex = self.apex;
         self.vertices.into_iter().enumerate().filter(move |&(at, _)| at != apex).map(|(_, v)| v)

@@ -4,8 +4,8 @@ use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
-use crate::netmesh::slivers::journal::Step;
-use crate::netmesh::slivers::vacancy::{Place, may_leave};
+use crate::netmesh::slivers::log::Step;
+use crate::netmesh::slivers::vacancy::{Target, may_leave};
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Cell, Mesher};
@@ -30,8 +30,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             None => self.state.add_vertex(*x)?,
         };
         self.state.stats.off_centers += 1;
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Inserted(vertex))?;
+        if let Some(log) = &mut slivers.log {
+            log.steps.try_push(Step::Inserted(vertex))?;
         }
         self.state.hierarchy.set_domain(vertex, domain);
         self.state.delaunay.insert(vertex, &slivers.cavity, &mut self.scratch.created)?;
@@ -45,12 +45,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn move_vertex(
         &mut self,
         vertex: VertexId,
-        place: &Place<D>,
+        place: &Target<D>,
         slivers: &mut Slivers<D>,
     ) -> Result<()> {
         let from = *self.state.delaunay.point(vertex);
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Moved(vertex, from))?;
+        if let Some(log) = &mut slivers.log {
+            log.steps.try_push(Step::Moved(vertex, from))?;
         }
         let mut filled = std::mem::take(&mut slivers.filled);
         self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
@@ -91,10 +91,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         slivers: &mut Slivers<D>,
     ) -> Result<()> {
         let x = *self.state.delaunay.point(vertex);
-        match &mut slivers.journal {
-            Some(journal) => {
+        match &mut slivers.log {
+            Some(log) => {
                 let near = slivers.vacancy.hole.vertices.ids[0];
-                journal.steps.try_push(Step::Removed(vertex, near))?;
+                log.steps.try_push(Step::Removed(vertex, near))?;
             }
             None => slivers.free.try_push(vertex)?,
         }
@@ -107,7 +107,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// The points of all kinds are as many as the vertices beside the inputs.
+/// Takes a point that was removed out of the counts: the points of all kinds are as many as the
+/// vertices beside the inputs.
 fn discount_point(stats: &mut Stats) {
     let counts = [&mut stats.off_centers, &mut stats.far_corners, &mut stats.cage_points];
     if let Some(count) = counts.into_iter().find(|count| **count > 0) {

@@ -27,8 +27,8 @@ pub(super) struct Insertion<const D: usize> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The `most` best of `count` points for `sliver` that are worth more than `least`, the best
-    /// first.
+    /// Returns the `most` best of `count` points for `sliver` that are worth more than `least`, the
+    /// best first.
     pub(super) fn best_insertions(
         &mut self,
         sliver: &Sliver,

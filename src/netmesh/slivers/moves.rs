@@ -4,7 +4,7 @@ use crate::complex::VertexId;
 use crate::error::Result;
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::random::Random;
-use crate::netmesh::slivers::vacancy::Place;
+use crate::netmesh::slivers::vacancy::Target;
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::Mesher;
@@ -66,8 +66,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
-        // What a journal has is often one point too many: that is not to go at once.
-        if slivers.journal.is_none() {
+        // What a log has is often one point too many: that is not to go at once.
+        if slivers.log.is_none() {
             if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain)? {
                 self.remove_vertex(vertex, slivers)?;
                 return Ok(Some(gain));
@@ -80,7 +80,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(place.map(|place| place.gain))
     }
 
-    /// The place for the vertex that `slivers.vacancy` is without that is worth most.
+    /// Returns the place for the vertex that `slivers.vacancy` is without that is worth most.
     fn best_place(
         &mut self,
         vertex: VertexId,
@@ -88,7 +88,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         times: usize,
         random: &mut Random,
         slivers: &mut Slivers<D>,
-    ) -> Result<Option<Place<D>>> {
+    ) -> Result<Option<Target<D>>> {
         let least_gain = slivers.least_gain;
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let domain = self.state.hierarchy.domain_of(vertex);
@@ -98,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
         });
         let from = *view.delaunay.point(vertex);
-        let mut best: Option<Place<D>> = None;
+        let mut best: Option<Target<D>> = None;
         for number in 0..PLACES * times {
             self.watch.poll_after(20)?;
             let x = match (number, &ball) {

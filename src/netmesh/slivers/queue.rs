@@ -46,7 +46,7 @@ impl Queue {
         Ok(())
     }
 
-    /// The worst of those that wait.
+    /// Returns the worst of those that wait.
     pub fn pop(&mut self) -> Option<Sliver> {
         self.waiting.pop()
     }
@@ -61,12 +61,12 @@ impl Queue {
         std::mem::take(&mut self.failed)
     }
 
-    /// The number of those kept for another pass, stale ones too.
+    /// Returns the number of those kept for another pass, stale ones too.
     pub fn failed(&self) -> usize {
         self.failed.len()
     }
 
-    /// The number of those that wait or have failed, stale ones too.
+    /// Returns the number of those that wait or have failed, stale ones too.
     pub fn len(&self) -> usize {
         self.waiting.len() + self.failed.len()
     }

@@ -29,17 +29,17 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number in [-1, 1).
+    /// Returns a number in [-1, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
     }
 
-    /// A number in [0, 1).
+    /// Returns a number in [0, 1).
     pub fn fraction(&mut self) -> f64 {
         0.5 + 0.5 * self.unit()
     }
 
-    /// A point of the unit ball.
+    /// Returns a point of the unit ball.
     pub fn in_ball<const D: usize>(&mut self) -> [f64; D] {
         loop {
             let x: [f64; D] = std::array::from_fn(|_| self.unit());

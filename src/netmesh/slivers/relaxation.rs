@@ -5,7 +5,7 @@ use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::insertions::Insertion;
-use crate::netmesh::slivers::journal::Journal;
+use crate::netmesh::slivers::log::Log;
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::work::Slivers;
@@ -34,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         for Insertion { x, gain } in points {
             // What was undone has come back by other ids.
             let Some(start) = self.find_simplex(&sliver.vertices)? else { break };
-            slivers.journal = Some(Journal::default());
+            slivers.log = Some(Log::default());
             self.insert_point(start, &x, slivers)?;
             let wanted = slivers.least_gain - gain;
             if self.move_around(wanted, random, slivers)? >= wanted {
@@ -56,23 +56,23 @@ impl<const D: usize> Mesher<'_, '_, D> {
     ) -> Result<f64> {
         let (mut total, mut tried) = (0.0, 0);
         while total < wanted && tried < SLIVERS {
-            let Some(journal) = &mut slivers.journal else { break };
-            let fresh = &mut journal.fresh;
+            let Some(log) = &mut slivers.log else { break };
+            let fresh = &mut log.fresh;
             let worst = (0..fresh.len()).max_by_key(|&at| fresh[at]);
             let Some(sliver) = worst.map(|at| fresh.swap_remove(at)) else { break };
             if self.state.is_current(&sliver, &slivers.penalties) {
                 tried += 1;
                 let gain = self.mend_by_move(&sliver, 1, random, slivers)?;
                 total += gain.unwrap_or(0.0);
-                if let Some(journal) = &mut slivers.journal {
-                    journal.failed.try_push(sliver)?;
+                if let Some(log) = &mut slivers.log {
+                    log.failed.try_push(sliver)?;
                 }
             }
         }
         Ok(total)
     }
 
-    /// A live simplex, given its vertices in rising order.
+    /// Returns a live simplex, given its vertices in rising order.
     fn find_simplex(&mut self, vertices: &[VertexId; 4]) -> AllocResult<Option<SimplexId>> {
         self.state.delaunay.star(vertices[0], &mut self.scratch.star)?;
         let complex = self.state.delaunay.complex();

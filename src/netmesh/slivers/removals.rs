@@ -2,7 +2,7 @@
 
 use crate::complex::VertexId;
 use crate::error::Result;
-use crate::netmesh::slivers::journal::Journal;
+use crate::netmesh::slivers::log::Log;
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
@@ -19,7 +19,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// they were inserted for slivers that others may have mended since.
     pub(super) fn thin_out(&mut self, first: usize, slivers: &mut Slivers<D>) -> Result<()> {
         for number in (first..self.state.delaunay.point_count()).rev() {
-            if self.state.is_spent(slivers) {
+            if self.state.is_exhausted(slivers) {
                 break;
             }
             self.watch.poll_after(200)?;
@@ -37,7 +37,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let Some(gain) = vacancy.judge_removal(view, -COST)? else { return Ok(()) };
         let random = &mut Random::of_vertex(vertex);
-        slivers.journal = Some(Journal::default());
+        slivers.log = Some(Log::default());
         self.remove_vertex(vertex, slivers)?;
         let wanted = -ROUNDING - gain;
         let made_up = self.move_around(wanted, random, slivers)?;

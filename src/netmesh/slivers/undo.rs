@@ -3,21 +3,21 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::netmesh::slivers::journal::{Journal, Step};
-use crate::netmesh::slivers::vacancy::Place;
+use crate::netmesh::slivers::log::{Log, Step};
+use crate::netmesh::slivers::vacancy::Target;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Cell, Mesher, State};
 
 impl<const D: usize> State<D> {
-    /// Ends the journal: all that it has stays.
+    /// Ends the log: all that it has stays.
     pub(super) fn keep_changes(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
-        let Some(journal) = slivers.journal.take() else { return Ok(()) };
-        for step in journal.steps {
+        let Some(log) = slivers.log.take() else { return Ok(()) };
+        for step in log.steps {
             if let Step::Removed(vertex, _) = step {
                 slivers.free.try_push(vertex)?;
             }
         }
-        for sliver in journal.fresh.into_iter().chain(journal.failed) {
+        for sliver in log.fresh.into_iter().chain(log.failed) {
             if self.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
             }
@@ -27,12 +27,12 @@ impl<const D: usize> State<D> {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Ends the journal and undoes what it has, the last step first. The slivers that come back
+    /// Ends the log and undoes what it has, the last step first. The slivers that come back
     /// wait for another pass.
     pub(super) fn undo_changes(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
-        let steps = slivers.journal.take().unwrap_or_default().steps;
+        let steps = slivers.log.take().unwrap_or_default().steps;
         // What comes back is not new.
-        slivers.journal = Some(Journal::default());
+        slivers.log = Some(Log::default());
         for &step in steps.iter().rev() {
             let is_undone = match step {
                 Step::Removed(vertex, near) => self.put_back(vertex, near, slivers)?,
@@ -44,7 +44,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 break;
             }
         }
-        for sliver in slivers.journal.take().unwrap_or_default().fresh {
+        for sliver in slivers.log.take().unwrap_or_default().fresh {
             if self.state.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.fail(sliver)?;
             }
@@ -73,7 +73,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let Some(near) = slivers.vacancy.filling_at(&self.state.delaunay, x) else {
             return Ok(false);
         };
-        let place = Place { x: *x, gain: 0.0, near, is_clean: false };
+        let place = Target { x: *x, gain: 0.0, near, is_clean: false };
         self.move_vertex(vertex, &place, slivers)?;
         Ok(true)
     }

@@ -6,7 +6,7 @@ use crate::delaunay::{Delaunay, Hole};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::cone::{Account, Cone};
-use crate::netmesh::slivers::shape::{corners, in_space};
+use crate::netmesh::slivers::shape::{in_space, tetrahedron};
 use crate::netmesh::slivers::view::View;
 use crate::numerics::{Sign, distance, in_ball};
 
@@ -29,7 +29,7 @@ pub(super) struct Vacancy<const D: usize> {
     penalties: Vec<f64>,
     /// Facet of the hole's boundary -> the simplex of the filling there.
     fillings: Vec<u32>,
-    /// Simplex of the filling -> whether its ball holds the place that is judged.
+    /// Simplex of the filling -> true if its ball holds the place that is judged.
     is_inside: Vec<bool>,
     /// The simplices outside the hole whose balls do.
     outside: Vec<SimplexId>,
@@ -39,7 +39,7 @@ pub(super) struct Vacancy<const D: usize> {
 
 /// A place for the vertex.
 #[derive(Clone, Copy)]
-pub(super) struct Place<const D: usize> {
+pub(super) struct Target<const D: usize> {
     pub x: [f64; D],
     pub gain: f64,
     /// A simplex of the filling whose ball holds it.
@@ -118,7 +118,7 @@ impl<const D: usize> Vacancy<D> {
         for number in (0..count as u32).step_by(2) {
             let last = count as u32 - 1;
             let pair = [number, last.min(number + 1)]
-                .map(|number| corners(view.delaunay, self.hole.filling.vertices(number)));
+                .map(|number| tetrahedron(view.delaunay, self.hole.filling.vertices(number)));
             let penalties = view.measure.penalties(pair.each_ref());
             self.penalties.try_extend(&penalties)?;
         }
@@ -153,7 +153,7 @@ impl<const D: usize> Vacancy<D> {
         Ok(is_kept.then_some(gain))
     }
 
-    /// A simplex of the filling whose ball holds `x`.
+    /// Returns a simplex of the filling whose ball holds `x`.
     pub fn filling_at(&self, delaunay: &Delaunay<D>, x: &[f64; D]) -> Option<usize> {
         (0..self.hole.filling.len()).find(|&number| {
             let vertices = self.hole.filling.vertices(number as u32);
@@ -168,7 +168,7 @@ impl<const D: usize> Vacancy<D> {
         view: View<'_, D>,
         x: &[f64; D],
         least: f64,
-    ) -> Result<Option<Place<D>>> {
+    ) -> Result<Option<Target<D>>> {
         let Some((near, left)) = self.find_inside(view, x) else { return Ok(None) };
         let Some(lost) = self.find_outside(view, x)? else { return Ok(None) };
         let before = self.star + lost;
@@ -179,9 +179,9 @@ impl<const D: usize> Vacancy<D> {
         let mut account = Account::new(view.measure, gain, least);
         let apex_point = in_space(x);
         let is_worth = self.all_sides(view, |vertices, apex| {
-            let mut corners = corners(view.delaunay, vertices);
-            corners[apex] = apex_point;
-            account.charge(corners)
+            let mut tetrahedron = tetrahedron(view.delaunay, vertices);
+            tetrahedron[apex] = apex_point;
+            account.charge(tetrahedron)
         });
         let Some(gain) = account.rest().filter(|_| is_worth) else { return Ok(None) };
         if view.measure.half_aspect.is_some() || view.sizes.is_some() {
@@ -194,11 +194,11 @@ impl<const D: usize> Vacancy<D> {
                 return Ok(None);
             }
         }
-        Ok(Some(Place { x: *x, gain, near, is_clean: gain >= before }))
+        Ok(Some(Target { x: *x, gain, near, is_clean: gain >= before }))
     }
 
-    /// A simplex of the filling whose ball holds `x`, and what those add whose balls do not. `None`
-    /// if there is none, or one that floating-point arithmetic cannot tell.
+    /// Returns a simplex of the filling whose ball holds `x`, and the penalties of those whose
+    /// balls do not. `None` if there is none, or one that floating-point arithmetic cannot tell.
     fn find_inside(&mut self, view: View<'_, D>, x: &[f64; D]) -> Option<(usize, f64)> {
         let (mut near, mut left) = (None, 0.0);
         for (number, ball) in self.hole.balls.iter().enumerate() {
@@ -323,7 +323,7 @@ impl<const D: usize> Vacancy<D> {
         Ok(true)
     }
 
-    /// The simplices of the filling whose balls do not hold the place that is judged.
+    /// Returns the simplices of the filling whose balls do not hold the place that is judged.
     pub fn staying(&self) -> impl Iterator<Item = u32> {
         (0..self.hole.balls.len() as u32).filter(|&number| !self.is_inside[number as usize])
     }

@@ -3,7 +3,7 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::memory::{AllocResult, TryGrow};
 use crate::netmesh::slivers::queue::Sliver;
-use crate::netmesh::slivers::shape::{Measure, corners};
+use crate::netmesh::slivers::shape::{Measure, tetrahedron};
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Mesher, State};
 
@@ -36,8 +36,8 @@ impl<const D: usize> State<D> {
             }
             if penalty > 0.0 {
                 let sliver = self.sliver(simplex, penalty);
-                match &mut slivers.journal {
-                    Some(journal) => journal.fresh.try_push(sliver)?,
+                match &mut slivers.log {
+                    Some(log) => log.fresh.try_push(sliver)?,
                     None => slivers.queue.push(sliver)?,
                 }
             }
@@ -45,7 +45,7 @@ impl<const D: usize> State<D> {
         Ok(())
     }
 
-    /// The number of simplices made so far.
+    /// Returns the number of simplices made so far.
     pub(in crate::netmesh) fn now(&self) -> u64 {
         self.delaunay.simplices_created()
     }
@@ -57,7 +57,7 @@ impl<const D: usize> State<D> {
             && !complex.is_infinite(simplex)
             && self.hierarchy.same_domain(vertices);
         match is_judged {
-            true => measure.penalty(&corners(&self.delaunay, vertices)) as f32,
+            true => measure.penalty(&tetrahedron(&self.delaunay, vertices)) as f32,
             false => 0.0,
         }
     }
@@ -73,10 +73,10 @@ impl<const D: usize> State<D> {
     /// another simplex now, or of one with the same vertices, which have moved.
     pub(super) fn is_current(&self, sliver: &Sliver, penalties: &[f32]) -> bool {
         let complex = self.delaunay.complex();
-        let is_own = |vertex: &VertexId| sliver.vertices.contains(vertex);
+        let is_vertex = |vertex: &VertexId| sliver.vertices.contains(vertex);
         complex.is_live(sliver.simplex)
             && penalties[sliver.simplex] == sliver.penalty
-            && complex.vertices(sliver.simplex).iter().all(is_own)
+            && complex.vertices(sliver.simplex).iter().all(is_vertex)
     }
 }
 

@@ -3,9 +3,9 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::memory::Array;
-use crate::netmesh::slivers::candidates::Offers;
+use crate::netmesh::slivers::candidates::Candidates;
 use crate::netmesh::slivers::cone::Cone;
-use crate::netmesh::slivers::journal::Journal;
+use crate::netmesh::slivers::log::Log;
 use crate::netmesh::slivers::queue::Queue;
 use crate::netmesh::slivers::shape::Measure;
 use crate::netmesh::slivers::vacancy::Vacancy;
@@ -27,7 +27,7 @@ pub(super) struct Slivers<const D: usize> {
     /// Vertex -> the number of simplices made when its star changed last.
     pub changed: Array<u64>,
     pub queue: Queue,
-    pub offers: Offers<D>,
+    pub candidates: Candidates<D>,
     /// The number of slivers that the mesh had at first.
     pub found: usize,
     /// Number of exact tests after which the work ends.
@@ -41,14 +41,14 @@ pub(super) struct Slivers<const D: usize> {
     /// Ids of vertices that were removed.
     pub free: Vec<VertexId>,
     /// Changes that may be undone, while there are such.
-    pub journal: Option<Journal<D>>,
+    pub log: Option<Log<D>>,
 }
 
 /// Points that are tried for a sliver with the least effort.
 pub(super) const POINTS: usize = 12;
 
 impl<const D: usize> State<D> {
-    pub(super) fn is_spent(&self, slivers: &Slivers<D>) -> bool {
+    pub(super) fn is_exhausted(&self, slivers: &Slivers<D>) -> bool {
         self.delaunay.exact_fallbacks() > slivers.most_exact
     }
 }

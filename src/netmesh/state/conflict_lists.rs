@@ -77,12 +77,12 @@ impl ConflictLists {
         })
     }
 
-    /// The number of uninserted inputs that are not suspended.
+    /// Returns the number of uninserted inputs that are not suspended.
     pub fn remaining(&self) -> usize {
         self.remaining
     }
 
-    /// The number of uninserted inputs.
+    /// Returns the number of uninserted inputs.
     pub fn uninserted(&self) -> usize {
         self.remaining + self.suspended
     }
@@ -91,7 +91,7 @@ impl ConflictLists {
         self.inputs[input].simplex
     }
 
-    /// The number of inputs on the list of `simplex`.
+    /// Returns the number of inputs on the list of `simplex`.
     pub fn count(&self, simplex: SimplexId) -> u32 {
         // Simplices made after the last input went in are not covered.
         self.lists.get(simplex.index()).map_or(0, |list| list.count)
@@ -178,8 +178,8 @@ impl ConflictLists {
         self.lists.move_into(reserve)
     }
 
-    /// The conflict lists of a partition, which were emptied. Its `inputs` inputs are the first of
-    /// its vertices.
+    /// Returns the conflict lists of a partition, which were emptied. Its `inputs` inputs are the
+    /// first of its vertices.
     pub fn partition(&self, ids: &PartitionIds<'_>, inputs: usize) -> Result<Self> {
         let PartitionIds { local_to_global, global_to_local } = ids;
         let mut partition = Self::new(inputs)?;
@@ -251,10 +251,11 @@ impl ConflictLists {
         Ok(())
     }
 
-    /// A simplex of the star of `apex` whose D-ball holds `input`. `guess` is one of the star. The
-    /// balls' centres are the corners of the Voronoi cell of `apex`, and the power of `input` to
-    /// the balls is linear on it: a walk along the cell's edges on which it falls ends where it is
-    /// least. Where rounding ends the walk before, or the cell is not bounded, all balls are tried.
+    /// Returns a simplex of the star of `apex` whose D-ball holds `input`. `guess` is one of the
+    /// star. The balls' centres are the corners of the Voronoi cell of `apex`, and the power of
+    /// `input` to the balls is linear on it: a walk along the cell's edges on which it falls ends
+    /// where it is least. Where rounding ends the walk before, or the cell is not bounded, all
+    /// balls are tried.
     fn find_ball<const D: usize>(
         &mut self,
         delaunay: &Delaunay<D>,

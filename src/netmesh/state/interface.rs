@@ -17,14 +17,14 @@ use crate::netmesh::state::hierarchy::DomainId;
 
 #[derive(Default)]
 pub(in crate::netmesh) struct Interface {
-    /// Simplex -> whether it is locked. Simplices beyond the end are not.
+    /// Simplex -> true if it is locked. Simplices beyond the end are not.
     pub locked: Vec<bool>,
-    /// Domain -> whether another partition owns it. Domains beyond the end are owned.
+    /// Domain -> true if another partition owns it. Domains beyond the end are owned.
     non_owned: Vec<bool>,
-    /// Domain -> whether something is left to do there that the partition may not, or whether its
+    /// Domain -> true if something is left to do there that the partition may not, or its
     /// clearance fell here, though others have simplices at it. Domains beyond the end are not.
     wanted: Vec<bool>,
-    /// Simplex -> whether one of its inputs was deferred. Its other inputs would be deferred too,
+    /// Simplex -> true if one of its inputs was deferred. Its other inputs would be deferred too,
     /// usually.
     skipped: Vec<bool>,
     /// Cages and inputs that went into them, where the input encroaches a non-owned domain around
@@ -75,8 +75,8 @@ impl Interface {
         self.locked.get(simplex.index()).is_some_and(|&is_locked| is_locked)
     }
 
-    pub fn is_wanted(&self, domain: DomainId) -> bool {
-        self.wanted.get(domain.index()).is_some_and(|&is_wanted| is_wanted)
+    pub fn has_work_left(&self, domain: DomainId) -> bool {
+        self.wanted.get(domain.index()).is_some_and(|&has_work_left| has_work_left)
     }
 
     /// Notes that something is left to do at `domain`, in a partition.

@@ -98,7 +98,7 @@ pub(in crate::netmesh) struct Stage {
 }
 
 impl Stage {
-    /// While inputs go in, refinement keeps a loose bound.
+    /// Returns the stage of insertion, in which refinement keeps the loose `bound`.
     pub fn of_insertion(bound: f64) -> Self {
         Self {
             phase: Phase::Insert,

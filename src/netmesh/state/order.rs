@@ -30,8 +30,8 @@ const MANY: usize = 1 << 15;
 /// Largest number of inputs in a cell that may stay as they are.
 const FEW: usize = 8;
 
-/// The distinct inputs in order, whatever the number of `threads` that make it. O(n log n), since a
-/// box is at most 2^2100 times another one.
+/// Returns the distinct inputs in order, whatever the number of `threads` that make it. O(n log n),
+/// since a box is at most 2^2100 times another one.
 pub(in crate::netmesh) fn by_locality<const D: usize>(
     inputs: &Inputs,
     threads: usize,
@@ -78,8 +78,8 @@ impl<'a> Iterator for Pieces<'a> {
 
     fn next(&mut self) -> Option<Self::Item> {
         let first = self.crowds.first()?;
-        let is_own = |crowd: &&Crowd| crowd.end - first.start <= MANY;
-        let (own, rest) = self.crowds.split_at(self.crowds.iter().take_while(is_own).count());
+        let fits = |crowd: &&Crowd| crowd.end - first.start <= MANY;
+        let (own, rest) = self.crowds.split_at(self.crowds.iter().take_while(fits).count());
         let order = std::mem::take(&mut self.order);
         let (_, order) = order.split_at_mut(first.start - self.begin);
         let end = own.last()?.end;
@@ -193,7 +193,7 @@ struct Cells<const D: usize> {
 impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
 
-    /// Around the named inputs. `tick` is called for each.
+    /// Returns the cells of the box of the named inputs. `tick` is called for each.
     pub fn around<E: From<AllocError>>(
         inputs: &Inputs,
         named: &[InputId],

@@ -18,19 +18,20 @@ const LOOSE: f64 = 3.0;
 const LOOSE_EDGES: f64 = 4.5;
 
 impl Parameters {
-    /// A Voronoi corner counts for a cell of a domain only within this fraction of the radius of
-    /// the domain's cage sphere; corners beyond the hull of the cage are the cage's business.
+    /// Returns the fraction of the radius of a domain's cage sphere within which Voronoi corners
+    /// count for cells of the domain; corners beyond the hull of the cage are the cage's business.
     pub(in crate::netmesh) fn corner_restriction(&self) -> f64 {
         CORNER_RESTRICTION.min(self.hull_radius())
     }
 
-    /// The hull of a delta-net of the unit sphere holds the ball of this radius.
+    /// Returns the radius of a ball that the hull of a delta-net of the unit sphere holds.
     pub(in crate::netmesh) fn hull_radius(&self) -> f64 {
         1.0 - 0.5 * self.delta * self.delta
     }
 
-    /// The bound that CLEAN keeps while inputs go in. The refinement to `quality_bound` comes at
-    /// the end: with all inputs in their places it needs fewer points, and redistributes no input.
+    /// Returns the bound that CLEAN keeps while inputs go in. The refinement to `quality_bound`
+    /// comes at the end: with all inputs in their places it needs fewer points, and redistributes
+    /// no input.
     pub(in crate::netmesh) fn loose_bound(&self) -> f64 {
         let factor = match self.criterion {
             Criterion::VoronoiAspect => LOOSE,
@@ -68,9 +69,9 @@ pub(super) fn partition_count<const D: usize>(
     is_large.then(|| inputs.div_ceil(least).next_multiple_of(2))
 }
 
-/// The number of threads for work that changes nothing on a mesh of so many `inputs`, at most the
-/// number of cores: the caller may allow any number. A mesh that is not partitioned is made on one
-/// thread.
+/// Returns the number of threads for work that changes nothing on a mesh of so many `inputs`, at
+/// most the number of cores: the caller may allow any number. A mesh that is not partitioned is
+/// made on one thread.
 pub(in crate::netmesh) fn usable_threads<const D: usize>(
     parameters: &Parameters,
     inputs: usize,

@@ -21,8 +21,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The part of the run that is done: inputs inserted, then cages dissolved, then simplices that
-    /// need no more refinement, by their usual shares of the time.
+    /// Returns the part of the run that is done: inputs inserted, then cages dissolved, then
+    /// simplices that need no more refinement, by their usual shares of the time.
     fn done(&self) -> f64 {
         let [insert, finish] = self.state.shares();
         let before = match self.state.stage.phase {
@@ -55,7 +55,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         [sizes, slivers]
     }
 
-    /// The part of the run that is done when partitions are.
+    /// Returns the part of the run that is done when partitions are.
     pub(in crate::netmesh) fn share_of_partitions(&self) -> f64 {
         let [sizes, slivers] = self.shares_of_options();
         0.95 * (1.0 - sizes) * (1.0 - slivers)
@@ -63,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// Inputs inserted, vertices and simplices.
+    /// Returns the numbers of inputs inserted, of vertices and of simplices.
     pub(in crate::netmesh) fn progress_counts(&self) -> [u64; 3] {
         let inserted = self.inputs - self.conflict_lists.uninserted();
         let vertices =

@@ -129,7 +129,7 @@ impl RefineList {
         self.waiting == 0
     }
 
-    /// The next simplex that is live, or was not replaced since it died.
+    /// Returns the next simplex that is live, or was not replaced since it died.
     pub fn pop(&mut self) -> Option<Entry> {
         loop {
             let word = self.first;

@@ -29,7 +29,8 @@ pub(in crate::netmesh) struct Sizes<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Sizes<'a, D> {
-    /// `None` if no size is asked for. `by_region`: whether regions have some.
+    /// Returns the sizes, or `None` if no size is asked for. `by_region`: true if regions have
+    /// some.
     pub fn new(
         inputs: &Inputs,
         parameters: &Parameters,
@@ -51,7 +52,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         Some(Self { function, max_edge, low, high, answers: Array::new() })
     }
 
-    /// The distance from a point to the farthest one of the box.
+    /// Returns the distance from a point to the farthest one of the box.
     pub fn reach(&self, from: &[f64; D]) -> f64 {
         let corner = std::array::from_fn(|axis| {
             // Halves, so that no difference overflows.
@@ -138,7 +139,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         })
     }
 
-    /// The answer of the function for `vertex`, which is at `x`.
+    /// Returns the answer of the function for `vertex`, which is at `x`.
     pub fn ask(&mut self, vertex: VertexId, x: &[f64; D]) -> Result<f64> {
         if self.function.is_none() {
             return Ok(f64::INFINITY);
@@ -150,7 +151,7 @@ impl<'a, const D: usize> Sizes<'a, D> {
         Ok(self.answers[vertex])
     }
 
-    /// The answer of the function at `x`, or at the nearest point of the box.
+    /// Returns the answer of the function at `x`, or at the nearest point of the box.
     fn answer_at(&self, x: &[f64; D]) -> Result<f64> {
         let Some(function) = self.function else { return Ok(f64::INFINITY) };
         let x: [f64; D] = std::array::from_fn(|k| x[k].clamp(self.low[k], self.high[k]));
@@ -179,7 +180,7 @@ fn excess_of<const D: usize>(points: &[&[f64; D]], radius: f64, size: f64, max_e
     of_radius.max(longest_distance(points) / max_edge)
 }
 
-/// The circumradius of the regular simplex with edges of length 1.
+/// Returns the circumradius of the regular simplex with edges of length 1.
 fn regular_circumradius(dim: usize) -> f64 {
     (dim as f64 / (2 * (dim + 1)) as f64).sqrt()
 }

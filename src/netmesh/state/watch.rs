@@ -70,12 +70,12 @@ impl<'a, 'b> Watch<'a, 'b> {
         Self { callback, last: Instant::now(), countdown: STRIDE, progress, tally: None }
     }
 
-    /// The watch of a partition that is made on another thread.
+    /// Returns the watch of a partition that is made on another thread.
     pub fn of_partition(tally: &'a Tally) -> Self {
         Self { tally: Some(tally), ..Self::new(None) }
     }
 
-    /// The watch of a partition that is made on the calling thread.
+    /// Returns the watch of a partition that is made on the calling thread.
     pub fn split<'c>(&'c mut self, tally: &'c Tally) -> Watch<'c, 'b> {
         Watch {
             callback: self.callback.as_deref_mut(),

@@ -12,7 +12,7 @@ use crate::threads::{Pieces, together};
 /// to be called.
 pub(in crate::netmesh) const PIECE: usize = 1 << 14;
 
-/// The simplices below `bound`, in pieces.
+/// Returns the simplices below `bound`, in pieces.
 pub(in crate::netmesh) fn pieces(
     bound: usize,
 ) -> impl Iterator<Item = impl Iterator<Item = SimplexId> + Send> + Send {
@@ -84,7 +84,7 @@ impl<I: Iterator, A> Workers<I, A> {
         Ok(())
     }
 
-    /// [`Self::work`] on one thread. `tick` is called after each piece, too.
+    /// Does [`Self::work`] on this thread. `tick` is called after each piece, too.
     pub fn collect<T>(&self, mut tick: impl FnMut(u32) -> Result<()>) -> Result<Vec<(usize, T)>>
     where
         A: Fn(I::Item, &mut Tick<'_>) -> Result<T>,
@@ -97,7 +97,7 @@ impl<I: Iterator, A> Workers<I, A> {
         Ok(done)
     }
 
-    /// The tick of a worker that has no watch.
+    /// Fails after another worker has failed: the tick of a worker that has no watch.
     fn check(&self) -> Result<()> {
         match self.pieces.is_stopped() {
             true => Err(cancelled()),
@@ -105,7 +105,7 @@ impl<I: Iterator, A> Workers<I, A> {
         }
     }
 
-    /// [`Self::work`] on `threads` threads, of which this is one.
+    /// Does [`Self::work`] on `threads` threads, of which this is one.
     fn collect_together<T: Send>(
         &self,
         threads: usize,

@@ -115,7 +115,7 @@ impl<const D: usize> Rings<D> {
         Ok(())
     }
 
-    /// The number of points in the D-balls around the edge to `other`.
+    /// Returns the number of points in the D-balls around the edge to `other`.
     fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<PointId>], other: VertexId) -> u32 {
         let end = if other == after_last(delaunay) { VertexId::INFINITE } else { other };
         if self.unions == u32::MAX {

@@ -13,8 +13,8 @@ use crate::netmesh::state::Mesher;
 const EXHAUSTED: u32 = 4;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of the inputs of each of `lists` for eps = 2^-pass / (2 D). Small conflict lists are
-    /// exhausted.
+    /// Returns the net of the inputs of each of `lists` for eps = 2^-pass / (2 D). Small conflict
+    /// lists are exhausted.
     pub(super) fn select_nets(&mut self, pass: u32, lists: &[SimplexId]) -> Result<Vec<VertexId>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;

@@ -44,7 +44,7 @@ pub(in crate::netmesh) struct Net<const D: usize> {
     /// Simplex -> the points in its D-ball, in rising order; stale for a dead one.
     pub(in crate::netmesh) inside: Vec<Vec<PointId>>,
     chosen: Vec<PointId>,
-    /// Point -> whether it is of an X, and not chosen yet.
+    /// Point -> true if it is of an X, and not chosen yet.
     waiting: Vec<bool>,
     center: Center<D>,
     rings: Rings<D>,
@@ -69,8 +69,8 @@ impl<const D: usize> Net<D> {
         })
     }
 
-    /// The net of `points`, as indices: every ball that holds `threshold` of them, at least one,
-    /// and no anchor holds one of the net. Points and anchors are distinct.
+    /// Returns the net of `points`, as indices: every ball that holds `threshold` of them, at least
+    /// one, and no anchor holds one of the net. Points and anchors are distinct.
     ///
     /// # Errors
     /// `Cancelled`, `OutOfMemory`.
@@ -108,7 +108,7 @@ impl<const D: usize> Net<D> {
         self.tests
     }
 
-    /// The complex of the anchors alone.
+    /// Makes the complex of the anchors alone.
     pub(in crate::netmesh) fn begin(
         &mut self,
         anchors: &[[f64; D]],
@@ -147,7 +147,7 @@ impl<const D: usize> Net<D> {
         Ok(())
     }
 
-    /// The point to choose in the D-ball of `simplex`, which holds one.
+    /// Returns the point to choose in the D-ball of `simplex`, which holds one.
     fn pick(&mut self, simplex: SimplexId, points: &[[f64; D]]) -> AllocResult<PointId> {
         let members = &self.inside[simplex];
         if let Some(&point) = members.iter().find(|&&i| self.waiting[i]) {
@@ -191,8 +191,8 @@ impl<const D: usize> Net<D> {
     }
 }
 
-/// The points of a new D-ball, from those of the two on its facet: it lies in their union, and
-/// holds what they share.
+/// Collects the points of a new D-ball, from those of the two on its facet: it lies in their union,
+/// and holds those that they share.
 fn merge(
     within: &[PointId],
     beyond: &[PointId],

@@ -9,7 +9,8 @@ use crate::netmesh::state::Mesher;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Up to `per_ball` inputs of each of `lists` with more than `crowd` of them, by simplex.
+    /// Returns up to `per_ball` inputs of each of `lists` with more than `crowd` of them, by
+    /// simplex.
     pub(super) fn select_sample(
         &mut self,
         per_ball: u32,

@@ -6,8 +6,8 @@ use crate::netmesh::state::Mesher;
 use crate::options::NetOrdering;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The inputs of `lists` that pass number `pass` of a round inserts, by conflict list. Conflict
-    /// lists with at most `target` inputs need not halve again after the first pass.
+    /// Returns the inputs of `lists` that pass number `pass` of a round inserts, by conflict list.
+    /// Conflict lists with at most `target` inputs need not halve again after the first pass.
     pub(in crate::netmesh) fn select_round(
         &mut self,
         pass: u32,

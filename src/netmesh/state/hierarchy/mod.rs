@@ -34,27 +34,31 @@ pub(in crate::netmesh) struct Node<const D: usize> {
 }
 
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct Membership {
     /// A domain that [`Hierarchy::find`] resolves to the innermost one; none if not inserted.
     label: DomainId,
     /// The domain whose cage the vertex was made for.
     cage: DomainId,
 }
 
-impl Place {
+impl Membership {
     const NOWHERE: Self = Self { label: DomainId::NONE, cage: DomainId::NONE };
 }
 
 pub(in crate::netmesh) struct Hierarchy<const D: usize> {
     nodes: Vec<Node<D>>,
     /// Vertex -> where it is.
-    places: Array<Place>,
+    places: Array<Membership>,
     alive: usize,
 }
 
 impl<const D: usize> Hierarchy<D> {
     pub fn new(vertices: usize) -> AllocResult<Self> {
-        Ok(Self { nodes: Vec::new(), places: Array::filled(vertices, Place::NOWHERE)?, alive: 0 })
+        Ok(Self {
+            nodes: Vec::new(),
+            places: Array::filled(vertices, Membership::NOWHERE)?,
+            alive: 0,
+        })
     }
 
     /// Reserves memory for `vertices` vertices if the system gives it.
@@ -63,10 +67,10 @@ impl<const D: usize> Hierarchy<D> {
     }
 
     pub fn add_vertex(&mut self) -> AllocResult<()> {
-        self.places.try_push(Place::NOWHERE)
+        self.places.try_push(Membership::NOWHERE)
     }
 
-    /// Number of domains ever created; ids are below it.
+    /// Returns the number of domains ever created; ids are below it.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -118,7 +122,7 @@ impl<const D: usize> Hierarchy<D> {
         self.alive -= 1;
     }
 
-    /// The living domain that `domain` is, or was dissolved into.
+    /// Returns the living domain that `domain` is, or was dissolved into.
     #[inline]
     pub fn find(&mut self, domain: DomainId) -> DomainId {
         let mut current = domain;
@@ -133,7 +137,7 @@ impl<const D: usize> Hierarchy<D> {
         current
     }
 
-    /// The living parent of a living domain; none for the root.
+    /// Returns the living parent of a living domain; none for the root.
     pub fn parent(&mut self, domain: DomainId) -> DomainId {
         let parent = self.node(domain).parent;
         if !parent.is_valid() {
@@ -148,7 +152,7 @@ impl<const D: usize> Hierarchy<D> {
         self.node_mut(domain).parent = parent;
     }
 
-    /// The innermost domain of an inserted vertex.
+    /// Returns the innermost domain of an inserted vertex.
     #[inline]
     pub fn domain_of(&mut self, vertex: VertexId) -> DomainId {
         let domain = self.find(self.places[vertex].label);
@@ -182,7 +186,7 @@ impl<const D: usize> Hierarchy<D> {
         self.places[vertex].cage = domain;
     }
 
-    /// The living domain whose cage `vertex` is part of, if there is one.
+    /// Returns the living domain whose cage `vertex` is part of, if there is one.
     #[inline]
     pub fn cage_of(&self, vertex: VertexId) -> DomainId {
         match self.places[vertex].cage {
@@ -199,7 +203,7 @@ impl<const D: usize> Hierarchy<D> {
         domain == ROOT || self.distance_to_center(domain, x) < self.node(domain).radius
     }
 
-    /// The innermost domain on the way from `domain` to the root whose ball holds `x`.
+    /// Returns the innermost domain on the way from `domain` to the root whose ball holds `x`.
     pub fn climb_to(&mut self, mut domain: DomainId, x: &[f64; D]) -> DomainId {
         while !self.contains(domain, x) {
             domain = self.parent(domain);
@@ -207,8 +211,8 @@ impl<const D: usize> Hierarchy<D> {
         domain
     }
 
-    /// The child of `omega` that holds an inserted vertex; radii grow on the way up, so a vertex
-    /// outside is recognised without a climb to the root.
+    /// Returns the child of `omega` that holds an inserted vertex; radii grow on the way up, so a
+    /// vertex outside is recognised without a climb to the root.
     pub fn child_towards(&mut self, omega: DomainId, vertex: VertexId) -> Option<DomainId> {
         let mut domain = self.domain_of(vertex);
         while self.node(domain).radius < self.node(omega).radius {

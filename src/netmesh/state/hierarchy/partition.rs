@@ -6,33 +6,33 @@
 use crate::complex::{PartitionIds, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, filled, with_capacity};
-use crate::netmesh::state::hierarchy::{DomainId, Hierarchy, Node, Place, ROOT};
+use crate::netmesh::state::hierarchy::{DomainId, Hierarchy, Membership, Node, ROOT};
 
 /// The domains of a partition in the global mesh.
 #[derive(Default)]
 pub(in crate::netmesh) struct DomainsToGlobal {
     /// Domain of the partition -> domain of the global mesh. The first is the root.
     local_to_global: Vec<DomainId>,
-    /// Domain of the partition -> whether the partition owns it.
-    is_own: Vec<bool>,
+    /// Domain of the partition -> true if the partition owns it.
+    owned: Vec<bool>,
 }
 
 impl DomainsToGlobal {
-    /// The global id of `domain`.
+    /// Returns the global id of `domain`.
     pub fn global(&self, domain: DomainId) -> DomainId {
         self.local_to_global[domain]
     }
 
-    /// Domain of the partition -> whether another partition owns it.
+    /// Returns, for every domain of the partition, true if another partition owns it.
     pub fn non_owned(&self) -> AllocResult<Vec<bool>> {
-        collected(self.is_own.iter().map(|&is_own| !is_own))
+        collected(self.owned.iter().map(|&owned| !owned))
     }
 }
 
 impl<const D: usize> Hierarchy<D> {
-    /// The hierarchy of the partition with the vertices of `ids`, inserted or not. `shared`: vertex
-    /// of the partition -> whether other partitions have simplices at it. Of a hierarchy that is
-    /// compressed.
+    /// Returns the hierarchy of the partition with the vertices of `ids`, inserted or not.
+    /// `shared`: vertex of the partition -> true if other partitions have simplices at it. Of a
+    /// hierarchy that is compressed.
     pub fn partition(
         &self,
         ids: &PartitionIds<'_>,
@@ -45,14 +45,14 @@ impl<const D: usize> Hierarchy<D> {
             (id.is_valid() && !shared[id]).then_some(id)
         };
         let mut nodes = with_capacity(local_to_global.len())?;
-        let mut is_own = with_capacity(local_to_global.len())?;
+        let mut owned = with_capacity(local_to_global.len())?;
         for &domain in &local_to_global {
             let parent = self.compressed_parent(domain);
             let node = self.node(domain);
             let owns = domain != ROOT
                 && own(node.center).is_some()
                 && node.cage.iter().all(|&vertex| own(vertex).is_some());
-            is_own.push(owns);
+            owned.push(owns);
             nodes.push(Node {
                 center: own(node.center).unwrap_or(VertexId::NONE),
                 point: node.point,
@@ -70,18 +70,15 @@ impl<const D: usize> Hierarchy<D> {
         for &vertex in vertices {
             let label = self.compressed_domain_of(vertex);
             let cage = self.cage_of(vertex);
-            places.try_push(Place {
+            places.try_push(Membership {
                 label: local(&local_to_global, label),
                 cage: local(&local_to_global, cage),
             })?;
         }
-        Ok((
-            Self { alive: nodes.len(), nodes, places },
-            DomainsToGlobal { local_to_global, is_own },
-        ))
+        Ok((Self { alive: nodes.len(), nodes, places }, DomainsToGlobal { local_to_global, owned }))
     }
 
-    /// The domains of `vertices` and their cages, with all around them, in rising order.
+    /// Returns the domains of `vertices` and their cages, with all around them, in rising order.
     fn domains_at(&self, vertices: &[VertexId]) -> AllocResult<Vec<DomainId>> {
         let mut is_known = filled(self.nodes.len(), false)?;
         let mut local_to_global = Vec::new();
@@ -121,7 +118,7 @@ impl<const D: usize> Hierarchy<D> {
         let domain = |id: DomainId| if id.is_valid() { domains.local_to_global[id] } else { id };
         let vertex = |id: VertexId| if id.is_valid() { vertices[id] } else { id };
         for (at, mut node) in nodes.into_iter().enumerate() {
-            if at < old && !domains.is_own[at] {
+            if at < old && !domains.owned[at] {
                 let known = &mut self.nodes[domains.local_to_global[at]];
                 known.outside = known.outside.min(node.outside);
                 node.cage.iter().try_for_each(|&id| known.cage.try_push(vertex(id)))?;
@@ -145,14 +142,14 @@ impl<const D: usize> Hierarchy<D> {
             }
             if place.label.is_valid() && is_shared != Some(true) {
                 self.places[vertices[local]] =
-                    Place { label: domain(place.label), cage: domain(place.cage) };
+                    Membership { label: domain(place.label), cage: domain(place.cage) };
             }
         }
         Ok(())
     }
 }
 
-/// The local id of a domain, given its global id.
+/// Returns the local id of a domain, given its global id.
 fn local(local_to_global: &[DomainId], global: DomainId) -> DomainId {
     match global.is_valid() {
         false => DomainId::NONE,

@@ -24,7 +24,7 @@ impl Spanned {
         spanned
     }
 
-    /// The smallest domain that has some of the vertices only.
+    /// Returns the smallest domain that has some of the vertices only.
     pub fn smallest<const D: usize>(&self, hierarchy: &Hierarchy<D>) -> Option<DomainId> {
         if self.count <= 1 {
             return None;
@@ -58,13 +58,13 @@ impl<const D: usize> Hierarchy<D> {
         Ok(())
     }
 
-    /// Returns true if inserted `vertices` span a domain that `is_wanted`. Changes nothing, so that
+    /// Returns true if inserted `vertices` span a domain that `accepts`. Changes nothing, so that
     /// all threads may ask; slow unless the hierarchy is compressed.
-    pub fn spans(&self, vertices: &[VertexId], is_wanted: impl Fn(DomainId) -> bool) -> bool {
+    pub fn spans(&self, vertices: &[VertexId], accepts: impl Fn(DomainId) -> bool) -> bool {
         let domains = vertices.iter().map(|&vertex| self.compressed_domain_of(vertex));
         let mut spanned = Spanned::new(domains);
         while let Some(domain) = spanned.smallest(self) {
-            if is_wanted(domain) {
+            if accepts(domain) {
                 return true;
             }
             spanned.climb(domain, self.compressed_parent(domain));
@@ -114,11 +114,11 @@ mod tests {
     fn spanned(hierarchy: &Hierarchy<2>, vertices: &[usize]) -> Vec<usize> {
         let vertices: Vec<_> = vertices.iter().copied().map(VertexId::new).collect();
         let seen = std::cell::RefCell::new(Vec::new());
-        let is_wanted = |domain: DomainId| {
+        let accepts = |domain: DomainId| {
             seen.borrow_mut().push(domain.index());
             false
         };
-        assert!(!hierarchy.spans(&vertices, is_wanted));
+        assert!(!hierarchy.spans(&vertices, accepts));
         seen.into_inner()
     }
 

@@ -14,7 +14,7 @@ pub(in crate::netmesh) struct Chains {
     /// The first subsegment of line i is number i.
     subsegments: Vec<Subsegment>,
     /// Vertex -> where it is on the chains; those beyond are not.
-    places: Array<Place>,
+    places: Array<OnChain>,
     /// End number i of lines has `at_ends[starts[i]..starts[i + 1]]`, by rising other end.
     starts: Vec<u32>,
     at_ends: Vec<AtEnd>,
@@ -52,9 +52,9 @@ pub(in crate::netmesh) struct Fraction {
     pub of_line: f64,
 }
 
-/// Place of a vertex on the chains.
+/// OnChain of a vertex on the chains.
 #[derive(Clone, Copy, PartialEq)]
-enum Place {
+enum OnChain {
     Elsewhere,
     /// An end of lines, by its number.
     End(u32),
@@ -86,7 +86,7 @@ impl Line {
 impl Fraction {
     pub const ENDS: [Self; 2] = [Self { end: 0, of_line: 0.0 }, Self { end: 1, of_line: 0.0 }];
 
-    /// The place in the middle.
+    /// Returns the place in the middle.
     pub fn middle(self, other: Self) -> Self {
         let sum = self.of_line + other.of_line;
         match self.end == other.end {
@@ -103,12 +103,12 @@ impl Fraction {
         }
     }
 
-    /// The part of the line's length from its end with number `end`.
+    /// Returns the part of the line's length from its end with number `end`.
     pub fn seen_from(self, end: u8) -> f64 {
         if self.end == end { self.of_line } else { 1.0 - self.of_line }
     }
 
-    /// A part of the line's length from its end with number `end`, in [0, 1].
+    /// Returns a part of the line's length from its end with number `end`, in [0, 1].
     pub fn at(end: u8, part: f64) -> Self {
         match part <= 0.5 {
             true => Self { end, of_line: part },
@@ -118,10 +118,10 @@ impl Fraction {
 }
 
 impl Chains {
-    /// One subsegment for each line, all of them waiting. No two lines have the same ends.
+    /// Makes one subsegment for each line, all of them waiting. No two lines have the same ends.
     pub fn new(lines: Vec<Line>, vertices: usize) -> AllocResult<Self> {
         let mut chains =
-            Self { places: Array::filled(vertices, Place::Elsewhere)?, ..Self::default() };
+            Self { places: Array::filled(vertices, OnChain::Elsewhere)?, ..Self::default() };
         chains.subsegments = collected((0..).zip(&lines).map(|(line, &Line { ends, .. })| {
             let fractions = Fraction::ENDS;
             Subsegment { ends, fractions, line, is_waiting: true, is_limited: false }
@@ -144,7 +144,7 @@ impl Chains {
             if next[vertex] == 0 {
                 continue;
             }
-            self.places[vertex] = Place::End(self.starts.len() as u32);
+            self.places[vertex] = OnChain::End(self.starts.len() as u32);
             self.starts.try_push(start)?;
             start += std::mem::replace(&mut next[vertex], start);
         }
@@ -168,7 +168,7 @@ impl Chains {
         self.lines.is_empty()
     }
 
-    /// The number of subsegments.
+    /// Returns the number of subsegments.
     pub fn len(&self) -> usize {
         self.subsegments.len()
     }
@@ -178,46 +178,46 @@ impl Chains {
     }
 
     #[inline]
-    fn place(&self, vertex: VertexId) -> Place {
-        self.places.get(vertex.index()).copied().unwrap_or(Place::Elsewhere)
+    fn place(&self, vertex: VertexId) -> OnChain {
+        self.places.get(vertex.index()).copied().unwrap_or(OnChain::Elsewhere)
     }
 
     /// Returns true if `vertex` is on a segment.
     pub fn holds(&self, vertex: VertexId) -> bool {
-        self.place(vertex) != Place::Elsewhere
+        self.place(vertex) != OnChain::Elsewhere
     }
 
-    /// The line that `vertex` is on and no end of.
+    /// Returns the line that `vertex` is on and no end of.
     pub fn line_through(&self, vertex: VertexId) -> Option<u32> {
         match self.place(vertex) {
-            Place::Between([before, _]) => Some(self.get(before).line),
+            OnChain::Between([before, _]) => Some(self.get(before).line),
             _ => None,
         }
     }
 
-    /// The first of the lines that `vertex` is on, be it an end of them or not.
+    /// Returns the first of the lines that `vertex` is on, be it an end of them or not.
     pub fn line_at(&self, vertex: VertexId) -> Option<u32> {
         match self.place(vertex) {
-            Place::Elsewhere => None,
-            Place::End(end) => {
+            OnChain::Elsewhere => None,
+            OnChain::End(end) => {
                 let [start, end] = [end, end + 1].map(|at| self.starts[at as usize] as usize);
                 self.at_ends[start..end].iter().map(|at_end| at_end.line).min()
             }
-            Place::Between([before, _]) => Some(self.get(before).line),
+            OnChain::Between([before, _]) => Some(self.get(before).line),
         }
     }
 
-    /// The vertices next to `vertex` on the line that it is on and no end of.
+    /// Returns the vertices next to `vertex` on the line that it is on and no end of.
     pub fn neighbors_on_line(&self, vertex: VertexId) -> Option<[VertexId; 2]> {
         match self.place(vertex) {
-            Place::Between([before, after]) => {
+            OnChain::Between([before, after]) => {
                 Some([self.get(before).ends[0], self.get(after).ends[1]])
             }
             _ => None,
         }
     }
 
-    /// The number of subsegments that wait for a look.
+    /// Returns the number of subsegments that wait for a look.
     pub fn waiting_count(&self) -> usize {
         self.waiting.len()
     }
@@ -240,38 +240,40 @@ impl Chains {
         found.map(|at| start + at)
     }
 
-    /// The subsegments between the vertices of a triangle: number i is opposite vertex number i.
+    /// Returns the subsegments between the vertices of a triangle: number i is opposite vertex
+    /// number i.
     #[inline]
     pub fn sides_of(&self, vertices: &[VertexId]) -> [Option<u32>; 3] {
         let [a, b, c] = [vertices[0], vertices[1], vertices[2]];
         let (at_a, at_b, at_c) = (self.place(a), self.place(b), self.place(c));
-        let off = Place::Elsewhere;
+        let off = OnChain::Elsewhere;
         // Most triangles have at most one vertex on a segment.
         if u8::from(at_a == off) + u8::from(at_b == off) + u8::from(at_c == off) > 1 {
             return [None; 3];
         }
-        let between = |a: (VertexId, Place), b: (VertexId, Place)| match a.1 == off || b.1 == off {
-            true => None,
-            false => self.between_places(a, b),
-        };
+        let between =
+            |a: (VertexId, OnChain), b: (VertexId, OnChain)| match a.1 == off || b.1 == off {
+                true => None,
+                false => self.between_places(a, b),
+            };
         let (a, b, c) = ((a, at_a), (b, at_b), (c, at_c));
         [between(b, c), between(c, a), between(a, b)]
     }
 
     #[inline]
-    fn between_places(&self, a: (VertexId, Place), b: (VertexId, Place)) -> Option<u32> {
+    fn between_places(&self, a: (VertexId, OnChain), b: (VertexId, OnChain)) -> Option<u32> {
         match (a.1, b.1) {
-            (Place::Between(two), _) | (_, Place::Between(two)) => {
+            (OnChain::Between(two), _) | (_, OnChain::Between(two)) => {
                 two.into_iter().find(|&subsegment| {
                     let ends = self.get(subsegment).ends;
                     ends == [a.0, b.0] || ends == [b.0, a.0]
                 })
             }
-            (Place::End(end), _) => {
+            (OnChain::End(end), _) => {
                 let at_end = self.at_ends[self.find_at_end(end, b.0)?];
                 (!at_end.is_split).then_some(at_end.line)
             }
-            (Place::Elsewhere, _) => None,
+            (OnChain::Elsewhere, _) => None,
         }
     }
 
@@ -293,19 +295,19 @@ impl Chains {
         second_half.is_waiting = false;
         self.subsegments.try_push(second_half)?;
         self.subsegments[subsegment as usize] = first_half;
-        self.places.cover(vertex.index() + 1, Place::Elsewhere)?;
-        self.places[vertex] = Place::Between([subsegment, second]);
-        if let Place::Between(two) = &mut self.places[whole.ends[1]] {
+        self.places.cover(vertex.index() + 1, OnChain::Elsewhere)?;
+        self.places[vertex] = OnChain::Between([subsegment, second]);
+        if let OnChain::Between(two) = &mut self.places[whole.ends[1]] {
             two[0] = second;
         }
         self.wait(subsegment)?;
         self.wait(second)
     }
 
-    /// The line between two ends is no subsegment any more.
+    /// Notes that the line between two ends is no subsegment any more.
     fn note_first_split(&mut self, ends: [VertexId; 2]) {
         for [end, other] in [ends, [ends[1], ends[0]]] {
-            if let Place::End(end) = self.place(end) {
+            if let OnChain::End(end) = self.place(end) {
                 if let Some(at) = self.find_at_end(end, other) {
                     self.at_ends[at].is_split = true;
                 }
@@ -330,7 +332,7 @@ impl Chains {
         self.wait(subsegment)
     }
 
-    /// The next subsegment to look at.
+    /// Returns the next subsegment to look at.
     pub fn next(&mut self) -> Option<u32> {
         let next = self.waiting.pop_front()?;
         self.subsegments[next as usize].is_waiting = false;
@@ -346,13 +348,13 @@ impl Chains {
         self.get(subsegment).is_limited
     }
 
-    /// All subsegments in the order of their lines, each from its line's first end on.
+    /// Returns all subsegments in the order of their lines, each from its line's first end on.
     pub fn in_order(&self) -> impl Iterator<Item = &Subsegment> {
         (0..self.lines.len() as u32).flat_map(|line| {
             std::iter::successors(Some(self.get(line)), |subsegment| {
                 let [_, second] = subsegment.ends;
                 match self.place(second) {
-                    Place::Between([_, next]) => Some(self.get(next)),
+                    OnChain::Between([_, next]) => Some(self.get(next)),
                     _ => None,
                 }
             })

@@ -36,12 +36,12 @@ impl Regions {
         !self.sides.is_empty()
     }
 
-    /// The number of regions.
+    /// Returns the number of regions.
     pub fn len(&self) -> usize {
         self.is_inside.len()
     }
 
-    /// The region of a live simplex, if it is known.
+    /// Returns the region of a live simplex, if it is known.
     #[inline]
     pub fn of(&self, simplex: SimplexId) -> Option<u32> {
         self.of.get(simplex.index()).copied().filter(|&region| region != UNKNOWN)
@@ -103,8 +103,8 @@ impl Regions {
         Ok(())
     }
 
-    /// The region of a live simplex. All subsegments are recovered. Where it was not known, all
-    /// simplices that are connected with it get to know it.
+    /// Returns the region of a live simplex. All subsegments are recovered. Where it was not known,
+    /// all simplices that are connected with it get to know it.
     pub fn resolve<const D: usize>(
         &mut self,
         simplex: SimplexId,
@@ -147,7 +147,7 @@ impl Regions {
         Ok(region)
     }
 
-    /// A vertex goes in, whose conflicts are `cavity`. `is_split`: whether it encroaches
+    /// Notes that a vertex goes in, whose conflicts are `cavity`. `is_split`: true if it encroaches
     /// subsegments that are recovered, so that new simplices may lie on both sides of one.
     pub fn note_insertion(&mut self, cavity: &Cavity, is_split: bool) -> AllocResult<()> {
         self.coming.clear();
@@ -161,7 +161,8 @@ impl Regions {
         Ok(())
     }
 
-    /// `created[i]` is the simplex on facet i of the cavity's boundary.
+    /// Gives the simplices that an insertion made their regions. `created[i]` is the simplex on
+    /// facet i of the cavity's boundary.
     pub fn note_created(&mut self, created: &[SimplexId], bound: usize) -> AllocResult<()> {
         if !self.is_known() {
             return Ok(());
@@ -173,7 +174,8 @@ impl Regions {
         Ok(())
     }
 
-    /// A vertex with this star is removed; what fills the hole is in the same region.
+    /// Notes that a vertex with this star is removed; the simplices that will fill the hole are in
+    /// the same region.
     pub fn note_removal(&mut self, star: &[SimplexId]) {
         self.coming.clear();
         if let (true, Some(&first)) = (self.is_known(), star.first()) {
@@ -183,7 +185,7 @@ impl Regions {
         }
     }
 
-    /// The simplices that fill the hole.
+    /// Gives the simplices that fill a hole their region.
     pub fn note_filled(&mut self, filled: &[SimplexId], bound: usize) -> AllocResult<()> {
         let Some(&region) = self.coming.first() else { return Ok(()) };
         self.of.cover(bound, UNKNOWN)?;
@@ -192,8 +194,8 @@ impl Regions {
     }
 }
 
-/// The line of the subsegment opposite vertex number `index` of a simplex, and on which side of it
-/// the simplex is: 0 on the left, 1 on the right.
+/// Returns the line of the subsegment opposite vertex number `index` of a simplex, and on which
+/// side of it the simplex is: 0 on the left, 1 on the right.
 #[inline]
 fn side_of(subsegment: u32, index: usize, vertices: &[VertexId], chains: &Chains) -> (u32, usize) {
     let subsegment = chains.get(subsegment);

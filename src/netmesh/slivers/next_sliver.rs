@@ -2,29 +2,33 @@
 //! point may mend slivers all round it, and where it went in, moves may mend what is left.
 
 use crate::error::Result;
-use crate::netmesh::slivers::candidates::{Offer, class};
+use crate::netmesh::slivers::candidates::{Candidate, class};
 use crate::netmesh::slivers::queue::Sliver;
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::work::{POINTS, Slivers};
 use crate::netmesh::state::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The next sliver to mend. Where none waits, points go in until one does.
+    /// Returns the next sliver to mend. Where none waits, points go in until one does.
     pub(super) fn next_sliver(&mut self, slivers: &mut Slivers<D>) -> Result<Option<Sliver>> {
         loop {
-            if self.state.is_spent(slivers) {
+            if self.state.is_exhausted(slivers) {
                 return Ok(None);
             }
             if let Some(sliver) = slivers.queue.pop() {
                 return Ok(Some(sliver));
             }
-            let Some(offer) = slivers.offers.0.pop() else { return Ok(None) };
-            self.take_offer(&offer, slivers)?;
+            let Some(candidate) = slivers.candidates.0.pop() else { return Ok(None) };
+            self.try_candidate(&candidate, slivers)?;
         }
     }
 
     /// Finds a point for `sliver`, which waits for another pass if there is none.
-    pub(super) fn make_offer(&mut self, sliver: &Sliver, slivers: &mut Slivers<D>) -> Result<()> {
+    pub(super) fn add_candidate(
+        &mut self,
+        sliver: &Sliver,
+        slivers: &mut Slivers<D>,
+    ) -> Result<()> {
         let random = &mut Random::of(sliver, 0);
         let numbers = [1, POINTS];
         let points = self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers)?;
@@ -32,17 +36,17 @@ impl<const D: usize> Mesher<'_, '_, D> {
         match points.first() {
             Some(point) => {
                 let class = class(point.gain);
-                slivers.offers.push(Offer { sliver: *sliver, x: point.x, class, time })?;
+                slivers.candidates.push(Candidate { sliver: *sliver, x: point.x, class, time })?;
             }
             None => slivers.queue.fail(*sliver)?,
         }
         Ok(())
     }
 
-    /// Inserts the point of an offer if it is worth as much as it was. Moves come first where
+    /// Inserts the point of an candidate if it is worth as much as it was. Moves come first where
     /// something has changed since.
-    fn take_offer(&mut self, offer: &Offer<D>, slivers: &mut Slivers<D>) -> Result<()> {
-        let Offer { sliver, x, class: expected, time } = offer;
+    fn try_candidate(&mut self, candidate: &Candidate<D>, slivers: &mut Slivers<D>) -> Result<()> {
+        let Candidate { sliver, x, class: expected, time } = candidate;
         if !self.state.is_current(sliver, &slivers.penalties) {
             return Ok(());
         }
@@ -52,7 +56,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.delaunay.find_cavity(sliver.simplex, x, &mut slivers.cavity)?;
         let worth = self.judge_insertion(x, slivers.least_gain, slivers)?;
         if worth.is_none_or(|(gain, _)| class(gain) < *expected) {
-            return self.make_offer(sliver, slivers);
+            return self.add_candidate(sliver, slivers);
         }
         self.insert_point(sliver.simplex, x, slivers)?;
         if self.state.is_current(sliver, &slivers.penalties) {

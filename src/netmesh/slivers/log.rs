@@ -1,11 +1,11 @@
-//! The journal of changes that may be undone.
+//! The log of changes that may be undone.
 
 use crate::complex::VertexId;
 use crate::netmesh::slivers::queue::Sliver;
 
 /// Changes since something was begun.
 #[derive(Default)]
-pub(super) struct Journal<const D: usize> {
+pub(super) struct Log<const D: usize> {
     pub steps: Vec<Step<D>>,
     /// Slivers that came with them, which are not queued; and those of them that moves did not
     /// mend.

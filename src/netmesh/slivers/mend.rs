@@ -1,10 +1,10 @@
-//! The phase: every sliver in turn, then passes over those left, with more and more effort.
+//! The work on slivers: every one in turn, then passes over those left, with more and more effort.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{Array, TryGrow};
-use crate::netmesh::slivers::candidates::Offers;
+use crate::netmesh::slivers::candidates::Candidates;
 use crate::netmesh::slivers::queue::{Queue, Sliver};
 use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::shape::Measure;
@@ -22,7 +22,7 @@ const PASSES: [u32; 6] = [8, 4, 2, 1, 1, 1];
 /// beside as many as there were slivers at first.
 const MOST_PLACES: usize = 1 << 12;
 
-/// Exact tests that the phase may take, and as many again for each sliver: where doubles decide
+/// Exact tests that the work may take, and as many again for each sliver: where doubles decide
 /// little, as among subnormals, the slivers that are left by then stay.
 const EXACT_TESTS: u64 = 20_000;
 
@@ -78,7 +78,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// All slivers, queued.
+    /// Measures all tetrahedra, and queues the slivers.
     fn find_slivers(&mut self) -> Result<Slivers<D>> {
         let parameters = &self.state.parameters;
         let Parameters { min_dihedral, criterion, quality_bound, .. } = *parameters;
@@ -88,7 +88,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             penalties: Array::with_capacity(self.state.delaunay.complex().simplex_bound())?,
             changed: Array::filled(self.state.delaunay.point_count(), 0)?,
             queue: Queue::default(),
-            offers: Offers::default(),
+            candidates: Candidates::default(),
             found: 0,
             most_exact: 0,
             vacancy: Default::default(),
@@ -96,7 +96,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cavity: Cavity::default(),
             filled: Vec::new(),
             free: Vec::new(),
-            journal: None,
+            log: None,
         };
         // From now on equal labels tell equal domains.
         for vertex in VertexId::below(self.state.delaunay.point_count()) {
@@ -122,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         while let Some(sliver) = self.next_sliver(slivers)? {
             if self.watch.is_due(WORK) {
                 let left =
-                    (slivers.queue.len() + slivers.offers.len()) as f64 / slivers.found as f64;
+                    (slivers.queue.len() + slivers.candidates.len()) as f64 / slivers.found as f64;
                 let fraction = self.state.stage.sliver_fraction.max(1.0 - left);
                 self.state.stage.sliver_fraction = fraction;
                 self.report_progress()?;
@@ -133,7 +133,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             let random = &mut Random::of(&sliver, 0);
             let is_moved = self.mend_by_move(&sliver, 1, random, slivers)?.is_some();
             if !is_moved {
-                self.make_offer(&sliver, slivers)?;
+                self.add_candidate(&sliver, slivers)?;
             } else if self.state.is_current(&sliver, &slivers.penalties) {
                 slivers.queue.push(sliver)?;
             }
@@ -145,7 +145,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers<D>) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
-            if self.state.is_spent(slivers) {
+            if self.state.is_exhausted(slivers) {
                 return Ok(false);
             }
             if !self.state.is_current(&sliver, &slivers.penalties) {
@@ -194,7 +194,7 @@ fn places(effort: u32) -> usize {
 mod tests {
     use super::*;
     use crate::mesh::Inputs;
-    use crate::netmesh::slivers::shape::corners;
+    use crate::netmesh::slivers::shape::tetrahedron;
     use crate::netmesh::state::watch::Watch;
     use crate::numerics::testing::Random;
     use crate::options::Options;
@@ -221,7 +221,7 @@ mod tests {
         for simplex in complex.simplices().filter(|&simplex| complex.is_live(simplex)) {
             let vertices = complex.vertices(simplex);
             if !complex.is_infinite(simplex)
-                && slivers.measure.penalty(&corners(&mesher.state.delaunay, vertices)) > 0.0
+                && slivers.measure.penalty(&tetrahedron(&mesher.state.delaunay, vertices)) > 0.0
             {
                 let is_of_one = mesher.state.hierarchy.same_domain(vertices);
                 counts[usize::from(!is_of_one)] += 1;

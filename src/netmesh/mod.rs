@@ -39,6 +39,49 @@ use crate::parameters::{Parameters, check_region_sizes, output_for, with_segment
 pub(crate) use state::watch::Watch;
 use std::time::Instant;
 
+/// Steps of a run that only one dimension has.
+pub(in crate::netmesh) trait Dimension {
+    /// Makes the mesh conform to segments, which are in the plane.
+    fn conform_in_plane(&mut self, _: &Arrangement, _: &mut Cavity) -> Result<()> {
+        unreachable!("segments of other dimensions are refused when they are set")
+    }
+
+    /// Removes vertices beside segments that the bound does not need.
+    fn coarsen_in_plane(&mut self) -> Result<()> {
+        unreachable!("segments of other dimensions are refused when they are set")
+    }
+
+    /// Mends slivers, which only tetrahedra are, if the caller asks for it.
+    fn mend_in_space(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 2> {
+    fn conform_in_plane(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<()> {
+        self.conform(arrangement, cavity)
+    }
+
+    fn coarsen_in_plane(&mut self) -> Result<()> {
+        self.coarsen()
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 3> {
+    fn mend_in_space(&mut self) -> Result<()> {
+        match self.state.parameters.min_dihedral > 0.0 {
+            true => self.remove_slivers(),
+            false => Ok(()),
+        }
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 4> {}
+impl Dimension for Mesher<'_, '_, 5> {}
+impl Dimension for Mesher<'_, '_, 6> {}
+impl Dimension for Mesher<'_, '_, 7> {}
+impl Dimension for Mesher<'_, '_, 8> {}
+
 /// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
 ///
 /// # Errors
@@ -90,7 +133,10 @@ pub(in crate::netmesh) fn mesh<const D: usize>(
     parameters: Parameters,
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
-) -> Result<Triangulation> {
+) -> Result<Triangulation>
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     let begun = Instant::now();
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
@@ -107,7 +153,10 @@ pub(in crate::netmesh) fn mesh<const D: usize>(
     mesher.into_triangulation(begun)
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl<const D: usize> Mesher<'_, '_, D>
+where
+    Self: Dimension,
+{
     /// Makes all of the mesh.
     pub(in crate::netmesh) fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
         let mut cavity = Cavity::default();
@@ -116,22 +165,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return self.insert_rounds(&mut cavity);
         }
         match arrangement {
-            Some(arrangement) => self.conform(arrangement, &mut cavity)?,
+            Some(arrangement) => self.conform_in_plane(arrangement, &mut cavity)?,
             None => self.mesh_points(&mut cavity)?,
         }
         self.refine_finally(&mut cavity)?;
         if arrangement.is_some() {
-            self.coarsen()?;
+            self.coarsen_in_plane()?;
         }
         self.refine_by_distance(&mut cavity)?;
         // What goes in for the one may break the other, where simplices reach out of the box.
         while self.refine_by_size(&mut cavity)? && self.state.parameters.distance_ratio > 0.0 {
             self.refine_by_distance(&mut cavity)?;
         }
-        if D == 3 && self.state.parameters.min_dihedral > 0.0 {
-            self.remove_slivers()?;
-        }
-        Ok(())
+        self.mend_in_space()
     }
 
     /// Makes the mesh of the inputs, with the loose bound.

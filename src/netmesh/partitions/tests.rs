@@ -2,9 +2,9 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
-use crate::netmesh::mesh;
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::watch::Watch;
+use crate::netmesh::{Dimension, mesh};
 use crate::numerics::testing::Random;
 use crate::options::{Criterion, NetOrdering, Options, Output, Phase, Progress};
 use crate::parameters::Parameters;
@@ -22,7 +22,10 @@ fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
     Parameters { threads, inputs_per_partition: Some(INPUTS_PER_PARTITION), ..resolved }
 }
 
-fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
+fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     mesh::<D>(inputs, None, parameters(D, options, threads), None, None).unwrap()
 }
 
@@ -56,7 +59,10 @@ fn bits(values: &[f64]) -> Vec<u64> {
 
 /// The mesh is the same on one thread and on three, has a certificate, and is about as large as
 /// that made as one, but another: so it was made in partitions.
-fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
+fn check<const D: usize>(points: &[[f64; D]], options: &Options)
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     let inputs = inputs(points);
     let one = run::<D>(&inputs, options, 1);
     assert_same(&one, &run::<D>(&inputs, options, 3));

@@ -29,9 +29,9 @@ type Item = u32;
 
 /// A set of vertices that edges have joined so far.
 #[derive(Clone, Copy)]
-struct Group<const D: usize> {
-    low: [f64; D],
-    high: [f64; D],
+struct Group {
+    low: [f64; 2],
+    high: [f64; 2],
     /// First and last item of the list of its vertices and clusters that are in no cluster yet.
     first: Item,
     last: Item,
@@ -39,11 +39,11 @@ struct Group<const D: usize> {
     is_many: bool,
 }
 
-struct Clusters<const D: usize> {
+struct Clusters {
     /// Vertex -> one of its group, by which the group is found; the group's first points to itself.
     towards: Vec<u32>,
     /// Groups, each by the number of the vertex that it is found by.
-    groups: Vec<Group<D>>,
+    groups: Vec<Group>,
     /// Item -> the next one of its group's list.
     next: Vec<Item>,
     /// Item -> the innermost cluster that it is in.
@@ -57,7 +57,7 @@ struct Edge {
     exponent: u16,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Gives each cluster that no line leads out of a domain and a cage. There are no domains yet.
     pub(super) fn cage_clusters(&mut self, lines: &[Line], cavity: &mut Cavity) -> Result<()> {
         if self.state.parameters.output == Output::WellSpaced {
@@ -76,7 +76,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Returns the clusters, inner ones before those around them.
-    fn find_clusters(&mut self) -> Result<Clusters<D>> {
+    fn find_clusters(&mut self) -> Result<Clusters> {
         let edges = self.edges_by_length()?;
         let mut clusters = self.state.single_groups()?;
         for Edge { ends, exponent } in edges {
@@ -135,9 +135,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-impl<const D: usize> State<D> {
+impl State<2> {
     /// Returns a group for each vertex.
-    fn single_groups(&self) -> AllocResult<Clusters<D>> {
+    fn single_groups(&self) -> AllocResult<Clusters> {
         let count = self.delaunay.point_count() as u32;
         let groups = (0..count).map(|vertex| {
             let x = *self.delaunay.point(VertexId::new(vertex as usize));
@@ -153,10 +153,10 @@ impl<const D: usize> State<D> {
     }
 
     /// Makes a group a cluster if it is concentrated, `gap` being as far as the others are.
-    fn note_cluster(&self, clusters: &mut Clusters<D>, group: u32, gap: f64) -> AllocResult<()> {
+    fn note_cluster(&self, clusters: &mut Clusters, group: u32, gap: f64) -> AllocResult<()> {
         let Group { low, high, first, is_many, .. } = clusters.groups[group as usize];
         // Before all that takes longer: the cage is larger than the box, and the gap than the cage.
-        if !is_many || (0..D).any(|axis| high[axis] - low[axis] > gap) {
+        if !is_many || (0..2).any(|axis| high[axis] - low[axis] > gap) {
             return Ok(());
         }
         let middle = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
@@ -185,7 +185,7 @@ impl<const D: usize> State<D> {
     }
 
     /// Makes the domains of all clusters, outer ones first, and puts their vertices into them.
-    fn make_domains(&mut self, clusters: &Clusters<D>) -> Result<()> {
+    fn make_domains(&mut self, clusters: &Clusters) -> Result<()> {
         let Clusters { sites, cluster_of, .. } = clusters;
         let vertices = cluster_of.len() - sites.len();
         let domain_of = |item: usize| match cluster_of[item] {
@@ -207,7 +207,7 @@ impl<const D: usize> State<D> {
     }
 }
 
-impl<const D: usize> Clusters<D> {
+impl Clusters {
     /// Returns the vertex that the group of `vertex` is found by.
     fn group_of(&mut self, vertex: VertexId) -> u32 {
         let mut at = vertex.index();

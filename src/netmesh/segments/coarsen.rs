@@ -12,12 +12,12 @@ use crate::numerics::{Circumball, shortest_distance};
 
 /// Buffers that all removals share.
 #[derive(Default)]
-struct Buffers<const D: usize> {
-    hole: Hole<D>,
+struct Buffers {
+    hole: Hole<2>,
     filled: Vec<SimplexId>,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Removes every Steiner vertex that is on no segment, in no cage and no domain's centre, and
     /// leaves no simplex beyond the bound: the last one first, and once more those next to one that
     /// went. O(vertices) for vertices of few neighbours.
@@ -46,7 +46,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Removes `vertex` if the bound holds without it. Returns true if it went.
-    fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers<D>) -> Result<bool> {
+    fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers) -> Result<bool> {
         let Buffers { hole, filled } = buffers;
         let is_needless = !self.state.is_input(vertex)
             && self.state.is_free(vertex)
@@ -62,7 +62,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-impl<const D: usize> State<D> {
+impl State<2> {
     /// Returns, for every vertex, true if it is the centre of a living domain: its cage is found
     /// from there.
     fn centers(&self) -> AllocResult<Vec<bool>> {
@@ -91,14 +91,14 @@ impl<const D: usize> State<D> {
 
     /// Returns true if all simplices that would fill the hole of `vertex` keep the bound, and its
     /// neighbours are in its domain.
-    fn is_needless(&self, vertex: VertexId, hole: &Hole<D>) -> bool {
+    fn is_needless(&self, vertex: VertexId, hole: &Hole<2>) -> bool {
         let around = &hole.vertices.ids;
         let bound = self.parameters.quality_bound;
         self.hierarchy.same_domain(around)
             && self.hierarchy.same_domain(&[vertex, around[0]])
             && (0..hole.filling.len() as u32).all(|number| {
                 let vertices = hole.filling.vertices(number);
-                let points: [&[f64; D]; 3] =
+                let points: [&[f64; 2]; 3] =
                     std::array::from_fn(|index| self.delaunay.point(vertices[index]));
                 let (_, _, shortest) = shortest_distance(&points);
                 Circumball::of(|index| points[index]).radius() <= bound * shortest
@@ -109,7 +109,7 @@ impl<const D: usize> State<D> {
     fn remove_with_regions(
         &mut self,
         vertex: VertexId,
-        hole: &Hole<D>,
+        hole: &Hole<2>,
         filled: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
         self.segments.regions.note_removal(&hole.star);

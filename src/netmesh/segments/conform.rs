@@ -9,7 +9,7 @@ use crate::netmesh::state::segments::Segments;
 use crate::netmesh::state::segments::chain::{Chains, Line};
 use crate::netmesh::state::{Mesher, State};
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Inserts the inputs, makes all segments chains of edges, and finds the regions between them.
     /// No bound counts meanwhile.
     pub(in crate::netmesh) fn conform(
@@ -57,7 +57,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Finds the vertex at a point where segments cross, or makes it.
     fn crossing_at(
         &mut self,
-        x: &[f64; D],
+        x: &[f64; 2],
         near: VertexId,
         cavity: &mut Cavity,
     ) -> Result<VertexId> {

@@ -18,7 +18,7 @@ use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Inserts all inputs. `center` is the one that is in already.
     pub(super) fn insert_points(&mut self, center: VertexId, cavity: &mut Cavity) -> Result<()> {
         let rounds = self.state.rounds_of_inputs()?;
@@ -87,7 +87,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-impl<const D: usize> State<D> {
+impl State<2> {
     /// Returns, for every input, the number of rounds that come after its own.
     fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
         let ordering = self.parameters.ordering;

@@ -16,7 +16,7 @@ pub(super) struct Ring {
 
 impl Ring {
     /// Returns the ring of a vertex; `None` for one of the hull or with many neighbours.
-    pub fn around<const D: usize>(delaunay: &Delaunay<D>, vertex: VertexId) -> Option<Self> {
+    pub fn around(delaunay: &Delaunay<2>, vertex: VertexId) -> Option<Self> {
         let (complex, x) = (delaunay.complex(), delaunay.point(vertex));
         let mut ring = Self { points: [[0.0; 2]; MOST], count: 0 };
         let first = complex.incident(vertex);

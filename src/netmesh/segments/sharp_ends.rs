@@ -6,7 +6,7 @@ use crate::netmesh::questions::subsegments::SHARP;
 use crate::netmesh::state::State;
 use crate::netmesh::state::segments::chain::AtEnd;
 
-impl<const D: usize> State<D> {
+impl State<2> {
     /// Marks the ends of lines at which they make a sharp angle with another.
     pub(super) fn find_sharp_ends(&mut self) -> AllocResult<()> {
         let (mut fan, mut sharp) = (Vec::new(), Vec::new());

@@ -7,16 +7,16 @@ use std::collections::BinaryHeap;
 
 /// A point for a sliver, and when it was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Candidate<const D: usize> {
+pub(super) struct Candidate {
     pub sliver: Sliver,
-    pub x: [f64; D],
+    pub x: [f64; 3],
     pub class: i32,
     pub time: u64,
 }
 
-impl<const D: usize> Eq for Candidate<D> {}
+impl Eq for Candidate {}
 
-impl<const D: usize> PartialOrd for Candidate<D> {
+impl PartialOrd for Candidate {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
@@ -24,7 +24,7 @@ impl<const D: usize> PartialOrd for Candidate<D> {
 
 /// The one of a higher class is greater, then that with smaller ids: inputs that are near each
 /// other have ids that are, so points of one class go in side by side.
-impl<const D: usize> Ord for Candidate<D> {
+impl Ord for Candidate {
     fn cmp(&self, other: &Self) -> Ordering {
         let ids = |candidate: &Self| (candidate.sliver.vertices, candidate.sliver.simplex);
         self.class.cmp(&other.class).then_with(|| ids(other).cmp(&ids(self)))
@@ -38,10 +38,10 @@ pub(super) fn class(gain: f64) -> i32 {
 
 /// Candidates, the best first.
 #[derive(Default)]
-pub(super) struct Candidates<const D: usize>(pub BinaryHeap<Candidate<D>>);
+pub(super) struct Candidates(pub BinaryHeap<Candidate>);
 
-impl<const D: usize> Candidates<D> {
-    pub fn push(&mut self, candidate: Candidate<D>) -> AllocResult<()> {
+impl Candidates {
+    pub fn push(&mut self, candidate: Candidate) -> AllocResult<()> {
         if self.0.len() == self.0.capacity() {
             self.0.try_reserve(1)?;
         }

@@ -10,7 +10,7 @@ impl Cone {
     /// Returns true if all cells that change would keep the bound of the Voronoi aspect with a
     /// vertex at `x`, or another criterion is in force. A vertex's nearest neighbour may be one
     /// that leaves: then the answer errs towards no.
-    pub fn keeps_cells<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> bool {
+    pub fn keeps_cells(&self, view: View<'_>, x: &[f64; 3]) -> bool {
         let Some(half_aspect) = view.measure.half_aspect else { return true };
         let from_x = |vertex: VertexId| distance(x, view.delaunay.point(vertex));
         let mut nearest = f64::INFINITY;

@@ -10,13 +10,13 @@ use crate::netmesh::slivers::view::View;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Cell, Mesher};
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Inserts a point into the D-ball of `start`.
     pub(super) fn insert_point(
         &mut self,
         start: SimplexId,
-        x: &[f64; D],
-        slivers: &mut Slivers<D>,
+        x: &[f64; 3],
+        slivers: &mut Slivers,
     ) -> Result<VertexId> {
         self.state.delaunay.find_cavity(start, x, &mut slivers.cavity)?;
         let domain = self.enter(x, &slivers.cavity)?;
@@ -45,8 +45,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn move_vertex(
         &mut self,
         vertex: VertexId,
-        place: &Target<D>,
-        slivers: &mut Slivers<D>,
+        place: &Target,
+        slivers: &mut Slivers,
     ) -> Result<()> {
         let from = *self.state.delaunay.point(vertex);
         if let Some(log) = &mut slivers.log {
@@ -67,11 +67,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Finds the mesh without `vertex`; false if the vertex must stay.
-    pub(super) fn find_vacancy(
-        &mut self,
-        vertex: VertexId,
-        slivers: &mut Slivers<D>,
-    ) -> Result<bool> {
+    pub(super) fn find_vacancy(&mut self, vertex: VertexId, slivers: &mut Slivers) -> Result<bool> {
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         if !self.state.may_move(vertex)
             || !may_leave(&mut self.state.delaunay, vertex, &mut vacancy.hole)?
@@ -85,11 +81,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Removes the vertex that `slivers.vacancy` is without.
-    pub(super) fn remove_vertex(
-        &mut self,
-        vertex: VertexId,
-        slivers: &mut Slivers<D>,
-    ) -> Result<()> {
+    pub(super) fn remove_vertex(&mut self, vertex: VertexId, slivers: &mut Slivers) -> Result<()> {
         let x = *self.state.delaunay.point(vertex);
         match &mut slivers.log {
             Some(log) => {

@@ -28,13 +28,7 @@ impl Cone {
 
     /// Returns `gain` less the penalties of the cone of `x`, if that is more than `least`.
     #[inline]
-    pub fn judge<const D: usize>(
-        &self,
-        view: View<'_, D>,
-        x: &[f64; D],
-        gain: f64,
-        least: f64,
-    ) -> Option<f64> {
+    pub fn judge(&self, view: View<'_>, x: &[f64; 3], gain: f64, least: f64) -> Option<f64> {
         let x = in_space(x);
         let mut account = Account::new(view.measure, gain, least);
         let is_worth = self.sides.iter().all(|side| {
@@ -47,7 +41,7 @@ impl Cone {
 
     /// Returns true if the simplices that a vertex at `x` would make are as small as the caller
     /// asks for. This asks the caller, so it comes after all other tests.
-    pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> Result<bool> {
+    pub fn keeps_sizes(&self, view: View<'_>, x: &[f64; 3]) -> Result<bool> {
         let Some(sizes) = view.sizes else { return Ok(true) };
         for side in &self.sides {
             if !sizes.allow(view.delaunay, &side.vertices, side.apex, x)? {

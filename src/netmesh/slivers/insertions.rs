@@ -21,12 +21,12 @@ const SPREADS: [f64; 3] = [0.25, 0.5, 0.85];
 
 /// A point to insert.
 #[derive(Clone, Copy)]
-pub(super) struct Insertion<const D: usize> {
-    pub x: [f64; D],
+pub(super) struct Insertion {
+    pub x: [f64; 3],
     pub gain: f64,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Returns the `most` best of `count` points for `sliver` that are worth more than `least`, the
     /// best first.
     pub(super) fn best_insertions(
@@ -35,21 +35,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         [most, count]: [usize; 2],
         least: f64,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-    ) -> Result<Vec<Insertion<D>>> {
-        let mut best: Vec<Insertion<D>> = Vec::new();
+        slivers: &mut Slivers,
+    ) -> Result<Vec<Insertion>> {
+        let mut best: Vec<Insertion> = Vec::new();
         let ball = self.state.delaunay.ball(sliver.simplex).map(|ball| ball.radius());
         let Some((center, radius)) = self.state.delaunay.corner(sliver.simplex).zip(ball) else {
             return Ok(best);
         };
         for number in 0..count {
             self.watch.poll_after(20)?;
-            let x: [f64; D] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
+            let x: [f64; 3] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
                 None => center,
                 Some(Some(&ends)) => self.state.middle(ends.map(|at| sliver.vertices[at])),
                 Some(None) => {
                     let spread = radius * SPREADS[number % SPREADS.len()];
-                    let way: [f64; D] = random.in_ball();
+                    let way: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| center[k] + spread * way[k])
                 }
             };
@@ -81,9 +81,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// than `least`, and whether it would leave no sliver.
     pub(super) fn judge_insertion(
         &mut self,
-        x: &[f64; D],
+        x: &[f64; 3],
         least: f64,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<Option<(f64, bool)>> {
         let Some(domain) = self.state.common_domain(&slivers.cavity) else { return Ok(None) };
         let Slivers { measure, penalties, cone, cavity, .. } = slivers;
@@ -103,18 +103,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-impl<const D: usize> State<D> {
-    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
+impl State<3> {
+    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; 3] {
         let [a, b] = ends.map(|end| self.delaunay.point(end));
         std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
     }
 }
 
-fn cone_over<const D: usize>(
-    view: View<'_, D>,
-    cavity: &Cavity,
-    cone: &mut Cone,
-) -> AllocResult<()> {
+fn cone_over(view: View<'_>, cavity: &Cavity, cone: &mut Cone) -> AllocResult<()> {
     cone.sides.clear();
     for facet in &cavity.boundary {
         cone.push(view.delaunay.complex().vertices(facet.simplex), facet.index as usize)?;

@@ -5,8 +5,8 @@ use crate::netmesh::slivers::queue::Sliver;
 
 /// Changes since something was begun.
 #[derive(Default)]
-pub(super) struct Log<const D: usize> {
-    pub steps: Vec<Step<D>>,
+pub(super) struct Log {
+    pub steps: Vec<Step>,
     /// Slivers that came with them, which are not queued; and those of them that moves did not
     /// mend.
     pub fresh: Vec<Sliver>,
@@ -14,10 +14,10 @@ pub(super) struct Log<const D: usize> {
 }
 
 #[derive(Clone, Copy)]
-pub(super) enum Step<const D: usize> {
+pub(super) enum Step {
     Inserted(VertexId),
     /// The vertex moved away from this point.
-    Moved(VertexId, [f64; D]),
+    Moved(VertexId, [f64; 3]),
     /// A neighbour of the vertex.
     Removed(VertexId, VertexId),
 }

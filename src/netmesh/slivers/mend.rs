@@ -34,7 +34,7 @@ const WORK: u32 = 400;
 /// Factors of the bound when it gives way, in turn.
 const LOOSER: [f64; 4] = [1.25, 1.5, 2.0, f64::INFINITY];
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Mends the slivers as far as that can be done.
     pub(in crate::netmesh) fn remove_slivers(&mut self) -> Result<()> {
         let slivers = &mut self.find_slivers()?;
@@ -54,7 +54,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Passes over the slivers that are left, with more and more effort.
-    fn mend_with_effort(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+    fn mend_with_effort(&mut self, slivers: &mut Slivers) -> Result<()> {
         let most = MOST_PLACES + slivers.found;
         for (effort, passes) in (0..).zip(PASSES) {
             for _ in 0..passes {
@@ -68,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Mends slivers that are left, as near to the bound as that can be done.
-    fn let_bound_give_way(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+    fn let_bound_give_way(&mut self, slivers: &mut Slivers) -> Result<()> {
         let Parameters { min_dihedral, criterion, quality_bound, .. } = self.state.parameters;
         slivers.least_gain = LEAST_GAIN_BEYOND;
         for factor in LOOSER {
@@ -79,7 +79,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Measures all tetrahedra, and queues the slivers.
-    fn find_slivers(&mut self) -> Result<Slivers<D>> {
+    fn find_slivers(&mut self) -> Result<Slivers> {
         let parameters = &self.state.parameters;
         let Parameters { min_dihedral, criterion, quality_bound, .. } = *parameters;
         let mut slivers = Slivers {
@@ -118,7 +118,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Takes every sliver that waits, and those that come, with the least effort.
-    fn mend_waiting(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+    fn mend_waiting(&mut self, slivers: &mut Slivers) -> Result<()> {
         while let Some(sliver) = self.next_sliver(slivers)? {
             if self.watch.is_due(WORK) {
                 let left =
@@ -142,7 +142,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Takes every sliver that was left, with `effort`. Returns whether any was mended.
-    fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers<D>) -> Result<bool> {
+    fn mend_failed(&mut self, effort: u32, slivers: &mut Slivers) -> Result<bool> {
         let mut any = false;
         for sliver in slivers.queue.take_failed() {
             if self.state.is_exhausted(slivers) {
@@ -165,7 +165,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Makes a change at `sliver` that lets the objective fall; whether there was one.
-    fn mend(&mut self, sliver: &Sliver, effort: u32, slivers: &mut Slivers<D>) -> Result<bool> {
+    fn mend(&mut self, sliver: &Sliver, effort: u32, slivers: &mut Slivers) -> Result<bool> {
         let random = &mut Random::of(sliver, effort);
         let times = places(effort);
         let is_moved = self.mend_by_move(sliver, times, random, slivers)?.is_some();

@@ -22,7 +22,7 @@ const DEPTH: f64 = 0.35;
 
 const ASIDE: f64 = 0.3;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Moves one vertex such that the objective falls. Returns what that was worth. `times`: how
     /// many times as many places as usual are tried.
     pub(super) fn mend_by_move(
@@ -30,7 +30,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         sliver: &Sliver,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<Option<f64>> {
         for vertex in sliver.vertices {
             let gain = self.mend_by_vertex(vertex, None, times, random, slivers)?;
@@ -38,7 +38,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(gain);
             }
         }
-        for index in 0..=D {
+        for index in 0..=3 {
             let neighbor = self.state.delaunay.complex().neighbors(sliver.simplex)[index];
             let vertices = self.state.delaunay.complex().vertices(neighbor);
             let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
@@ -59,7 +59,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         into: Option<&Sliver>,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<Option<f64>> {
         if !self.find_vacancy(vertex, slivers)? {
             return Ok(None);
@@ -87,8 +87,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         into: Option<&Sliver>,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-    ) -> Result<Option<Target<D>>> {
+        slivers: &mut Slivers,
+    ) -> Result<Option<Target>> {
         let least_gain = slivers.least_gain;
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let domain = self.state.hierarchy.domain_of(vertex);
@@ -98,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
         });
         let from = *view.delaunay.point(vertex);
-        let mut best: Option<Target<D>> = None;
+        let mut best: Option<Target> = None;
         for number in 0..PLACES * times {
             self.watch.poll_after(20)?;
             let x = match (number, &ball) {
@@ -109,13 +109,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 (_, Some((center, radius))) if number % 2 == 0 => {
                     let depth = 1.0 - DEPTH * random.fraction();
                     let way = depth * radius / distance(&from, center);
-                    let aside: [f64; D] = random.in_ball();
+                    let aside: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| {
                         center[k] + way * (from[k] - center[k]) + ASIDE * vacancy.nearest * aside[k]
                     })
                 }
                 _ => {
-                    let way: [f64; D] = random.in_ball();
+                    let way: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| from[k] + REACH * vacancy.nearest * way[k])
                 }
             };

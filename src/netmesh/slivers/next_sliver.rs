@@ -8,9 +8,9 @@ use crate::netmesh::slivers::random::Random;
 use crate::netmesh::slivers::work::{POINTS, Slivers};
 use crate::netmesh::state::Mesher;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Returns the next sliver to mend. Where none waits, points go in until one does.
-    pub(super) fn next_sliver(&mut self, slivers: &mut Slivers<D>) -> Result<Option<Sliver>> {
+    pub(super) fn next_sliver(&mut self, slivers: &mut Slivers) -> Result<Option<Sliver>> {
         loop {
             if self.state.is_exhausted(slivers) {
                 return Ok(None);
@@ -24,11 +24,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Finds a point for `sliver`, which waits for another pass if there is none.
-    pub(super) fn add_candidate(
-        &mut self,
-        sliver: &Sliver,
-        slivers: &mut Slivers<D>,
-    ) -> Result<()> {
+    pub(super) fn add_candidate(&mut self, sliver: &Sliver, slivers: &mut Slivers) -> Result<()> {
         let random = &mut Random::of(sliver, 0);
         let numbers = [1, POINTS];
         let points = self.best_insertions(sliver, numbers, slivers.least_gain, random, slivers)?;
@@ -45,7 +41,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Inserts the point of an candidate if it is worth as much as it was. Moves come first where
     /// something has changed since.
-    fn try_candidate(&mut self, candidate: &Candidate<D>, slivers: &mut Slivers<D>) -> Result<()> {
+    fn try_candidate(&mut self, candidate: &Candidate, slivers: &mut Slivers) -> Result<()> {
         let Candidate { sliver, x, class: expected, time } = candidate;
         if !self.state.is_current(sliver, &slivers.penalties) {
             return Ok(());

@@ -40,9 +40,9 @@ impl Random {
     }
 
     /// Returns a point of the unit ball.
-    pub fn in_ball<const D: usize>(&mut self) -> [f64; D] {
+    pub fn in_ball(&mut self) -> [f64; 3] {
         loop {
-            let x: [f64; D] = std::array::from_fn(|_| self.unit());
+            let x: [f64; 3] = std::array::from_fn(|_| self.unit());
             if x.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
                 return x;
             }

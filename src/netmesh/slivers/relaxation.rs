@@ -19,7 +19,7 @@ const SLIVERS: usize = 8;
 /// Largest cost of a point before vertices move.
 const COST: f64 = 4.0;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Inserts a point for `sliver`, of `count`, and moves vertices such that the objective falls.
     /// Returns whether that could be done.
     pub(super) fn relax(
@@ -27,7 +27,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         sliver: &Sliver,
         count: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<bool> {
         let numbers = [POINTS, count];
         let points = self.best_insertions(sliver, numbers, -COST, random, slivers)?;
@@ -52,7 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         wanted: f64,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<f64> {
         let (mut total, mut tried) = (0.0, 0);
         while total < wanted && tried < SLIVERS {

@@ -14,10 +14,10 @@ const COST: f64 = 6.0;
 /// Largest rise of the objective in the end, for the rounding of its terms.
 const ROUNDING: f64 = 1e-6;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Removes the points from number `first` on that the mesh can do without, the last first:
     /// they were inserted for slivers that others may have mended since.
-    pub(super) fn thin_out(&mut self, first: usize, slivers: &mut Slivers<D>) -> Result<()> {
+    pub(super) fn thin_out(&mut self, first: usize, slivers: &mut Slivers) -> Result<()> {
         for number in (first..self.state.delaunay.point_count()).rev() {
             if self.state.is_exhausted(slivers) {
                 break;
@@ -32,7 +32,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     /// Removes the vertex that `slivers.vacancy` is without, if moves then make up for it.
-    fn do_without(&mut self, vertex: VertexId, slivers: &mut Slivers<D>) -> Result<()> {
+    fn do_without(&mut self, vertex: VertexId, slivers: &mut Slivers) -> Result<()> {
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let Some(gain) = vacancy.judge_removal(view, -COST)? else { return Ok(()) };

@@ -237,10 +237,7 @@ fn least_angle_at_any_scale([a, b, c]: [[f64; 3]; 3]) -> f64 {
 
 /// Returns the points of `vertices`, which are in space.
 #[inline(always)]
-pub(super) fn tetrahedron<const D: usize>(
-    delaunay: &Delaunay<D>,
-    vertices: &[VertexId],
-) -> Tetrahedron {
+pub(super) fn tetrahedron(delaunay: &Delaunay<3>, vertices: &[VertexId]) -> Tetrahedron {
     std::array::from_fn(|index| in_space(delaunay.point(vertices[index])))
 }
 

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::netmesh::state::Mesher;
 use crate::netmesh::state::sizes::UNKNOWN;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Asks for the sizes at all vertices that have none yet, after slivers were mended.
     pub(super) fn ask_all_sizes(&mut self) -> Result<()> {
         if self.sizes.is_none() {

@@ -8,9 +8,9 @@ use crate::netmesh::slivers::vacancy::Target;
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Cell, Mesher, State};
 
-impl<const D: usize> State<D> {
+impl State<3> {
     /// Ends the log: all that it has stays.
-    pub(super) fn keep_changes(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+    pub(super) fn keep_changes(&mut self, slivers: &mut Slivers) -> Result<()> {
         let Some(log) = slivers.log.take() else { return Ok(()) };
         for step in log.steps {
             if let Step::Removed(vertex, _) = step {
@@ -26,10 +26,10 @@ impl<const D: usize> State<D> {
     }
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Ends the log and undoes what it has, the last step first. The slivers that come back
     /// wait for another pass.
-    pub(super) fn undo_changes(&mut self, slivers: &mut Slivers<D>) -> Result<()> {
+    pub(super) fn undo_changes(&mut self, slivers: &mut Slivers) -> Result<()> {
         let steps = slivers.log.take().unwrap_or_default().steps;
         // What comes back is not new.
         slivers.log = Some(Log::default());
@@ -52,7 +52,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn take_out(&mut self, vertex: VertexId, slivers: &mut Slivers<D>) -> Result<bool> {
+    fn take_out(&mut self, vertex: VertexId, slivers: &mut Slivers) -> Result<bool> {
         let is_found = self.state.delaunay.find_hole(vertex, &mut slivers.vacancy.hole)?;
         if is_found {
             self.remove_vertex(vertex, slivers)?;
@@ -61,12 +61,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(is_found)
     }
 
-    fn move_back(
-        &mut self,
-        vertex: VertexId,
-        x: &[f64; D],
-        slivers: &mut Slivers<D>,
-    ) -> Result<bool> {
+    fn move_back(&mut self, vertex: VertexId, x: &[f64; 3], slivers: &mut Slivers) -> Result<bool> {
         if !self.state.delaunay.find_hole(vertex, &mut slivers.vacancy.hole)? {
             return Ok(false);
         }
@@ -83,7 +78,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         vertex: VertexId,
         near: VertexId,
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> Result<bool> {
         let x = *self.state.delaunay.point(vertex);
         let start = self.state.delaunay.complex().incident(near);

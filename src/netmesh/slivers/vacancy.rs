@@ -17,8 +17,8 @@ const MOST_NEIGHBORS: usize = 128;
 const MOST_OUTSIDE: usize = 256;
 
 #[derive(Default)]
-pub(super) struct Vacancy<const D: usize> {
-    pub hole: Hole<D>,
+pub(super) struct Vacancy {
+    pub hole: Hole<3>,
     /// The distance of the nearest neighbour.
     pub nearest: f64,
     /// The middle of the neighbours.
@@ -39,8 +39,8 @@ pub(super) struct Vacancy<const D: usize> {
 
 /// A place for the vertex.
 #[derive(Clone, Copy)]
-pub(super) struct Target<const D: usize> {
-    pub x: [f64; D],
+pub(super) struct Target {
+    pub x: [f64; 3],
     pub gain: f64,
     /// A simplex of the filling whose ball holds it.
     pub near: usize,
@@ -91,17 +91,17 @@ impl Seen {
 
 /// Finds the hole of `vertex`; false if the vertex must stay: it is at the hull, or its neighbours
 /// are many.
-pub(super) fn may_leave<const D: usize>(
-    delaunay: &mut Delaunay<D>,
+pub(super) fn may_leave(
+    delaunay: &mut Delaunay<3>,
     vertex: VertexId,
-    hole: &mut Hole<D>,
+    hole: &mut Hole<3>,
 ) -> AllocResult<bool> {
     Ok(delaunay.find_hole(vertex, hole)? && hole.vertices.ids.len() <= MOST_NEIGHBORS)
 }
 
-impl<const D: usize> Vacancy<D> {
+impl Vacancy {
     /// Measures what is found by [`may_leave`].
-    pub fn measure(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+    pub fn measure(&mut self, view: View<'_>, vertex: VertexId) -> AllocResult<()> {
         let count = self.hole.filling.len();
         self.penalties.clear();
         self.is_inside.cover(count, false)?;
@@ -126,7 +126,7 @@ impl<const D: usize> Vacancy<D> {
         self.measure_neighbors(view, vertex)
     }
 
-    fn measure_neighbors(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+    fn measure_neighbors(&mut self, view: View<'_>, vertex: VertexId) -> AllocResult<()> {
         let neighbors = &self.hole.vertices.ids;
         let x = view.delaunay.point(vertex);
         self.nearest = f64::INFINITY;
@@ -136,7 +136,7 @@ impl<const D: usize> Vacancy<D> {
         for &neighbor in neighbors.iter() {
             let other = view.delaunay.point(neighbor);
             self.nearest = self.nearest.min(distance(x, other));
-            for axis in 0..D {
+            for axis in 0..3 {
                 self.middle[axis] += share * (other[axis] - x[axis]);
             }
         }
@@ -144,7 +144,7 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// Returns the gain of removing the vertex, if that is more than `least`.
-    pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Result<Option<f64>> {
+    pub fn judge_removal(&mut self, view: View<'_>, least: f64) -> Result<Option<f64>> {
         let gain = self.star - self.penalties.iter().sum::<f64>();
         self.is_inside[..self.hole.balls.len()].fill(false);
         let is_kept = gain > least
@@ -154,21 +154,16 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// Returns a simplex of the filling whose ball holds `x`.
-    pub fn filling_at(&self, delaunay: &Delaunay<D>, x: &[f64; D]) -> Option<usize> {
+    pub fn filling_at(&self, delaunay: &Delaunay<3>, x: &[f64; 3]) -> Option<usize> {
         (0..self.hole.filling.len()).find(|&number| {
             let vertices = self.hole.filling.vertices(number as u32);
-            let points: [&[f64; D]; 4] = std::array::from_fn(|i| delaunay.point(vertices[i]));
+            let points: [&[f64; 3]; 4] = std::array::from_fn(|i| delaunay.point(vertices[i]));
             in_ball(&points, x) == Sign::Positive
         })
     }
 
     /// Returns the gain of moving the vertex to `x`, if that is more than `least`.
-    pub fn judge(
-        &mut self,
-        view: View<'_, D>,
-        x: &[f64; D],
-        least: f64,
-    ) -> Result<Option<Target<D>>> {
+    pub fn judge(&mut self, view: View<'_>, x: &[f64; 3], least: f64) -> Result<Option<Target>> {
         let Some((near, left)) = self.find_inside(view, x) else { return Ok(None) };
         let Some(lost) = self.find_outside(view, x)? else { return Ok(None) };
         let before = self.star + lost;
@@ -199,7 +194,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// Returns a simplex of the filling whose ball holds `x`, and the penalties of those whose
     /// balls do not. `None` if there is none, or one that floating-point arithmetic cannot tell.
-    fn find_inside(&mut self, view: View<'_, D>, x: &[f64; D]) -> Option<(usize, f64)> {
+    fn find_inside(&mut self, view: View<'_>, x: &[f64; 3]) -> Option<(usize, f64)> {
         let (mut near, mut left) = (None, 0.0);
         for (number, ball) in self.hole.balls.iter().enumerate() {
             let vertices = self.hole.filling.vertices(number as u32);
@@ -217,7 +212,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// Finds the simplices outside the hole whose balls hold `x`; returns what they add. `None` if
     /// one is beyond the hull or of another domain, or they are too many.
-    fn find_outside(&mut self, view: View<'_, D>, x: &[f64; D]) -> AllocResult<Option<f64>> {
+    fn find_outside(&mut self, view: View<'_>, x: &[f64; 3]) -> AllocResult<Option<f64>> {
         let complex = view.delaunay.complex();
         self.seen.begin(&self.hole.star);
         self.outside.clear();
@@ -244,7 +239,7 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// Collects the cone over the boundary of what was found.
-    fn find_cone(&mut self, view: View<'_, D>) -> AllocResult<()> {
+    fn find_cone(&mut self, view: View<'_>) -> AllocResult<()> {
         let mut cone = std::mem::take(&mut self.cone);
         cone.sides.clear();
         let mut pushed = Ok(());
@@ -260,11 +255,7 @@ impl<const D: usize> Vacancy<D> {
     /// that was found. Each side is given by the vertices of a simplex at it, and the number of the
     /// vertex that is not of the side.
     #[inline(always)]
-    fn all_sides(
-        &self,
-        view: View<'_, D>,
-        mut holds: impl FnMut(&[VertexId], usize) -> bool,
-    ) -> bool {
+    fn all_sides(&self, view: View<'_>, mut holds: impl FnMut(&[VertexId], usize) -> bool) -> bool {
         let Self { hole, is_inside, seen, .. } = self;
         for number in (0..hole.filling.len()).filter(|&number| is_inside[number]) {
             let vertices = hole.filling.vertices(number as u32);
@@ -295,7 +286,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// Returns true if the simplices of the filling that would stay keep the bound of the Voronoi
     /// aspect, or another criterion is in force. `x` is the new place of the vertex, if it has one.
-    fn keeps_filling_cells(&self, view: View<'_, D>, x: Option<&[f64; D]>) -> bool {
+    fn keeps_filling_cells(&self, view: View<'_>, x: Option<&[f64; 3]>) -> bool {
         let Some(half_aspect) = view.measure.half_aspect else { return true };
         let is_good = |number: usize| {
             let radius = self.hole.balls[number].radius();
@@ -311,7 +302,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// Returns true if the simplices of the filling that would stay are as small as the caller asks
     /// for.
-    pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> Result<bool> {
+    pub fn keeps_filling_sizes(&self, view: View<'_>) -> Result<bool> {
         let Some(sizes) = view.sizes else { return Ok(true) };
         for number in self.staying() {
             let vertices = self.hole.filling.vertices(number);
@@ -331,12 +322,12 @@ impl<const D: usize> Vacancy<D> {
 
 /// Tests a simplex that the search comes to, unless it was tested before.
 #[inline]
-fn see<const D: usize>(
+fn see(
     seen: &mut Seen,
     outside: &mut Vec<SimplexId>,
-    view: View<'_, D>,
+    view: View<'_>,
     simplex: SimplexId,
-    x: &[f64; D],
+    x: &[f64; 3],
 ) -> AllocResult<()> {
     if seen.is_new(simplex) {
         let is_inside = view.delaunay.in_conflict(simplex, x);

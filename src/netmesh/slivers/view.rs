@@ -9,19 +9,19 @@ use crate::netmesh::state::{Cell, State};
 
 /// Parts of a mesh by which a place for a vertex is judged.
 #[derive(Clone, Copy)]
-pub(super) struct View<'a, const D: usize> {
-    pub delaunay: &'a Delaunay<D>,
-    pub hierarchy: &'a Hierarchy<D>,
+pub(super) struct View<'a> {
+    pub delaunay: &'a Delaunay<3>,
+    pub hierarchy: &'a Hierarchy<3>,
     pub cells: &'a [Cell],
     pub penalties: &'a [f32],
     pub measure: &'a Measure,
-    pub sizes: Option<&'a Sizes<'a, D>>,
+    pub sizes: Option<&'a Sizes<'a, 3>>,
 }
 
-impl<'a, const D: usize> View<'a, D> {
+impl<'a> View<'a> {
     pub fn new(
-        state: &'a State<D>,
-        sizes: Option<&'a Sizes<'a, D>>,
+        state: &'a State<3>,
+        sizes: Option<&'a Sizes<'a, 3>>,
         penalties: &'a [f32],
         measure: &'a Measure,
     ) -> Self {

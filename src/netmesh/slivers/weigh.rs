@@ -7,7 +7,7 @@ use crate::netmesh::slivers::shape::{Measure, tetrahedron};
 use crate::netmesh::slivers::work::Slivers;
 use crate::netmesh::state::{Mesher, State};
 
-impl<const D: usize> State<D> {
+impl State<3> {
     /// Returns true if `vertex` is no input and in no cage. Its star may still keep it from moving.
     pub(super) fn may_move(&self, vertex: VertexId) -> bool {
         !self.is_input(vertex) && !self.hierarchy.cage_of(vertex).is_valid()
@@ -18,7 +18,7 @@ impl<const D: usize> State<D> {
     pub(super) fn weigh(
         &mut self,
         created: &[SimplexId],
-        slivers: &mut Slivers<D>,
+        slivers: &mut Slivers,
     ) -> AllocResult<()> {
         let bound = self.delaunay.complex().simplex_bound();
         slivers.penalties.cover(bound, 0.0)?;
@@ -80,9 +80,9 @@ impl<const D: usize> State<D> {
     }
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Measures the simplices of a vertex that went in, and queues the slivers among them.
-    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers<D>) -> AllocResult<()> {
+    pub(super) fn weigh_cone(&mut self, slivers: &mut Slivers) -> AllocResult<()> {
         let created = std::mem::take(&mut self.scratch.created);
         let weighed = self.state.weigh(&created, slivers);
         self.scratch.created = created;

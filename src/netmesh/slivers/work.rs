@@ -18,7 +18,7 @@ pub(super) const LEAST_GAIN: f64 = 0.001;
 pub(super) const LEAST_GAIN_BEYOND: f64 = 0.999;
 
 /// Work on slivers: the objective, the slivers that wait, and the buffers of changes.
-pub(super) struct Slivers<const D: usize> {
+pub(super) struct Slivers {
     pub measure: Measure,
     /// Least gain of a change.
     pub least_gain: f64,
@@ -27,12 +27,12 @@ pub(super) struct Slivers<const D: usize> {
     /// Vertex -> the number of simplices made when its star changed last.
     pub changed: Array<u64>,
     pub queue: Queue,
-    pub candidates: Candidates<D>,
+    pub candidates: Candidates,
     /// The number of slivers that the mesh had at first.
     pub found: usize,
     /// Number of exact tests after which the work ends.
     pub most_exact: u64,
-    pub vacancy: Vacancy<D>,
+    pub vacancy: Vacancy,
     pub cone: Cone,
     /// The conflicts of the point that is judged or goes in.
     pub cavity: Cavity,
@@ -41,14 +41,14 @@ pub(super) struct Slivers<const D: usize> {
     /// Ids of vertices that were removed.
     pub free: Vec<VertexId>,
     /// Changes that may be undone, while there are such.
-    pub log: Option<Log<D>>,
+    pub log: Option<Log>,
 }
 
 /// Points that are tried for a sliver with the least effort.
 pub(super) const POINTS: usize = 12;
 
-impl<const D: usize> State<D> {
-    pub(super) fn is_exhausted(&self, slivers: &Slivers<D>) -> bool {
+impl State<3> {
+    pub(super) fn is_exhausted(&self, slivers: &Slivers) -> bool {
         self.delaunay.exact_fallbacks() > slivers.most_exact
     }
 }

@@ -272,7 +272,7 @@ impl<const D: usize> Assembly<D> {
 
     /// Returns, for every vertex, true if doubles ran out next to it, or the corner of a simplex at
     /// it could not be inserted for want of precision.
-    pub fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
+    fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
         let State { delaunay, refine_list, interface, .. } = &self.state;
         let mut limited = collected(self.state.precision_limited.iter().copied())?;
         let mut is_blocked = filled(delaunay.complex().simplex_bound(), false)?;

@@ -18,7 +18,7 @@ fn torn() -> Error {
 }
 
 impl<'a> Bytes<'a> {
-    pub fn take(&mut self, count: usize) -> Result<&'a [u8]> {
+    fn take(&mut self, count: usize) -> Result<&'a [u8]> {
         let (first, rest) = self.0.split_at_checked(count).ok_or_else(torn)?;
         self.0 = rest;
         Ok(first)

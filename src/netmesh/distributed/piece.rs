@@ -228,7 +228,7 @@ impl<const D: usize> Piece<D> {
 
     /// Returns, for every domain, true if one of `vertices` is in it or in its cage, or one of the
     /// `others` is it, or either of a domain within it.
-    pub(super) fn domains_around<'a>(
+    fn domains_around<'a>(
         &self,
         vertices: impl IntoIterator<Item = &'a NamedVertex<D>>,
         others: impl Iterator<Item = u64>,

@@ -56,7 +56,7 @@ impl<const D: usize> Piece<D> {
     }
 
     /// Returns the rest of the piece, and the simplices that are taken out, as pieces.
-    pub fn split(
+    fn split(
         self,
         mut is_out: Vec<bool>,
         mut tick: impl FnMut() -> Result<()>,

@@ -43,7 +43,7 @@ struct Met {
 }
 
 impl Met {
-    pub fn add(&mut self, distance: f64, is_input: bool) {
+    fn add(&mut self, distance: f64, is_input: bool) {
         self.points += 1;
         if self.points == 2 {
             self.sizes.mesh = Some(distance);

@@ -220,7 +220,7 @@ impl Clusters {
     }
 
     /// Joins two groups.
-    pub fn join(&mut self, a: u32, b: u32) {
+    fn join(&mut self, a: u32, b: u32) {
         let [into, from] = if a < b { [a, b] } else { [b, a] };
         let (own, other) = (self.groups[into as usize], self.groups[from as usize]);
         self.next[own.last as usize] = other.first;
@@ -243,7 +243,7 @@ impl Clusters {
     }
 
     /// Makes a cluster of the items of a group; the group then has that cluster as its one item.
-    pub fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
+    fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
         let cluster = self.sites.len() as u32;
         let own = &mut self.groups[group as usize];
         let mut item = own.first;

@@ -21,7 +21,7 @@ impl Random {
         Self(u64::from(vertex.number()) << 32)
     }
 
-    pub fn bits(&mut self) -> u64 {
+    fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -30,7 +30,7 @@ impl Random {
     }
 
     /// Returns a number in [-1, 1).
-    pub fn unit(&mut self) -> f64 {
+    fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
     }
 

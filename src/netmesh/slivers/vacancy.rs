@@ -64,7 +64,7 @@ const OUTSIDE: u32 = 1;
 const OF_STAR: u32 = 2;
 
 impl Seen {
-    pub fn begin(&mut self, star: &[SimplexId]) {
+    fn begin(&mut self, star: &[SimplexId]) {
         if self.search >= u32::MAX - 2 * (OF_STAR + 1) {
             self.marks.fill(0);
             self.search = 0;

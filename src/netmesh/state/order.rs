@@ -194,7 +194,7 @@ impl<const D: usize> Cells<D> {
     const AXIS_BITS: usize = KEY_BITS / D;
 
     /// Returns the cells of the box of the named inputs. `tick` is called for each.
-    pub fn around<E: From<AllocError>>(
+    fn around<E: From<AllocError>>(
         inputs: &Inputs,
         named: &[InputId],
         mut tick: impl FnMut() -> std::result::Result<(), E>,
@@ -214,7 +214,7 @@ impl<const D: usize> Cells<D> {
     }
 
     /// Bits of a key.
-    pub const fn bits(&self) -> usize {
+    const fn bits(&self) -> usize {
         D * Self::AXIS_BITS
     }
 

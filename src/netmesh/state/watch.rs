@@ -46,7 +46,7 @@ impl Tally {
     }
 
     /// Adds what one partition has done since it last reported.
-    pub fn add(&self, before: &[u64; 3], now: &[u64; 3]) {
+    fn add(&self, before: &[u64; 3], now: &[u64; 3]) {
         for (count, (before, now)) in self.counts.iter().zip(before.iter().zip(now)) {
             count.fetch_add(now.wrapping_sub(*before), Ordering::Relaxed);
         }

@@ -85,7 +85,7 @@ impl<I: Iterator, A> Workers<I, A> {
     }
 
     /// Does [`Self::work`] on this thread. `tick` is called after each piece, too.
-    pub fn collect<T>(&self, mut tick: impl FnMut(u32) -> Result<()>) -> Result<Vec<(usize, T)>>
+    fn collect<T>(&self, mut tick: impl FnMut(u32) -> Result<()>) -> Result<Vec<(usize, T)>>
     where
         A: Fn(I::Item, &mut Tick<'_>) -> Result<T>,
     {

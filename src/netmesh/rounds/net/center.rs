@@ -32,7 +32,7 @@ impl<const D: usize> Part<D> {
     }
 
     /// Returns the point that is `share` of `self` and the rest of `other`.
-    pub fn between(&self, other: &Self, share: f64) -> ([f64; D], f64) {
+    fn between(&self, other: &Self, share: f64) -> ([f64; D], f64) {
         let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
         (std::array::from_fn(|axis| mix(self.at[axis], other.at[axis])), mix(self.lift, other.lift))
     }
@@ -156,7 +156,7 @@ impl<const D: usize> Center<D> {
     }
 
     /// Collects the numbers of the points of part `root` into `leaves`.
-    pub fn collect(&mut self, root: u32) -> AllocResult<()> {
+    fn collect(&mut self, root: u32) -> AllocResult<()> {
         self.leaves.clear();
         self.paired.clear();
         self.paired.try_push(root)?;

@@ -76,7 +76,7 @@ impl<const D: usize> Rings<D> {
     }
 
     /// Fills in the largest counts around the edges at `vertex`.
-    pub fn count(
+    fn count(
         &mut self,
         delaunay: &mut Delaunay<D>,
         inside: &[Vec<PointId>],

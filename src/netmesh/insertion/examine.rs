@@ -11,7 +11,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Queues the bad ones among the simplices just created, and tells their vertices of the
     /// corners that have come. `in_same_domain`: whether all vertices are ([`same_domain`]).
     ///
-    /// [`same_domain`]: crate::netmesh::state::hierarchy::Hierarchy
+    /// [`same_domain`]: crate::netmesh::state::hierarchy::Hierarchy::same_domain
     pub(super) fn examine_created(&mut self, in_same_domain: bool) -> AllocResult<()> {
         let measure = self.state.measure();
         let State { delaunay, hierarchy, cells, .. } = &mut self.state;

@@ -3,10 +3,10 @@
 //!
 //! A round over a large mesh visits all of it, and little of that is in the cache. So rounds over
 //! the whole make a coarse mesh only. From then on all rounds that a tile needs come before those
-//! of the next tile. A tile is a run of inputs in the order of locality ([`super::order`]), and its
-//! rounds halve the longest of the conflict lists that have one of them. An input is in the rounds
-//! of the few tiles that its conflict list has inputs of. Each halves that list, so they are O(log
-//! n) together.
+//! of the next tile. A tile is a run of inputs in the order of locality
+//! ([`crate::netmesh::state::order`]), and its rounds halve the longest of the conflict lists that
+//! have one of them. An input is in the rounds of the few tiles that its conflict list has inputs
+//! of. Each halves that list, so they are O(log n) together.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;

@@ -5,8 +5,7 @@
 //! 2. [`questions`]: encroachment, quality, sites of cages, Steiner points, permissions.
 //! 3. [`instruments`]: measurements of the theorems' constants.
 //! 4. [`insertion`]: one vertex goes in, and all that the state learns from it.
-//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN, and the recovery of
-//!   segments.
+//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN; segments are recovered.
 //! 6. [`rounds`]: how inputs come into the mesh.
 //! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
 //! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.

@@ -264,6 +264,14 @@ impl Definitions {
     }
 }
 
+/// A call that may be of several methods.
+struct Unsure {
+    /// The types that have a method of that name, each with its file.
+    owners: BTreeSet<(String, String)>,
+    method: String,
+    caller: Option<Method>,
+}
+
 /// Reads one file.
 struct Reader<'a> {
     definitions: &'a Definitions,
@@ -276,8 +284,8 @@ struct Reader<'a> {
     within: Option<String>,
     /// Its parameters, and those of closures -> the names in their types.
     parameters: BTreeMap<String, Names>,
-    /// Calls that may be of several methods: those, and the method that calls.
-    unsure: Vec<(BTreeSet<(String, String)>, String, Option<Method>)>,
+    /// Calls that may be of several methods.
+    unsure: Vec<Unsure>,
 }
 
 impl Reader<'_> {
@@ -320,14 +328,14 @@ impl Reader<'_> {
         match all.len() {
             0 => {}
             1 => all.iter().for_each(|(of, file)| self.call(of, method, file, caller.clone())),
-            _ => self.unsure.push((all, method.to_owned(), caller)),
+            _ => self.unsure.push(Unsure { owners: all, method: method.to_owned(), caller }),
         }
     }
 
     /// Of the methods that a call may be of, takes those in files that are used anyway, or else
     /// all.
     fn guess(&mut self) {
-        for (all, method, caller) in std::mem::take(&mut self.unsure) {
+        for Unsure { owners: all, method, caller } in std::mem::take(&mut self.unsure) {
             let known = self.graph.files.get(self.file);
             let is_known = |file: &String| {
                 file == self.file || known.is_some_and(|known| known.contains_key(file))

@@ -28,7 +28,7 @@ macro_rules! declare_parameters {
             $(#[doc = $help] pub $field: $type,)*
             /// Number of inputs of a partition: a mesh of at least twice as many inputs is made in
             /// partitions of about this number or fewer.
-            pub(crate) inputs_per_partition: usize,
+            pub(crate) inputs_per_partition: Option<usize>,
             /// True if the inputs are a sample of more, which come when the mesh of these is made.
             pub(crate) is_sample: bool,
         }
@@ -38,7 +38,7 @@ macro_rules! declare_parameters {
         }
 
         fn parameters_of(full: Options) -> Parameters {
-            let (inputs_per_partition, is_sample) = (INPUTS_PER_PARTITION, false);
+            let (inputs_per_partition, is_sample) = (Some(INPUTS_PER_PARTITION), false);
             Parameters { $($field: full.$field,)* inputs_per_partition, is_sample }
         }
     };

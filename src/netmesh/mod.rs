@@ -1,45 +1,85 @@
-//! The paper's algorithm (§6). Each group of files is read together, and its front page says what
-//! it has:
+//! The paper's algorithm (§6), in folders that depend downwards only (ARCHITECTURE.md has the
+//! table):
 //!
-//! - [`rounds`]: the order of the inputs, the conflict lists that say where they are, the rounds
-//!   that insert them, and the nets that choose what a round inserts.
-//! - [`cages`]: domains and their tree, encroachment, where a cage goes, and the operations on
-//!   cages.
-//! - [`refinement`]: which simplices are bad, the list of them, Steiner points, CLEAN, FINISHMESH
-//!   and the final refinement.
-//! - [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
-//! - [`slivers`]: tetrahedra with small dihedral angles, and what mends them.
-//! - [`partitions`]: large meshes made in partitions, and work that all threads share.
-//! - [`distributed`]: the same for partitions of several processes, which no mesh has all of.
-//!
-//! Around them: `state` is what a run works on, `watch` reads the clock, `parameters` are the
-//! options in full, `numbering` and `output` write the result, and `instruments` measures what the
-//! theorems promise.
+//! 1. [`state`]: the mesh in the making, and the run that works on it.
+//! 2. [`questions`]: encroachment, quality, sites of cages, Steiner points, permissions.
+//! 3. [`instruments`]: measurements of the theorems' constants.
+//! 4. [`insertion`]: one vertex goes in, and all that the state learns from it.
+//! 5. [`operations`]: NEWCAGE, GROWCAGE, RELEASECAGE, INSERTINPUT, CLEAN; segments are recovered.
+//! 6. [`rounds`]: how inputs come into the mesh.
+//! 7. [`refinement`]: FINISHMESH, the final refinement, and refinement by distance and size.
+//! 8. [`segments`]: edges that the mesh conforms to, in the plane, and the regions between them.
+//! 9. [`slivers`]: tetrahedra with small dihedral angles are mended.
+//! 10. [`partitions`]: large meshes made in partitions, on several threads.
+//! 11. [`result`]: the arrays of the result.
+//! 12. [`distributed`]: partitions on several processes, of meshes that none of them has all of.
 
-mod cages;
 pub(crate) mod distributed;
+mod insertion;
 mod instruments;
-mod numbering;
-mod output;
-mod parameters;
+mod operations;
 mod partitions;
+mod questions;
 mod refinement;
+mod result;
 mod rounds;
 mod segments;
 mod slivers;
 mod state;
-mod watch;
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::collected;
 use crate::mesh::{Arrangement, Inputs, Triangulation, in_dimension};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::sizes::Sizes;
 use crate::options::{Algorithm, Options, Output, ProgressFn, SizeFn};
 use crate::parameters::{Parameters, check_region_sizes, output_for, with_segments};
-use refinement::size::Sizes;
-use state::{Cell, Mesher, Scratch, Stage, State};
+pub(crate) use state::watch::Watch;
 use std::time::Instant;
-pub(crate) use watch::Watch;
+
+/// Steps of a run that only one dimension has.
+pub(in crate::netmesh) trait Dimension {
+    /// Makes the mesh conform to segments, which are in the plane.
+    fn conform_in_plane(&mut self, _: &Arrangement, _: &mut Cavity) -> Result<()> {
+        unreachable!("segments of other dimensions are refused when they are set")
+    }
+
+    /// Removes vertices beside segments that the bound does not need.
+    fn coarsen_in_plane(&mut self) -> Result<()> {
+        unreachable!("segments of other dimensions are refused when they are set")
+    }
+
+    /// Mends slivers, which only tetrahedra are, if the caller asks for it.
+    fn mend_in_space(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 2> {
+    fn conform_in_plane(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<()> {
+        self.conform(arrangement, cavity)
+    }
+
+    fn coarsen_in_plane(&mut self) -> Result<()> {
+        self.coarsen()
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 3> {
+    fn mend_in_space(&mut self) -> Result<()> {
+        match self.state.parameters.min_dihedral > 0.0 {
+            true => self.remove_slivers(),
+            false => Ok(()),
+        }
+    }
+}
+
+impl Dimension for Mesher<'_, '_, 4> {}
+impl Dimension for Mesher<'_, '_, 5> {}
+impl Dimension for Mesher<'_, '_, 6> {}
+impl Dimension for Mesher<'_, '_, 7> {}
+impl Dimension for Mesher<'_, '_, 8> {}
 
 /// Meshes `inputs`. The one place that picks the monomorphisation for the dimension.
 ///
@@ -54,7 +94,7 @@ pub fn run(
     run_sized(inputs, arrangement, options, None, progress)
 }
 
-/// As [`run`], with sizes.
+/// Meshes `inputs` as [`run`] does, with simplices no larger than `size` asks for.
 ///
 /// # Errors
 /// As those of [`run`]; `InvalidArgument` if `size` answers no size.
@@ -72,7 +112,7 @@ pub fn run_sized(
         None => Parameters::resolve(inputs.dim(), options)?,
         Some(_) => Parameters {
             // What is outside is not refined, and a partition does not know what is.
-            inputs_per_partition: usize::MAX / 2,
+            inputs_per_partition: None,
             ..Parameters::resolve(inputs.dim(), &with_segments(options)?)?
         },
     };
@@ -86,13 +126,16 @@ pub fn run_sized(
     )
 }
 
-fn mesh<const D: usize>(
+pub(in crate::netmesh) fn mesh<const D: usize>(
     inputs: &Inputs,
     mut arrangement: Option<&mut Arrangement>,
     parameters: Parameters,
     size: Option<&SizeFn<'_>>,
     progress: Option<&mut ProgressFn<'_>>,
-) -> Result<Triangulation> {
+) -> Result<Triangulation>
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     let begun = Instant::now();
     let mut watch = Watch::new(progress);
     // Also the shortest run can be watched and cancelled.
@@ -110,34 +153,34 @@ fn mesh<const D: usize>(
     mesher.into_triangulation(begun)
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl<const D: usize> Mesher<'_, '_, D>
+where
+    Self: Dimension,
+{
     /// Makes all of the mesh.
-    fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
+    pub(in crate::netmesh) fn mesh(&mut self, arrangement: Option<&Arrangement>) -> Result<()> {
         let mut cavity = Cavity::default();
         if self.state.parameters.algorithm == Algorithm::Delaunay {
             self.start_delaunay()?;
             return self.insert_rounds(&mut cavity);
         }
         match arrangement {
-            Some(arrangement) => self.conform(arrangement, &mut cavity)?,
+            Some(arrangement) => self.conform_in_plane(arrangement, &mut cavity)?,
             None => self.mesh_points(&mut cavity)?,
         }
         self.refine_finally(&mut cavity)?;
         if arrangement.is_some() {
-            self.coarsen()?;
+            self.coarsen_in_plane()?;
         }
         self.refine_by_distance(&mut cavity)?;
         // What goes in for the one may break the other, where simplices reach out of the box.
         while self.refine_by_size(&mut cavity)? && self.state.parameters.distance_ratio > 0.0 {
             self.refine_by_distance(&mut cavity)?;
         }
-        if D == 3 && self.state.parameters.min_dihedral > 0.0 {
-            self.remove_slivers(&mut cavity)?;
-        }
-        Ok(())
+        self.mend_in_space()
     }
 
-    /// The mesh of the inputs, with the loose bound.
+    /// Makes the mesh of the inputs, with the loose bound.
     fn mesh_points(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.start_netmesh(cavity)?;
         match self.state.parameters.algorithm {

@@ -1,10 +1,9 @@
 //! Pieces of work that do not need each other, on as many threads as the caller allows.
 
 use crate::error::{Error, ErrorKind, Result};
-use crate::memory::{AllocResult, with_capacity};
+use crate::memory::AllocResult;
 use crate::nearest::Stop;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use crate::threads::{Pieces, together, usable};
 
 /// The most points of a piece: enough that sorting them brings near ones together.
 const LARGEST: usize = 1 << 15;
@@ -41,12 +40,7 @@ impl Work<'_> {
 /// Returns the number of threads to use: what the caller allows (0: all cores), and no more than
 /// there are cores.
 pub(crate) fn threads(wanted: u32) -> usize {
-    let cores = || std::thread::available_parallelism().map_or(1, |count| count.get());
-    match wanted {
-        0 => cores(),
-        1 => 1,
-        _ => (wanted as usize).min(cores()),
-    }
+    usable(wanted)
 }
 
 /// Returns the number of points, of `count`, that make a piece of work. No answer depends on it.
@@ -60,51 +54,19 @@ pub(crate) fn on_threads<W: Send, S: Default>(
     pieces: impl Iterator<Item = W> + Send,
     act: impl Fn(&mut S, W) -> AllocResult<()> + Sync,
 ) -> AllocResult<()> {
-    let workers = Workers { queue: Mutex::new(pieces), is_stopped: AtomicBool::new(false), act };
-    // A scope asks for memory that cannot be refused.
-    if threads <= 1 {
-        return workers.work();
-    }
-    std::thread::scope(|scope| {
-        let mut others = with_capacity(threads)?;
-        for _ in 1..threads {
-            // What the system refuses of the other threads, this one does as well.
-            others.extend(std::thread::Builder::new().spawn_scoped(scope, || workers.work()));
-        }
-        let mut done = workers.work();
-        for other in others {
-            let other = other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-            done = done.and(other);
-        }
-        done
-    })
-}
-
-struct Workers<Q, A> {
-    queue: Mutex<Q>,
-    is_stopped: AtomicBool,
-    act: A,
-}
-
-impl<Q, A> Workers<Q, A> {
-    /// Does pieces until there are none, or one has failed.
-    fn work<W, S: Default>(&self) -> AllocResult<()>
-    where
-        Q: Iterator<Item = W>,
-        A: Fn(&mut S, W) -> AllocResult<()>,
-    {
+    let pieces = Pieces::new(pieces);
+    let work = || {
         let mut scratch = S::default();
-        while !self.is_stopped.load(Ordering::Relaxed) {
-            let next = self.queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-            let Some(piece) = next else { break };
-            let made = (self.act)(&mut scratch, piece);
+        while let Some((_, piece)) = pieces.take() {
+            let made = act(&mut scratch, piece);
             if made.is_err() {
-                self.is_stopped.store(true, Ordering::Relaxed);
+                pieces.stop();
             }
             made?;
         }
         Ok(())
-    }
+    };
+    together(threads, work, work)?.into_iter().collect()
 }
 
 #[cfg(test)]

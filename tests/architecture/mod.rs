@@ -1,9 +1,12 @@
 //! ARCHITECTURE.md is what the sources are: its table of layers, its directories, its files.
 
 mod entries;
+mod files;
 mod planted;
+mod planted_files;
 mod uses;
 
+use files::Graph;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,25 +89,50 @@ fn test_modules(files: &[(String, String)]) -> Vec<String> {
     modules
 }
 
-/// Which module uses which, tests apart.
-fn uses_of_the_sources() -> Layers {
+/// The source files without those that are only there for tests.
+fn sources() -> Vec<Source> {
     let files = files();
     let tests = test_modules(&files);
     let is_test = |path: &str| {
         tests.iter().any(|t| path == t || t.ends_with('/') && path.starts_with(t.as_str()))
     };
     let kept = files.iter().filter(|(path, _)| !is_test(path));
-    uses(&kept.map(|(path, text)| Source::parse(path, text)).collect::<Vec<_>>())
+    kept.map(|(path, text)| Source::parse(path, text)).collect()
 }
 
 #[test]
 fn modules_use_what_the_table_says_and_nothing_else() {
-    let (allowed, uses) = (layers(), uses_of_the_sources());
+    let (allowed, uses) = (layers(), uses(&sources()));
     let names = |layers: &Layers| layers.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&allowed), names(&uses), "the modules of the table and those under src");
     for (module, used) in &uses {
         assert_eq!(used, &allowed[module], "what {module} uses, and what ARCHITECTURE.md says");
     }
+}
+
+/// The folders of `netmesh`, from the lowest up.
+fn folders_of_netmesh() -> Vec<String> {
+    table("Inside netmesh").into_iter().map(|(name, _)| name).collect()
+}
+
+#[test]
+fn files_of_netmesh_depend_downwards_and_in_no_circle() {
+    let graph = Graph::of(&sources(), "netmesh");
+    let folders = folders_of_netmesh();
+    let below: BTreeSet<&str> =
+        graph.files.keys().filter_map(|path| path.split('/').nth(1)).collect();
+    let named: BTreeSet<&str> = folders.iter().map(String::as_str).chain(["mod.rs"]).collect();
+    assert_eq!(below, named, "the folders below src/netmesh, and those of ARCHITECTURE.md");
+    let complaints = graph.complaints("netmesh", &folders);
+    assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+/// NEWCAGE may take in inputs that encroach the domains around it, whose cages then grow.
+#[test]
+fn methods_of_netmesh_call_each_other_in_one_circle_only() {
+    let circles = Graph::of(&sources(), "netmesh").method_circles();
+    let methods = ["grow_cage", "grow_cage_for", "make_room_outside", "new_cage"];
+    assert_eq!(circles, [methods.map(|method| format!("Mesher::{method}"))]);
 }
 
 /// Whatever the table says: it must not be made to say that an arrow runs back.

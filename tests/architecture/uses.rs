@@ -88,7 +88,7 @@ const STANDARD: &[&str] = &[
 /// A source file: its path below src, with slashes, and its items without those for tests.
 pub struct Source {
     pub path: String,
-    items: Vec<Item>,
+    pub items: Vec<Item>,
 }
 
 impl Source {
@@ -101,14 +101,14 @@ impl Source {
     }
 
     /// The modules from the root to this file's.
-    fn modules(&self) -> Vec<String> {
+    pub fn modules(&self) -> Vec<String> {
         let path = self.path.trim_end_matches(".rs");
         let path = path.strip_suffix("/mod").unwrap_or(path);
         path.split('/').filter(|name| *name != "lib").map(str::to_owned).collect()
     }
 }
 
-fn attributes(item: &Item) -> &[Attribute] {
+pub fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(item) => &item.attrs,
         Item::Enum(item) => &item.attrs,
@@ -126,7 +126,7 @@ fn attributes(item: &Item) -> &[Attribute] {
     }
 }
 
-fn is_for_tests(attributes: &[Attribute]) -> bool {
+pub fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| match &attribute.meta {
         Meta::List(list) if list.path.is_ident("cfg") => {
             let condition = list.tokens.to_string().replace(' ', "");
@@ -134,6 +134,11 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
         }
         _ => false,
     })
+}
+
+/// Whether the standard library's types have methods of that name.
+pub fn is_standard(method: &str) -> bool {
+    STANDARD.contains(&method)
 }
 
 /// What the sources of a crate define that another module may use unseen.
@@ -243,7 +248,7 @@ impl Definitions {
 
     fn add_method(&mut self, top: &str, signature: &syn::Signature) {
         let name = signature.ident.to_string();
-        if signature.receiver().is_some() && !STANDARD.contains(&name.as_str()) {
+        if signature.receiver().is_some() && !is_standard(&name) {
             self.methods.entry(name).or_default().insert(top.to_owned());
         }
     }
@@ -277,7 +282,7 @@ fn from_root(modules: &[String], path: &[String]) -> Option<Vec<String>> {
 }
 
 /// The paths of a `use`, each with the name that it brings in.
-fn flatten(tree: &UseTree, mut before: Vec<String>, paths: &mut Vec<(Vec<String>, String)>) {
+pub fn flatten(tree: &UseTree, mut before: Vec<String>, paths: &mut Vec<(Vec<String>, String)>) {
     match tree {
         UseTree::Path(path) => {
             before.push(path.ident.to_string());
@@ -352,7 +357,7 @@ impl Reader<'_> {
 }
 
 /// Names, and every other character but space by itself.
-fn words(text: &str) -> Vec<&str> {
+pub fn words(text: &str) -> Vec<&str> {
     let is_name = |letter: char| letter == '_' || letter.is_alphanumeric();
     let mut words = Vec::new();
     let mut rest = text.trim_start();

@@ -1,21 +1,22 @@
 //! Pieces become a partition, which goes through rounds and refinement as those of one process do
 //! (`partitions`), and that becomes a piece again.
 
-use super::hierarchy::{Domains, with_domains};
-use super::names::{NOTHING, is_input, made_by};
-use super::piece::{Corner, Piece};
 use crate::complex::{Complex, SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, Array, TryGrow, collected, filled, with_capacity};
 use crate::mesh::{Inputs, Stats};
-use crate::netmesh::cages::domains::{DomainId, Hierarchy};
-use crate::netmesh::partitions::interface::Interface;
-use crate::netmesh::refinement::refine_list::RefineList;
-use crate::netmesh::rounds::conflict_lists::ConflictLists;
-use crate::netmesh::rounds::order::by_locality;
-use crate::netmesh::segments::Segments;
-use crate::netmesh::{Cell, Mesher, Stage, State, Watch};
+use crate::netmesh::distributed::hierarchy::{Domains, with_domains};
+use crate::netmesh::distributed::names::{NOTHING, is_input, made_by};
+use crate::netmesh::distributed::piece::{NamedVertex, Piece};
+use crate::netmesh::state::conflict_lists::ConflictLists;
+use crate::netmesh::state::hierarchy::{DomainId, Hierarchy};
+use crate::netmesh::state::interface::Interface;
+use crate::netmesh::state::order::by_locality;
+use crate::netmesh::state::refine_list::RefineList;
+use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::watch::Watch;
+use crate::netmesh::state::{Cell, Mesher, Stage, State};
 use crate::options::Output;
 use crate::parameters::Parameters;
 use rand_pcg::Pcg64Mcg;
@@ -34,7 +35,7 @@ pub(super) struct Assembly<const D: usize> {
     pub state: State<D>,
 }
 
-/// Which vertices get the first ids, as those that a state calls inputs.
+/// Vertices that get the first ids: the inputs of the state.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum First {
     /// Inputs that wait for their insertion, in an order of locality.
@@ -45,10 +46,10 @@ pub(super) enum First {
 
 /// Ids of vertices in the assembly, and what the pieces know of them.
 struct Vertices<const D: usize> {
-    corners: Vec<Corner<D>>,
+    named: Vec<NamedVertex<D>>,
     /// Piece -> vertex of it -> id.
     ids: Vec<Vec<u32>>,
-    /// How many of them are what [`First`] says.
+    /// Number of vertices that come first, by [`First`].
     first: usize,
 }
 
@@ -66,21 +67,21 @@ impl<const D: usize> Assembly<D> {
         let vertices = number(pieces, first, watch)?;
         let bases = simplex_bases(pieces)?;
         let (simplices, neighbors) = linked(pieces, &vertices, &bases, watch)?;
-        let count = vertices.corners.len();
+        let count = vertices.named.len();
         let complex = Complex::of_arrays(count, &simplices, &neighbors, || watch.poll_after(1))?;
         drop((simplices, neighbors));
         let mut points = Array::with_capacity(count)?;
         let mut cells = Array::with_capacity(count)?;
-        for corner in &vertices.corners {
-            points.try_push(corner.point)?;
-            cells.try_push(Cell { nearest: corner.nearest, ..Cell::NEW })?;
+        for vertex in &vertices.named {
+            points.try_push(vertex.point)?;
+            cells.try_push(Cell { nearest: vertex.nearest, ..Cell::NEW })?;
         }
         let delaunay = Delaunay::of_complex(points, complex, || watch.poll_after(1))?;
         let shared = delaunay.interface_vertices()?;
         measure_farthest(&mut cells, &delaunay, &shared);
-        let names = collected(vertices.corners.iter().map(|corner| corner.name))?;
+        let names = collected(vertices.named.iter().map(|vertex| vertex.name))?;
         let (hierarchy, domains): (Hierarchy<D>, Domains) =
-            with_domains(pieces, &vertices.corners, &names, &shared)?;
+            with_domains(pieces, &vertices.named, &names, &shared)?;
         let conflict_lists = match first {
             First::Waiting => conflict_lists(pieces, &vertices, &bases, &delaunay, watch)?,
             First::Inputs => {
@@ -114,7 +115,7 @@ impl<const D: usize> Assembly<D> {
         let state = State {
             random: Pcg64Mcg::new(0xcafe_f00d_d15e_a5e5 ^ seed),
             precision_limited: collected(
-                vertices.corners.iter().map(|corner| corner.is_precision_limited),
+                vertices.named.iter().map(|vertex| vertex.is_precision_limited),
             )?,
             delaunay,
             hierarchy,
@@ -157,7 +158,7 @@ impl<const D: usize> Assembly<D> {
         self.into_piece(maker)
     }
 
-    /// The live simplices as a piece.
+    /// Returns the live simplices as a piece.
     pub fn into_piece(mut self, maker: u32) -> Result<Piece<D>> {
         let known = self.names.len();
         for number in known..self.state.delaunay.point_count() {
@@ -177,17 +178,17 @@ impl<const D: usize> Assembly<D> {
             ..Piece::default()
         };
         self.write_simplices(&mut piece)?;
-        self.write_corners(&mut piece)?;
+        self.write_vertices(&mut piece)?;
         let State { hierarchy, interface, parameters, .. } = &mut self.state;
-        let is_wanted = |domain: DomainId| {
-            parameters.output == Output::WellSpaced || interface.is_wanted(domain)
+        let has_work_left = |domain: DomainId| {
+            parameters.output == Output::WellSpaced || interface.has_work_left(domain)
         };
-        self.domains.write(hierarchy, &self.names, is_wanted, &mut piece)?;
+        self.domains.write(hierarchy, &self.names, has_work_left, &mut piece)?;
         Ok(piece)
     }
 
-    /// Simplices with the ids that they have here for vertices; [`Self::write_corners`] puts in
-    /// those of the piece.
+    /// Writes simplices with the ids that their vertices have here; [`Self::write_vertices`] puts
+    /// in those of the piece.
     fn write_simplices(&self, piece: &mut Piece<D>) -> Result<()> {
         let complex = self.state.delaunay.complex();
         let mut ids = filled(complex.simplex_bound(), u32::MAX)?;
@@ -196,8 +197,8 @@ impl<const D: usize> Assembly<D> {
             ids[simplex.index()] = id;
         }
         let count = complex.simplex_count();
-        piece.simplices = with_capacity(count * Piece::<D>::CORNERS)?;
-        piece.neighbors = with_capacity(count * Piece::<D>::CORNERS)?;
+        piece.simplices = with_capacity(count * Piece::<D>::PER_SIMPLEX)?;
+        piece.neighbors = with_capacity(count * Piece::<D>::PER_SIMPLEX)?;
         piece.is_unsettled = with_capacity(count)?;
         for simplex in live() {
             piece.simplices.extend(complex.vertices(simplex).iter().map(|vertex| vertex.number()));
@@ -235,8 +236,8 @@ impl<const D: usize> Assembly<D> {
         vertices.any(|vertex| is_nearer.get(vertex.index()) == Some(&true))
     }
 
-    /// Waiting inputs first, then the vertices of simplices.
-    fn write_corners(&mut self, piece: &mut Piece<D>) -> Result<()> {
+    /// Writes the vertices: waiting inputs first, then the vertices of simplices.
+    fn write_vertices(&mut self, piece: &mut Piece<D>) -> Result<()> {
         let count = self.state.delaunay.point_count();
         let mut ids = filled(count, u32::MAX)?;
         let mut order = Vec::new();
@@ -247,14 +248,14 @@ impl<const D: usize> Assembly<D> {
             order.try_push(vertex)?;
         }
         let limited = self.limited_vertices()?;
-        piece.corners = with_capacity(order.len())?;
+        piece.vertices = with_capacity(order.len())?;
         for vertex in order {
             let is_inserted = self.state.delaunay.complex().contains_vertex(vertex);
             let Cell { nearest, .. } = self.state.cells[vertex];
             let hierarchy = &mut self.state.hierarchy;
             let cage = hierarchy.cage_of(vertex);
             let domain = is_inserted.then(|| hierarchy.domain_of(vertex));
-            piece.corners.push(Corner {
+            piece.vertices.push(NamedVertex {
                 name: self.names[vertex.index()],
                 point: *self.state.delaunay.point(vertex),
                 nearest,
@@ -269,8 +270,8 @@ impl<const D: usize> Assembly<D> {
         Ok(())
     }
 
-    /// Vertices next to which doubles ran out, and those of simplices whose corner could not be
-    /// inserted for want of precision.
+    /// Returns, for every vertex, true if doubles ran out next to it, or the corner of a simplex at
+    /// it could not be inserted for want of precision.
     fn limited_vertices(&self) -> AllocResult<Vec<bool>> {
         let State { delaunay, refine_list, interface, .. } = &self.state;
         let mut limited = collected(self.state.precision_limited.iter().copied())?;
@@ -292,7 +293,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Grows the domains around `input`, which encroaches them from inside. Whether the interface
     /// allowed it.
     fn make_room(&mut self, input: VertexId, cavity: &mut Cavity) -> Result<bool> {
-        if !self.is_inserted(input) {
+        if !self.state.is_inserted(input) {
             return Ok(false);
         }
         let x = *self.state.delaunay.point(input);
@@ -302,7 +303,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 true => self.state.hierarchy.parent(domain),
                 false => domain,
             };
-            let Some(domain) = self.inner_encroached_from(outer, &x) else { return Ok(true) };
+            let Some(domain) = self.state.inner_encroached_from(outer, &x) else { return Ok(true) };
             let start = self.state.delaunay.complex().incident(input);
             if !self.grow_cage_for(domain, &x, start, cavity)? {
                 return Ok(false);
@@ -311,7 +312,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Vertex -> whether it is of a simplex at an interface.
+/// Returns, for every vertex, true if it is of a simplex at an interface.
 fn at_interface<const D: usize>(delaunay: &Delaunay<D>) -> AllocResult<Vec<bool>> {
     let complex = delaunay.complex();
     let mut is_at_interface = filled(delaunay.point_count(), false)?;
@@ -325,7 +326,7 @@ fn at_interface<const D: usize>(delaunay: &Delaunay<D>) -> AllocResult<Vec<bool>
     Ok(is_at_interface)
 }
 
-/// The farthest corner of each vertex; that of a `shared` one is not known.
+/// Measures the farthest corner of each vertex; that of a `shared` one is not known.
 fn measure_farthest<const D: usize>(cells: &mut [Cell], delaunay: &Delaunay<D>, shared: &[bool]) {
     for simplex in delaunay.complex().simplices() {
         if let Some(radius) = delaunay.ball(simplex).map(|ball| ball.radius()) {
@@ -340,7 +341,7 @@ fn measure_farthest<const D: usize>(cells: &mut [Cell], delaunay: &Delaunay<D>, 
     }
 }
 
-/// Where the simplices of each piece begin.
+/// Returns the number at which the simplices of each piece begin.
 fn simplex_bases<const D: usize>(pieces: &[Piece<D>]) -> Result<Vec<usize>> {
     let mut bases = with_capacity(pieces.len())?;
     let mut next = 0;
@@ -360,26 +361,26 @@ fn number<const D: usize>(
     first: First,
     watch: &mut Watch<'_, '_>,
 ) -> Result<Vertices<D>> {
-    let mut all = with_capacity(pieces.iter().map(|piece| piece.corners.len()).sum())?;
+    let mut all = with_capacity(pieces.iter().map(|piece| piece.vertices.len()).sum())?;
     for (at, piece) in pieces.iter().enumerate() {
-        for (vertex, corner) in piece.corners.iter().enumerate() {
+        for (number, vertex) in piece.vertices.iter().enumerate() {
             watch.poll_after(1)?;
             let is_first = match first {
-                First::Waiting => vertex < piece.waiting.len(),
-                First::Inputs => is_input(corner.name),
+                First::Waiting => number < piece.waiting.len(),
+                First::Inputs => is_input(vertex.name),
             };
-            all.push((corner.name, !is_first, at as u32, vertex as u32));
+            all.push((vertex.name, !is_first, at as u32, number as u32));
         }
     }
     all.sort_unstable();
     // One entry a name: the first of those that have it. An input waits in one piece only, and is
     // in the mesh in none.
-    let corner =
-        |entry: &(u64, bool, u32, u32)| &pieces[entry.2 as usize].corners[entry.3 as usize];
+    let vertex_of_entry =
+        |entry: &(u64, bool, u32, u32)| &pieces[entry.2 as usize].vertices[entry.3 as usize];
     let groups = || all.chunk_by(|a, b| a.0 == b.0);
     let mut firsts = collected(groups().map(|group| group[0]).filter(|entry| !entry.1))?;
     if first == First::Waiting {
-        let points = collected(firsts.iter().map(|entry| corner(entry).point))?;
+        let points = collected(firsts.iter().map(|entry| vertex_of_entry(entry).point))?;
         if points.len() > 1 {
             let inputs = Inputs::new(D, points.len(), points.as_flattened(), 0)?;
             let order = by_locality::<D>(&inputs, 1, watch)?;
@@ -388,15 +389,15 @@ fn number<const D: usize>(
     }
     let mut ids = with_capacity(pieces.len())?;
     for piece in pieces {
-        ids.push(filled(piece.corners.len(), u32::MAX)?);
+        ids.push(filled(piece.vertices.len(), u32::MAX)?);
     }
-    let mut corners = with_capacity(firsts.len())?;
+    let mut named = with_capacity(firsts.len())?;
     // Those that are not the first come in the order of the pieces, which is one of locality.
     for entry in &firsts {
-        ids[entry.2 as usize][entry.3 as usize] = corners.len() as u32;
-        corners.push(*corner(entry));
+        ids[entry.2 as usize][entry.3 as usize] = named.len() as u32;
+        named.push(*vertex_of_entry(entry));
     }
-    let count = corners.len();
+    let count = named.len();
     let mut leaders = with_capacity(all.len())?;
     for group in groups() {
         leaders.extend(group.iter().map(|entry| ((entry.2, entry.3), (group[0].2, group[0].3))));
@@ -405,29 +406,29 @@ fn number<const D: usize>(
     for ((at, vertex), (leader, leading)) in leaders {
         watch.poll_after(1)?;
         let known = ids[leader as usize][leading as usize];
-        let own = &pieces[at as usize].corners[vertex as usize];
+        let own = &pieces[at as usize].vertices[vertex as usize];
         if known == u32::MAX {
-            let id = corners.len() as u32;
-            corners.try_push(*own)?;
+            let id = named.len() as u32;
+            named.try_push(*own)?;
             ids[leader as usize][leading as usize] = id;
             ids[at as usize][vertex as usize] = id;
             continue;
         }
         ids[at as usize][vertex as usize] = known;
-        let corner: &mut Corner<D> = &mut corners[known as usize];
-        corner.nearest = corner.nearest.min(own.nearest);
-        corner.is_precision_limited |= own.is_precision_limited;
-        if corner.domain == NOTHING {
-            corner.domain = own.domain;
+        let known: &mut NamedVertex<D> = &mut named[known as usize];
+        known.nearest = known.nearest.min(own.nearest);
+        known.is_precision_limited |= own.is_precision_limited;
+        if known.domain == NOTHING {
+            known.domain = own.domain;
         }
-        if corner.cage == NOTHING {
-            corner.cage = own.cage;
+        if known.cage == NOTHING {
+            known.cage = own.cage;
         }
     }
-    Ok(Vertices { corners, ids, first: count })
+    Ok(Vertices { named, ids, first: count })
 }
 
-/// The vertices and neighbours of all simplices, linked where pieces have the same facet.
+/// Returns the vertices and neighbours of all simplices, linked where pieces have the same facet.
 fn linked<const D: usize>(
     pieces: &[Piece<D>],
     vertices: &Vertices<D>,
@@ -455,14 +456,14 @@ fn linked<const D: usize>(
     for pair in facets.windows(2) {
         let [(facet, first, at), (other, second, opposite)] = [pair[0], pair[1]];
         if facet == other {
-            neighbors[first * Piece::<D>::CORNERS + at] = SimplexId::new(second);
-            neighbors[second * Piece::<D>::CORNERS + opposite] = SimplexId::new(first);
+            neighbors[first * Piece::<D>::PER_SIMPLEX + at] = SimplexId::new(second);
+            neighbors[second * Piece::<D>::PER_SIMPLEX + opposite] = SimplexId::new(first);
         }
     }
     Ok((simplices, neighbors))
 }
 
-/// Waiting inputs on the lists of the simplices that they are known to conflict with.
+/// Puts waiting inputs on the lists of the simplices that they are known to conflict with.
 fn conflict_lists<const D: usize>(
     pieces: &[Piece<D>],
     vertices: &Vertices<D>,
@@ -486,7 +487,7 @@ fn conflict_lists<const D: usize>(
     Ok(lists)
 }
 
-/// The outer facets of the pieces together: those of two of them are inside.
+/// Returns the outer facets of the pieces together: those of two of them are inside.
 fn outer<const D: usize>(pieces: &[Piece<D>]) -> AllocResult<Vec<[u64; D]>> {
     let mut all = collected(pieces.iter().flat_map(|piece| piece.outer.iter().copied()))?;
     all.sort_unstable();

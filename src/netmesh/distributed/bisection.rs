@@ -11,7 +11,8 @@ pub struct Bisection<const D: usize> {
     nodes: Vec<Node<D>>,
 }
 
-/// Where space is cut: points whose product with `direction` is below `limit` are in the first half.
+/// Plane that halves space: points whose product with `direction` is below `limit` are in the first
+/// half.
 struct Node<const D: usize> {
     direction: [f64; D],
     limit: f64,
@@ -25,9 +26,9 @@ enum Half {
 }
 
 impl<const D: usize> Bisection<D> {
-    /// `count` parts that have about as many of `points`, whose order does not matter. A part may have
-    /// none if many of them are equal. Planes of four phases that follow each other are not parallel.
-    /// O(n log n log `count`).
+    /// Divides space into `count` parts that have about as many of `points`, whose order does not
+    /// matter. A part may have none if many of them are equal. Planes of four phases that follow
+    /// each other are not parallel. O(n log n log `count`).
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -39,7 +40,7 @@ impl<const D: usize> Bisection<D> {
         Ok(cut)
     }
 
-    /// The part that `x` is in.
+    /// Returns the part that `x` is in.
     pub fn part_of(&self, x: &[f64; D]) -> u32 {
         let mut half = if self.nodes.is_empty() { Half::Part(0) } else { Half::Node(0) };
         loop {
@@ -89,12 +90,13 @@ impl<const D: usize> Bisection<D> {
     }
 }
 
-/// Below the largest coordinate of `x`, for the numbers of a direction add up to 1 at most.
+/// Returns the product of a direction and a point. It is below the largest coordinate of `x`, for
+/// the numbers of a direction add up to 1 at most.
 fn product<const D: usize>(direction: &[f64; D], x: &[f64; D]) -> f64 {
     direction.iter().zip(x).map(|(a, x)| a * x).sum()
 }
 
-/// The direction along which the points reach farthest.
+/// Returns the direction along which the points reach farthest.
 fn widest<const D: usize>(points: &[[f64; D]], directions: &[[f64; D]; D]) -> [f64; D] {
     let extent = |direction: &[f64; D]| {
         let ends = points.iter().map(|point| product(direction, point));
@@ -116,12 +118,12 @@ fn widest<const D: usize>(points: &[[f64; D]], directions: &[[f64; D]; D]) -> [f
     best
 }
 
-/// Numbers that say how the axes of each phase are turned. In 2D any two axes of different phases are
-/// 22 degrees apart or more, in 3D 17, and three are linearly independent.
+/// Numbers that say how the axes of each phase are turned. In 2D any two axes of different phases
+/// are 22 degrees apart or more, in 3D 17, and three are linearly independent.
 const TURNS: [f64; 4] = [0.0, 0.445, -0.632, 0.78];
 
-/// Axes at right angles, divided so that their numbers add up to 1 at most: the mirror images of the
-/// usual ones by a plane that changes with the phase.
+/// Returns axes at right angles, divided so that their numbers add up to 1 at most: the mirror
+/// images of the usual ones by a plane that changes with the phase.
 fn directions<const D: usize>(phase: usize) -> [[f64; D]; D] {
     let turn = TURNS[phase % TURNS.len()];
     let normal: [f64; D] = std::array::from_fn(|axis| turn.powi(axis as i32));

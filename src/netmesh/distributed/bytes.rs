@@ -1,8 +1,8 @@
 //! Pieces as bytes, to be sent. All numbers are written with the least byte first.
 
-use super::piece::{Corner, NamedDomain, Piece};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory::{AllocResult, TryGrow, with_capacity};
+use crate::netmesh::distributed::piece::{NamedDomain, NamedVertex, Piece};
 
 /// A value that can be sent.
 trait Sent: Sized {
@@ -10,7 +10,7 @@ trait Sent: Sized {
     fn read(bytes: &mut Bytes<'_>) -> Result<Self>;
 }
 
-/// What is left to read.
+/// Bytes that are left to read.
 struct Bytes<'a>(&'a [u8]);
 
 fn torn() -> Error {
@@ -41,7 +41,9 @@ macro_rules! sent_number {
 }
 
 sent_number!(u32);
+
 sent_number!(u64);
+
 sent_number!(f64);
 
 impl Sent for bool {
@@ -105,12 +107,14 @@ macro_rules! sent_fields {
 }
 
 sent_fields!(
-    Corner<const D>, name, point, nearest, domain, cage, is_precision_limited
+    NamedVertex<const D>, name, point, nearest, domain, cage, is_precision_limited
 );
+
 sent_fields!(NamedDomain<const D>, name, parent, point, radius, outside, center, cage, version);
+
 sent_fields!(
     Piece<const D>,
-    corners,
+    vertices,
     waiting,
     simplices,
     neighbors,
@@ -125,7 +129,7 @@ sent_fields!(
 );
 
 impl<const D: usize> Piece<D> {
-    /// The piece as bytes.
+    /// Returns the piece as bytes.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -135,7 +139,7 @@ impl<const D: usize> Piece<D> {
         Ok(bytes)
     }
 
-    /// The piece that [`Self::to_bytes`] wrote.
+    /// Returns the piece that [`Self::to_bytes`] wrote.
     ///
     /// # Errors
     /// `InvalidArgument` if they are not all the bytes of a piece; `OutOfMemory`.
@@ -148,13 +152,13 @@ impl<const D: usize> Piece<D> {
         }
     }
 
-    /// Whether every id is of something that there is.
+    /// Returns true if every id names something that the piece has.
     fn is_consistent(&self) -> bool {
         let count = self.simplex_count();
-        let is_vertex = |&id: &u32| id == u32::MAX || (id as usize) < self.corners.len();
-        self.simplices.len() == count * Self::CORNERS
+        let is_vertex = |&id: &u32| id == u32::MAX || (id as usize) < self.vertices.len();
+        self.simplices.len() == count * Self::PER_SIMPLEX
             && self.neighbors.len() == self.simplices.len()
-            && self.waiting.len() <= self.corners.len()
+            && self.waiting.len() <= self.vertices.len()
             && self.neighbors.iter().chain(&self.waiting).all(|&id| (id as usize) < count)
             && self.simplices.iter().all(is_vertex)
     }

@@ -1,26 +1,27 @@
 //! The coarse mesh, which all processes make alike, and how it is cut.
 
-use super::assembly::{Assembly, First};
-use super::bisection::Bisection;
-use super::hierarchy::Domains;
-use super::maker::Maker;
-use super::piece::Piece;
 use crate::complex::VertexId;
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, copied, filled, with_capacity};
 use crate::mesh::Inputs;
-use crate::netmesh::rounds::order::by_locality;
-use crate::netmesh::{Mesher, Watch};
+use crate::netmesh::distributed::assembly::{Assembly, First};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::hierarchy::Domains;
+use crate::netmesh::distributed::maker::Maker;
+use crate::netmesh::distributed::piece::Piece;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::order::by_locality;
+use crate::netmesh::state::watch::Watch;
 use crate::options::{Options, ProgressFn};
 use crate::parameters::Parameters;
 
-/// Where points are in the coarse mesh.
+/// Places of points in the coarse mesh.
 pub struct Located {
-    /// By point, a simplex that it is in; `u32::MAX` if it is at a vertex.
+    /// Point -> a simplex that it is in; `u32::MAX` if it is at a vertex.
     pub simplices: Vec<u32>,
-    /// The points at vertices that are not of the sample, each with the vertex. On lattices there are
-    /// some.
+    /// The points at vertices that are not of the sample, each with the vertex. On lattices there
+    /// are some.
     pub at_steiner_points: Vec<(usize, u32)>,
 }
 
@@ -28,16 +29,16 @@ pub struct Located {
 pub struct Coarse<const D: usize> {
     piece: Piece<D>,
     delaunay: Delaunay<D>,
-    /// How many vertices are of the sample. They come first.
+    /// Number of vertices that are of the sample. They come first.
     pub(super) sample: usize,
     maker: Maker<D>,
 }
 
 impl<const D: usize> Coarse<D> {
-    /// The coarse mesh of `sample`, which must be distinct, have the extreme points of all inputs
-    /// along every axis, the input nearest to the middle of their box, and that farthest from the
-    /// latter. `names`: their numbers among all inputs. Clusters of at most `small` points have one
-    /// vertex.
+    /// Makes the coarse mesh of `sample`, which must be distinct, have the extreme points of all
+    /// inputs along every axis, the input nearest to the middle of their box, and that farthest
+    /// from the latter. `names`: their numbers among all inputs. Clusters of at most `small` points
+    /// have one vertex.
     ///
     /// # Errors
     /// As those of [`crate::Mesh::run`].
@@ -49,10 +50,10 @@ impl<const D: usize> Coarse<D> {
         progress: Option<&mut ProgressFn<'_>>,
     ) -> Result<Self> {
         let parameters =
-            Parameters { inputs_per_partition: usize::MAX / 2, ..Parameters::resolve(D, options)? };
+            Parameters { inputs_per_partition: None, ..Parameters::resolve(D, options)? };
         let mut mesher = mesh(sample, &parameters, Watch::new(progress))?;
         let mut names = collected(mesher.order.iter().map(|input| names[input.index()]))?;
-        if let Some(left) = mesher.thinned(small)? {
+        if let Some(left) = mesher.state.thinned(small)? {
             let points =
                 collected(left.iter().map(|&vertex| *mesher.state.delaunay.point(vertex)))?;
             let own = collected(left.iter().map(|&vertex| names[vertex.index()]))?;
@@ -86,8 +87,8 @@ impl<const D: usize> Coarse<D> {
         &self.maker
     }
 
-    /// Where `points` are. That does not depend on the others of them. They are visited in an order of
-    /// locality, so that walks are short.
+    /// Locates `points` in the coarse mesh. The place of one does not depend on the others. They
+    /// are visited in an order of locality, so that walks are short.
     ///
     /// # Errors
     /// `NonFinite`; `OutOfMemory`; `Cancelled`.
@@ -117,16 +118,16 @@ impl<const D: usize> Coarse<D> {
         Ok(found)
     }
 
-    /// Makes Steiner points, by [`Located::at_steiner_points`], the inputs of the given names, as if
-    /// they had yielded to them. Each vertex is there once.
+    /// Makes Steiner points, by [`Located::at_steiner_points`], the inputs of the given names, as
+    /// if they had yielded to them. Each vertex is there once.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn yield_to(&mut self, inputs: &[(u32, u64)]) -> Result<()> {
         let mut renamed = with_capacity(inputs.len())?;
         for &(vertex, name) in inputs {
-            let corner = &mut self.piece.corners[vertex as usize];
-            renamed.push((std::mem::replace(&mut corner.name, name), name));
+            let named = &mut self.piece.vertices[vertex as usize];
+            renamed.push((std::mem::replace(&mut named.name, name), name));
         }
         renamed.sort_unstable();
         let domains = self.piece.domains.iter_mut();
@@ -138,7 +139,7 @@ impl<const D: usize> Coarse<D> {
         Ok(())
     }
 
-    /// Simplex -> its partition.
+    /// Returns the partition of every simplex.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -146,21 +147,21 @@ impl<const D: usize> Coarse<D> {
         self.piece.parts(cut)
     }
 
-    /// Partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]), and the
-    /// ids that its simplices had: `ids[i]` is that of simplex i.
+    /// Returns partition `partition` as a piece, without inputs that wait ([`Piece::add_inputs`]),
+    /// and the ids that its simplices had: `ids[i]` is that of simplex i.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn cut(&self, partition_of: &[u32], partition: u32) -> Result<(Piece<D>, Vec<u32>)> {
-        let is_own = collected(partition_of.iter().map(|&of| of == partition))?;
-        let mut piece = self.piece.select(&is_own, || Ok(()))?;
+        let is_selected = collected(partition_of.iter().map(|&of| of == partition))?;
+        let mut piece = self.piece.select(&is_selected, || Ok(()))?;
         piece.set_outer()?;
-        let own = (0..).zip(&is_own).filter(|(_, is_own)| **is_own);
+        let own = (0..).zip(&is_selected).filter(|(_, is_selected)| **is_selected);
         Ok((piece, collected(own.map(|(simplex, _)| simplex))?))
     }
 }
 
-/// The mesh of distinct `points`, with the loose bound.
+/// Makes the mesh of distinct `points`, with the loose bound.
 pub(super) fn mesh<'a, 'b, const D: usize>(
     points: &[[f64; D]],
     parameters: &Parameters,
@@ -175,7 +176,7 @@ pub(super) fn mesh<'a, 'b, const D: usize>(
     Ok(mesher)
 }
 
-/// The places of `points` in an order of locality.
+/// Returns the places of `points` in an order of locality.
 fn order_of<const D: usize>(points: &[[f64; D]], watch: &mut Watch<'_, '_>) -> Result<Vec<usize>> {
     let is_one = points.windows(2).all(|pair| pair[0] == pair[1]);
     if is_one {

@@ -1,14 +1,14 @@
 //! The domains of pieces. A partition that has the centre of a domain, its cage, and all simplices
-//! at them may grow or release it. Others know what it was when one that joined them last had all of
-//! it; they may lower its clearance and add to its cage, and what all know together counts.
+//! at them may grow or release it. Others know what it was when one that joined them last had all
+//! of it; they may lower its clearance and add to its cage, and what all know together counts.
 
-use super::names::{NOTHING, ROOT_NAME, made_by};
-use super::piece::{Corner, NamedDomain, Piece};
 use crate::complex::VertexId;
 use crate::memory::{AllocResult, TryGrow, collected, with_capacity};
-use crate::netmesh::cages::domains::{DomainId, Hierarchy, ROOT};
+use crate::netmesh::distributed::names::{NOTHING, ROOT_NAME, made_by};
+use crate::netmesh::distributed::piece::{NamedDomain, NamedVertex, Piece};
+use crate::netmesh::state::hierarchy::{DomainId, Hierarchy, ROOT};
 
-/// What a partition knows of its domains beside their hierarchy.
+/// Names, versions and owners of a partition's domains, which its hierarchy does not have.
 pub(super) struct Domains {
     /// Domain -> name.
     names: Vec<u64>,
@@ -16,15 +16,15 @@ pub(super) struct Domains {
     /// Domain -> its centre and the vertices of its cage, where the partition may not change it.
     fixed: Vec<Option<(u64, Vec<u64>)>>,
     released: Vec<[u64; 2]>,
-    /// How many of them others may know.
+    /// Number of domains that other partitions may know.
     known: usize,
 }
 
-/// The hierarchy of the domains of all `pieces`, over vertices that `corners` describes and that
-/// have the given names. `shared`: vertex -> whether others have simplices at it.
+/// Makes the hierarchy of the domains of all `pieces`, over vertices that `vertices` describes and
+/// that have the given names. `shared`: vertex -> true if others have simplices at it.
 pub(super) fn with_domains<const D: usize>(
     pieces: &[Piece<D>],
-    corners: &[Corner<D>],
+    vertices: &[NamedVertex<D>],
     names: &[u64],
     shared: &[bool],
 ) -> AllocResult<(Hierarchy<D>, Domains)> {
@@ -60,7 +60,7 @@ pub(super) fn with_domains<const D: usize>(
         let vertex = own[at].1;
         (!shared[vertex]).then(|| VertexId::new(vertex))
     };
-    let mut hierarchy = Hierarchy::new(corners.len())?;
+    let mut hierarchy = Hierarchy::new(vertices.len())?;
     let mut domains = Domains {
         names: with_capacity(latest.len())?,
         versions: with_capacity(latest.len())?,
@@ -71,7 +71,7 @@ pub(super) fn with_domains<const D: usize>(
     for domain in &latest {
         let parent = id(domain.parent);
         let center = vertex(domain.center);
-        let is_own = domain.name != ROOT_NAME
+        let is_owned = domain.name != ROOT_NAME
             && center.is_some()
             && domain.cage.iter().all(|&name| vertex(name).is_some());
         let made = hierarchy.create(
@@ -79,34 +79,34 @@ pub(super) fn with_domains<const D: usize>(
             domain.point,
             domain.radius,
             parent,
-            if is_own { domain.cage.len() } else { 0 },
+            if is_owned { domain.cage.len() } else { 0 },
         )?;
         let node = hierarchy.node_mut(made);
         node.outside = domain.outside;
-        if is_own {
+        if is_owned {
             node.cage.extend(domain.cage.iter().filter_map(|&name| vertex(name)));
         }
         domains.names.push(domain.name);
         domains.versions.push(domain.version);
-        domains.fixed.push(match is_own {
+        domains.fixed.push(match is_owned {
             true => None,
             false => Some((domain.center, collected(domain.cage.iter().copied())?)),
         });
     }
-    for (vertex, corner) in corners.iter().enumerate() {
-        let vertex = VertexId::new(vertex);
-        hierarchy.set_domain(vertex, id(corner.domain));
+    for (number, named) in vertices.iter().enumerate() {
+        let vertex = VertexId::new(number);
+        hierarchy.set_domain(vertex, id(named.domain));
         // The cage of a domain that was dissolved is a cage no more.
-        if corner.cage != NOTHING && taken_by(corner.cage) == corner.cage {
-            hierarchy.set_cage(vertex, id(corner.cage));
+        if named.cage != NOTHING && taken_by(named.cage) == named.cage {
+            hierarchy.set_cage(vertex, id(named.cage));
         }
     }
     domains.released = released;
     Ok((hierarchy, domains))
 }
 
-/// What the `copies` of a domain know together, the latest first. Every partition that has vertices
-/// on both sides may have lowered the clearance and narrowed gaps of the cage.
+/// Returns the domain that `copies` describe together, the latest first. Every partition that has
+/// vertices on both sides may have lowered the clearance and narrowed gaps of the cage.
 fn merged<const D: usize>(copies: &[&NamedDomain<D>]) -> AllocResult<NamedDomain<D>> {
     let mut cage = collected(copies[0].cage.iter().copied())?;
     let mut outside = copies[0].outside;
@@ -123,7 +123,7 @@ fn merged<const D: usize>(copies: &[&NamedDomain<D>]) -> AllocResult<NamedDomain
     Ok(NamedDomain { outside, cage, ..*copies[0] })
 }
 
-/// Names and ids of the centres and the vertices of cages that there are.
+/// Returns the names and ids of the centres and the vertices of cages that there are.
 fn vertices_of_domains<const D: usize>(
     domains: &[NamedDomain<D>],
     names: &[u64],
@@ -143,7 +143,7 @@ fn vertices_of_domains<const D: usize>(
 }
 
 impl Domains {
-    /// The name of `domain`, which may be none.
+    /// Returns the name of `domain`, which may be none.
     pub fn name(&self, domain: DomainId) -> u64 {
         match domain.is_valid() {
             true => self.names[domain.index()],
@@ -151,12 +151,12 @@ impl Domains {
         }
     }
 
-    /// The living domain of that name, if the pieces have it.
+    /// Returns the living domain of that name, if the pieces have it.
     pub fn of_name(&self, name: u64) -> Option<DomainId> {
         self.names[..self.known].binary_search(&name).ok().map(DomainId::new)
     }
 
-    /// Domain -> whether the partition must leave it as it is.
+    /// Returns, for every domain, true if the partition must leave it as it is.
     pub fn non_owned(&self) -> AllocResult<Vec<bool>> {
         collected(self.fixed.iter().map(Option::is_some))
     }
@@ -177,12 +177,12 @@ impl Domains {
     }
 
     /// Writes the living domains to `piece`, and the dissolved ones of which others may know.
-    /// `names`: vertex -> name. `is_wanted`: whether something is left to do at a domain.
+    /// `names`: vertex -> name. `has_work_left`: domain -> true if something is left to do there.
     pub fn write<const D: usize>(
         &mut self,
         hierarchy: &mut Hierarchy<D>,
         names: &[u64],
-        is_wanted: impl Fn(DomainId) -> bool,
+        has_work_left: impl Fn(DomainId) -> bool,
         piece: &mut Piece<D>,
     ) -> AllocResult<()> {
         piece.released = std::mem::take(&mut self.released);
@@ -209,7 +209,7 @@ impl Domains {
                 }
             };
             debug_assert!((domain == ROOT) == (self.names[at] == ROOT_NAME));
-            if domain != ROOT && is_wanted(domain) {
+            if domain != ROOT && has_work_left(domain) {
                 piece.wanted.try_push(self.names[at])?;
             }
             piece.domains.try_push(NamedDomain {

@@ -1,13 +1,14 @@
 //! What makes partitions of pieces: the same on all processes.
 
-use super::assembly::{Assembly, First};
-use super::names::is_input;
-use super::piece::Piece;
 use crate::error::Result;
 use crate::memory::{TryGrow, copied};
 use crate::mesh::Triangulation;
-use crate::netmesh::rounds::order::InputId;
-use crate::netmesh::{Mesher, Watch};
+use crate::netmesh::distributed::assembly::{Assembly, First};
+use crate::netmesh::distributed::names::is_input;
+use crate::netmesh::distributed::piece::Piece;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::order::InputId;
+use crate::netmesh::state::watch::Watch;
 use crate::options::{Output, ProgressFn};
 use crate::parameters::Parameters;
 use std::time::Instant;
@@ -46,7 +47,8 @@ impl<const D: usize> Maker<D> {
         assembly.refine(number, watch)
     }
 
-    /// Whether nothing is left to do in `piece`, if there are no others that it has not joined.
+    /// Returns true if nothing is left to do in `piece`, and there are no pieces that it has not
+    /// joined.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -58,8 +60,8 @@ impl<const D: usize> Maker<D> {
         Ok(is_finished && piece.is_settled()?)
     }
 
-    /// The mesh that `pieces` are together, for one process to have. Names of inputs must be the
-    /// numbers from 0 on.
+    /// Returns the mesh that `pieces` are together, for one process to have. Names of inputs must
+    /// be the numbers from 0 on.
     ///
     /// # Errors
     /// `OutOfMemory`, `Limit`.

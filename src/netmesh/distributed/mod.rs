@@ -3,8 +3,9 @@
 //! refinement as the partitions of one process do (`partitions`). What it could not do, for others
 //! have a share in it, is at its interface: the simplices there, the seam, are put together with
 //! those of the other side and go through the same. Seams are cut anew for that, along other planes
-//! ([`Bisection`]): what is left then lies where planes of two phases cross, after the next phase where
-//! those of three do, and in the end nowhere. Everything else is settled and stays where it is.
+//! ([`Bisection`]): what is left then lies where planes of two phases cross, after the next phase
+//! where those of three do, and in the end nowhere. Everything else is settled and stays where it
+//! is.
 //!
 //! ```text
 //!     .     |     .         |  planes of the first phase, with seams along them
@@ -29,8 +30,7 @@ mod names;
 mod piece;
 mod plain;
 mod seam;
-#[cfg(test)]
-mod tests;
+
 mod thinning;
 
 pub use bisection::Bisection;
@@ -40,3 +40,6 @@ pub use names::MADE;
 pub use piece::Piece;
 pub use plain::{HULL, INTERFACE, NO_DOMAIN, PlainDomain, PlainPiece};
 pub use seam::RINGS;
+
+#[cfg(test)]
+mod tests;

@@ -12,7 +12,8 @@ pub(super) const NOTHING: u64 = u64::MAX;
 /// The name of the root domain.
 pub(super) const ROOT_NAME: u64 = made_by(0, 0);
 
-/// The name of the vertex, or the domain, that partition `maker` made as its number `number`.
+/// Returns the name of the vertex, or the domain, that partition `maker` made as its number
+/// `number`.
 pub(super) const fn made_by(maker: u32, number: usize) -> u64 {
     MADE | (maker as u64) << 32 | number as u64
 }

@@ -1,24 +1,24 @@
 //! A piece of a mesh as plain data that no id of another piece is needed for: it can be sent,
 //! divided, and put together with others.
 
-use super::bisection::Bisection;
-use super::names::{NOTHING, is_input};
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled, with_capacity};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::names::{NOTHING, is_input};
 
 /// Beyond a facet that is the boundary of the piece, but not of the mesh, a simplex is its own
 /// neighbour.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Piece<const D: usize> {
     /// The inputs that wait for their insertion come first.
-    pub(super) corners: Vec<Corner<D>>,
+    pub(super) vertices: Vec<NamedVertex<D>>,
     /// Waiting input -> a simplex whose D-ball holds it.
     pub(super) waiting: Vec<u32>,
     /// D + 1 vertices each, positively oriented; the vertex at infinity is `u32::MAX`.
     pub(super) simplices: Vec<u32>,
     /// The simplex beyond the facet opposite each vertex.
     pub(super) neighbors: Vec<u32>,
-    /// Simplex -> whether something is left to do there that this piece could not.
+    /// Simplex -> true if something is left to do there that this piece could not do.
     pub(super) is_unsettled: Vec<bool>,
     pub(super) domains: Vec<NamedDomain<D>>,
     /// Domains that were dissolved, and the domain that took their vertices.
@@ -40,7 +40,7 @@ pub struct Piece<const D: usize> {
 
 /// A vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Corner<const D: usize> {
+pub(super) struct NamedVertex<const D: usize> {
     pub name: u64,
     pub point: [f64; D],
     /// The distance to the nearest other vertex, as far as the piece knows.
@@ -62,48 +62,49 @@ pub(super) struct NamedDomain<const D: usize> {
     pub outside: f64,
     pub center: u64,
     pub cage: Vec<u64>,
-    /// How often it has been in a partition that might change it: the highest is the latest.
+    /// Number of partitions that it has been in and that might change it: the highest version is
+    /// the latest.
     pub version: u64,
 }
 
 impl<const D: usize> Piece<D> {
-    pub(super) const CORNERS: usize = D + 1;
+    pub(super) const PER_SIMPLEX: usize = D + 1;
 
     pub fn simplex_count(&self) -> usize {
         self.is_unsettled.len()
     }
 
-    /// The number of the partition that made it, or that it is what is left of: for an order of
-    /// pieces that knows nothing of where they are.
+    /// Returns the number of the partition that made it, or that it is the rest of: an order of
+    /// pieces that does not depend on where they are.
     pub fn maker(&self) -> u32 {
         self.maker
     }
 
-    /// The vertices, and among them first the inputs that wait: names and points.
+    /// Returns the vertices, and among them first the inputs that wait: names and points.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = (u64, [f64; D])> {
-        self.corners.iter().map(|corner| (corner.name, corner.point))
+        self.vertices.iter().map(|vertex| (vertex.name, vertex.point))
     }
 
-    /// How many inputs wait for their insertion.
+    /// Returns the number of inputs that wait for their insertion.
     pub fn waiting_count(&self) -> usize {
         self.waiting.len()
     }
 
     pub(super) fn vertices_of(&self, simplex: usize) -> &[u32] {
-        &self.simplices[simplex * Self::CORNERS..][..Self::CORNERS]
+        &self.simplices[simplex * Self::PER_SIMPLEX..][..Self::PER_SIMPLEX]
     }
 
     pub(super) fn neighbors_of(&self, simplex: usize) -> &[u32] {
-        &self.neighbors[simplex * Self::CORNERS..][..Self::CORNERS]
+        &self.neighbors[simplex * Self::PER_SIMPLEX..][..Self::PER_SIMPLEX]
     }
 
-    /// The name of a vertex, which may be at infinity.
+    /// Returns the name of a vertex, which may be at infinity.
     pub(super) fn name(&self, vertex: u32) -> u64 {
-        self.corners.get(vertex as usize).map_or(NOTHING, |corner| corner.name)
+        self.vertices.get(vertex as usize).map_or(NOTHING, |vertex| vertex.name)
     }
 
-    /// The names of the vertices of the facet of `simplex` opposite its vertex number `index`, in
-    /// rising order.
+    /// Returns the names of the vertices of the facet of `simplex` opposite its vertex number
+    /// `index`, in rising order.
     pub(super) fn facet(&self, simplex: usize, index: usize) -> [u64; D] {
         let vertices = self.vertices_of(simplex);
         let mut facet =
@@ -112,45 +113,49 @@ impl<const D: usize> Piece<D> {
         facet
     }
 
-    /// The facets at which the piece ends, as simplices and the numbers of the opposite vertices.
+    /// Returns the facets at which the piece ends, as simplices and the numbers of the opposite
+    /// vertices.
     pub(super) fn interface_facets(&self) -> impl Iterator<Item = (usize, usize)> {
         let facets = self.neighbors.iter().enumerate();
-        let own = facets.filter(|&(at, &neighbor)| at / Self::CORNERS == neighbor as usize);
-        own.map(|(at, _)| (at / Self::CORNERS, at % Self::CORNERS))
+        let own = facets.filter(|&(at, &neighbor)| at / Self::PER_SIMPLEX == neighbor as usize);
+        own.map(|(at, _)| (at / Self::PER_SIMPLEX, at % Self::PER_SIMPLEX))
     }
 
-    /// The simplices for which `is_own` says so, as a piece; inputs that wait for them come along.
+    /// Returns the simplices for which `is_selected` says so, as a piece; inputs that wait for them
+    /// come along.
     pub(super) fn select(
         &self,
-        is_own: &[bool],
+        is_selected: &[bool],
         mut tick: impl FnMut() -> Result<()>,
     ) -> Result<Self> {
         let mut selected = Self { maker: self.maker, ..Self::default() };
         let mut simplex_ids = filled(self.simplex_count(), u32::MAX)?;
         let mut count = 0;
-        for (id, _) in simplex_ids.iter_mut().zip(is_own).filter(|(_, is_own)| **is_own) {
+        for (id, _) in
+            simplex_ids.iter_mut().zip(is_selected).filter(|(_, is_selected)| **is_selected)
+        {
             *id = count;
             count += 1;
         }
-        let mut vertex_ids = filled(self.corners.len(), u32::MAX)?;
+        let mut vertex_ids = filled(self.vertices.len(), u32::MAX)?;
         let mut take = |selected: &mut Self, vertex: usize| -> AllocResult<u32> {
             if vertex_ids[vertex] == u32::MAX {
-                vertex_ids[vertex] = selected.corners.len() as u32;
-                selected.corners.try_push(self.corners[vertex])?;
+                vertex_ids[vertex] = selected.vertices.len() as u32;
+                selected.vertices.try_push(self.vertices[vertex])?;
             }
             Ok(vertex_ids[vertex])
         };
         for (input, &simplex) in self.waiting.iter().enumerate() {
             tick()?;
-            if is_own[simplex as usize] {
+            if is_selected[simplex as usize] {
                 take(&mut selected, input)?;
                 selected.waiting.try_push(simplex_ids[simplex as usize])?;
             }
         }
-        selected.simplices = with_capacity(count as usize * Self::CORNERS)?;
-        selected.neighbors = with_capacity(count as usize * Self::CORNERS)?;
+        selected.simplices = with_capacity(count as usize * Self::PER_SIMPLEX)?;
+        selected.neighbors = with_capacity(count as usize * Self::PER_SIMPLEX)?;
         selected.is_unsettled = with_capacity(count as usize)?;
-        for simplex in (0..self.simplex_count()).filter(|&simplex| is_own[simplex]) {
+        for simplex in (0..self.simplex_count()).filter(|&simplex| is_selected[simplex]) {
             tick()?;
             for &vertex in self.vertices_of(simplex) {
                 let id = match vertex {
@@ -167,7 +172,7 @@ impl<const D: usize> Piece<D> {
         }
         // Others may have vertices of the domains that were dissolved.
         let takers = self.released.iter().map(|&[_, taker]| taker);
-        let is_around = self.domains_around(&selected.corners, takers)?;
+        let is_around = self.domains_around(&selected.vertices, takers)?;
         let around = self.domains.iter().zip(is_around).filter(|(_, is_around)| *is_around);
         selected.domains = collected(around.map(|(domain, _)| domain.clone()))?;
         selected.released = collected(self.released.iter().copied())?;
@@ -181,7 +186,8 @@ impl<const D: usize> Piece<D> {
         Ok(selected)
     }
 
-    /// The infinite simplices, each with the finite one that it shares a facet of the hull with.
+    /// Returns the infinite simplices, each with the finite one that it shares a facet of the hull
+    /// with.
     pub(super) fn beyond_hull(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.simplex_count()).filter_map(|simplex| {
             let infinite =
@@ -190,15 +196,15 @@ impl<const D: usize> Piece<D> {
         })
     }
 
-    /// Simplex -> the part of `cut` that its middle is in; infinite ones go with the finite ones beside
-    /// them.
+    /// Returns the part of `cut` that the middle of every simplex is in; infinite ones go with the
+    /// finite ones beside them.
     pub(super) fn parts(&self, cut: &Bisection<D>) -> Result<Vec<u32>> {
-        let share = 1.0 / Self::CORNERS as f64;
+        let share = 1.0 / Self::PER_SIMPLEX as f64;
         let middle = |simplex: usize| {
             let mut middle = [0.0; D];
             for &vertex in self.vertices_of(simplex) {
-                let corner = self.corners.get(vertex as usize);
-                let point = corner.map_or([0.0; D], |corner| corner.point);
+                let named = self.vertices.get(vertex as usize);
+                let point = named.map_or([0.0; D], |vertex| vertex.point);
                 middle.iter_mut().zip(point).for_each(|(sum, x)| *sum += share * x);
             }
             middle
@@ -220,11 +226,11 @@ impl<const D: usize> Piece<D> {
         }
     }
 
-    /// Domain -> whether one of `corners` is in it or in its cage, or one of the `others` is it, or
-    /// either of a domain within it.
-    pub(super) fn domains_around<'a>(
+    /// Returns, for every domain, true if one of `vertices` is in it or in its cage, or one of the
+    /// `others` is it, or either of a domain within it.
+    fn domains_around<'a>(
         &self,
-        corners: impl IntoIterator<Item = &'a Corner<D>>,
+        vertices: impl IntoIterator<Item = &'a NamedVertex<D>>,
         others: impl Iterator<Item = u64>,
     ) -> AllocResult<Vec<bool>> {
         let mut places = collected(self.domains.iter().map(|domain| domain.name).zip(0usize..))?;
@@ -232,43 +238,43 @@ impl<const D: usize> Piece<D> {
         let place = |name: u64| {
             places.binary_search_by_key(&name, |&(name, _)| name).ok().map(|at| places[at].1)
         };
-        let mut is_wanted = filled(self.domains.len(), false)?;
+        let mut is_around = filled(self.domains.len(), false)?;
         let mut want = |name: u64| {
             let mut next = place(name);
-            while let Some(at) = next.filter(|&at| !is_wanted[at]) {
-                is_wanted[at] = true;
+            while let Some(at) = next.filter(|&at| !is_around[at]) {
+                is_around[at] = true;
                 next = place(self.domains[at].parent);
             }
         };
         let mut last = NOTHING;
-        for corner in corners {
-            if corner.domain != last {
-                want(corner.domain);
-                last = corner.domain;
+        for vertex in vertices {
+            if vertex.domain != last {
+                want(vertex.domain);
+                last = vertex.domain;
             }
-            if corner.cage != NOTHING {
-                want(corner.cage);
+            if vertex.cage != NOTHING {
+                want(vertex.cage);
             }
         }
         others.for_each(want);
-        Ok(is_wanted)
+        Ok(is_around)
     }
 
-    /// Those of `names` that are of vertices of this piece.
+    /// Returns those of `names` that are names of vertices of this piece.
     fn own_names(&self, names: &[u64]) -> AllocResult<Vec<u64>> {
         let mut wanted = collected(names.iter().copied())?;
         wanted.sort_unstable();
-        let corners = self.corners.iter().map(|corner| corner.name);
+        let vertices = self.vertices.iter().map(|vertex| vertex.name);
         let mut own = Vec::new();
         if !wanted.is_empty() {
-            for name in corners.filter(|name| wanted.binary_search(name).is_ok()) {
+            for name in vertices.filter(|name| wanted.binary_search(name).is_ok()) {
                 own.try_push(name)?;
             }
         }
         Ok(own)
     }
 
-    /// The outer facets of this piece that `selected` has.
+    /// Returns the outer facets of this piece that `selected` has.
     fn outer_of(&self, selected: &Self) -> AllocResult<Vec<[u64; D]>> {
         let mut outer = Vec::new();
         for (simplex, index) in selected.interface_facets() {
@@ -294,10 +300,10 @@ impl<const D: usize> Piece<D> {
     /// holds them. The piece must have none.
     pub fn add_inputs(&mut self, inputs: &[(u64, [f64; D], u32)]) -> Result<()> {
         debug_assert!(self.waiting.is_empty() && inputs.iter().all(|input| is_input(input.0)));
-        let mut corners = with_capacity(inputs.len() + self.corners.len())?;
+        let mut vertices = with_capacity(inputs.len() + self.vertices.len())?;
         self.waiting = with_capacity(inputs.len())?;
         for &(name, point, simplex) in inputs {
-            corners.push(Corner {
+            vertices.push(NamedVertex {
                 name,
                 point,
                 nearest: f64::INFINITY,
@@ -307,8 +313,8 @@ impl<const D: usize> Piece<D> {
             });
             self.waiting.push(simplex);
         }
-        corners.extend_from_slice(&self.corners);
-        self.corners = corners;
+        vertices.extend_from_slice(&self.vertices);
+        self.vertices = vertices;
         let shift = inputs.len() as u32;
         for vertex in self.simplices.iter_mut().filter(|vertex| **vertex != u32::MAX) {
             *vertex += shift;

@@ -1,14 +1,15 @@
 //! A piece of the finished mesh: its finite simplices, without what making it took.
 
-use super::names::NOTHING;
-use super::piece::Piece;
 use crate::error::Result;
 use crate::memory::{collected, filled, with_capacity};
+use crate::netmesh::distributed::names::NOTHING;
+use crate::netmesh::distributed::piece::Piece;
 
-/// What a facet has in [`PlainPiece::neighbors`] if it is on the hull of the mesh.
+/// Entry of a facet in [`PlainPiece::neighbors`] that is on the hull of the mesh.
 pub const HULL: u32 = u32::MAX;
 
-/// What it has if another piece is beyond it, which has the same facet.
+/// Entry of a facet in [`PlainPiece::neighbors`] beyond which another piece is, which has the same
+/// facet.
 pub const INTERFACE: u32 = u32::MAX - 1;
 
 /// No domain.
@@ -40,7 +41,7 @@ pub struct PlainPiece {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlainDomain {
     pub name: u64,
-    /// Of all that pieces know of a domain, what has the highest version holds.
+    /// Version of the domain: of all that pieces say of it, the highest version holds.
     pub version: u64,
     /// The domain around it, or one that was dissolved; none for the root.
     pub parent: u64,
@@ -50,7 +51,7 @@ pub struct PlainDomain {
 }
 
 impl<const D: usize> Piece<D> {
-    /// The finite simplices of a piece that is settled.
+    /// Returns the finite simplices of a piece that is settled.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -64,8 +65,8 @@ impl<const D: usize> Piece<D> {
             ids[simplex] = count;
             count += 1;
         }
-        let mut simplices = with_capacity(count as usize * Self::CORNERS)?;
-        let mut neighbors = with_capacity(count as usize * Self::CORNERS)?;
+        let mut simplices = with_capacity(count as usize * Self::PER_SIMPLEX)?;
+        let mut neighbors = with_capacity(count as usize * Self::PER_SIMPLEX)?;
         for simplex in finite() {
             simplices.extend_from_slice(self.vertices_of(simplex));
             neighbors.extend(self.neighbors_of(simplex).iter().map(|&neighbor| {
@@ -75,19 +76,19 @@ impl<const D: usize> Piece<D> {
                 }
             }));
         }
-        let corners = &self.corners;
-        let mut points = with_capacity(D * corners.len())?;
-        corners.iter().for_each(|corner| points.extend_from_slice(&corner.point));
+        let vertices = &self.vertices;
+        let mut points = with_capacity(D * vertices.len())?;
+        vertices.iter().for_each(|vertex| points.extend_from_slice(&vertex.point));
         let mut centers = with_capacity(D * self.domains.len())?;
         self.domains.iter().for_each(|domain| centers.extend_from_slice(&domain.point));
         Ok(PlainPiece {
-            names: collected(corners.iter().map(|corner| corner.name))?,
+            names: collected(vertices.iter().map(|vertex| vertex.name))?,
             points,
             is_precision_limited: collected(
-                corners.iter().map(|corner| corner.is_precision_limited),
+                vertices.iter().map(|vertex| vertex.is_precision_limited),
             )?,
-            vertex_domains: collected(corners.iter().map(|corner| corner.domain))?,
-            cages: collected(corners.iter().map(|corner| corner.cage))?,
+            vertex_domains: collected(vertices.iter().map(|vertex| vertex.domain))?,
+            cages: collected(vertices.iter().map(|vertex| vertex.cage))?,
             simplices,
             neighbors,
             domains: collected(self.domains.iter().map(|domain| PlainDomain {

@@ -2,14 +2,14 @@
 //! to be seen before it goes on, and those where it could not do what it wanted. The rest is
 //! settled. A seam is what the partitions on both sides leave.
 
-use super::bisection::Bisection;
-use super::piece::{NamedDomain, Piece};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, filled, with_capacity};
+use crate::netmesh::distributed::bisection::Bisection;
+use crate::netmesh::distributed::piece::{NamedDomain, Piece};
 
-/// How far a seam goes beyond what is unsettled, in steps from a simplex to those that have a
-/// vertex of it. What is inserted at a seam changes cells a few steps away, and never those at its
-/// end.
+/// Number of rings that a seam has beyond unsettled simplices, a ring being the simplices with a
+/// vertex of those before. A point that goes in at a seam changes cells a few steps away, and never
+/// those at its end.
 pub const RINGS: usize = 3;
 
 impl<const D: usize> Piece<D> {
@@ -27,8 +27,8 @@ impl<const D: usize> Piece<D> {
         self.split_around(is_seam, rings, tick)
     }
 
-    /// What is left of the piece, and the simplices that have a vertex of the given names, which
-    /// rise, with the rings around them; nothing if there are none.
+    /// Returns the rest of the piece, and the simplices that have a vertex of the given names,
+    /// which rise, with the rings around them, if there are any.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -55,7 +55,7 @@ impl<const D: usize> Piece<D> {
         Ok((settled, Some(seam)))
     }
 
-    /// What is left, and the simplices that are taken out, as pieces.
+    /// Returns the rest of the piece, and the simplices that are taken out, as pieces.
     fn split(
         self,
         mut is_out: Vec<bool>,
@@ -67,17 +67,17 @@ impl<const D: usize> Piece<D> {
         Ok((self.select(&is_out, &mut tick)?, out))
     }
 
-    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number, in
-    /// rising order.
+    /// Divides the piece by where `cut` has the middle of each simplex. Each part with its number,
+    /// in rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn cut_apart(mut self, cut: &Bisection<D>) -> Result<Vec<(u32, Self)>> {
         let part_of = self.parts(cut)?;
         for (at, &neighbor) in self.neighbors.iter().enumerate() {
-            let simplex = at / Self::CORNERS;
+            let simplex = at / Self::PER_SIMPLEX;
             if part_of[simplex] != part_of[neighbor as usize] {
-                self.outer.try_push(self.facet(simplex, at % Self::CORNERS))?;
+                self.outer.try_push(self.facet(simplex, at % Self::PER_SIMPLEX))?;
             }
         }
         self.outer.sort_unstable();
@@ -87,20 +87,21 @@ impl<const D: usize> Piece<D> {
         numbers.dedup();
         let mut parts = with_capacity(numbers.len())?;
         for number in numbers {
-            let is_own = collected(part_of.iter().map(|&part| part == number))?;
-            parts.push((number, self.select(&is_own, || Ok(()))?));
+            let is_selected = collected(part_of.iter().map(|&part| part == number))?;
+            parts.push((number, self.select(&is_selected, || Ok(()))?));
         }
         Ok(parts)
     }
 
-    /// The names of the centres and cages of domains at which something is left to do. In rising
-    /// order.
+    /// Returns the names of the centres and cages of domains at which something is left to do. In
+    /// rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
     pub fn wanted_names(&self) -> Result<Vec<u64>> {
-        let is_wanted = |domain: &&NamedDomain<D>| self.wanted.binary_search(&domain.name).is_ok();
-        let wanted = self.domains.iter().filter(is_wanted);
+        let has_work_left =
+            |domain: &&NamedDomain<D>| self.wanted.binary_search(&domain.name).is_ok();
+        let wanted = self.domains.iter().filter(has_work_left);
         let mut names = collected(
             wanted.flat_map(|domain| domain.cage.iter().copied().chain([domain.center])),
         )?;
@@ -109,8 +110,8 @@ impl<const D: usize> Piece<D> {
         Ok(names)
     }
 
-    /// The names of vertices where something is left to do, and [`Self::wanted_names`]. In rising
-    /// order.
+    /// Returns the names of vertices where something is left to do, and [`Self::wanted_names`]. In
+    /// rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -124,8 +125,8 @@ impl<const D: usize> Piece<D> {
         Ok(names)
     }
 
-    /// The names of the vertices of the simplices that have a vertex of the given names, which rise.
-    /// In rising order.
+    /// Returns the names of the vertices of the simplices that have a vertex of the given names,
+    /// which rise. In rising order.
     ///
     /// # Errors
     /// `OutOfMemory`.
@@ -143,8 +144,9 @@ impl<const D: usize> Piece<D> {
         if names.is_empty() {
             return Ok(false);
         }
-        let is_named =
-            collected(self.corners.iter().map(|corner| names.binary_search(&corner.name).is_ok()))?;
+        let is_named = collected(
+            self.vertices.iter().map(|vertex| names.binary_search(&vertex.name).is_ok()),
+        )?;
         if !is_named.contains(&true) {
             return Ok(false);
         }
@@ -156,7 +158,7 @@ impl<const D: usize> Piece<D> {
     }
 
     fn names_of(&self, is_in: &[bool]) -> Result<Vec<u64>> {
-        let mut is_vertex = filled(self.corners.len(), false)?;
+        let mut is_vertex = filled(self.vertices.len(), false)?;
         for (simplex, _) in is_in.iter().enumerate().filter(|(_, is_in)| **is_in) {
             for &vertex in self.vertices_of(simplex) {
                 if let Some(is_vertex) = is_vertex.get_mut(vertex as usize) {
@@ -164,13 +166,13 @@ impl<const D: usize> Piece<D> {
                 }
             }
         }
-        let own = self.corners.iter().zip(is_vertex).filter(|(_, is_vertex)| *is_vertex);
-        let mut names = collected(own.map(|(corner, _)| corner.name))?;
+        let own = self.vertices.iter().zip(is_vertex).filter(|(_, is_vertex)| *is_vertex);
+        let mut names = collected(own.map(|(vertex, _)| vertex.name))?;
         names.sort_unstable();
         Ok(names)
     }
 
-    /// Whether all is done that can be done without others.
+    /// Returns true if all is done that can be done without other pieces.
     pub fn is_settled(&self) -> Result<bool> {
         let mut is_unsettled = filled(self.simplex_count(), false)?;
         self.mark_unsettled(&mut is_unsettled, &mut || Ok(()))?;
@@ -204,7 +206,7 @@ impl<const D: usize> Piece<D> {
         rings: usize,
         tick: &mut impl FnMut() -> Result<()>,
     ) -> Result<()> {
-        let mut is_near = filled(self.corners.len(), false)?;
+        let mut is_near = filled(self.vertices.len(), false)?;
         for _ in 0..rings {
             for simplex in (0..self.simplex_count()).filter(|&simplex| is_seam[simplex]) {
                 for &vertex in self.vertices_of(simplex) {

@@ -10,11 +10,11 @@ use crate::validate::validate;
 /// One point in this many is of the sample, beside those at the ends of the axes.
 const SAMPLED: usize = 16;
 
-/// What has been seen of a run.
+/// Counts of the events of a run.
 #[derive(Default)]
 struct Seen {
     seams: usize,
-    /// How often something was left in the end.
+    /// Number of times that something was left in the end.
     rests: usize,
 }
 
@@ -114,7 +114,8 @@ fn run<const D: usize>(
     }
     settled.extend(seams);
     for piece in &settled {
-        // Otherwise nobody would know that the facet is on the hull, once infinite simplices are gone.
+        // Otherwise nobody would know that the facet is on the hull, once infinite simplices are
+        // gone.
         assert!(piece.beyond_hull().all(|(infinite, finite)| infinite != finite));
     }
     let mut rings = 2;
@@ -139,7 +140,7 @@ fn run<const D: usize>(
     (coarse.maker().whole(settled).unwrap(), seen)
 }
 
-/// By name, the version, the parent and the clearance of a domain, as pieces know them together.
+/// Name of a domain -> its version, its parent and its clearance, as pieces know them together.
 type Known = std::collections::BTreeMap<u64, (u64, u64, f64)>;
 
 fn known_domains<const D: usize>(pieces: &[Piece<D>]) -> Known {
@@ -272,7 +273,7 @@ fn lattices() {
     check::<3>("lattice", &lattice(12), &Options::default(), 4);
 }
 
-/// With a seam that is too narrow much is left in the end, and is taken out of settled pieces.
+/// If the seam is too narrow, much is left in the end, and is taken out of settled pieces.
 #[test]
 fn what_seams_leave_is_done_in_the_end() {
     let points = scattered::<2>(3000, 4);

@@ -6,20 +6,21 @@
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, filled};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::state::State;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::numerics::distance;
 
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The inputs that are left, in their order, if each outermost domain with at most `most` of
-    /// them keeps one; nothing if that are all. What the outer cage follows from is left as well.
+impl<const D: usize> State<D> {
+    /// Returns the inputs that are left, in their order, if each outermost domain with at most
+    /// `most` of them keeps one; nothing if that are all. The inputs from which the outer cage
+    /// follows are left as well.
     pub(super) fn thinned(&mut self, most: usize) -> Result<Option<Vec<VertexId>>> {
         let small = self.small_domains(most)?;
         let mut is_taken = filled(small.len(), false)?;
         let needed = self.needed_for_outer_cage()?;
         let mut left = Vec::new();
-        for vertex in VertexId::below(self.state.inputs) {
-            let domain = small[self.state.hierarchy.domain_of(vertex)];
+        for vertex in VertexId::below(self.inputs) {
+            let domain = small[self.hierarchy.domain_of(vertex)];
             let is_left = !domain.is_valid() || !is_taken[domain] || needed[vertex];
             if domain.is_valid() {
                 is_taken[domain] = true;
@@ -28,15 +29,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 left.try_push(vertex)?;
             }
         }
-        Ok((left.len() < self.state.inputs).then_some(left))
+        Ok((left.len() < self.inputs).then_some(left))
     }
 
-    /// Living domain -> the outermost domain around it, or itself, that has at most `most` inputs;
-    /// none if it has more.
+    /// Returns, for every living domain, the outermost domain around it, or itself, that has at
+    /// most `most` inputs; none if it has more.
     fn small_domains(&mut self, most: usize) -> Result<Vec<DomainId>> {
-        let hierarchy = &mut self.state.hierarchy;
+        let hierarchy = &mut self.hierarchy;
         let mut inputs = filled(hierarchy.len(), 0)?;
-        for vertex in VertexId::below(self.state.inputs) {
+        for vertex in VertexId::below(self.inputs) {
             inputs[hierarchy.domain_of(vertex)] += 1;
         }
         let living = (ROOT.index() + 1..hierarchy.len()).map(DomainId::new);
@@ -59,11 +60,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(small)
     }
 
-    /// Vertex -> whether it is at an end of the inputs along an axis, at the centre of the outer
-    /// cage, or farthest from that.
+    /// Returns, for every vertex, true if it is at an end of the inputs along an axis, at the
+    /// centre of the outer cage, or farthest from that.
     fn needed_for_outer_cage(&self) -> Result<Vec<bool>> {
-        let points = || VertexId::below(self.state.inputs).map(|v| self.state.delaunay.point(v));
-        let center = self.state.hierarchy.node(ROOT).point;
+        let points = || VertexId::below(self.inputs).map(|v| self.delaunay.point(v));
+        let center = self.hierarchy.node(ROOT).point;
         let ends: [[f64; 2]; D] = std::array::from_fn(|axis| {
             let xs = || points().map(|point| point[axis]);
             [xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]
@@ -81,7 +82,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 #[cfg(test)]
 mod tests {
     use super::super::coarse::mesh;
-    use crate::netmesh::Watch;
+    use crate::netmesh::state::watch::Watch;
     use crate::options::Options;
     use crate::parameters::Parameters;
 
@@ -89,7 +90,7 @@ mod tests {
     fn left(points: &[[f64; 2]], most: usize) -> Option<Vec<[f64; 2]>> {
         let parameters = Parameters::resolve(2, &Options::default()).unwrap();
         let mut mesher = mesh(points, &parameters, Watch::new(None)).unwrap();
-        let left = mesher.thinned(most).unwrap()?;
+        let left = mesher.state.thinned(most).unwrap()?;
         Some(left.iter().map(|&vertex| *mesher.state.delaunay.point(vertex)).collect())
     }
 

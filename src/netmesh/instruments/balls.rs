@@ -1,11 +1,8 @@
 //! Ply (Definition 1) at Voronoi corners, and how many D-balls meet one D-ball (Theorem 4).
 
-use super::stride;
-use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
+use crate::netmesh::state::Mesher;
 
 /// The most points at which the ply is counted.
 const PLY_PROBES: usize = 20_000;
@@ -22,29 +19,30 @@ const WORK: u64 = 1 << 25;
 
 /// The largest of some counts, and their mean.
 #[derive(Default)]
-struct Tally {
+struct Counts {
     counts: u64,
     sum: u64,
     max: u64,
 }
 
-impl Tally {
-    fn add(&mut self, count: u64) {
+impl Counts {
+    pub fn add(&mut self, count: u64) {
         self.counts += 1;
         self.sum += count;
         self.max = self.max.max(count);
     }
 
-    /// 0 of nothing.
+    /// Returns the mean of the counts, 0 if there are none.
     fn mean(&self) -> f64 {
         self.sum as f64 / self.counts.max(1) as f64
     }
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The D-balls with a point inside are the finite simplices of its cavity.
+    /// Counts the D-balls that hold probes of the mesh: those that hold a point are the finite
+    /// simplices of its cavity.
     pub(super) fn measure_ply(&mut self) -> Result<()> {
-        let mut ply = Tally::default();
+        let mut ply = Counts::default();
         let mut cavity = Cavity::default();
         let mut work = 0;
         for simplex in self.probes(PLY_PROBES)? {
@@ -72,7 +70,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 
     pub(super) fn measure_intersections(&mut self) -> Result<()> {
-        let mut met = Tally::default();
+        let mut met = Counts::default();
         let mut work = 0;
         for simplex in self.probes(MEETING_PROBES)? {
             if work > WORK {
@@ -86,26 +84,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.state.stats.max_ball_intersections = met.max;
         self.state.stats.mean_ball_intersections = met.mean();
         Ok(())
-    }
-
-    /// Live finite simplices at a regular stride, at most `most`.
-    fn probes(&mut self, most: usize) -> Result<Vec<SimplexId>> {
-        let complex = self.state.delaunay.complex();
-        let all = complex.simplices();
-        let is_finite = |s: SimplexId| complex.is_live(s) && !complex.is_infinite(s);
-        let mut count = 0;
-        for simplex in all.clone() {
-            self.watch.poll_after(1)?;
-            count += usize::from(is_finite(simplex));
-        }
-        let step = stride(count, most);
-        let mut probes = Vec::new();
-        for (at, simplex) in all.filter(|&s| is_finite(s)).enumerate() {
-            self.watch.poll_after(1)?;
-            if at % step == 0 {
-                probes.try_push(simplex)?;
-            }
-        }
-        Ok(probes)
     }
 }

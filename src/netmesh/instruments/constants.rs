@@ -1,19 +1,19 @@
 //! K of the feature size invariant (Definition 7) and of the insertion radius invariant (Definition
 //! 8): the largest ratios that were observed.
 
-use super::observations::Pending;
-use super::stride;
 use crate::complex::VertexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::DomainId;
+use crate::netmesh::instruments::probes::stride;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::DomainId;
+use crate::netmesh::state::observations::Pending;
 use std::time::Instant;
 
 /// The most vertices at which feature sizes are compared in the complete mesh.
 const FEATURE_PROBES: usize = 20_000;
 
-/// So many insertions are all observed, then half as many of each doubling.
+/// Number of insertions that are all observed; of each doubling of it half as many are.
 const INSERTION_PROBES: usize = 1 << 12;
 
 /// Probes end when all of them together visited this number of simplices: a vertex of a finished
@@ -25,7 +25,7 @@ const WORK: u64 = 1 << 26;
 const SWEEPS: usize = 16;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
+    /// Measures the largest f_P^Omega(v) / f_M^Omega(v) over domains and vertices of them.
     pub(super) fn measure_feature_size_constant(&mut self) -> Result<()> {
         let count = self.state.delaunay.point_count();
         let step = stride(count, FEATURE_PROBES);
@@ -35,14 +35,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
             if self.instruments.search.work > WORK {
                 break;
             }
-            if self.is_inserted(VertexId::new(vertex)) {
+            if self.state.is_inserted(VertexId::new(vertex)) {
                 self.compare_feature_sizes_at(VertexId::new(vertex))?;
             }
         }
         Ok(())
     }
 
-    /// In all domains that have `vertex`.
+    /// Compares the feature sizes at `vertex` in every domain that has it.
     fn compare_feature_sizes_at(&mut self, vertex: VertexId) -> Result<()> {
         let mut omega = self.state.hierarchy.domain_of(vertex);
         loop {
@@ -67,7 +67,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// After `vertex` went in: f_P^Omega(v) / lambda_v, if it is one of those to be observed.
+    /// Observes f_P^Omega(v) / lambda_v of `vertex`, which has just gone in, if it is one of those
+    /// to be observed.
     pub(in crate::netmesh) fn observe_insertion(&mut self, vertex: VertexId) -> Result<()> {
         let is_cage_vertex = self.state.hierarchy.cage_of(vertex).is_valid();
         let settles = !is_cage_vertex && !self.instruments.pending.is_empty();
@@ -79,7 +80,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         let begun = Instant::now();
         if settles {
-            self.settle_pending(self.is_input(vertex))?;
+            self.settle_pending(self.state.is_input(vertex))?;
         }
         if is_probe {
             self.compare_insertion_radius(vertex, is_cage_vertex)?;
@@ -92,7 +93,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let omega = self.state.hierarchy.domain_of(vertex);
         let sizes = self.feature_sizes(vertex, omega)?.unwrap_or_default();
         let Some(insertion_radius) = sizes.mesh else { return Ok(()) };
-        let constant = match (is_cage_vertex, self.is_input(vertex)) {
+        let constant = match (is_cage_vertex, self.state.is_input(vertex)) {
             (true, _) => &mut self.state.stats.insertion_constant_cage,
             (false, true) => &mut self.state.stats.insertion_constant_input,
             (false, false) => &mut self.state.stats.insertion_constant_corner,
@@ -105,9 +106,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// A new cage has its centre for an input, and the one that it is made for goes in after it; so
-    /// the proof of Lemma 7 has it. That input, or what else went in, may be the second one. If
-    /// `last` there is no use in waiting for another.
+    /// Compares the vertices of new cages whose domains have a second input by now. A new cage has
+    /// its centre for an input, and the one that it is made for goes in after it; so the proof of
+    /// Lemma 7 has it. That input, or another vertex that went in, may be the second one. If `last`
+    /// there is no use in waiting for another.
     fn settle_pending(&mut self, last: bool) -> Result<()> {
         let mut pending = std::mem::take(&mut self.instruments.pending);
         let mut kept = 0;

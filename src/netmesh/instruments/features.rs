@@ -9,12 +9,12 @@
 //! neighbour outside is followed only when the search comes to it from there.) Vertices outside
 //! Omega are followed, and do not count; none is wanted beyond the diameter of Omega's ball.
 
-use super::observations::Search;
 use crate::complex::{IdSet, VertexId};
 use crate::error::Result;
 use crate::memory::{AllocResult, Id};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::observations::Search;
 use crate::numerics::distance;
 
 /// A search that visits this number of vertices ends without an answer.
@@ -27,7 +27,7 @@ pub(super) struct FeatureSizes {
     pub inputs: Option<f64>,
 }
 
-/// Whether `id` was not in `set`, where it is now.
+/// Adds `id` to `set`. Returns true if it was not there.
 fn is_new<Of>(set: &mut IdSet<Of>, id: Id<Of>) -> AllocResult<bool> {
     let before = set.ids.len();
     set.insert(id)?;
@@ -58,8 +58,8 @@ impl Met {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs inserted so
-    /// far. `None` if the search became too long.
+    /// Returns f_M^Omega and f_P^Omega at `vertex`, which is one of M_Omega; P are the inputs
+    /// inserted so far. `None` if the search became too long.
     pub(super) fn feature_sizes(
         &mut self,
         vertex: VertexId,
@@ -93,7 +93,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 return Ok(Some(met.sizes));
             }
             if is_center || self.state.hierarchy.domain_of(at) == omega {
-                met.add(distance, self.is_input(at));
+                met.add(distance, self.state.is_input(at));
                 if met.sizes.inputs.is_some() {
                     return Ok(Some(met.sizes));
                 }

@@ -1,23 +1,22 @@
-//! The constants of the paper's theorems as observed on the mesh at hand: ply and D-ball
-//! intersections (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of
-//! feature sizes (`features`). Only where the options ask for it; the mesh does not depend on it.
+//! The constants of the paper's theorems as observed on the mesh at hand: ply and intersections of
+//! D-balls (`balls`), and the constants K of Definitions 7 and 8 (`constants`) by way of feature
+//! sizes (`features`), at some probes of the mesh (`probes`). Only where the options ask for it;
+//! the mesh does not depend on it.
 
 mod balls;
 mod constants;
 mod features;
-pub(super) mod observations;
-#[cfg(test)]
-mod tests;
+mod probes;
 
-use super::Mesher;
 use crate::error::Result;
+use crate::netmesh::state::Mesher;
 use crate::options::Algorithm;
 use std::time::{Duration, Instant};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Measures the complete mesh, if that is asked for. Returns the time that all instruments
     /// took.
-    pub(super) fn measure_instruments(&mut self) -> Result<Duration> {
+    pub(in crate::netmesh) fn measure_instruments(&mut self) -> Result<Duration> {
         if !self.state.parameters.instruments {
             return Ok(Duration::ZERO);
         }
@@ -31,7 +30,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
     }
 }
 
-/// Every how many-th of `count` things is a probe, so that there are at most `probes`.
-fn stride(count: usize, probes: usize) -> usize {
-    count.div_ceil(probes).max(1)
-}
+#[cfg(test)]
+mod tests;

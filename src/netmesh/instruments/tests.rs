@@ -1,12 +1,12 @@
 //! The constants of Definition 8, and which kind a Steiner point has, at every single insertion.
 
-use super::features::FeatureSizes;
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::mesh::Inputs;
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::DomainId;
-use crate::netmesh::watch::Watch;
+use crate::netmesh::instruments::features::FeatureSizes;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::DomainId;
+use crate::netmesh::state::watch::Watch;
 use crate::numerics::distance;
 use crate::options::Options;
 use crate::parameters::Parameters;
@@ -33,7 +33,7 @@ fn points(dim: usize, n: usize) -> Vec<f64> {
 /// M_Omega and P_Omega, from the labels of all vertices.
 fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> Vec<VertexId> {
     let vertices = VertexId::below(mesher.state.delaunay.point_count());
-    let inserted: Vec<_> = vertices.filter(|&v| mesher.is_inserted(v)).collect();
+    let inserted: Vec<_> = vertices.filter(|&v| mesher.state.is_inserted(v)).collect();
     let mut members = inserted;
     members.retain(|&v| mesher.state.hierarchy.domain_of(v) == omega);
     for domain in (1..mesher.state.hierarchy.len()).map(DomainId::new) {
@@ -61,7 +61,7 @@ fn feature_sizes<const D: usize>(
         distances.sort_by(f64::total_cmp);
         distances.get(1).copied()
     };
-    FeatureSizes { mesh: second(&|_| true), inputs: second(&|v| mesher.is_input(v)) }
+    FeatureSizes { mesh: second(&|_| true), inputs: second(&|v| mesher.state.is_input(v)) }
 }
 
 /// f_P / f_M at the vertex that has just gone in; 0 if there are too few inputs.
@@ -72,7 +72,7 @@ fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: VertexId) -> f6
     sizes.inputs.map_or(0.0, |inputs| inputs / sizes.mesh.expect("no fewer points than inputs"))
 }
 
-/// What has been seen: inputs, Steiner points of either kind, cages.
+/// Numbers of inputs, Steiner points of either kind and cages that the checks have seen.
 #[derive(Debug, Default)]
 struct Seen {
     inputs: u32,
@@ -120,7 +120,7 @@ fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: DomainId) {
 fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
     while let Some(entry) = mesher.state.refine_list.pop() {
         let simplex = entry.simplex;
-        if !mesher.state.delaunay.complex().is_live(simplex) || !mesher.is_bad(simplex) {
+        if !mesher.state.delaunay.complex().is_live(simplex) || !mesher.state.is_bad(simplex) {
             continue;
         }
         let corner = mesher.state.delaunay.corner(simplex).expect("a finite simplex");
@@ -176,7 +176,7 @@ fn check<const D: usize>(n: usize) {
     while mesher.state.conflict_lists.remaining() > 0 {
         let lists = mesher.lists_of(&(0..n)).unwrap();
         for input in mesher.select_round(0, 0, &lists).unwrap() {
-            if !mesher.is_inserted(input) {
+            if !mesher.state.is_inserted(input) {
                 insert(&mut mesher, input, &mut seen);
                 clean(&mut mesher, &mut seen);
             }

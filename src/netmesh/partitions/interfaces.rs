@@ -2,24 +2,48 @@
 //! the simplices of the coarse mesh are large. So the inputs at the interfaces go in before the
 //! mesh is cut, until the simplices there are as small as they get.
 
-use super::FEW;
 use crate::complex::{Anchored, SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, collected, with_capacity};
-use crate::netmesh::partitions::workers::{on_threads, pieces};
-use crate::netmesh::{Mesher, State};
+use crate::netmesh::state::workers::{on_threads, pieces};
+use crate::netmesh::state::{Mesher, State};
 
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The inputs at which partitions begin, except the first one. Partitions have equal numbers of
-    /// inputs. A simplex belongs to the partition of its anchor.
+/// The rounds of a tile end when one inserts no more than one input of this number.
+pub(super) const FEW: usize = 32;
+
+impl<const D: usize> State<D> {
+    /// Returns the inputs at which partitions begin, except the first one. Partitions have equal
+    /// numbers of inputs. A simplex belongs to the partition of its anchor.
     pub(super) fn interfaces(&self, count: usize) -> AllocResult<Vec<VertexId>> {
-        let first = |partition| VertexId::new(partition * self.state.inputs / count);
+        let first = |partition| VertexId::new(partition * self.inputs / count);
         collected((1..count).map(first))
     }
 
-    /// All simplices in an order of locality, a run for each partition.
-    pub(super) fn between(&mut self, interfaces: &[VertexId]) -> Result<Vec<Array<SimplexId>>> {
+    /// Returns true if `simplex`, or a neighbour of it, has neighbours in several partitions.
+    fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
+        let neighbors =
+            |simplex: SimplexId| self.delaunay.complex().neighbors(simplex).iter().copied();
+        let near = neighbors(simplex).flat_map(neighbors);
+        let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
+        let first = partitions.next();
+        partitions.any(|partition| Some(partition) != first)
+    }
+
+    /// Returns the number of the partition that a simplex is in, if it has an input.
+    fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
+        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
+        let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
+        Some(interfaces.partition_point(|&interface| interface <= anchor))
+    }
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Returns all simplices in an order of locality, a run for each partition.
+    pub(in crate::netmesh) fn between(
+        &mut self,
+        interfaces: &[VertexId],
+    ) -> Result<Vec<Array<SimplexId>>> {
         let anchored = self.anchored()?;
         let mut runs = with_capacity(interfaces.len() + 1)?;
         let mut begin = 0;
@@ -61,9 +85,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The simplices at interfaces that have inputs, in rising order.
+    /// Returns the simplices at interfaces that have inputs, in rising order.
     fn lists_at(&mut self, interfaces: &[VertexId]) -> Result<Vec<SimplexId>> {
-        let threads = self.threads();
+        let threads = self.state.threads();
         let Self { state, watch, .. } = self;
         let state = &*state;
         let has_inputs = |&simplex: &SimplexId| state.conflict_lists.count(simplex) > 0;
@@ -73,24 +97,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
             collected(piece.filter(has_inputs).filter(is_at_interface))
         })?;
         Ok(collected(lists.into_iter().flatten())?)
-    }
-}
-
-impl<const D: usize> State<D> {
-    /// Whether `simplex` is at an interface, or next to one that is.
-    fn is_at_interface(&self, simplex: SimplexId, interfaces: &[VertexId]) -> bool {
-        let neighbors =
-            |simplex: SimplexId| self.delaunay.complex().neighbors(simplex).iter().copied();
-        let near = neighbors(simplex).flat_map(neighbors);
-        let mut partitions = near.filter_map(|other| self.partition_of(other, interfaces));
-        let first = partitions.next();
-        partitions.any(|partition| Some(partition) != first)
-    }
-
-    /// The number of the partition that a simplex is in, if it has an input.
-    fn partition_of(&self, simplex: SimplexId, interfaces: &[VertexId]) -> Option<usize> {
-        let vertices = self.delaunay.complex().vertices(simplex).iter().copied();
-        let anchor = vertices.filter(|&vertex| vertex.index() < self.inputs).min()?;
-        Some(interfaces.partition_point(|&interface| interface <= anchor))
     }
 }

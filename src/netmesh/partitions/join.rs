@@ -1,12 +1,11 @@
 //! A partition joins the global mesh in the place of what it was cut out of.
 
-use super::Partition;
 use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::TryGrow;
 use crate::mesh::Stats;
-use crate::netmesh::state::limit;
-use crate::netmesh::{Cell, Mesher};
+use crate::netmesh::partitions::partition::Partition;
+use crate::netmesh::state::{Cell, Mesher, limit};
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Joins `partition`. `moved`: simplex that became one of a partition -> its new id.

@@ -16,74 +16,34 @@
 //! What divides the work of one mesh belongs here: `schedule` runs the partitions, `reserves` gives
 //! them memory to grow in, and `workers` share work that changes nothing.
 
-mod cut;
-pub(super) mod interface;
-mod interfaces;
-mod join;
-mod permission;
-mod reserves;
-mod schedule;
-#[cfg(test)]
-mod tests;
-pub(super) mod workers;
+pub(super) mod extract;
+pub(super) mod interfaces;
+pub(super) mod join;
+pub(super) mod partition;
+pub(super) mod reserves;
+pub(super) mod rounds;
+pub(super) mod schedule;
 
-use crate::complex::{LocalToGlobal, SimplexId, VertexId};
+use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::Array;
-use crate::netmesh::cages::domains::DomainsToGlobal;
-use crate::netmesh::rounds::round::tiles;
-use crate::netmesh::{Mesher, State};
-use crate::options::{Algorithm, Output};
-use crate::parameters::Parameters;
-use std::ops::Range;
-
-/// In higher dimensions most of the mesh is at interfaces.
-const MAX_DIM: usize = 3;
-
-/// The rounds of a tile end when one inserts no more than one input of this number.
-const FEW: usize = 32;
-
-/// A partition of the mesh, and all that it takes to go on with it.
-struct Partition<const D: usize> {
-    local_to_global: LocalToGlobal,
-    domains: DomainsToGlobal,
-    /// Vertex -> whether other partitions have simplices at it. Vertices that are made later are
-    /// not there.
-    shared: Vec<bool>,
-    state: State<D>,
-}
-
-/// Whether a mesh of so many `inputs` is made in partitions.
-fn is_partitioned<const D: usize>(parameters: &Parameters, inputs: usize) -> bool {
-    parameters.algorithm == Algorithm::Netmesh
-        && D <= MAX_DIM
-        && inputs >= 2 * parameters.inputs_per_partition
-}
+use crate::netmesh::state::Mesher;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    pub(in crate::netmesh) fn is_partitioned(&self) -> bool {
-        is_partitioned::<D>(&self.state.parameters, self.state.inputs)
-    }
-
     /// Inserts most inputs, and refines most of the mesh; dissolves most cages before that, if none
     /// is to be left.
     pub(in crate::netmesh) fn insert_in_partitions(&mut self, cavity: &mut Cavity) -> Result<()> {
-        if !self.is_partitioned() || self.state.conflict_lists.remaining() == 0 {
+        let has_inputs = self.state.conflict_lists.remaining() > 0;
+        let Some(count) = self.state.partition_count().filter(|_| has_inputs) else {
             return Ok(());
-        }
-        // Two threads, or four, do even numbers of partitions in the same time.
-        let count = self
-            .state
-            .inputs
-            .div_ceil(self.state.parameters.inputs_per_partition)
-            .next_multiple_of(2);
-        let interfaces = self.interfaces(count)?;
+        };
+        let interfaces = self.state.interfaces(count)?;
         self.insert_at_interfaces(&interfaces, cavity)?;
         let runs = self.between(&interfaces)?;
         let complex = self.state.delaunay.complex();
         let mut moved = Array::filled(complex.simplex_bound(), SimplexId::NONE)?;
-        let partitions = self.cut(runs)?;
+        let partitions = self.extract(runs)?;
         self.watch.poll()?;
         self.refine_partitions(partitions, &mut moved)?;
         let watch = &mut self.watch;
@@ -98,58 +58,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         self.clean(cavity)
     }
-
-    /// Goes through the rest of the rounds, FINISHMESH and the final refinement, as far as the
-    /// interface allows.
-    fn run_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
-        self.lock()?;
-        self.run_rounds_locked(cavity)
-    }
-
-    /// The same where the interface is locked already.
-    pub(in crate::netmesh) fn run_rounds_locked(&mut self, cavity: &mut Cavity) -> Result<()> {
-        for tile in tiles(self.state.inputs) {
-            self.insert_most(&tile, cavity)?;
-        }
-        self.insert_stragglers(cavity)?;
-        self.lock_crowded()?;
-        self.state.conflict_lists.suspend();
-        if self.state.parameters.output == Output::WellSpaced {
-            self.finish_mesh(cavity)?;
-        }
-        self.refine_partition_finally(cavity)?;
-        self.state.conflict_lists.resume();
-        Ok(())
-    }
-
-    /// Passes over the eligible inputs of `tile`, until one inserts few of them.
-    fn insert_most(&mut self, tile: &Range<usize>, cavity: &mut Cavity) -> Result<()> {
-        loop {
-            let mut lists = self.lists_of(tile)?;
-            lists.retain(|&simplex| self.state.interface.is_eligible(simplex));
-            let count = |&simplex: &SimplexId| self.state.conflict_lists.count(simplex) as usize;
-            let waiting: usize = lists.iter().map(count).sum();
-            let before = self.state.conflict_lists.remaining();
-            self.insert_pass(0, 0, &lists, cavity)?;
-            if before - self.state.conflict_lists.remaining() <= waiting / FEW {
-                return Ok(());
-            }
-        }
-    }
-
-    /// Inserts the eligible inputs that are left, when rounds insert too few.
-    fn insert_stragglers(&mut self, cavity: &mut Cavity) -> Result<()> {
-        for input in VertexId::below(self.state.inputs) {
-            self.watch.poll_after(1)?;
-            if !self.is_inserted(input)
-                && self.state.interface.is_eligible(self.state.conflict_lists.simplex_of(input))
-            {
-                if !self.insert_input(input, cavity)? {
-                    self.defer(input)?;
-                }
-                self.clean(cavity)?;
-            }
-        }
-        Ok(())
-    }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,13 +1,14 @@
 //! Partitions grow in the spare memory of the global mesh, so that nothing has to be copied when
 //! they join.
 
-use super::Partition;
 use crate::memory::{AllocResult, collected};
-use crate::netmesh::Mesher;
+use crate::netmesh::partitions::partition::Partition;
+use crate::netmesh::state::Mesher;
 
 /// The share of the spare memory that several partitions get. The last of them gets the rest as
 /// well (`Array::split_reserve`).
 const USUAL: f64 = 0.95;
+
 /// The share that a single partition gets, since products are rounded up.
 const ALL: f64 = 0.999;
 

@@ -1,14 +1,16 @@
 //! The threads take partitions in order. The calling thread joins them in the same order, and
 //! watches for the caller.
 
-use super::Partition;
 use crate::complex::SimplexId;
 use crate::error::Result;
 use crate::memory::with_capacity;
-use crate::netmesh::Mesher;
-use crate::netmesh::partitions::workers::{Tick, Workers, threads};
-use crate::netmesh::watch::{INTERVAL, Tally, Watch, cancelled};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use crate::netmesh::partitions::partition::Partition;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::watch::{INTERVAL, Tally, Watch, cancelled};
+use crate::netmesh::state::workers::{Tick, Workers};
+use crate::threads::asked;
+use std::sync::mpsc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 
 /// A partition that a worker has refined, with its number.
 type Done<const D: usize> = (usize, Result<Partition<D>>);
@@ -21,8 +23,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         moved: &mut [SimplexId],
     ) -> Result<()> {
         let tally =
-            Tally::new(self.state.inputs, self.share_of_partitions(), self.progress_counts());
-        let threads = threads(self.state.parameters.threads).min(partitions.len());
+            Tally::new(self.state.inputs, self.share_of_partitions(), self.state.progress_counts());
+        let threads = asked(self.state.parameters.threads).min(partitions.len());
         if threads > 1 {
             return self.refine_on(threads, partitions, &tally, moved);
         }

@@ -2,8 +2,9 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::ErrorKind;
 use crate::mesh::{Inputs, Triangulation};
-use crate::netmesh::watch::Watch;
-use crate::netmesh::{Mesher, mesh};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::watch::Watch;
+use crate::netmesh::{Dimension, mesh};
 use crate::numerics::testing::Random;
 use crate::options::{Criterion, NetOrdering, Options, Output, Phase, Progress};
 use crate::parameters::Parameters;
@@ -18,10 +19,13 @@ fn inputs<const D: usize>(points: &[[f64; D]]) -> Inputs {
 
 fn parameters(dim: usize, options: &Options, threads: u32) -> Parameters {
     let resolved = Parameters::resolve(dim, options).unwrap();
-    Parameters { threads, inputs_per_partition: INPUTS_PER_PARTITION, ..resolved }
+    Parameters { threads, inputs_per_partition: Some(INPUTS_PER_PARTITION), ..resolved }
 }
 
-fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation {
+fn run<const D: usize>(inputs: &Inputs, options: &Options, threads: u32) -> Triangulation
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     mesh::<D>(inputs, None, parameters(D, options, threads), None, None).unwrap()
 }
 
@@ -55,7 +59,10 @@ fn bits(values: &[f64]) -> Vec<u64> {
 
 /// The mesh is the same on one thread and on three, has a certificate, and is about as large as
 /// that made as one, but another: so it was made in partitions.
-fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
+fn check<const D: usize>(points: &[[f64; D]], options: &Options)
+where
+    for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
+{
     let inputs = inputs(points);
     let one = run::<D>(&inputs, options, 1);
     assert_same(&one, &run::<D>(&inputs, options, 3));
@@ -63,7 +70,7 @@ fn check<const D: usize>(points: &[[f64; D]], options: &Options) {
     assert_eq!(report.level, 3, "{report:?}");
     assert_eq!(one.stats.input_vertices as usize, points.len());
     let undivided = Parameters::resolve(D, options).unwrap();
-    assert!(points.len() < 2 * undivided.inputs_per_partition);
+    assert!(points.len() < 2 * undivided.inputs_per_partition.unwrap());
     let undivided = mesh::<D>(&inputs, None, undivided, None, None).unwrap();
     assert_ne!(bits(&one.points), bits(&undivided.points));
     let ratio = one.vertex_count() as f64 / undivided.vertex_count() as f64;
@@ -126,7 +133,8 @@ fn uniform_points() {
     check::<3>(&scattered(6000, 2), &Options::default());
 }
 
-/// What has slivers mended depends neither on threads nor on the order that they end in.
+/// The slivers that are mended depend neither on the number of threads nor on the order in which
+/// they end.
 #[test]
 fn slivers_of_partitions_are_mended_alike_on_any_number_of_threads() {
     let points = [scattered::<3>(3000, 3), grid(12)].concat();
@@ -209,8 +217,10 @@ fn cages_are_dissolved() {
 fn partitions_dissolve_most_cages() {
     let points = [scattered::<2>(20_000, 3), pairs(400)].concat();
     let options = Options { output: Output::WellSpaced, ..Options::default() };
-    let parameters =
-        Parameters { inputs_per_partition: 5_000, ..Parameters::resolve(2, &options).unwrap() };
+    let parameters = Parameters {
+        inputs_per_partition: Some(5_000),
+        ..Parameters::resolve(2, &options).unwrap()
+    };
     let inputs = inputs(&points);
     let mut mesher = Mesher::<2>::new(&inputs, parameters, Watch::new(None)).unwrap();
     insert_in_partitions(&mut mesher);
@@ -237,12 +247,12 @@ fn other_options() {
     check(&points, &Options { instruments: true, ..Options::default() });
 }
 
-/// In 4D interfaces would be most of the mesh.
+/// Meshes in 4D are not divided: most of one would be at interfaces.
 #[test]
 fn higher_dimensions_go_as_one() {
     let inputs = inputs(&scattered::<4>(800, 4));
     let parameters = |inputs_per_partition| Parameters {
-        inputs_per_partition,
+        inputs_per_partition: Some(inputs_per_partition),
         ..Parameters::resolve(4, &Options::default()).unwrap()
     };
     let [a, b] = [100, 1 << 20]
@@ -267,7 +277,7 @@ fn the_limit_is_that_of_the_global_mesh() {
     }
 }
 
-/// What the caller is told goes up, and it can end the run at any time.
+/// The fraction that the caller is told rises, and the caller can end the run at any time.
 #[test]
 fn runs_in_partitions_are_watched() {
     let inputs = inputs(&scattered::<3>(15_000, 7));
@@ -296,8 +306,8 @@ fn runs_in_partitions_are_watched() {
     }
 }
 
-/// What comes after partitions has its share of what the caller is told, and slivers have theirs
-/// after that, from 0.4 on.
+/// The fraction that the caller is told goes on to rise after the partitions, and slivers have the
+/// part of it from 0.4 on.
 #[test]
 fn progress_goes_on_after_partitions() {
     let inputs = inputs(&scattered::<3>(5000, 7));
@@ -321,14 +331,14 @@ fn progress_goes_on_after_partitions() {
     }
 }
 
-/// What is left for the global mesh are the inputs at interfaces; those were inserted before, as
-/// long as simplices there were large.
+/// Only inputs at interfaces are left for the global mesh; those were inserted before, as long as
+/// simplices there were large.
 #[test]
 fn few_inputs_wait_for_the_global_mesh() {
     fn check<const D: usize>(count: usize, most: f64) {
         let inputs = inputs(&scattered::<D>(count, 12));
         let resolved = Parameters::resolve(D, &Options::default()).unwrap();
-        let parameters = Parameters { inputs_per_partition: count / 4, ..resolved };
+        let parameters = Parameters { inputs_per_partition: Some(count / 4), ..resolved };
         let mut mesher = Mesher::<D>::new(&inputs, parameters, Watch::new(None)).unwrap();
         let mut cavity = Cavity::default();
         mesher.start_netmesh(&mut cavity).unwrap();

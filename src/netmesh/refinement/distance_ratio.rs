@@ -15,14 +15,14 @@ use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected};
 use crate::nearest::{Tree, nearest};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::state::hierarchy::ROOT;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 
-/// What rounding may add to the distance of a corner.
+/// Relative error that rounding may add to the distance of a corner.
 const SLACK: f64 = 1e-11;
 
-/// What the reach of cells is compared with.
+/// Distances from the inputs, with which the out-radii of cells are compared.
 struct Distances {
     inputs: Tree,
     ratio: f64,
@@ -38,7 +38,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         if self.state.parameters.distance_ratio == 0.0 {
             return Ok(());
         }
-        let distances = self.distances()?;
+        let distances = self.state.distances()?;
         let mut vertex = self.state.inputs;
         while vertex < self.state.delaunay.point_count() {
             self.watch.poll_after(1)?;
@@ -56,25 +56,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    fn distances(&self) -> AllocResult<Distances> {
-        let inputs = (0..self.state.inputs).map(VertexId::new);
-        let points = collected(inputs.flat_map(|input| *self.state.delaunay.point(input)))?;
-        let parameters = &self.state.parameters;
-        Ok(Distances {
-            inputs: Tree::of_all::<D>(&points)?,
-            ratio: parameters.distance_ratio,
-            end: self.state.hierarchy.node(ROOT).radius / parameters.root_scale,
-        })
-    }
-
-    /// The simplex with the farthest corner, of those well inside the root's cage, of a cell that is
-    /// to be refined.
+    /// Returns the simplex with the farthest corner, of those well inside the root's cage, of a
+    /// cell that is to be refined.
     fn far_corner(
         &mut self,
         vertex: VertexId,
         distances: &Distances,
     ) -> AllocResult<Option<SimplexId>> {
-        if !self.is_inserted(vertex) {
+        if !self.state.is_inserted(vertex) {
             return Ok(None);
         }
         let (input, distance) = nearest(&distances.inputs, self.state.delaunay.point(vertex));
@@ -84,7 +73,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         self.state.delaunay.star(vertex, &mut self.scratch.star)?;
-        let max_distance = self.state.parameters.corner_restriction() * self.sphere_radius(ROOT);
+        let max_distance =
+            self.state.parameters.corner_restriction() * self.state.sphere_radius(ROOT);
         let mut farthest = (allowed, None);
         for &simplex in self.scratch.star.iter() {
             // The cells of the hull are unbounded.
@@ -106,7 +96,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(simplex.filter(|_| is_refined))
     }
 
-    /// Whether `input` is the nearest one of all corners in the scratch star, and so of the cell.
+    /// Returns true if `input` is the nearest input of all corners in the scratch star, and so of
+    /// the whole cell.
     fn is_in_group(&self, input: VertexId, distances: &Distances) -> bool {
         let input = self.state.delaunay.point(input);
         self.scratch.star.iter().all(|&simplex| {
@@ -114,6 +105,19 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 let (_, least) = nearest(&distances.inputs, &corner);
                 distance(&corner, input) <= least * (1.0 + SLACK)
             })
+        })
+    }
+}
+
+impl<const D: usize> State<D> {
+    fn distances(&self) -> AllocResult<Distances> {
+        let inputs = (0..self.inputs).map(VertexId::new);
+        let points = collected(inputs.flat_map(|input| *self.delaunay.point(input)))?;
+        let parameters = &self.parameters;
+        Ok(Distances {
+            inputs: Tree::of_all::<D>(&points)?,
+            ratio: parameters.distance_ratio,
+            end: self.hierarchy.node(ROOT).radius / parameters.root_scale,
         })
     }
 }

@@ -16,8 +16,8 @@
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::netmesh::Mesher;
-use crate::netmesh::refinement::bad_simplex::Scan;
+use crate::netmesh::questions::bad_simplex::Scan;
+use crate::netmesh::state::{Mesher, State};
 use crate::options::Phase;
 
 /// The number of simplices of a tile, and of a mesh that is refined without tiles. What is refined
@@ -25,11 +25,13 @@ use crate::options::Phase;
 /// within tiles only, which costs up to 0.6 % more vertices, and 3 % around close pairs
 /// (docs/decisions.md).
 const TILE: usize = 1 << 12;
+
 const SMALL: usize = 1 << 17;
 
-/// Tiles of a mesh with segments and a bound below `TIGHT`, where the order by length is worth 1.5 %
-/// of the vertices, and a quarter of the time.
+/// Tiles of a mesh with segments and a bound below `TIGHT`, where the order by length is worth 1.5
+/// % of the vertices, and a quarter of the time.
 const LARGE_TILE: usize = 1 << 15;
+
 const TIGHT: f64 = 1.1;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -40,7 +42,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(in crate::netmesh) fn refine_finally(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.begin_final_refinement()?;
         let mut scan = Scan::All;
-        if self.state.delaunay.complex().simplex_count() > SMALL && !self.is_partitioned() {
+        if self.state.delaunay.complex().simplex_count() > SMALL
+            && self.state.partition_count().is_none()
+        {
             self.refine_tiles(cavity)?;
             scan = Scan::SpanningDomains;
         }
@@ -48,14 +52,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
             scan = Scan::SpanningDomains;
         }
         debug_assert!(
-            !self.is_any_open(),
+            !self.state.is_any_open(),
             "a simplex that spans no domains was examined when it changed"
         );
         self.state.stage.final_fraction = 1.0;
         self.report_progress()
     }
 
-    /// The first scan of a partition. The global mesh finds what it leaves bad.
+    /// Does the first scan of a partition. The global mesh finds what it leaves bad.
     pub(in crate::netmesh) fn refine_partition_finally(
         &mut self,
         cavity: &mut Cavity,
@@ -64,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.refine_tiles(cavity)
     }
 
-    /// The scans that come after the first one, in a partition that no global mesh takes over.
+    /// Does the scans that come after the first one, in a partition that no global mesh takes over.
     pub(in crate::netmesh) fn refine_spanning_domains(
         &mut self,
         cavity: &mut Cavity,
@@ -82,13 +86,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(self.state.refine_list.sort_by_length()?)
     }
 
-    /// The first scan, one tile after the other.
+    /// Does the first scan, one tile after the other.
     fn refine_tiles(&mut self, cavity: &mut Cavity) -> Result<()> {
         let watch = &mut self.watch;
         let complex = self.state.delaunay.complex();
         let anchors = self.state.inputs.max(1);
         let order = complex.order_by_anchor(anchors, || watch.poll_after(1))?.order;
-        let length = self.tile_length();
+        let length = self.state.tile_length();
         for (at, tile) in order.chunks(length).enumerate() {
             self.refine_simplices(tile, cavity)?;
             self.state.stage.final_fraction = (at * length) as f64 / order.len() as f64;
@@ -97,17 +101,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    fn tile_length(&self) -> usize {
-        let is_tight = self.state.segments.is_active() && self.state.stage.bound < TIGHT;
-        if is_tight { LARGE_TILE } else { TILE }
-    }
-
     /// Mends the bad ones of some simplices, and all that becomes bad by it.
     fn refine_simplices(&mut self, simplices: &[SimplexId], cavity: &mut Cavity) -> Result<()> {
         for &simplex in simplices {
             self.watch.poll_after(1)?;
             if self.state.delaunay.complex().is_live(simplex) {
-                self.examine(simplex)?;
+                self.state.examine(simplex)?;
             }
         }
         self.clean(cavity)
@@ -117,17 +116,24 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn refine_scanned(&mut self, scan: Scan, cavity: &mut Cavity) -> Result<bool> {
         for simplex in self.suspects(scan)?.into_iter().flatten() {
             self.watch.poll_after(2)?;
-            self.examine_suspect(simplex)?;
+            self.state.examine_suspect(simplex)?;
         }
         let was_bad = !self.state.refine_list.is_empty();
         self.clean(cavity)?;
         Ok(was_bad)
     }
+}
+
+impl<const D: usize> State<D> {
+    fn tile_length(&self) -> usize {
+        let is_tight = self.segments.is_active() && self.stage.bound < TIGHT;
+        if is_tight { LARGE_TILE } else { TILE }
+    }
 
     fn is_any_open(&mut self) -> bool {
-        let mut all = self.state.delaunay.complex().simplices();
+        let mut all = self.delaunay.complex().simplices();
         all.any(|simplex| {
-            self.state.delaunay.complex().is_live(simplex)
+            self.delaunay.complex().is_live(simplex)
                 && self.open_domain(simplex).is_some()
                 && !self.is_exempt(simplex)
         })

@@ -2,8 +2,8 @@
 
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::options::Phase;
 
 impl<const D: usize> Mesher<'_, '_, D> {
@@ -22,7 +22,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.report_progress()
     }
 
-    /// GROWCAGE and CLEAN, unless another cage has taken this one in, or the interface defers it.
+    /// Grows a cage and cleans the mesh, unless another cage has taken this one in, or the
+    /// interface defers it.
     fn dissolve(&mut self, domain: DomainId, cavity: &mut Cavity) -> Result<()> {
         let node = self.state.hierarchy.node(domain);
         if !node.alive || self.state.interface.is_non_owned(domain) {

@@ -3,27 +3,28 @@
 //!
 //! A round over a large mesh visits all of it, and little of that is in the cache. So rounds over
 //! the whole make a coarse mesh only. From then on all rounds that a tile needs come before those
-//! of the next tile. A tile is a run of inputs in the order of locality ([`super::order`]), and its
-//! rounds halve the longest of the conflict lists that have one of them. An input is in the rounds
-//! of the few tiles that its conflict list has inputs of. Each halves that list, so they are O(log
-//! n) together.
+//! of the next tile. A tile is a run of inputs in the order of locality
+//! ([`crate::netmesh::state::order`]), and its rounds halve the longest of the conflict lists that
+//! have one of them. An input is in the rounds of the few tiles that its conflict list has inputs
+//! of. Each halves that list, so they are O(log n) together.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
+use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::state::{Mesher, State};
 use crate::options::Algorithm;
 use std::ops::Range;
 
 /// The number of inputs of a tile, and of a mesh that is made without tiles.
 const TILE: usize = 1 << 12;
+
 const SMALL: usize = 1 << 14;
 
 /// The coarse mesh has one input of this number.
 const COARSE: usize = 128;
 
-/// How many rounds came one after the other, and their passes.
+/// Numbers of rounds that came one after the other, and of their passes.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Rounds {
     count: u64,
@@ -31,24 +32,24 @@ struct Rounds {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Rounds until all inputs are in.
+    /// Does rounds until all inputs are in.
     pub(in crate::netmesh) fn insert_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         self.insert_coarse_rounds(cavity)?;
         let mut most = Rounds::default();
         for tile in tiles(self.state.inputs) {
             most = most.max(self.insert_rounds_until(|_| false, &tile, cavity)?);
         }
-        self.count_rounds(most);
+        self.state.count_rounds(most);
         self.state.conflict_lists.free_lists();
         Ok(())
     }
 
-    /// Rounds over the whole mesh until it is coarse, if tiles or partitions come next.
+    /// Does rounds over the whole mesh until it is coarse, if tiles or partitions come next.
     pub(in crate::netmesh) fn insert_coarse_rounds(&mut self, cavity: &mut Cavity) -> Result<()> {
         let all = 0..self.state.inputs;
-        if all.len() > SMALL || self.is_partitioned() {
+        if all.len() > SMALL || self.state.partition_count().is_some() {
             let rounds = self.insert_rounds_until(Self::is_coarse, &all, cavity)?;
-            self.count_rounds(rounds);
+            self.state.count_rounds(rounds);
         }
         Ok(())
     }
@@ -58,12 +59,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         inserted >= self.state.inputs / COARSE
     }
 
-    fn count_rounds(&mut self, rounds: Rounds) {
-        self.state.stats.rounds += rounds.count;
-        self.state.stats.passes += rounds.passes;
-    }
-
-    /// Rounds until all inputs of `tile` are in, or enough is done.
+    /// Does rounds until all inputs of `tile` are in, or enough is done. Returns their numbers.
     fn insert_rounds_until(
         &mut self,
         is_done: impl Fn(&Self) -> bool,
@@ -73,18 +69,18 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut rounds = Rounds::default();
         let mut lists = self.lists_of(tile)?;
         while !lists.is_empty() && !is_done(self) {
-            let before = self.longest(&lists);
+            let before = self.state.longest(&lists);
             rounds.passes += self.insert_round(before / 2, tile, &mut lists, cavity)?;
             rounds.count += 1;
-            let left = f64::from(self.longest(&lists)) / f64::from(before);
+            let left = f64::from(self.state.longest(&lists)) / f64::from(before);
             self.state.stats.worst_halving = self.state.stats.worst_halving.max(left);
             self.report_progress()?;
         }
         Ok(rounds)
     }
 
-    /// One round: some inputs of each of the `lists`, which are those of `tile`, then more until
-    /// none holds over `target`. Returns the number of passes.
+    /// Does one round: inserts some inputs of each of the `lists`, which are those of `tile`, then
+    /// more until none holds over `target`. Returns the number of passes.
     fn insert_round(
         &mut self,
         target: u32,
@@ -93,7 +89,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         cavity: &mut Cavity,
     ) -> Result<u64> {
         let mut pass = 0;
-        while pass == 0 || self.longest(lists) > target {
+        while pass == 0 || self.state.longest(lists) > target {
             self.insert_pass(pass, target, lists, cavity)?;
             *lists = self.lists_of(tile)?;
             pass += 1;
@@ -117,7 +113,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 continue;
             }
             if !self.insert_input(input, cavity)? {
-                self.defer(input)?;
+                self.state.defer(input)?;
             }
             if self.state.parameters.algorithm != Algorithm::Delaunay {
                 self.clean(cavity)?;
@@ -126,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The simplices whose conflict lists have inputs of `tile`, in rising order.
+    /// Returns the simplices whose conflict lists have inputs of `tile`, in rising order.
     pub(in crate::netmesh) fn lists_of(&mut self, tile: &Range<usize>) -> Result<Vec<SimplexId>> {
         let mut lists = Vec::new();
         if tile.len() == self.state.inputs {
@@ -149,14 +145,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         lists.dedup();
         Ok(lists)
     }
+}
+
+impl<const D: usize> State<D> {
+    fn count_rounds(&mut self, rounds: Rounds) {
+        self.stats.rounds += rounds.count;
+        self.stats.passes += rounds.passes;
+    }
 
     fn longest(&self, lists: &[SimplexId]) -> u32 {
-        let counts = lists.iter().map(|&simplex| self.state.conflict_lists.count(simplex));
+        let counts = lists.iter().map(|&simplex| self.conflict_lists.count(simplex));
         counts.max().unwrap_or(0)
+    }
+
+    /// Defers `input`, in a partition, and the others of its simplex.
+    pub(in crate::netmesh) fn defer(&mut self, input: VertexId) -> AllocResult<()> {
+        if self.interface.is_some() {
+            self.interface.skip(self.conflict_lists.simplex_of(input))
+        } else {
+            Ok(())
+        }
     }
 }
 
-/// The inputs of each tile, as ids; those of a small mesh are one.
+/// Returns the inputs of each tile, as ids; those of a small mesh are one.
 pub(in crate::netmesh) fn tiles(inputs: usize) -> impl Iterator<Item = Range<usize>> {
     let length = if inputs > SMALL { TILE } else { inputs.max(1) };
     (0..inputs).step_by(length).map(move |begin| begin..inputs.min(begin + length))
@@ -166,7 +178,7 @@ pub(in crate::netmesh) fn tiles(inputs: usize) -> impl Iterator<Item = Range<usi
 mod tests {
     use super::*;
     use crate::mesh::Inputs;
-    use crate::netmesh::Watch;
+    use crate::netmesh::state::watch::Watch;
     use crate::numerics::testing::Random;
     use crate::options::Options;
     use crate::parameters::Parameters;

@@ -5,28 +5,26 @@ use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{collected, with_capacity};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::cages::template::{cage_points, cage_template};
-use crate::netmesh::state::limit;
+use crate::netmesh::operations::template::{cage_points, cage_template};
+use crate::netmesh::questions::cage_site::{REPRESENTABLE, spacing_near};
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::{Mesher, limit};
 use crate::numerics::{affine_basis, distance};
-
-/// A cage's vertices are representable where they are this many times the spacing of doubles apart.
-pub(in crate::netmesh) const REPRESENTABLE: f64 = 16.0;
 
 /// The ball that the hull of the outer cage holds is at least this many times the inputs' ball.
 const ROOM: f64 = 1.25;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The outer cage, with all inputs on conflict lists.
+    /// Makes the outer cage, and puts all inputs on conflict lists.
     pub(in crate::netmesh) fn start_netmesh(&mut self, cavity: &mut Cavity) -> Result<()> {
         let center = self.start_outer_cage(cavity)?;
         self.assign_inputs(center)?;
         self.clean(cavity)
     }
 
-    /// The outer cage around all inputs, centred at the input nearest to the middle, so that the
-    /// root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns that.
+    /// Makes the outer cage around all inputs, centred at the input nearest to the middle, so that
+    /// the root domain has a vertex at its centre (Definition 3) without a Steiner point. Returns
+    /// that vertex.
     pub(in crate::netmesh) fn start_outer_cage(&mut self, cavity: &mut Cavity) -> Result<VertexId> {
         let most = self.state.parameters.max_vertices;
         self.state.template =
@@ -49,7 +47,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut vertices = with_capacity(1 + sphere.len())?;
         vertices.push(center);
         for x in sphere {
-            vertices.push(self.add_vertex(x)?);
+            vertices.push(self.state.add_vertex(x)?);
             self.state.stats.cage_points += 1;
         }
         let basis = affine_basis::<D>(vertices.len(), |i| *self.state.delaunay.point(vertices[i]));
@@ -61,11 +59,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         for &vertex in &first {
             self.state.hierarchy.set_domain(vertex, ROOT);
-            self.measure_nearest(vertex);
+            self.state.measure_nearest(vertex);
         }
         let mut near = first[0];
         for &vertex in &vertices {
-            if !self.is_inserted(vertex) {
+            if !self.state.is_inserted(vertex) {
                 self.insert_outer_cage_vertex(vertex, near, cavity)?;
                 near = vertex;
             }
@@ -87,7 +85,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.insert_into_cavity(vertex, cavity)
     }
 
-    /// The first D + 1 affinely independent inputs.
+    /// Makes the first simplex of a plain Delaunay triangulation, of the first D + 1 affinely
+    /// independent inputs.
     pub(in crate::netmesh) fn start_delaunay(&mut self) -> Result<()> {
         let basis =
             affine_basis::<D>(self.state.inputs, |i| *self.state.delaunay.point(VertexId::new(i)));
@@ -110,7 +109,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut start = self.state.delaunay.complex().incident(near);
         for input in VertexId::below(self.state.inputs) {
             self.watch.poll_after(4)?;
-            if self.is_inserted(input) {
+            if self.state.is_inserted(input) {
                 self.state.conflict_lists.dismiss_unassigned();
             } else {
                 let q = *self.state.delaunay.point(input);
@@ -123,7 +122,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The input nearest to the middle of the bounding box.
+    /// Returns the input nearest to the middle of the bounding box.
     fn central_input(&mut self) -> Result<VertexId> {
         let mut low = *self.state.delaunay.point(VertexId::new(0));
         let mut high = low;
@@ -146,7 +145,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(best)
     }
 
-    /// `root_scale` times the inputs' radius about `center`, but large enough that doubles can
+    /// Returns `root_scale` times the inputs' radius about `center`, but so much that doubles can
     /// express the outer cage, and that its hull surrounds the inputs with room to spare.
     fn root_radius(&mut self, center: &[f64; D]) -> Result<f64> {
         let mut radius = 0.0f64;
@@ -161,12 +160,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let hull = self.state.parameters.cage_scale * self.state.parameters.hull_radius();
         Ok((self.state.parameters.root_scale.max(ROOM / hull) * radius).max(spacing))
     }
-}
-
-/// The largest distance between neighbouring doubles among the coordinates of `point`.
-pub(in crate::netmesh) fn spacing_near<const D: usize>(point: &[f64; D]) -> f64 {
-    let largest = point.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-    largest.next_up() - largest
 }
 
 #[cfg(test)]

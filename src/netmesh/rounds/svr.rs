@@ -6,9 +6,8 @@
 use crate::complex::SimplexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::{AllocResult, enqueue};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::hierarchy::ROOT;
 
 impl<const D: usize> Mesher<'_, '_, D> {
     /// Breaks D-balls until none holds an input.
@@ -17,7 +16,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             self.queue_if_crowded(simplex)?;
         }
         while let Some(simplex) = self.crowded.pop_front() {
-            if self.is_crowded(simplex) {
+            if self.state.is_crowded(simplex) {
                 self.break_ball(simplex, cavity)?;
                 self.clean(cavity)?;
                 // Its corner may have been encroached on by rounding, or two inputs lie on a
@@ -28,26 +27,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Queues the simplices just created that have inputs.
-    pub(in crate::netmesh) fn queue_crowded(&mut self) -> AllocResult<()> {
-        for at in 0..self.scratch.created.len() {
-            self.queue_if_crowded(self.scratch.created[at])?;
-        }
-        Ok(())
-    }
-
-    fn queue_if_crowded(&mut self, simplex: SimplexId) -> AllocResult<()> {
-        if self.is_crowded(simplex) { enqueue(&mut self.crowded, simplex) } else { Ok(()) }
-    }
-
-    fn is_crowded(&self, simplex: SimplexId) -> bool {
-        self.state.conflict_lists.count(simplex) > 0
-    }
-
     /// Inserts the corner of `simplex`, or the input that it yields to. Where the corner is of no
     /// use (beyond the root cage, or doubles cannot express it) one of the inputs goes in as it is.
     fn break_ball(&mut self, simplex: SimplexId, cavity: &mut Cavity) -> Result<()> {
-        if self.is_well_inside(simplex, ROOT) && !self.state.refine_list.is_limited(simplex) {
+        if self.state.is_well_inside(simplex, ROOT) && !self.state.refine_list.is_limited(simplex) {
             self.refine_corner(simplex, cavity)?;
         } else if let Some(input) = self.state.conflict_lists.entries(simplex).next() {
             self.insert_input(input, cavity)?;

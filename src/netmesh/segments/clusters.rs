@@ -6,14 +6,14 @@
 //! group is as long as the way from it to all others. Edges are sorted by the powers of two below
 //! their lengths: that is enough to tell large gaps, and O(n).
 
-use super::chain::Line;
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow, collected, filled};
-use crate::netmesh::cages::domains::{DomainId, ROOT};
-use crate::netmesh::cages::site::CageSite;
-use crate::netmesh::{Mesher, State};
+use crate::netmesh::questions::cage_site::CageSite;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::segments::chain::Line;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::distance;
 use crate::options::Output;
 
@@ -21,7 +21,7 @@ use crate::options::Output;
 /// about as many as those between scales that are so far apart.
 const ROOM: f64 = 4.0;
 
-/// What is no cluster, or of none.
+/// Number that stands for no cluster, and for the end of a list.
 const NONE: u32 = u32::MAX;
 
 /// A vertex, or after those a cluster, by its number.
@@ -29,21 +29,21 @@ type Item = u32;
 
 /// A set of vertices that edges have joined so far.
 #[derive(Clone, Copy)]
-struct Group<const D: usize> {
-    low: [f64; D],
-    high: [f64; D],
-    /// What it has that is in no cluster, as a list.
+struct Group {
+    low: [f64; 2],
+    high: [f64; 2],
+    /// First and last item of the list of its vertices and clusters that are in no cluster yet.
     first: Item,
     last: Item,
-    /// Whether there are more vertices than one.
+    /// True if the group has more vertices than one.
     is_many: bool,
 }
 
-struct Clusters<const D: usize> {
+struct Clusters {
     /// Vertex -> one of its group, by which the group is found; the group's first points to itself.
     towards: Vec<u32>,
-    /// Of the vertices that groups are found by.
-    groups: Vec<Group<D>>,
+    /// Groups, each by the number of the vertex that it is found by.
+    groups: Vec<Group>,
     /// Item -> the next one of its group's list.
     next: Vec<Item>,
     /// Item -> the innermost cluster that it is in.
@@ -57,14 +57,14 @@ struct Edge {
     exponent: u16,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Gives each cluster that no line leads out of a domain and a cage. There are no domains yet.
     pub(super) fn cage_clusters(&mut self, lines: &[Line], cavity: &mut Cavity) -> Result<()> {
         if self.state.parameters.output == Output::WellSpaced {
             return Ok(());
         }
         let clusters = self.find_clusters()?;
-        self.make_domains(&clusters)?;
+        self.state.make_domains(&clusters)?;
         for line in lines {
             self.watch.poll_after(1)?;
             self.leave_domains(line.ends[0], line.ends[1])?;
@@ -75,10 +75,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The clusters, inner ones before those around them.
-    fn find_clusters(&mut self) -> Result<Clusters<D>> {
+    /// Returns the clusters, inner ones before those around them.
+    fn find_clusters(&mut self) -> Result<Clusters> {
         let edges = self.edges_by_length()?;
-        let mut clusters = self.single_groups()?;
+        let mut clusters = self.state.single_groups()?;
         for Edge { ends, exponent } in edges {
             self.watch.poll_after(1)?;
             let [a, b] = ends.map(|end| clusters.group_of(end));
@@ -86,7 +86,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 // No longer than the edge.
                 let gap = f64::from_bits(u64::from(exponent) << 52);
                 for group in [a, b] {
-                    self.note_cluster(&mut clusters, group, gap)?;
+                    self.state.note_cluster(&mut clusters, group, gap)?;
                 }
                 clusters.join(a, b);
             }
@@ -94,24 +94,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(clusters)
     }
 
-    /// A group for each vertex.
-    fn single_groups(&self) -> AllocResult<Clusters<D>> {
-        let count = self.state.delaunay.point_count() as u32;
-        let groups = (0..count).map(|vertex| {
-            let x = *self.state.delaunay.point(VertexId::new(vertex as usize));
-            Group { low: x, high: x, first: vertex, last: vertex, is_many: false }
-        });
-        Ok(Clusters {
-            groups: collected(groups)?,
-            towards: collected(0..count)?,
-            next: filled(count as usize, NONE)?,
-            cluster_of: filled(count as usize, NONE)?,
-            sites: Vec::new(),
-        })
-    }
-
-    /// All edges between vertices that are not of the outer cage, by the powers of two below their
-    /// lengths.
+    /// Returns all edges between vertices that are not of the outer cage, by the powers of two
+    /// below their lengths.
     fn edges_by_length(&mut self) -> Result<Vec<Edge>> {
         const EXPONENTS: usize = 1 << 11;
         let mut edges = Vec::new();
@@ -149,12 +133,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         });
         Ok(collected(sorted)?)
     }
+}
+
+impl State<2> {
+    /// Returns a group for each vertex.
+    fn single_groups(&self) -> AllocResult<Clusters> {
+        let count = self.delaunay.point_count() as u32;
+        let groups = (0..count).map(|vertex| {
+            let x = *self.delaunay.point(VertexId::new(vertex as usize));
+            Group { low: x, high: x, first: vertex, last: vertex, is_many: false }
+        });
+        Ok(Clusters {
+            groups: collected(groups)?,
+            towards: collected(0..count)?,
+            next: filled(count as usize, NONE)?,
+            cluster_of: filled(count as usize, NONE)?,
+            sites: Vec::new(),
+        })
+    }
 
     /// Makes a group a cluster if it is concentrated, `gap` being as far as the others are.
-    fn note_cluster(&self, clusters: &mut Clusters<D>, group: u32, gap: f64) -> AllocResult<()> {
+    fn note_cluster(&self, clusters: &mut Clusters, group: u32, gap: f64) -> AllocResult<()> {
         let Group { low, high, first, is_many, .. } = clusters.groups[group as usize];
         // Before all that takes longer: the cage is larger than the box, and the gap than the cage.
-        if !is_many || (0..D).any(|axis| high[axis] - low[axis] > gap) {
+        if !is_many || (0..2).any(|axis| high[axis] - low[axis] > gap) {
             return Ok(());
         }
         let middle = std::array::from_fn(|axis| 0.5 * low[axis] + 0.5 * high[axis]);
@@ -162,13 +164,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let mut item = first;
         while item != NONE {
             let vertex = clusters.vertex_of(item);
-            let distance = distance(self.state.delaunay.point(vertex), &middle);
+            let distance = distance(self.delaunay.point(vertex), &middle);
             if !center.is_valid() || distance < least {
                 (center, least) = (vertex, distance);
             }
             item = clusters.next[item as usize];
         }
-        let corner = self.state.delaunay.point(center);
+        let corner = self.delaunay.point(center);
         let farthest = std::array::from_fn(|axis| {
             let is_low = corner[axis] > middle[axis];
             if is_low { low[axis] } else { high[axis] }
@@ -182,8 +184,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
     }
 
-    /// The domains of all clusters, outer ones first, and what is in each.
-    fn make_domains(&mut self, clusters: &Clusters<D>) -> Result<()> {
+    /// Makes the domains of all clusters, outer ones first, and puts their vertices into them.
+    fn make_domains(&mut self, clusters: &Clusters) -> Result<()> {
         let Clusters { sites, cluster_of, .. } = clusters;
         let vertices = cluster_of.len() - sites.len();
         let domain_of = |item: usize| match cluster_of[item] {
@@ -191,22 +193,22 @@ impl<const D: usize> Mesher<'_, '_, D> {
             cluster => DomainId::new(sites.len() - cluster as usize),
         };
         for (number, site) in sites.iter().enumerate().rev() {
-            let point = *self.state.delaunay.point(site.center);
-            let size = self.state.template.len();
+            let point = *self.delaunay.point(site.center);
+            let size = self.template.len();
             let parent = domain_of(vertices + number);
-            self.state.hierarchy.create(site.center, point, site.radius, parent, size)?;
-            self.state.stats.cages_created += 1;
+            self.hierarchy.create(site.center, point, site.radius, parent, size)?;
+            self.stats.cages_created += 1;
         }
         for vertex in VertexId::below(vertices).filter(|&vertex| domain_of(vertex.index()) != ROOT)
         {
-            self.state.hierarchy.set_domain(vertex, domain_of(vertex.index()));
+            self.hierarchy.set_domain(vertex, domain_of(vertex.index()));
         }
         Ok(())
     }
 }
 
-impl<const D: usize> Clusters<D> {
-    /// The vertex that the group of `vertex` is found by.
+impl Clusters {
+    /// Returns the vertex that the group of `vertex` is found by.
     fn group_of(&mut self, vertex: VertexId) -> u32 {
         let mut at = vertex.index();
         while self.towards[at] as usize != at {
@@ -232,7 +234,7 @@ impl<const D: usize> Clusters<D> {
         self.towards[from as usize] = into;
     }
 
-    /// The vertex itself, or the centre of a cluster.
+    /// Returns the vertex that an item is, or the centre of the cluster that it is.
     fn vertex_of(&self, item: Item) -> VertexId {
         match (item as usize).checked_sub(self.towards.len()) {
             None => VertexId::new(item as usize),
@@ -240,7 +242,7 @@ impl<const D: usize> Clusters<D> {
         }
     }
 
-    /// What is in the group is in a new cluster from now on, and the group has that instead.
+    /// Makes a cluster of the items of a group; the group then has that cluster as its one item.
     fn add(&mut self, group: u32, site: CageSite) -> AllocResult<()> {
         let cluster = self.sites.len() as u32;
         let own = &mut self.groups[group as usize];

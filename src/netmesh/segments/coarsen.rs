@@ -1,29 +1,29 @@
 //! Away with Steiner vertices that the bound does not need: what stands near a segment was often
 //! put there for a triangle that others have mended since.
 
-use super::ring::Ring;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Hole;
 use crate::error::Result;
 use crate::memory::{AllocError, AllocResult, TryGrow, filled};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::DomainId;
+use crate::netmesh::segments::ring::Ring;
+use crate::netmesh::state::hierarchy::DomainId;
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Circumball, shortest_distance};
 
-/// What each removal uses again.
+/// Buffers that all removals share.
 #[derive(Default)]
-struct Buffers<const D: usize> {
-    hole: Hole<D>,
+struct Buffers {
+    hole: Hole<2>,
     filled: Vec<SimplexId>,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Removes every Steiner vertex that is on no segment, in no cage and no domain's centre, and
     /// leaves no simplex beyond the bound: the last one first, and once more those next to one that
     /// went. O(vertices) for vertices of few neighbours.
     pub(in crate::netmesh) fn coarsen(&mut self) -> Result<()> {
         let mut buffers = Buffers::default();
-        let is_center = self.centers()?;
+        let is_center = self.state.centers()?;
         let is_candidate = |vertex: &VertexId| !is_center[*vertex];
         let mut again = Vec::new();
         let all = self.state.inputs..self.state.delaunay.point_count();
@@ -45,25 +45,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// Whether `vertex` went.
-    fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers<D>) -> Result<bool> {
+    /// Removes `vertex` if the bound holds without it. Returns true if it went.
+    fn remove_if_needless(&mut self, vertex: VertexId, buffers: &mut Buffers) -> Result<bool> {
         let Buffers { hole, filled } = buffers;
-        let is_needless = !self.is_input(vertex)
-            && self.is_free(vertex)
-            && !self.is_surely_needed(vertex)
+        let is_needless = !self.state.is_input(vertex)
+            && self.state.is_free(vertex)
+            && !self.state.is_surely_needed(vertex)
             && self.state.delaunay.find_hole(vertex, hole)?
-            && self.is_needless(vertex, hole);
+            && self.state.is_needless(vertex, hole);
         if is_needless {
-            self.remove_with_regions(vertex, hole, filled)?;
+            let x = *self.state.delaunay.point(vertex);
+            self.state.remove_with_regions(vertex, hole, filled)?;
+            self.note_departure(&x, &hole.vertices.ids)?;
         }
         Ok(is_needless)
     }
+}
 
-    /// Vertex -> whether it is the centre of a living domain: its cage is found from there.
+impl State<2> {
+    /// Returns, for every vertex, true if it is the centre of a living domain: its cage is found
+    /// from there.
     fn centers(&self) -> AllocResult<Vec<bool>> {
-        let mut is_center = filled(self.state.delaunay.point_count(), false)?;
-        for domain in (0..self.state.hierarchy.len()).map(DomainId::new) {
-            let node = self.state.hierarchy.node(domain);
+        let mut is_center = filled(self.delaunay.point_count(), false)?;
+        for domain in (0..self.hierarchy.len()).map(DomainId::new) {
+            let node = self.hierarchy.node(domain);
             if node.alive {
                 is_center[node.center] = true;
             }
@@ -71,30 +76,30 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(is_center)
     }
 
-    /// Whether refinement made `vertex`, and it is in the mesh, but on no segment.
+    /// Returns true if `vertex` is in the mesh, in no cage, and on no segment.
     fn is_free(&self, vertex: VertexId) -> bool {
         self.is_inserted(vertex)
-            && !self.state.hierarchy.cage_of(vertex).is_valid()
-            && !self.state.segments.chains.holds(vertex)
+            && !self.hierarchy.cage_of(vertex).is_valid()
+            && !self.segments.chains.holds(vertex)
     }
 
-    /// Whether a simplex would be beyond the bound without `vertex`, by a look at its neighbours.
+    /// Returns true if doubles tell that some simplex would be beyond the bound without `vertex`.
     fn is_surely_needed(&self, vertex: VertexId) -> bool {
-        let ring = Ring::around(&self.state.delaunay, vertex);
-        ring.is_some_and(|ring| ring.has_beyond(self.state.parameters.quality_bound))
+        let ring = Ring::around(&self.delaunay, vertex);
+        ring.is_some_and(|ring| ring.has_beyond(self.parameters.quality_bound))
     }
 
-    /// Whether all simplices that would fill the hole of `vertex` are within the bound, and in its
-    /// domain.
-    fn is_needless(&self, vertex: VertexId, hole: &Hole<D>) -> bool {
+    /// Returns true if all simplices that would fill the hole of `vertex` keep the bound, and its
+    /// neighbours are in its domain.
+    fn is_needless(&self, vertex: VertexId, hole: &Hole<2>) -> bool {
         let around = &hole.vertices.ids;
-        let bound = self.state.parameters.quality_bound;
-        self.state.hierarchy.same_domain(around)
-            && self.state.hierarchy.same_domain(&[vertex, around[0]])
+        let bound = self.parameters.quality_bound;
+        self.hierarchy.same_domain(around)
+            && self.hierarchy.same_domain(&[vertex, around[0]])
             && (0..hole.filling.len() as u32).all(|number| {
                 let vertices = hole.filling.vertices(number);
-                let points: [&[f64; D]; 3] =
-                    std::array::from_fn(|index| self.state.delaunay.point(vertices[index]));
+                let points: [&[f64; 2]; 3] =
+                    std::array::from_fn(|index| self.delaunay.point(vertices[index]));
                 let (_, _, shortest) = shortest_distance(&points);
                 Circumball::of(|index| points[index]).radius() <= bound * shortest
             })
@@ -104,16 +109,15 @@ impl<const D: usize> Mesher<'_, '_, D> {
     fn remove_with_regions(
         &mut self,
         vertex: VertexId,
-        hole: &Hole<D>,
+        hole: &Hole<2>,
         filled: &mut Vec<SimplexId>,
     ) -> AllocResult<()> {
-        let x = *self.state.delaunay.point(vertex);
-        self.state.segments.regions.note_removal(&hole.star);
-        self.state.delaunay.remove(vertex, hole, filled)?;
-        let bound = self.state.delaunay.complex().simplex_bound();
-        self.state.segments.regions.note_filled(filled, bound)?;
-        self.state.refine_list.forget(filled, bound)?;
+        self.segments.regions.note_removal(&hole.star);
+        self.delaunay.remove(vertex, hole, filled)?;
+        let bound = self.delaunay.complex().simplex_bound();
+        self.segments.regions.note_filled(filled, bound)?;
+        self.refine_list.forget(filled, bound)?;
         filled.iter().for_each(|&simplex| self.note_corner(simplex));
-        self.note_departure(&x, &hole.vertices.ids)
+        Ok(())
     }
 }

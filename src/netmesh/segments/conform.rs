@@ -1,15 +1,15 @@
 //! From the points to a mesh that conforms to segments.
 
-use super::Segments;
-use super::chain::{Chains, Line};
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{TryGrow, filled, with_capacity};
 use crate::mesh::{Arrangement, Subsegment};
-use crate::netmesh::{Mesher, State};
+use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::segments::chain::{Chains, Line};
+use crate::netmesh::state::{Mesher, State};
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Inserts the inputs, makes all segments chains of edges, and finds the regions between them.
     /// No bound counts meanwhile.
     pub(in crate::netmesh) fn conform(
@@ -25,7 +25,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let lines = self.lines_of(arrangement, cavity)?;
         self.cage_clusters(&lines, cavity)?;
         self.state.segments.chains = Chains::new(lines, self.state.delaunay.point_count())?;
-        self.find_sharp_ends()?;
+        self.state.find_sharp_ends()?;
         self.recover_segments(cavity)?;
         let State { delaunay, segments, .. } = &mut self.state;
         let Segments { chains, regions, visited, .. } = segments;
@@ -33,7 +33,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         self.judge_regions(&arrangement.regions)
     }
 
-    /// The lines of the arrangement. Crossings become vertices.
+    /// Returns the lines of the arrangement. Crossings become vertices.
     fn lines_of(&mut self, arrangement: &Arrangement, cavity: &mut Cavity) -> Result<Vec<Line>> {
         let mut vertices = filled(self.state.inputs, VertexId::NONE)?;
         for (vertex, &input) in self.order.iter().enumerate() {
@@ -54,10 +54,10 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(lines)
     }
 
-    /// The vertex at a point where segments cross, found or made.
+    /// Finds the vertex at a point where segments cross, or makes it.
     fn crossing_at(
         &mut self,
-        x: &[f64; D],
+        x: &[f64; 2],
         near: VertexId,
         cavity: &mut Cavity,
     ) -> Result<VertexId> {
@@ -68,7 +68,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let start = self.state.delaunay.locate(start, x).expect("no vertex is there");
         self.state.delaunay.find_cavity(start, x, cavity)?;
         let domain = self.enter_from_segment(x, cavity)?;
-        let vertex = self.add_vertex(*x)?;
+        let vertex = self.state.add_vertex(*x)?;
         self.state.stats.segment_points += 1;
         self.state.hierarchy.set_domain(vertex, domain);
         self.insert_into_cavity(vertex, cavity)?;

@@ -3,14 +3,15 @@
 //! region on the other side of a line by the balance of the line (for parity by whether that is
 //! odd), and is 0 outside of all.
 
-use super::chain::Line;
-use super::regions::{OUTSIDE, Regions};
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
-use crate::netmesh::State;
+use crate::netmesh::state::State;
+use crate::netmesh::state::segments::chain::Line;
+use crate::netmesh::state::segments::regions::{OUTSIDE, Regions};
 use crate::options::{Extent, Interior};
 
 impl<const D: usize> State<D> {
-    /// Region -> whether it is inside, before seeds make holes. All regions are found.
+    /// Returns, for every region, true if it is inside, before seeds make holes. All regions are
+    /// found.
     pub(super) fn enclosed_regions(&self) -> AllocResult<Vec<bool>> {
         let (regions, lines) = (&self.segments.regions, &self.segments.chains.lines);
         if self.parameters.extent == Extent::All {
@@ -30,8 +31,9 @@ fn are_not_zero(numbers: &[Option<i64>]) -> AllocResult<Vec<bool>> {
     collected(numbers.iter().map(|number| number.is_some_and(|number| number != 0)))
 }
 
-/// Region -> its winding number as `reduced`. Lines are pieces of closed curves, so that any way
-/// from outside gives the same; and all regions are reached, for the plane is connected. O(lines).
+/// Returns the winding number of every region as `reduced`. Lines are pieces of closed curves, so
+/// that any way from outside gives the same; and all regions are reached, for the plane is
+/// connected. O(lines).
 fn winding_numbers(
     regions: &Regions,
     lines: &[Line],

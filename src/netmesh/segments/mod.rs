@@ -14,89 +14,20 @@
 //!
 //! - `conform`: all of it, in order.
 //! - `points`: the Delaunay triangulation of the points.
-//! - `clusters`: what is concentrated, and gets a cage.
-//! - `chain`: the subsegments, and which edges they are.
-//! - `split`: where a subsegment is split; the shells about sharp corners.
-//! - `recover`: what is done until all subsegments are recovered.
-//! - `regions`: the parts of the plane that segments separate, kept while the mesh changes.
-//! - `interior`: which of them are inside.
-//! - `seeds`: what the caller's seeds say of them.
-//! - `exempt`: what refinement leaves alone: what is outside, and what a sharp corner forces.
-//! - `coarsen`: away with vertices that the bound does not need.
+//! - `clusters`: the concentrated sets of vertices, which get cages.
+//! - `sharp_ends`: the ends of lines at which they make sharp angles.
+//! - `interior`: the regions that are inside.
+//! - `seeds`: the labels, sizes and holes that the caller's seeds give regions.
+//! - `coarsen`: the removal of vertices that the bound does not need.
 //! - `ring`: the neighbours of a vertex, and whether they need it.
-//! - `cut`: the result, with what belongs to segments and regions.
 
-mod chain;
-mod clusters;
-mod coarsen;
-mod conform;
-mod cut;
-mod exempt;
-mod interior;
-mod points;
-mod recover;
-mod regions;
-mod ring;
-mod seeds;
-mod split;
+pub(super) mod clusters;
+pub(super) mod coarsen;
+pub(super) mod conform;
+pub(super) mod interior;
+pub(super) mod points;
+pub(super) mod ring;
+pub(super) mod seeds;
+pub(super) mod sharp_ends;
 #[cfg(test)]
 mod tests;
-
-use crate::complex::SimplexId;
-use crate::error::message;
-use crate::mesh::{self, NONE};
-use chain::Chains;
-pub(in crate::netmesh) use cut::cut;
-use regions::Regions;
-use std::borrow::Cow;
-
-/// What a mesh with segments has beside the points.
-#[derive(Default)]
-pub(in crate::netmesh) struct Segments {
-    pub chains: Chains,
-    pub regions: Regions,
-    /// The seeds of the caller in the regions where they were found.
-    seeds: Vec<Seed>,
-    /// The subsegments that a point would encroach.
-    encroached: Vec<u32>,
-    /// Those of them that would be no edges any more, although doubles are too coarse to split
-    /// them.
-    crossed: Vec<u32>,
-    /// Where segments have no room beside each other.
-    pub crowded: Vec<Crowded>,
-    /// Where a search for what is known of a region has been.
-    visited: Vec<SimplexId>,
-}
-
-/// A seed of the caller's, by its number, and the region that it is in.
-#[derive(Clone, Copy)]
-struct Seed {
-    number: u32,
-    x: [f64; 2],
-    region: u32,
-}
-
-/// A point on a segment where doubles have no room for a vertex of its own.
-#[derive(Clone, Copy)]
-pub(in crate::netmesh) struct Crowded {
-    segment: u32,
-    /// The segment that has a vertex there, if one does.
-    beside: Option<u32>,
-    pub at: mesh::Crowded,
-}
-
-/// What an error calls a segment.
-fn name_of(segment: u32) -> Cow<'static, str> {
-    match segment {
-        NONE => "the boundary of the hull or box".into(),
-        segment => message!("segments[{segment}]").into(),
-    }
-}
-
-impl Segments {
-    /// Whether the mesh has segments, and they are being recovered or have been.
-    #[inline]
-    pub fn is_active(&self) -> bool {
-        !self.chains.is_empty()
-    }
-}

@@ -4,25 +4,24 @@
 //! would have been put near segments would be in their way.
 //!
 //! The inputs come in rounds, each of which has about three times as many as those before together,
-//! chosen at random (N. Amenta, S. Choi and G. Rote, "Incremental constructions con BRIO", 2003), so
-//! that the expected time is O(n log n) for all points. In a round they come in their order of
+//! chosen at random (N. Amenta, S. Choi and G. Rote, "Incremental constructions con BRIO", 2003),
+//! so that the expected time is O(n log n) for all points. In a round they come in their order of
 //! locality, and a walk finds each from the one before it in that order that is in the mesh.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, collected};
-use crate::netmesh::Mesher;
-use crate::netmesh::cages::domains::ROOT;
-use crate::netmesh::{Cell, State};
+use crate::netmesh::state::hierarchy::ROOT;
+use crate::netmesh::state::{Cell, Mesher, State};
 use crate::numerics::distance;
 use crate::options::NetOrdering;
 use rand_core::Rng;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 2> {
     /// Inserts all inputs. `center` is the one that is in already.
     pub(super) fn insert_points(&mut self, center: VertexId, cavity: &mut Cavity) -> Result<()> {
-        let rounds = self.rounds_of_inputs()?;
+        let rounds = self.state.rounds_of_inputs()?;
         let count = rounds.iter().copied().max().unwrap_or(0);
         self.state.conflict_lists.dismiss_unassigned();
         for round in (0..=count).rev() {
@@ -42,20 +41,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
         let bound = self.state.delaunay.complex().simplex_bound();
         self.state.refine_list.forget(&[], bound)?;
         self.measure_cells()
-    }
-
-    /// Input -> how many rounds come after its own.
-    fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
-        let ordering = self.state.parameters.ordering;
-        collected((0..self.state.inputs as u32).map(|input| {
-            let bits = match ordering {
-                NetOrdering::SampledNet => self.state.random.next_u32(),
-                // The fractions of multiples of the golden ratio.
-                NetOrdering::DeterministicNet => input.wrapping_mul(0x9e37_79b9),
-            };
-            // Three of four inputs are of the last round.
-            (bits.leading_zeros() / 2) as u8
-        }))
     }
 
     fn insert_by_walk(
@@ -78,7 +63,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(())
     }
 
-    /// The extent of all cells.
+    /// Measures the extent of all cells.
     fn measure_cells(&mut self) -> Result<()> {
         self.state.cells.iter_mut().for_each(|cell| *cell = Cell::NEW);
         for simplex in self.state.delaunay.complex().simplices() {
@@ -99,5 +84,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(())
+    }
+}
+
+impl State<2> {
+    /// Returns, for every input, the number of rounds that come after its own.
+    fn rounds_of_inputs(&mut self) -> AllocResult<Vec<u8>> {
+        let ordering = self.parameters.ordering;
+        collected((0..self.inputs as u32).map(|input| {
+            let bits = match ordering {
+                NetOrdering::SampledNet => self.random.next_u32(),
+                // The fractions of multiples of the golden ratio.
+                NetOrdering::DeterministicNet => input.wrapping_mul(0x9e37_79b9),
+            };
+            // Three of four inputs are of the last round.
+            (bits.leading_zeros() / 2) as u8
+        }))
     }
 }

@@ -1,6 +1,6 @@
-//! The ring of neighbours of a vertex in the plane, and what doubles tell of the triangles that would
-//! fill it if the vertex went. Most vertices are needed for one of those, and need no exact search
-//! of the hole that they would leave.
+//! The ring of neighbours of a vertex in the plane, and what doubles tell of the triangles that
+//! would fill it if the vertex went. Most vertices are needed for one of those, and need no exact
+//! search of the hole that they would leave.
 
 use crate::complex::VertexId;
 use crate::delaunay::Delaunay;
@@ -15,8 +15,8 @@ pub(super) struct Ring {
 }
 
 impl Ring {
-    /// `None` for a vertex of the hull.
-    pub fn around<const D: usize>(delaunay: &Delaunay<D>, vertex: VertexId) -> Option<Self> {
+    /// Returns the ring of a vertex; `None` for one of the hull or with many neighbours.
+    pub fn around(delaunay: &Delaunay<2>, vertex: VertexId) -> Option<Self> {
         let (complex, x) = (delaunay.complex(), delaunay.point(vertex));
         let mut ring = Self { points: [[0.0; 2]; MOST], count: 0 };
         let first = complex.incident(vertex);
@@ -38,14 +38,14 @@ impl Ring {
         }
     }
 
-    /// Whether one of the triangles on the sides of the ring has a radius-edge ratio above `bound`.
-    /// Where doubles overflow or vanish there seems to be none.
+    /// Returns true if one of the triangles on the sides of the ring has a radius-edge ratio above
+    /// `bound`. Where doubles overflow or vanish the answer is no.
     pub fn has_beyond(&self, bound: f64) -> bool {
         (0..self.count).any(|side| self.squared_ratio_on(side) > bound * bound)
     }
 
-    /// The square of the radius-edge ratio of the triangle on a side: its apex is the vertex that
-    /// sees the side at the largest angle.
+    /// Returns the square of the radius-edge ratio of the triangle on a side: its apex is the
+    /// vertex that sees the side at the largest angle.
     fn squared_ratio_on(&self, side: usize) -> f64 {
         let next = (side + 1) % self.count;
         let (a, b) = (self.points[side], self.points[next]);

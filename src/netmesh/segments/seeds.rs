@@ -2,13 +2,13 @@
 //! a region that it can say something of, and no region has two: otherwise a misplaced seed would
 //! leave the mesh as if it had not been given.
 
-use super::regions::OUTSIDE;
-use super::{Seed, name_of};
 use crate::complex::{SimplexId, VertexId};
 use crate::error::{Choice, Error, ErrorKind, Message, Name, Result, say};
 use crate::memory::{TryGrow, filled};
 use crate::mesh::{NONE, Region};
-use crate::netmesh::{Mesher, State};
+use crate::netmesh::state::segments::regions::OUTSIDE;
+use crate::netmesh::state::segments::{Seed, name_of};
+use crate::netmesh::state::{Mesher, State};
 use crate::numerics::{Sign, orientation};
 use crate::options::Extent;
 use crate::parameters::Parameters;
@@ -19,7 +19,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
     pub(super) fn judge_regions(&mut self, seeds: &[Region]) -> Result<()> {
         let count = self.state.segments.regions.len();
         let mut is_inside = self.state.enclosed_regions()?;
-        self.refuse_nothing(&is_inside, "segments enclose nothing")?;
+        self.state.refuse_nothing(&is_inside, "segments enclose nothing")?;
         self.find_seeds(seeds, &is_inside)?;
         let mut labels = filled(count, 0)?;
         let mut max_edges = filled(count, f64::INFINITY)?;
@@ -34,7 +34,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 max_edges[region] = given.max_edge;
             }
         }
-        self.refuse_nothing(&is_inside, "all that is inside is a hole")?;
+        self.state.refuse_nothing(&is_inside, "all that is inside is a hole")?;
         let regions = &mut self.state.segments.regions;
         (regions.is_inside, regions.labels) = (is_inside, labels);
         regions.max_edges = max_edges;
@@ -53,11 +53,11 @@ impl<const D: usize> Mesher<'_, '_, D> {
             // Beyond the outer cage is more of what surrounds all segments.
             if let Some(simplex) = self.state.delaunay.simplex_at(near, &x) {
                 near = simplex;
-                self.refuse_on_segment(number, &x, simplex)?;
+                self.state.refuse_on_segment(number, &x, simplex)?;
                 let known = self.state.segments.regions.of(simplex);
                 region = known.expect("all regions are known");
             }
-            self.refuse_outside(number, seed, region, is_enclosed[region as usize])?;
+            self.state.refuse_outside(number, seed, region, is_enclosed[region as usize])?;
             let earlier = std::mem::replace(&mut seed_of[region as usize], number);
             if earlier != NONE {
                 return refuse(say!(
@@ -72,7 +72,9 @@ impl<const D: usize> Mesher<'_, '_, D> {
         }
         Ok(())
     }
+}
 
+impl<const D: usize> State<D> {
     /// Refuses a seed in a region that is no part of the domain. A hole there is what the rule of
     /// `options.interior` has made already, unless it is outside of all segments.
     fn refuse_outside(
@@ -82,7 +84,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
         region: u32,
         is_enclosed: bool,
     ) -> Result<()> {
-        let Parameters { extent, interior, .. } = self.state.parameters;
+        let Parameters { extent, interior, .. } = self.parameters;
         let [x, y] = seed.seed;
         if is_enclosed || seed.is_hole && region != OUTSIDE {
             return Ok(());
@@ -110,7 +112,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Refuses a domain that has no region, for which `why` is the reason.
     fn refuse_nothing(&self, is_inside: &[bool], why: &str) -> Result<()> {
-        let Parameters { extent, interior, .. } = self.state.parameters;
+        let Parameters { extent, interior, .. } = self.parameters;
         if is_inside.contains(&true) {
             return Ok(());
         }
@@ -125,8 +127,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
 
     /// Refuses a seed that is so near to a segment that it is in another region since the segment's
     /// vertices came, each of them rounded. All regions are known.
-    pub(super) fn check_seeds(&self) -> Result<()> {
-        let State { delaunay, segments, .. } = &self.state;
+    pub(in crate::netmesh) fn check_seeds(&self) -> Result<()> {
+        let State { delaunay, segments, .. } = self;
         let mut near = delaunay.complex().incident(VertexId::new(0));
         for seed in &segments.seeds {
             let x = std::array::from_fn(|axis| seed.x[axis]);
@@ -146,14 +148,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
     /// Refuses a seed on a segment, which is in no region. `simplex` holds it.
     fn refuse_on_segment(&self, number: u32, x: &[f64; D], simplex: SimplexId) -> Result<()> {
         let Some(line) = self.line_under(x, simplex) else { return Ok(()) };
-        let name = name_of(self.state.segments.chains.lines[line as usize].segment);
+        let name = name_of(self.segments.chains.lines[line as usize].segment);
         refuse(say!(Name::Seed(number), " is on {name}; it must be in the interior of a region"))
     }
 
     /// Returns the line that a point of the closure of `simplex` is on. At a vertex of a line it
     /// may be that no side of the simplex is of that line.
     fn line_under(&self, x: &[f64; D], simplex: SimplexId) -> Option<u32> {
-        let State { delaunay, segments, .. } = &self.state;
+        let State { delaunay, segments, .. } = self;
         let (vertices, chains) = (delaunay.complex().vertices(simplex), &segments.chains);
         let at_vertex = vertices.iter().find(|&&vertex| delaunay.point(vertex) == x);
         if let Some(&vertex) = at_vertex {

@@ -85,12 +85,12 @@ fn dot(a: &[IBig; 2], b: &[IBig; 2], c: &[IBig; 2]) -> IBig {
 }
 
 /// Twice the area of the simplices.
-fn area(mesh: &Triangulation, is_wanted: impl Fn(usize) -> bool) -> IBig {
+fn area(mesh: &Triangulation, selects: impl Fn(usize) -> bool) -> IBig {
     let area = |simplex: usize| {
         let [a, b, c] = [0, 1, 2].map(|i| point(mesh, mesh.simplex(simplex)[i]));
         cross(&a, &b, &c)
     };
-    (0..mesh.simplex_count()).filter(|&simplex| is_wanted(simplex)).map(area).sum()
+    (0..mesh.simplex_count()).filter(|&simplex| selects(simplex)).map(area).sum()
 }
 
 /// The smallest angle in degrees of the simplices that no corner forces.
@@ -435,7 +435,7 @@ fn extents_that_cannot_be_are_refused() {
     assert!(refusal(2, Extent::Boundary).contains("needs segments; the mesh has none"));
 }
 
-/// What is cut away holds no point of a query.
+/// A location query finds no simplex at a point in a hole.
 #[test]
 fn points_in_holes_are_outside() {
     let (outer, inner) = (circle(40, [0.0; 2], 1.0), circle(10, [0.0; 2], 0.5));

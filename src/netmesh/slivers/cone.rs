@@ -1,20 +1,21 @@
 //! The tetrahedra that a point would make: the cone over the boundary of its cavity.
 
-use super::View;
-use super::shape::{Corners, Measure, corners, in_space};
 use crate::complex::VertexId;
+use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::slivers::shape::{Measure, Tetrahedron, in_space, tetrahedron};
+use crate::netmesh::slivers::view::View;
 
 /// A tetrahedron whose vertex number `apex` is the point.
 #[derive(Clone, Copy)]
-pub(super) struct Side {
+pub(super) struct ConeSimplex {
     pub vertices: [VertexId; 4],
     pub apex: usize,
 }
 
 #[derive(Default)]
 pub(super) struct Cone {
-    pub sides: Vec<Side>,
+    pub sides: Vec<ConeSimplex>,
 }
 
 impl Cone {
@@ -22,35 +23,42 @@ impl Cone {
     #[inline]
     pub fn push(&mut self, vertices: &[VertexId], apex: usize) -> AllocResult<()> {
         let vertices = std::array::from_fn(|index| vertices[index]);
-        self.sides.try_push(Side { vertices, apex })
+        self.sides.try_push(ConeSimplex { vertices, apex })
     }
 
-    /// `gain` less what the cone of `x` adds to the objective, if that is more than `least`.
+    /// Returns `gain` less the penalties of the cone of `x`, if that is more than `least`.
     #[inline]
-    pub fn judge<const D: usize>(
-        &self,
-        view: View<'_, D>,
-        x: &[f64; D],
-        gain: f64,
-        least: f64,
-    ) -> Option<f64> {
+    pub fn judge(&self, view: View<'_>, x: &[f64; 3], gain: f64, least: f64) -> Option<f64> {
         let x = in_space(x);
         let mut account = Account::new(view.measure, gain, least);
         let is_worth = self.sides.iter().all(|side| {
-            let mut corners = corners(view.delaunay, &side.vertices);
-            corners[side.apex] = x;
-            account.charge(corners)
+            let mut tetrahedron = tetrahedron(view.delaunay, &side.vertices);
+            tetrahedron[side.apex] = x;
+            account.charge(tetrahedron)
         });
         if is_worth { account.rest() } else { None }
     }
+
+    /// Returns true if the simplices that a vertex at `x` would make are as small as the caller
+    /// asks for. This asks the caller, so it comes after all other tests.
+    pub fn keeps_sizes(&self, view: View<'_>, x: &[f64; 3]) -> Result<bool> {
+        let Some(sizes) = view.sizes else { return Ok(true) };
+        for side in &self.sides {
+            if !sizes.allow(view.delaunay, &side.vertices, side.apex, x)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
 }
 
-/// What is left of a gain while tetrahedra come. They are measured two at a time, which is faster.
+/// Account of a gain, less the penalties of tetrahedra as they come. They are measured two at a
+/// time, which is faster.
 pub(super) struct Account<'a> {
     measure: &'a Measure,
     gain: f64,
     least: f64,
-    waiting: Option<Corners>,
+    waiting: Option<Tetrahedron>,
 }
 
 impl<'a> Account<'a> {
@@ -61,20 +69,20 @@ impl<'a> Account<'a> {
     /// Takes what a tetrahedron adds to the objective. Returns whether more than the least is left,
     /// as far as that is known.
     #[inline(always)]
-    pub fn charge(&mut self, corners: Corners) -> bool {
+    pub fn charge(&mut self, tetrahedron: Tetrahedron) -> bool {
         match self.waiting.take() {
-            None => self.waiting = Some(corners),
+            None => self.waiting = Some(tetrahedron),
             Some(first) => {
-                let [a, b] = self.measure.penalties([&first, &corners]);
+                let [a, b] = self.measure.penalties([&first, &tetrahedron]);
                 self.gain -= a + b;
             }
         }
         self.gain > self.least
     }
 
-    /// What is left in the end, if that is more than the least.
+    /// Returns the gain less all penalties, if that is more than the least.
     pub fn rest(self) -> Option<f64> {
-        let last = self.waiting.map_or(0.0, |corners| self.measure.penalty(&corners));
+        let last = self.waiting.map_or(0.0, |tetrahedron| self.measure.penalty(&tetrahedron));
         let gain = self.gain - last;
         (gain > self.least).then_some(gain)
     }

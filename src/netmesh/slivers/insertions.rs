@@ -1,56 +1,55 @@
 //! Insertions: a further point in the D-ball of a sliver.
 
-use super::cone::Cone;
-use super::journal::Step;
-use super::queue::Sliver;
-use super::random::Random;
-use super::{Slivers, View};
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::{Cell, Mesher};
+use crate::netmesh::slivers::cone::Cone;
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::view::View;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::{Mesher, State};
 
 /// The vertices of a sliver whose middles are tried. The middle of an edge is in the D-balls of all
 /// simplices round it, and most of those round an edge of slivers may be such: in a lattice a point
 /// so mends four of its cells.
 const EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// How far from the circumcentre a point may go, relative to the radius, in turns.
+/// Largest distances of a point from the circumcentre, relative to the radius, in turns.
 const SPREADS: [f64; 3] = [0.25, 0.5, 0.85];
 
 /// A point to insert.
 #[derive(Clone, Copy)]
-pub(super) struct Insertion<const D: usize> {
-    pub x: [f64; D],
+pub(super) struct Insertion {
+    pub x: [f64; 3],
     pub gain: f64,
 }
 
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The `most` best of `count` points for `sliver` that are worth more than `least`, the best
-    /// first.
+impl Mesher<'_, '_, 3> {
+    /// Returns the `most` best of `count` points for `sliver` that are worth more than `least`, the
+    /// best first.
     pub(super) fn best_insertions(
         &mut self,
         sliver: &Sliver,
         [most, count]: [usize; 2],
         least: f64,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<Vec<Insertion<D>>> {
-        let mut best: Vec<Insertion<D>> = Vec::new();
+        slivers: &mut Slivers,
+    ) -> Result<Vec<Insertion>> {
+        let mut best: Vec<Insertion> = Vec::new();
         let ball = self.state.delaunay.ball(sliver.simplex).map(|ball| ball.radius());
         let Some((center, radius)) = self.state.delaunay.corner(sliver.simplex).zip(ball) else {
             return Ok(best);
         };
         for number in 0..count {
             self.watch.poll_after(20)?;
-            let x: [f64; D] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
+            let x: [f64; 3] = match number.checked_sub(1).map(|at| EDGES.get(at)) {
                 None => center,
-                Some(Some(&ends)) => self.middle(ends.map(|at| sliver.vertices[at])),
+                Some(Some(&ends)) => self.state.middle(ends.map(|at| sliver.vertices[at])),
                 Some(None) => {
                     let spread = radius * SPREADS[number % SPREADS.len()];
-                    let way: [f64; D] = random.in_ball();
+                    let way: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| center[k] + spread * way[k])
                 }
             };
@@ -63,8 +62,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 Some(last) => last.gain,
                 None => least,
             };
-            self.state.delaunay.find_cavity(sliver.simplex, &x, cavity)?;
-            if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers, cavity)? {
+            self.state.delaunay.find_cavity(sliver.simplex, &x, &mut slivers.cavity)?;
+            if let Some((gain, is_clean)) = self.judge_insertion(&x, least, slivers)? {
                 let at = best.iter().position(|other| other.gain < gain).unwrap_or(best.len());
                 best.truncate(most - 1);
                 best.try_push(Insertion { x, gain })?;
@@ -78,22 +77,16 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(best)
     }
 
-    fn middle(&self, ends: [VertexId; 2]) -> [f64; D] {
-        let [a, b] = ends.map(|end| self.state.delaunay.point(end));
-        std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
-    }
-
-    /// What it is worth to insert `x`, whose conflicts are `cavity`, if that is more than `least`,
-    /// and whether it would leave no sliver.
+    /// Returns the gain of inserting `x`, whose conflicts are `slivers.cavity`, if that is more
+    /// than `least`, and whether it would leave no sliver.
     pub(super) fn judge_insertion(
         &mut self,
-        x: &[f64; D],
+        x: &[f64; 3],
         least: f64,
-        slivers: &mut Slivers<D>,
-        cavity: &Cavity,
-    ) -> AllocResult<Option<(f64, bool)>> {
-        let Some(domain) = self.common_domain(cavity) else { return Ok(None) };
-        let Slivers { measure, penalties, cone, .. } = slivers;
+        slivers: &mut Slivers,
+    ) -> Result<Option<(f64, bool)>> {
+        let Some(domain) = self.state.common_domain(&slivers.cavity) else { return Ok(None) };
+        let Slivers { measure, penalties, cone, cavity, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
         let is_infinite = |&simplex: &SimplexId| view.delaunay.ball(simplex).is_none();
         if cavity.simplices.iter().any(is_infinite) || !view.hierarchy.contains(domain, x) {
@@ -104,49 +97,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
             return Ok(None);
         }
         cone_over(view, cavity, cone)?;
-        let gain = cone
-            .judge(view, x, before, least)
-            .filter(|_| cone.keeps_cells(view, x) && cone.keeps_sizes(view, x));
-        Ok(gain.map(|gain| (gain, gain >= before)))
-    }
-
-    /// Inserts a point into the D-ball of `start`.
-    pub(super) fn insert_point(
-        &mut self,
-        start: SimplexId,
-        x: &[f64; D],
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<VertexId> {
-        self.state.delaunay.find_cavity(start, x, cavity)?;
-        let domain = self.enter(x, cavity)?;
-        let vertex = match slivers.free.pop() {
-            Some(vertex) => {
-                self.state.delaunay.set_point(vertex, *x);
-                self.state.cells[vertex] = Cell::NEW;
-                self.state.precision_limited[vertex] = false;
-                vertex
-            }
-            None => self.add_vertex(*x)?,
-        };
-        self.state.stats.off_centers += 1;
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Inserted(vertex))?;
-        }
-        self.state.hierarchy.set_domain(vertex, domain);
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
-        self.weigh_cone(slivers)?;
-        self.note_arrival(vertex, &cavity.vertices.ids);
-        self.ask_size_again(vertex)?;
-        Ok(vertex)
+        let Some(gain) = cone.judge(view, x, before, least) else { return Ok(None) };
+        let is_kept = cone.keeps_cells(view, x) && cone.keeps_sizes(view, x)?;
+        Ok(is_kept.then_some((gain, gain >= before)))
     }
 }
 
-fn cone_over<const D: usize>(
-    view: View<'_, D>,
-    cavity: &Cavity,
-    cone: &mut Cone,
-) -> AllocResult<()> {
+impl State<3> {
+    pub(in crate::netmesh) fn middle(&self, ends: [VertexId; 2]) -> [f64; 3] {
+        let [a, b] = ends.map(|end| self.delaunay.point(end));
+        std::array::from_fn(|k| 0.5 * a[k] + 0.5 * b[k])
+    }
+}
+
+fn cone_over(view: View<'_>, cavity: &Cavity, cone: &mut Cone) -> AllocResult<()> {
     cone.sides.clear();
     for facet in &cavity.boundary {
         cone.push(view.delaunay.complex().vertices(facet.simplex), facet.index as usize)?;

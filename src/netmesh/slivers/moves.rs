@@ -1,29 +1,28 @@
 //! Moves: a vertex of a sliver goes elsewhere or away, or one of a simplex beside it does.
 
-use super::journal::Step;
-use super::queue::Sliver;
-use super::random::Random;
-use super::vacancy::Place;
-use super::{Slivers, View};
 use crate::complex::VertexId;
-use crate::delaunay::Cavity;
 use crate::error::Result;
-use crate::memory::TryGrow;
-use crate::netmesh::{Cell, Mesher};
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::vacancy::Target;
+use crate::netmesh::slivers::view::View;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::Mesher;
 use crate::numerics::distance;
 
 /// Places that are tried for a vertex.
 const PLACES: usize = 16;
 
-/// How far from where it is a vertex may go, relative to its nearest neighbour.
+/// Largest distance that a vertex moves, relative to that of its nearest neighbour.
 const REACH: f64 = 0.6;
 
-/// How deep in the D-ball of a sliver a neighbour may go, relative to the radius, and how far from
-/// the way there, relative to its nearest neighbour.
+/// Depth that a neighbour may go into the D-ball of a sliver, relative to the radius, and distance
+/// from the way there, relative to its nearest neighbour.
 const DEPTH: f64 = 0.35;
+
 const ASIDE: f64 = 0.3;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Moves one vertex such that the objective falls. Returns what that was worth. `times`: how
     /// many times as many places as usual are tried.
     pub(super) fn mend_by_move(
@@ -31,21 +30,20 @@ impl<const D: usize> Mesher<'_, '_, D> {
         sliver: &Sliver,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
+        slivers: &mut Slivers,
     ) -> Result<Option<f64>> {
         for vertex in sliver.vertices {
-            let gain = self.mend_by_vertex(vertex, None, times, random, slivers, cavity)?;
+            let gain = self.mend_by_vertex(vertex, None, times, random, slivers)?;
             if gain.is_some() {
                 return Ok(gain);
             }
         }
-        for index in 0..=D {
+        for index in 0..=3 {
             let neighbor = self.state.delaunay.complex().neighbors(sliver.simplex)[index];
             let vertices = self.state.delaunay.complex().vertices(neighbor);
             let apex = vertices.iter().find(|vertex| !sliver.vertices.contains(vertex));
             let Some(&apex) = apex.filter(|apex| apex.is_valid()) else { continue };
-            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers, cavity)?;
+            let gain = self.mend_by_vertex(apex, Some(sliver), times, random, slivers)?;
             if gain.is_some() {
                 return Ok(gain);
             }
@@ -53,45 +51,44 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(None)
     }
 
-    /// Removes or moves `vertex` such that the objective falls. Returns what that was worth. `into`:
-    /// a sliver in whose D-ball the vertex would destroy it.
+    /// Removes or moves `vertex` such that the objective falls. Returns what that was worth.
+    /// `into`: a sliver in whose D-ball the vertex would destroy it.
     fn mend_by_vertex(
         &mut self,
         vertex: VertexId,
         into: Option<&Sliver>,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
+        slivers: &mut Slivers,
     ) -> Result<Option<f64>> {
         if !self.find_vacancy(vertex, slivers)? {
             return Ok(None);
         }
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let view = View::new(&self.state, self.sizes.as_ref(), penalties, measure);
-        // What a journal has is often one point too many: that is not to go at once.
-        if slivers.journal.is_none() {
-            if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain) {
+        // What a log has is often one point too many: that is not to go at once.
+        if slivers.log.is_none() {
+            if let Some(gain) = vacancy.judge_removal(view, slivers.least_gain)? {
                 self.remove_vertex(vertex, slivers)?;
                 return Ok(Some(gain));
             }
         }
         let place = self.best_place(vertex, into, times, random, slivers)?;
         if let Some(place) = &place {
-            self.move_vertex(vertex, place, slivers, cavity)?;
+            self.move_vertex(vertex, place, slivers)?;
         }
         Ok(place.map(|place| place.gain))
     }
 
-    /// The place for the vertex that `slivers.vacancy` is without that is worth most.
+    /// Returns the place for the vertex that `slivers.vacancy` is without that is worth most.
     fn best_place(
         &mut self,
         vertex: VertexId,
         into: Option<&Sliver>,
         times: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-    ) -> Result<Option<Place<D>>> {
+        slivers: &mut Slivers,
+    ) -> Result<Option<Target>> {
         let least_gain = slivers.least_gain;
         let Slivers { measure, penalties, vacancy, .. } = slivers;
         let domain = self.state.hierarchy.domain_of(vertex);
@@ -101,7 +98,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             view.delaunay.corner(sliver.simplex).map(|center| (center, radius))
         });
         let from = *view.delaunay.point(vertex);
-        let mut best: Option<Place<D>> = None;
+        let mut best: Option<Target> = None;
         for number in 0..PLACES * times {
             self.watch.poll_after(20)?;
             let x = match (number, &ball) {
@@ -112,13 +109,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 (_, Some((center, radius))) if number % 2 == 0 => {
                     let depth = 1.0 - DEPTH * random.fraction();
                     let way = depth * radius / distance(&from, center);
-                    let aside: [f64; D] = random.in_ball();
+                    let aside: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| {
                         center[k] + way * (from[k] - center[k]) + ASIDE * vacancy.nearest * aside[k]
                     })
                 }
                 _ => {
-                    let way: [f64; D] = random.in_ball();
+                    let way: [f64; 3] = random.in_ball();
                     std::array::from_fn(|k| from[k] + REACH * vacancy.nearest * way[k])
                 }
             };
@@ -134,31 +131,5 @@ impl<const D: usize> Mesher<'_, '_, D> {
             }
         }
         Ok(best)
-    }
-
-    /// Moves the vertex that `slivers.vacancy` is without.
-    pub(super) fn move_vertex(
-        &mut self,
-        vertex: VertexId,
-        place: &Place<D>,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
-    ) -> Result<()> {
-        let from = *self.state.delaunay.point(vertex);
-        if let Some(journal) = &mut slivers.journal {
-            journal.steps.try_push(Step::Moved(vertex, from))?;
-        }
-        let mut filled = std::mem::take(&mut slivers.filled);
-        self.state.delaunay.remove(vertex, &slivers.vacancy.hole, &mut filled)?;
-        self.state.delaunay.set_point(vertex, place.x);
-        self.state.delaunay.find_cavity(filled[place.near], &place.x, cavity)?;
-        self.state.delaunay.insert(vertex, cavity, &mut self.scratch.created)?;
-        self.state.cells[vertex] = Cell::NEW;
-        self.weigh(&filled, slivers)?;
-        self.weigh_cone(slivers)?;
-        slivers.filled = filled;
-        self.note_departure(&from, &slivers.vacancy.hole.vertices.ids)?;
-        self.note_arrival(vertex, &cavity.vertices.ids);
-        self.ask_size_again(vertex)
     }
 }

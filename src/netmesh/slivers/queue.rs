@@ -8,10 +8,10 @@ use std::collections::BinaryHeap;
 /// A sliver as it was when it was queued.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliver {
-    /// What it adds to the objective.
+    /// Penalty of the sliver in the objective.
     pub penalty: f32,
     pub simplex: SimplexId,
-    /// In rising order.
+    /// Vertices in rising order.
     pub vertices: [VertexId; 4],
 }
 
@@ -46,7 +46,7 @@ impl Queue {
         Ok(())
     }
 
-    /// The worst of those that wait.
+    /// Returns the worst of those that wait.
     pub fn pop(&mut self) -> Option<Sliver> {
         self.waiting.pop()
     }
@@ -56,17 +56,17 @@ impl Queue {
         self.failed.try_push(sliver)
     }
 
-    /// Those kept for another pass.
+    /// Takes the slivers that were kept for another pass.
     pub fn take_failed(&mut self) -> Vec<Sliver> {
         std::mem::take(&mut self.failed)
     }
 
-    /// The number of those kept for another pass, stale ones too.
+    /// Returns the number of those kept for another pass, stale ones too.
     pub fn failed(&self) -> usize {
         self.failed.len()
     }
 
-    /// The number of those that wait or have failed, stale ones too.
+    /// Returns the number of those that wait or have failed, stale ones too.
     pub fn len(&self) -> usize {
         self.waiting.len() + self.failed.len()
     }

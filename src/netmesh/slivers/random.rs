@@ -1,7 +1,7 @@
 //! Random numbers of one sliver, which its vertices and the effort determine.
 
-use super::queue::Sliver;
 use crate::complex::VertexId;
+use crate::netmesh::slivers::queue::Sliver;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014).
 pub(super) struct Random(u64);
@@ -16,7 +16,7 @@ impl Random {
         random
     }
 
-    /// The same, of one vertex.
+    /// Returns the random numbers of one vertex.
     pub fn of_vertex(vertex: VertexId) -> Self {
         Self(u64::from(vertex.number()) << 32)
     }
@@ -26,20 +26,20 @@ impl Random {
         crate::numerics::mixed(self.0)
     }
 
-    /// A number in [-1, 1).
+    /// Returns a number in [-1, 1).
     fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * f64::EPSILON - 1.0
     }
 
-    /// A number in [0, 1).
+    /// Returns a number in [0, 1).
     pub fn fraction(&mut self) -> f64 {
         0.5 + 0.5 * self.unit()
     }
 
-    /// A point of the unit ball.
-    pub fn in_ball<const D: usize>(&mut self) -> [f64; D] {
+    /// Returns a point of the unit ball.
+    pub fn in_ball(&mut self) -> [f64; 3] {
         loop {
-            let x: [f64; D] = std::array::from_fn(|_| self.unit());
+            let x: [f64; 3] = std::array::from_fn(|_| self.unit());
             if x.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
                 return x;
             }

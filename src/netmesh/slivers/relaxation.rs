@@ -1,25 +1,25 @@
 //! Insertion with a relaxation: a point that is worth it only when vertices near it have moved. If
 //! it is not worth it then, all is undone.
 
-use super::Slivers;
-use super::insertions::Insertion;
-use super::journal::Journal;
-use super::queue::Sliver;
-use super::random::Random;
 use crate::complex::{SimplexId, VertexId};
-use crate::delaunay::Cavity;
 use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
-use crate::netmesh::Mesher;
+use crate::netmesh::slivers::insertions::Insertion;
+use crate::netmesh::slivers::log::Log;
+use crate::netmesh::slivers::queue::Sliver;
+use crate::netmesh::slivers::random::Random;
+use crate::netmesh::slivers::work::Slivers;
+use crate::netmesh::state::Mesher;
 
 /// Points that are tried, and slivers whose vertices are moved after each.
 const POINTS: usize = 3;
+
 const SLIVERS: usize = 8;
 
-/// What a point may cost before vertices move.
+/// Largest cost of a point before vertices move.
 const COST: f64 = 4.0;
 
-impl<const D: usize> Mesher<'_, '_, D> {
+impl Mesher<'_, '_, 3> {
     /// Inserts a point for `sliver`, of `count`, and moves vertices such that the objective falls.
     /// Returns whether that could be done.
     pub(super) fn relax(
@@ -27,22 +27,21 @@ impl<const D: usize> Mesher<'_, '_, D> {
         sliver: &Sliver,
         count: usize,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
+        slivers: &mut Slivers,
     ) -> Result<bool> {
         let numbers = [POINTS, count];
-        let points = self.best_insertions(sliver, numbers, -COST, random, slivers, cavity)?;
+        let points = self.best_insertions(sliver, numbers, -COST, random, slivers)?;
         for Insertion { x, gain } in points {
             // What was undone has come back by other ids.
             let Some(start) = self.find_simplex(&sliver.vertices)? else { break };
-            slivers.journal = Some(Journal::default());
-            self.insert_point(start, &x, slivers, cavity)?;
+            slivers.log = Some(Log::default());
+            self.insert_point(start, &x, slivers)?;
             let wanted = slivers.least_gain - gain;
-            if self.move_around(wanted, random, slivers, cavity)? >= wanted {
-                self.keep_changes(slivers)?;
+            if self.move_around(wanted, random, slivers)? >= wanted {
+                self.state.keep_changes(slivers)?;
                 return Ok(true);
             }
-            self.undo_changes(slivers, cavity)?;
+            self.undo_changes(slivers)?;
         }
         Ok(false)
     }
@@ -53,28 +52,27 @@ impl<const D: usize> Mesher<'_, '_, D> {
         &mut self,
         wanted: f64,
         random: &mut Random,
-        slivers: &mut Slivers<D>,
-        cavity: &mut Cavity,
+        slivers: &mut Slivers,
     ) -> Result<f64> {
         let (mut total, mut tried) = (0.0, 0);
         while total < wanted && tried < SLIVERS {
-            let Some(journal) = &mut slivers.journal else { break };
-            let fresh = &mut journal.fresh;
+            let Some(log) = &mut slivers.log else { break };
+            let fresh = &mut log.fresh;
             let worst = (0..fresh.len()).max_by_key(|&at| fresh[at]);
             let Some(sliver) = worst.map(|at| fresh.swap_remove(at)) else { break };
-            if self.is_current(&sliver, &slivers.penalties) {
+            if self.state.is_current(&sliver, &slivers.penalties) {
                 tried += 1;
-                let gain = self.mend_by_move(&sliver, 1, random, slivers, cavity)?;
+                let gain = self.mend_by_move(&sliver, 1, random, slivers)?;
                 total += gain.unwrap_or(0.0);
-                if let Some(journal) = &mut slivers.journal {
-                    journal.failed.try_push(sliver)?;
+                if let Some(log) = &mut slivers.log {
+                    log.failed.try_push(sliver)?;
                 }
             }
         }
         Ok(total)
     }
 
-    /// A live simplex, given its vertices in rising order.
+    /// Returns a live simplex, given its vertices in rising order.
     fn find_simplex(&mut self, vertices: &[VertexId; 4]) -> AllocResult<Option<SimplexId>> {
         self.state.delaunay.star(vertices[0], &mut self.scratch.star)?;
         let complex = self.state.delaunay.complex();

@@ -7,10 +7,10 @@ use crate::options::Criterion;
 use std::ops::RangeInclusive;
 
 /// The vertices of a tetrahedron.
-pub(super) type Corners = [[f64; 3]; 4];
+pub(super) type Tetrahedron = [[f64; 3]; 4];
 
-/// What a tetrahedron beyond the bound of the criterion adds to the objective. No change that makes
-/// one is worth it.
+/// Penalty of a tetrahedron beyond the bound of the criterion. No change that makes one is worth
+/// it.
 const VIOLATION: f64 = 1000.0;
 
 /// The angle that is aimed at is so many radians larger than that asked for, about 1e-6 degrees:
@@ -26,9 +26,9 @@ const SAFE: RangeInclusive<f64> = 1e-30..=1e30;
 /// A face is small beside another if its squared area is so many times smaller.
 const LOPSIDED: f64 = 1e-8;
 
-/// What shapes are measured against.
+/// Angle and bound that tetrahedra are measured against.
 #[derive(Clone, Copy)]
-pub(super) struct Measure {
+pub(in crate::netmesh) struct Measure {
     /// The least dihedral angle, in radians, and the square of its cosine.
     angle: f64,
     square_cosine: f64,
@@ -39,7 +39,8 @@ pub(super) struct Measure {
 }
 
 impl Measure {
-    /// Dihedral angles of at least `degrees`; of the criterion's measure at most `bound`.
+    /// Returns the measure of dihedral angles of at least `degrees`, and of the criterion of at
+    /// most `bound`.
     pub fn new(degrees: f64, criterion: Criterion, bound: f64) -> Self {
         let angle = degrees.to_radians() + MARGIN;
         let bound = bound * (1.0 - MARGIN_OF_BOUND);
@@ -50,38 +51,39 @@ impl Measure {
         Self { angle, square_cosine: angle.cos().powi(2), square_bound, half_aspect }
     }
 
-    /// Of angles alone.
+    /// Returns a measure of angles alone, without a bound.
     pub fn of_angles(degrees: f64) -> Self {
         Self::new(degrees, Criterion::RadiusEdge, f64::INFINITY)
     }
 
-    /// What a tetrahedron adds to the objective: nothing if its shape is good, 1 to 2 for a sliver,
-    /// more beyond the bound.
+    /// Returns the penalty of a tetrahedron in the objective: 0 if its shape is good, 1 to 2 for a
+    /// sliver, more beyond the bound.
     #[inline]
-    pub fn penalty(&self, corners: &Corners) -> f64 {
-        let signs = self.signs(*corners);
-        if is_good(signs) { 0.0 } else { self.penalty_with_care(corners) }
+    pub fn penalty(&self, tetrahedron: &Tetrahedron) -> f64 {
+        let signs = self.signs(*tetrahedron);
+        if is_good(signs) { 0.0 } else { self.penalty_with_care(tetrahedron) }
     }
 
-    /// The same of two, in less than twice the time of one.
+    /// Returns the penalties of two tetrahedra, in less than twice the time of one.
     #[inline]
-    pub fn penalties(&self, [first, second]: [&Corners; 2]) -> [f64; 2] {
+    pub fn penalties(&self, [first, second]: [&Tetrahedron; 2]) -> [f64; 2] {
         let both = |i: usize, k: usize| F64x2::new(first[i][k], second[i][k]);
-        let corners = std::array::from_fn(|i| std::array::from_fn(|k| both(i, k)));
-        let signs = self.signs(corners).map(F64x2::get);
-        let of = |lane: usize, corners| match is_good(signs.map(|sign| sign[lane])) {
+        let tetrahedron = std::array::from_fn(|i| std::array::from_fn(|k| both(i, k)));
+        let signs = self.signs(tetrahedron).map(F64x2::get);
+        let of = |lane: usize, tetrahedron| match is_good(signs.map(|sign| sign[lane])) {
             true => 0.0,
-            false => self.penalty_with_care(corners),
+            false => self.penalty_with_care(tetrahedron),
         };
         [of(0, first), of(1, second)]
     }
 
-    /// What [`is_good`] looks at: the largest difference of coordinates; the volume; what is positive
-    /// where an angle is too small, where the radius is beyond the bound, and where a face is too
-    /// small beside others for these to tell; the least squared normal.
+    /// Returns the numbers that [`is_good`] tests: the largest difference of coordinates; the
+    /// volume; a number that is positive where an angle is too small, one where the radius is
+    /// beyond the bound, one where a face is too small beside others for these to tell; the least
+    /// squared normal.
     #[inline(always)]
     fn signs<R: Real>(&self, [origin, a, b, c]: [[R; 3]; 4]) -> [R; 6] {
-        let [a, b, c] = [a, b, c].map(|corner| minus(corner, origin));
+        let [a, b, c] = [a, b, c].map(|vertex| minus(vertex, origin));
         let magnitudes = [a, b, c].map(|[x, y, z]| x.abs().max(y.abs()).max(z.abs()));
         let largest = magnitudes[0].max(magnitudes[1]).max(magnitudes[2]);
         let (ab, bc, ca) = (cross(a, b), cross(b, c), cross(c, a));
@@ -118,12 +120,12 @@ impl Measure {
         [largest, volume, near.max(beside_far), square(center) - bound, lopsided, least]
     }
 
-    /// As [`Self::penalty`], of one that is not known to add nothing.
+    /// Returns the penalty of a tetrahedron that the fast test does not know to be good.
     #[cold]
     #[inline(never)]
-    fn penalty_with_care(&self, corners: &Corners) -> f64 {
-        let origin = corners[0];
-        let edges: [[f64; 3]; 3] = std::array::from_fn(|i| minus(corners[i + 1], origin));
+    fn penalty_with_care(&self, tetrahedron: &Tetrahedron) -> f64 {
+        let origin = tetrahedron[0];
+        let edges: [[f64; 3]; 3] = std::array::from_fn(|i| minus(tetrahedron[i + 1], origin));
         let magnitudes = edges.as_flattened().iter().map(|x| x.abs());
         let largest = magnitudes.fold(0.0, |largest, x| if x > largest { x } else { largest });
         match SAFE.contains(&largest) {
@@ -180,8 +182,8 @@ impl Measure {
     }
 }
 
-/// Whether a tetrahedron with these [`Measure::signs`] surely adds nothing to the objective. Where
-/// one is NaN, that is not known.
+/// Returns true if a tetrahedron with these [`Measure::signs`] surely has no penalty; false where
+/// one of them is NaN.
 #[inline(always)]
 fn is_good([largest, volume, small, beyond, lopsided, least_square]: [f64; 6]) -> bool {
     SAFE.contains(&largest)
@@ -192,8 +194,8 @@ fn is_good([largest, volume, small, beyond, lopsided, least_square]: [f64; 6]) -
         & (least_square * least_square >= f64::MIN_POSITIVE)
 }
 
-/// The largest power of two that is not above `x`, which is not negative; or the least normal
-/// number.
+/// Returns the largest power of two that is not above `x`, which is not negative; or the least
+/// normal number.
 fn power_below(x: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;
     f64::from_bits(x.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
@@ -209,8 +211,8 @@ fn least_angle(volume: f64, cosines: &[(f64, f64); 6]) -> f64 {
     cosines.fold(0.0, f64::max).min(1.0).acos()
 }
 
-/// The least dihedral angle of a positively oriented tetrahedron, given its edges from one vertex,
-/// by normals that are each of length 1. 0 where a face has none.
+/// Returns the least dihedral angle of a positively oriented tetrahedron, given its edges from one
+/// vertex, by normals that are each of length 1. 0 where a face has none.
 #[cold]
 #[inline(never)]
 fn least_angle_at_any_scale([a, b, c]: [[f64; 3]; 3]) -> f64 {
@@ -233,14 +235,14 @@ fn least_angle_at_any_scale([a, b, c]: [[f64; 3]; 3]) -> f64 {
     }
 }
 
-/// The points of `vertices`, which are in space.
+/// Returns the points of `vertices`, which are in space.
 #[inline(always)]
-pub(super) fn corners<const D: usize>(delaunay: &Delaunay<D>, vertices: &[VertexId]) -> Corners {
+pub(super) fn tetrahedron(delaunay: &Delaunay<3>, vertices: &[VertexId]) -> Tetrahedron {
     std::array::from_fn(|index| in_space(delaunay.point(vertices[index])))
 }
 
 #[inline(always)]
-pub(super) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
+pub(in crate::netmesh) fn in_space<const D: usize>(point: &[f64; D]) -> [f64; 3] {
     std::array::from_fn(|axis| point[axis])
 }
 
@@ -270,14 +272,14 @@ mod tests {
     use crate::numerics::testing::Random;
 
     /// The least dihedral angle, in degrees, by the heights over an edge.
-    fn least_dihedral(corners: &Corners) -> f64 {
+    fn least_dihedral(tetrahedron: &Tetrahedron) -> f64 {
         let mut least = f64::INFINITY;
         for i in 0..4 {
             for j in 0..i {
                 let others: Vec<_> = (0..4).filter(|&k| k != i && k != j).collect();
-                let edge = minus(corners[j], corners[i]);
+                let edge = minus(tetrahedron[j], tetrahedron[i]);
                 let height = |k: usize| {
-                    let to = minus(corners[k], corners[i]);
+                    let to = minus(tetrahedron[k], tetrahedron[i]);
                     let along = dot(to, edge) / square(edge);
                     std::array::from_fn(|axis| to[axis] - along * edge[axis])
                 };
@@ -288,13 +290,13 @@ mod tests {
         least.to_degrees()
     }
 
-    fn radius_edge(corners: &Corners) -> f64 {
-        let ball = crate::numerics::Circumball::new(&corners.each_ref());
-        ball.radius() / crate::numerics::shortest_distance(&corners.each_ref()).2
+    fn radius_edge(tetrahedron: &Tetrahedron) -> f64 {
+        let ball = crate::numerics::Circumball::new(&tetrahedron.each_ref());
+        ball.radius() / crate::numerics::shortest_distance(&tetrahedron.each_ref()).2
     }
 
-    fn scaled(corners: &Corners, scale: f64) -> Corners {
-        corners.map(|corner| corner.map(|x| x * scale))
+    fn scaled(tetrahedron: &Tetrahedron, scale: f64) -> Tetrahedron {
+        tetrahedron.map(|vertex| vertex.map(|x| x * scale))
     }
 
     #[test]
@@ -304,29 +306,32 @@ mod tests {
         let (mut slivers, mut beyond) = (0, 0);
         for _ in 0..2000 {
             let flatness = random.unit();
-            let mut corners: Corners = std::array::from_fn(|_| {
+            let mut tetrahedron: Tetrahedron = std::array::from_fn(|_| {
                 let x = [random.unit(), random.unit(), flatness * random.unit()];
                 x.map(|x| 2.0 + x)
             });
-            if crate::numerics::orientation(&corners.each_ref()).is_negative() {
-                corners.swap(0, 1);
+            if crate::numerics::orientation(&tetrahedron.each_ref()).is_negative() {
+                tetrahedron.swap(0, 1);
             }
-            let (angle, ratio) = (least_dihedral(&corners), radius_edge(&corners));
+            let (angle, ratio) = (least_dihedral(&tetrahedron), radius_edge(&tetrahedron));
             let mut expected = if angle < 15.0 { 2.0 - angle / 15.0 } else { 0.0 };
             expected += if ratio > 2.0 { VIOLATION } else { 0.0 };
             slivers += u32::from(angle < 15.0);
             beyond += u32::from(ratio > 2.0);
             for scale in [1.0, 2f64.powi(-900), 2f64.powi(1000)] {
-                let penalty = measure.penalty(&scaled(&corners, scale));
-                assert!((penalty - expected).abs() < 1e-5, "{penalty} {expected} {corners:?}");
+                let penalty = measure.penalty(&scaled(&tetrahedron, scale));
+                assert!((penalty - expected).abs() < 1e-5, "{penalty} {expected} {tetrahedron:?}");
             }
-            let turned = [corners[2], corners[3], corners[0], corners[1]];
+            let turned = [tetrahedron[2], tetrahedron[3], tetrahedron[0], tetrahedron[1]];
             assert!((measure.penalty(&turned) - expected).abs() < 1e-5);
-            let pair = measure.penalties([&corners, &turned]);
-            assert_eq!(pair, [&corners, &turned].map(|corners| measure.penalty(corners)));
-            corners.swap(1, 2);
-            assert!(measure.penalty(&corners) >= 2.0, "it is turned inside out");
-            assert_eq!(measure.penalties([&turned, &corners])[0], pair[1]);
+            let pair = measure.penalties([&tetrahedron, &turned]);
+            assert_eq!(
+                pair,
+                [&tetrahedron, &turned].map(|tetrahedron| measure.penalty(tetrahedron))
+            );
+            tetrahedron.swap(1, 2);
+            assert!(measure.penalty(&tetrahedron) >= 2.0, "it is turned inside out");
+            assert_eq!(measure.penalties([&turned, &tetrahedron])[0], pair[1]);
         }
         assert!(slivers > 300 && beyond > 100, "{slivers} {beyond}");
         assert!(measure.penalty(&[[1.0; 3]; 4]) >= 2.0);
@@ -337,7 +342,7 @@ mod tests {
     #[test]
     fn penalties_are_right_where_edges_differ_by_many_magnitudes() {
         let measure = Measure::new(22.0, Criterion::RadiusEdge, f64::INFINITY);
-        let found: Corners = [
+        let found: Tetrahedron = [
             [-1.0, 4.916776677396771e-107, -5.446961927974371e-106],
             [-1.0, 3.0648550058978346e-106, -3.395344069343827e-105],
             [-1.0, -5.366831325673711e-106, 1.3934003177632725e-106],
@@ -346,7 +351,8 @@ mod tests {
         let penalty = measure.penalty(&found);
         assert!((penalty - (2.0 - 8.258783835087407 / 22.0)).abs() < 1e-6, "{penalty}");
         let (long, short) = (1e-16, 1e-106);
-        let needle: Corners = [[0.0; 3], [long, 0.0, 0.0], [0.0, short, 0.0], [0.0, 0.0, short]];
+        let needle: Tetrahedron =
+            [[0.0; 3], [long, 0.0, 0.0], [0.0, short, 0.0], [0.0, 0.0, short]];
         assert_eq!(measure.penalty(&needle), 0.0);
     }
 }

@@ -1,26 +1,32 @@
-//! Sizes under changes: no simplex that comes is larger than was asked for.
+//! The sizes at vertices that come or move.
 
-use super::View;
-use super::cone::Cone;
-use super::vacancy::Vacancy;
+use crate::complex::VertexId;
+use crate::error::Result;
+use crate::netmesh::state::Mesher;
+use crate::netmesh::state::sizes::UNKNOWN;
 
-impl Cone {
-    /// Whether a vertex at `x` would make simplices that are small enough. It asks the caller, so it
-    /// comes after all other tests.
-    pub fn keeps_sizes<const D: usize>(&self, view: View<'_, D>, x: &[f64; D]) -> bool {
-        let Some(sizes) = view.sizes else { return true };
-        self.sides.iter().all(|side| sizes.allow(view.delaunay, &side.vertices, side.apex, x))
+impl Mesher<'_, '_, 3> {
+    /// Asks for the sizes at all vertices that have none yet, after slivers were mended.
+    pub(super) fn ask_all_sizes(&mut self) -> Result<()> {
+        if self.sizes.is_none() {
+            return Ok(());
+        }
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let Some(sizes) = &mut self.sizes else { return Ok(()) };
+            if self.state.delaunay.complex().is_live(simplex) {
+                sizes.excess(&self.state.delaunay, simplex, f64::INFINITY)?;
+            }
+        }
+        Ok(())
     }
-}
 
-impl<const D: usize> Vacancy<D> {
-    /// Whether the simplices of the filling that would stay are small enough.
-    pub fn keeps_filling_sizes(&self, view: View<'_, D>) -> bool {
-        let Some(sizes) = view.sizes else { return true };
-        self.staying().all(|number| {
-            let vertices = self.hole.filling.vertices(number);
-            let x = view.delaunay.point(vertices[0]);
-            sizes.allow(view.delaunay, vertices, 0, x)
-        })
+    /// Asks for the size at `vertex`, which has come or moved.
+    pub(super) fn ask_size_again(&mut self, vertex: VertexId) -> Result<()> {
+        let Some(sizes) = &mut self.sizes else { return Ok(()) };
+        if let Some(answer) = sizes.answers.get_mut(vertex.index()) {
+            *answer = UNKNOWN;
+        }
+        sizes.ask(vertex, self.state.delaunay.point(vertex)).map(drop)
     }
 }

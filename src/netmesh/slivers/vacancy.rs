@@ -1,12 +1,13 @@
 //! The mesh without one vertex, as far as it differs from that with it: where the vertex may go is
 //! judged here, and nothing is changed.
 
-use super::View;
-use super::cone::{Account, Cone};
-use super::shape::{corners, in_space};
 use crate::complex::{Beside, SimplexId, VertexId};
 use crate::delaunay::{Delaunay, Hole};
+use crate::error::Result;
 use crate::memory::{AllocResult, TryGrow};
+use crate::netmesh::slivers::cone::{Account, Cone};
+use crate::netmesh::slivers::shape::{in_space, tetrahedron};
+use crate::netmesh::slivers::view::View;
 use crate::numerics::{Sign, distance, in_ball};
 
 /// A vertex with more neighbours than this stays: its hole would take too long to fill.
@@ -16,19 +17,19 @@ const MOST_NEIGHBORS: usize = 128;
 const MOST_OUTSIDE: usize = 256;
 
 #[derive(Default)]
-pub(super) struct Vacancy<const D: usize> {
-    pub hole: Hole<D>,
+pub(super) struct Vacancy {
+    pub hole: Hole<3>,
     /// The distance of the nearest neighbour.
     pub nearest: f64,
     /// The middle of the neighbours.
     pub middle: Vec<f64>,
-    /// What the simplices at the vertex add to the objective.
+    /// Sum of the penalties of the simplices at the vertex.
     star: f64,
     /// Simplex of the filling -> what it adds to the objective.
     penalties: Vec<f64>,
     /// Facet of the hole's boundary -> the simplex of the filling there.
     fillings: Vec<u32>,
-    /// Simplex of the filling -> whether its ball holds the place that is judged.
+    /// Simplex of the filling -> true if its ball holds the place that is judged.
     is_inside: Vec<bool>,
     /// The simplices outside the hole whose balls do.
     outside: Vec<SimplexId>,
@@ -38,16 +39,16 @@ pub(super) struct Vacancy<const D: usize> {
 
 /// A place for the vertex.
 #[derive(Clone, Copy)]
-pub(super) struct Place<const D: usize> {
-    pub x: [f64; D],
+pub(super) struct Target {
+    pub x: [f64; 3],
     pub gain: f64,
     /// A simplex of the filling whose ball holds it.
     pub near: usize,
-    /// Whether no sliver is left where the vertex was and will be.
+    /// True if the move leaves no sliver at either place.
     pub is_clean: bool,
 }
 
-/// What a search has seen of the simplices that are there.
+/// Marks of a search on the simplices of the mesh.
 #[derive(Default)]
 struct Seen {
     /// Simplex -> the number of the search that saw it last, and what it saw.
@@ -57,7 +58,9 @@ struct Seen {
 
 /// Marks of a search are its number and these.
 const INSIDE: u32 = 0;
+
 const OUTSIDE: u32 = 1;
+
 const OF_STAR: u32 = 2;
 
 impl Seen {
@@ -88,17 +91,17 @@ impl Seen {
 
 /// Finds the hole of `vertex`; false if the vertex must stay: it is at the hull, or its neighbours
 /// are many.
-pub(super) fn may_leave<const D: usize>(
-    delaunay: &mut Delaunay<D>,
+pub(super) fn may_leave(
+    delaunay: &mut Delaunay<3>,
     vertex: VertexId,
-    hole: &mut Hole<D>,
+    hole: &mut Hole<3>,
 ) -> AllocResult<bool> {
     Ok(delaunay.find_hole(vertex, hole)? && hole.vertices.ids.len() <= MOST_NEIGHBORS)
 }
 
-impl<const D: usize> Vacancy<D> {
+impl Vacancy {
     /// Measures what is found by [`may_leave`].
-    pub fn measure(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+    pub fn measure(&mut self, view: View<'_>, vertex: VertexId) -> AllocResult<()> {
         let count = self.hole.filling.len();
         self.penalties.clear();
         self.is_inside.cover(count, false)?;
@@ -115,7 +118,7 @@ impl<const D: usize> Vacancy<D> {
         for number in (0..count as u32).step_by(2) {
             let last = count as u32 - 1;
             let pair = [number, last.min(number + 1)]
-                .map(|number| corners(view.delaunay, self.hole.filling.vertices(number)));
+                .map(|number| tetrahedron(view.delaunay, self.hole.filling.vertices(number)));
             let penalties = view.measure.penalties(pair.each_ref());
             self.penalties.try_extend(&penalties)?;
         }
@@ -123,7 +126,7 @@ impl<const D: usize> Vacancy<D> {
         self.measure_neighbors(view, vertex)
     }
 
-    fn measure_neighbors(&mut self, view: View<'_, D>, vertex: VertexId) -> AllocResult<()> {
+    fn measure_neighbors(&mut self, view: View<'_>, vertex: VertexId) -> AllocResult<()> {
         let neighbors = &self.hole.vertices.ids;
         let x = view.delaunay.point(vertex);
         self.nearest = f64::INFINITY;
@@ -133,37 +136,34 @@ impl<const D: usize> Vacancy<D> {
         for &neighbor in neighbors.iter() {
             let other = view.delaunay.point(neighbor);
             self.nearest = self.nearest.min(distance(x, other));
-            for axis in 0..D {
+            for axis in 0..3 {
                 self.middle[axis] += share * (other[axis] - x[axis]);
             }
         }
         Ok(())
     }
 
-    /// What it is worth that the vertex goes away, if that is more than `least`.
-    pub fn judge_removal(&mut self, view: View<'_, D>, least: f64) -> Option<f64> {
+    /// Returns the gain of removing the vertex, if that is more than `least`.
+    pub fn judge_removal(&mut self, view: View<'_>, least: f64) -> Result<Option<f64>> {
         let gain = self.star - self.penalties.iter().sum::<f64>();
         self.is_inside[..self.hole.balls.len()].fill(false);
-        (gain > least && self.keeps_filling_cells(view, None) && self.keeps_filling_sizes(view))
-            .then_some(gain)
+        let is_kept = gain > least
+            && self.keeps_filling_cells(view, None)
+            && self.keeps_filling_sizes(view)?;
+        Ok(is_kept.then_some(gain))
     }
 
-    /// A simplex of the filling whose ball holds `x`.
-    pub fn filling_at(&self, delaunay: &Delaunay<D>, x: &[f64; D]) -> Option<usize> {
+    /// Returns a simplex of the filling whose ball holds `x`.
+    pub fn filling_at(&self, delaunay: &Delaunay<3>, x: &[f64; 3]) -> Option<usize> {
         (0..self.hole.filling.len()).find(|&number| {
             let vertices = self.hole.filling.vertices(number as u32);
-            let points: [&[f64; D]; 4] = std::array::from_fn(|i| delaunay.point(vertices[i]));
+            let points: [&[f64; 3]; 4] = std::array::from_fn(|i| delaunay.point(vertices[i]));
             in_ball(&points, x) == Sign::Positive
         })
     }
 
-    /// What it is worth that the vertex goes to `x`, if that is more than `least`.
-    pub fn judge(
-        &mut self,
-        view: View<'_, D>,
-        x: &[f64; D],
-        least: f64,
-    ) -> AllocResult<Option<Place<D>>> {
+    /// Returns the gain of moving the vertex to `x`, if that is more than `least`.
+    pub fn judge(&mut self, view: View<'_>, x: &[f64; 3], least: f64) -> Result<Option<Target>> {
         let Some((near, left)) = self.find_inside(view, x) else { return Ok(None) };
         let Some(lost) = self.find_outside(view, x)? else { return Ok(None) };
         let before = self.star + lost;
@@ -174,27 +174,27 @@ impl<const D: usize> Vacancy<D> {
         let mut account = Account::new(view.measure, gain, least);
         let apex_point = in_space(x);
         let is_worth = self.all_sides(view, |vertices, apex| {
-            let mut corners = corners(view.delaunay, vertices);
-            corners[apex] = apex_point;
-            account.charge(corners)
+            let mut tetrahedron = tetrahedron(view.delaunay, vertices);
+            tetrahedron[apex] = apex_point;
+            account.charge(tetrahedron)
         });
         let Some(gain) = account.rest().filter(|_| is_worth) else { return Ok(None) };
         if view.measure.half_aspect.is_some() || view.sizes.is_some() {
             self.find_cone(view)?;
             let is_kept = self.keeps_filling_cells(view, Some(x))
                 && self.cone.keeps_cells(view, x)
-                && self.keeps_filling_sizes(view)
-                && self.cone.keeps_sizes(view, x);
+                && self.keeps_filling_sizes(view)?
+                && self.cone.keeps_sizes(view, x)?;
             if !is_kept {
                 return Ok(None);
             }
         }
-        Ok(Some(Place { x: *x, gain, near, is_clean: gain >= before }))
+        Ok(Some(Target { x: *x, gain, near, is_clean: gain >= before }))
     }
 
-    /// A simplex of the filling whose ball holds `x`, and what those add whose balls do not. `None`
-    /// if there is none, or one that floating-point arithmetic cannot tell.
-    fn find_inside(&mut self, view: View<'_, D>, x: &[f64; D]) -> Option<(usize, f64)> {
+    /// Returns a simplex of the filling whose ball holds `x`, and the penalties of those whose
+    /// balls do not. `None` if there is none, or one that floating-point arithmetic cannot tell.
+    fn find_inside(&mut self, view: View<'_>, x: &[f64; 3]) -> Option<(usize, f64)> {
         let (mut near, mut left) = (None, 0.0);
         for (number, ball) in self.hole.balls.iter().enumerate() {
             let vertices = self.hole.filling.vertices(number as u32);
@@ -212,7 +212,7 @@ impl<const D: usize> Vacancy<D> {
 
     /// Finds the simplices outside the hole whose balls hold `x`; returns what they add. `None` if
     /// one is beyond the hull or of another domain, or they are too many.
-    fn find_outside(&mut self, view: View<'_, D>, x: &[f64; D]) -> AllocResult<Option<f64>> {
+    fn find_outside(&mut self, view: View<'_>, x: &[f64; 3]) -> AllocResult<Option<f64>> {
         let complex = view.delaunay.complex();
         self.seen.begin(&self.hole.star);
         self.outside.clear();
@@ -239,7 +239,7 @@ impl<const D: usize> Vacancy<D> {
     }
 
     /// Collects the cone over the boundary of what was found.
-    fn find_cone(&mut self, view: View<'_, D>) -> AllocResult<()> {
+    fn find_cone(&mut self, view: View<'_>) -> AllocResult<()> {
         let mut cone = std::mem::take(&mut self.cone);
         cone.sides.clear();
         let mut pushed = Ok(());
@@ -251,14 +251,11 @@ impl<const D: usize> Vacancy<D> {
         pushed
     }
 
-    /// Whether `holds` is true of all sides of the cone over the boundary of what was found: each
-    /// by the vertices of a simplex at it, and the number of that which is not of the side.
+    /// Returns true if `holds` is true of all sides of the cone over the boundary of the cavity
+    /// that was found. Each side is given by the vertices of a simplex at it, and the number of the
+    /// vertex that is not of the side.
     #[inline(always)]
-    fn all_sides(
-        &self,
-        view: View<'_, D>,
-        mut holds: impl FnMut(&[VertexId], usize) -> bool,
-    ) -> bool {
+    fn all_sides(&self, view: View<'_>, mut holds: impl FnMut(&[VertexId], usize) -> bool) -> bool {
         let Self { hole, is_inside, seen, .. } = self;
         for number in (0..hole.filling.len()).filter(|&number| is_inside[number]) {
             let vertices = hole.filling.vertices(number as u32);
@@ -287,10 +284,9 @@ impl<const D: usize> Vacancy<D> {
         })
     }
 
-    /// Whether the simplices of the filling that would stay keep the bound of the Voronoi aspect,
-    /// if that is the criterion.
-    /// `x` is where the vertex would be, if anywhere.
-    fn keeps_filling_cells(&self, view: View<'_, D>, x: Option<&[f64; D]>) -> bool {
+    /// Returns true if the simplices of the filling that would stay keep the bound of the Voronoi
+    /// aspect, or another criterion is in force. `x` is the new place of the vertex, if it has one.
+    fn keeps_filling_cells(&self, view: View<'_>, x: Option<&[f64; 3]>) -> bool {
         let Some(half_aspect) = view.measure.half_aspect else { return true };
         let is_good = |number: usize| {
             let radius = self.hole.balls[number].radius();
@@ -304,7 +300,21 @@ impl<const D: usize> Vacancy<D> {
         self.staying().all(|number| is_good(number as usize))
     }
 
-    /// The simplices of the filling whose balls do not hold the place that is judged.
+    /// Returns true if the simplices of the filling that would stay are as small as the caller asks
+    /// for.
+    pub fn keeps_filling_sizes(&self, view: View<'_>) -> Result<bool> {
+        let Some(sizes) = view.sizes else { return Ok(true) };
+        for number in self.staying() {
+            let vertices = self.hole.filling.vertices(number);
+            let x = view.delaunay.point(vertices[0]);
+            if !sizes.allow(view.delaunay, vertices, 0, x)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Returns the simplices of the filling whose balls do not hold the place that is judged.
     pub fn staying(&self) -> impl Iterator<Item = u32> {
         (0..self.hole.balls.len() as u32).filter(|&number| !self.is_inside[number as usize])
     }
@@ -312,12 +322,12 @@ impl<const D: usize> Vacancy<D> {
 
 /// Tests a simplex that the search comes to, unless it was tested before.
 #[inline]
-fn see<const D: usize>(
+fn see(
     seen: &mut Seen,
     outside: &mut Vec<SimplexId>,
-    view: View<'_, D>,
+    view: View<'_>,
     simplex: SimplexId,
-    x: &[f64; D],
+    x: &[f64; 3],
 ) -> AllocResult<()> {
     if seen.is_new(simplex) {
         let is_inside = view.delaunay.in_conflict(simplex, x);

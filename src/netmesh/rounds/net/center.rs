@@ -14,8 +14,8 @@
 //! The coordinates are rounded, relative to the median and to the median distance from it. That
 //! touches only how deep z is, that is the bound on the size of a net, never the net's property.
 
-use super::PointId;
 use crate::memory::{AllocResult, TryGrow, reserve};
+use crate::netmesh::rounds::net::PointId;
 
 /// A subset, and the point of its hull that is over the medians so far.
 struct Part<const D: usize> {
@@ -31,7 +31,7 @@ impl<const D: usize> Part<D> {
         if axis < D { self.at[axis] } else { self.lift }
     }
 
-    /// The point that is `share` of `self` and the rest of `other`.
+    /// Returns the point that is `share` of `self` and the rest of `other`.
     fn between(&self, other: &Self, share: f64) -> ([f64; D], f64) {
         let mix = |a: f64, b: f64| share * a + (1.0 - share) * b;
         (std::array::from_fn(|axis| mix(self.at[axis], other.at[axis])), mix(self.lift, other.lift))
@@ -64,7 +64,8 @@ impl<const D: usize> Default for Center<D> {
 }
 
 impl<const D: usize> Center<D> {
-    /// X for the `members` of `points`, which are not none; the most central point first.
+    /// Returns X for the `members` of `points`, of which there are some; the most central point
+    /// first.
     pub fn support(&mut self, points: &[[f64; D]], members: &[PointId]) -> AllocResult<&[PointId]> {
         self.lift(points, members)?;
         for axis in 0..=D {
@@ -172,7 +173,7 @@ impl<const D: usize> Center<D> {
     }
 }
 
-/// About 1 / `length`, a power of two.
+/// Returns about 1 / `length`, a power of two.
 fn inverse_power(length: f64) -> f64 {
     let exponent = (length.to_bits() >> 52 & 0x7ff).clamp(23, 2023);
     f64::from_bits((2046 - exponent) << 52)

@@ -8,10 +8,10 @@
 //! in sum, or all the D-balls around it in union. Balls without bound, half-spaces, are among the
 //! B.
 
-use super::PointId;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::Delaunay;
 use crate::memory::{AllocResult, Array, TryGrow};
+use crate::netmesh::rounds::net::PointId;
 
 /// Counts points around the edges at a vertex; keeps its buffers.
 pub(in crate::netmesh) struct Rings<const D: usize> {
@@ -48,8 +48,9 @@ impl<const D: usize> Rings<D> {
         self.marks.cover(points, 0)
     }
 
-    /// Of the D-balls around the edges at `vertex` that may cover a ball with `threshold` points,
-    /// the fullest: it has at least a D-th of `threshold`. `inside` are the points in each D-ball.
+    /// Returns the fullest of the D-balls around the edges at `vertex` that may cover a ball with
+    /// `threshold` points: it has at least a D-th of `threshold`. `inside` are the points in each
+    /// D-ball.
     pub fn fullest(
         &mut self,
         delaunay: &mut Delaunay<D>,
@@ -114,7 +115,7 @@ impl<const D: usize> Rings<D> {
         Ok(())
     }
 
-    /// The number of points in the D-balls around the edge to `other`.
+    /// Returns the number of points in the D-balls around the edge to `other`.
     fn union(&mut self, delaunay: &Delaunay<D>, inside: &[Vec<PointId>], other: VertexId) -> u32 {
         let end = if other == after_last(delaunay) { VertexId::INFINITE } else { other };
         if self.unions == u32::MAX {
@@ -136,7 +137,7 @@ impl<const D: usize> Rings<D> {
     }
 }
 
-/// What stands for the infinite vertex in arrays by vertex.
+/// Returns the id that stands for the infinite vertex in arrays by vertex.
 fn after_last<const D: usize>(delaunay: &Delaunay<D>) -> VertexId {
     VertexId::new(delaunay.point_count())
 }

@@ -2,24 +2,20 @@
 //! smaller parts where that did not halve the conflict lists. No random number is used, here or
 //! elsewhere in such a run.
 
-use super::greedy::Net;
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::{TryGrow, collected};
-use crate::netmesh::Mesher;
+use crate::netmesh::rounds::net::greedy::Net;
+use crate::netmesh::state::Mesher;
 
 /// Simplices with at most this number times 1 / eps inputs give all of them. A net for eps often
 /// has as many points, and costs more.
 const EXHAUSTED: u32 = 4;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// The net of the inputs of each of `lists` for eps = 2^-pass / (2 D). Small conflict lists are
-    /// exhausted.
-    pub(in crate::netmesh) fn select_nets(
-        &mut self,
-        pass: u32,
-        lists: &[SimplexId],
-    ) -> Result<Vec<VertexId>> {
+    /// Returns the net of the inputs of each of `lists` for eps = 2^-pass / (2 D). Small conflict
+    /// lists are exhausted.
+    pub(super) fn select_nets(&mut self, pass: u32, lists: &[SimplexId]) -> Result<Vec<VertexId>> {
         let share = (2 * D as u32) << pass.min(24);
         let mut net = Net::new()?;
         let (mut inputs, mut points) = (Vec::new(), Vec::new());

@@ -28,15 +28,15 @@
 //! **Time.** As the size is constant, so is the number of D-balls ever made, and each point of P is
 //! tested against each at most once: linear in |P|.
 
-use super::PointId;
-use super::center::Center;
-use super::cover::Rings;
 use crate::complex::{SimplexId, VertexId};
 use crate::delaunay::{Cavity, Delaunay};
 use crate::error::Result;
 use crate::memory::{AllocResult, Array, TryGrow, reserve};
 use crate::mesh::MAX_DIM;
-use crate::netmesh::watch::Watch;
+use crate::netmesh::rounds::net::PointId;
+use crate::netmesh::rounds::net::center::Center;
+use crate::netmesh::rounds::net::cover::Rings;
+use crate::netmesh::state::watch::Watch;
 
 /// Makes nets; keeps its buffers from one to the next.
 pub(in crate::netmesh) struct Net<const D: usize> {
@@ -44,13 +44,13 @@ pub(in crate::netmesh) struct Net<const D: usize> {
     /// Simplex -> the points in its D-ball, in rising order; stale for a dead one.
     pub(in crate::netmesh) inside: Vec<Vec<PointId>>,
     chosen: Vec<PointId>,
-    /// Point -> whether it is of an X, and not chosen yet.
+    /// Point -> true if it is of an X, and not chosen yet.
     waiting: Vec<bool>,
     center: Center<D>,
     rings: Rings<D>,
     cavity: Cavity,
     created: Vec<SimplexId>,
-    /// In-ball tests of points, those that a D-ball's two parents answer included.
+    /// Number of in-ball tests of points, those that a D-ball's two parents answer included.
     tests: u64,
 }
 
@@ -69,8 +69,8 @@ impl<const D: usize> Net<D> {
         })
     }
 
-    /// The net of `points`, as indices: every ball that holds `threshold` of them, at least one,
-    /// and no anchor holds one of the net. Points and anchors are distinct.
+    /// Returns the net of `points`, as indices: every ball that holds `threshold` of them, at least
+    /// one, and no anchor holds one of the net. Points and anchors are distinct.
     ///
     /// # Errors
     /// `Cancelled`, `OutOfMemory`.
@@ -102,13 +102,13 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// In-ball tests made by all nets so far.
+    /// Returns the number of in-ball tests that all nets have made so far.
     #[cfg(test)]
     pub fn tests(&self) -> u64 {
         self.tests
     }
 
-    /// The complex of the anchors alone.
+    /// Makes the complex of the anchors alone.
     pub(in crate::netmesh) fn begin(
         &mut self,
         anchors: &[[f64; D]],
@@ -147,7 +147,7 @@ impl<const D: usize> Net<D> {
         Ok(())
     }
 
-    /// The point to choose in the D-ball of `simplex`, which holds one.
+    /// Returns the point to choose in the D-ball of `simplex`, which holds one.
     fn pick(&mut self, simplex: SimplexId, points: &[[f64; D]]) -> AllocResult<PointId> {
         let members = &self.inside[simplex];
         if let Some(&point) = members.iter().find(|&&i| self.waiting[i]) {
@@ -191,8 +191,8 @@ impl<const D: usize> Net<D> {
     }
 }
 
-/// The points of a new D-ball, from those of the two on its facet: it lies in their union, and
-/// holds what they share.
+/// Collects the points of a new D-ball, from those of the two on its facet: it lies in their union,
+/// and holds those that they share.
 fn merge(
     within: &[PointId],
     beyond: &[PointId],

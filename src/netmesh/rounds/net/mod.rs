@@ -20,36 +20,15 @@ mod cover;
 mod deterministic;
 mod greedy;
 mod sampled;
-#[cfg(test)]
-mod tests;
+mod select;
 
-use crate::complex::{SimplexId, VertexId};
-use crate::error::Result;
 use crate::memory::Id;
-use crate::netmesh::Mesher;
-use crate::options::NetOrdering;
 
 /// One of the points that a net is chosen from, by its place among them.
-type PointId = Id<Point>;
+pub(super) type PointId = Id<Point>;
 
-/// What a [`PointId`] is the id of.
-enum Point {}
+/// Kind of thing that a [`PointId`] names.
+pub(super) enum Point {}
 
-impl<const D: usize> Mesher<'_, '_, D> {
-    /// The inputs of `lists` that pass number `pass` of a round inserts, by conflict list. Conflict
-    /// lists with at most `target` inputs need not halve again after the first pass.
-    pub(in crate::netmesh) fn select_round(
-        &mut self,
-        pass: u32,
-        target: u32,
-        lists: &[SimplexId],
-    ) -> Result<Vec<VertexId>> {
-        match self.state.parameters.ordering {
-            NetOrdering::SampledNet => {
-                let crowd = if pass == 0 { 0 } else { target };
-                self.select_sample(1 << pass.min(31), crowd, lists)
-            }
-            NetOrdering::DeterministicNet => self.select_nets(pass, lists),
-        }
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -5,12 +5,13 @@
 use crate::complex::{SimplexId, VertexId};
 use crate::error::Result;
 use crate::memory::TryGrow;
-use crate::netmesh::Mesher;
+use crate::netmesh::state::Mesher;
 use rand_core::Rng;
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Up to `per_ball` inputs of each of `lists` with more than `crowd` of them, by simplex.
-    pub(in crate::netmesh) fn select_sample(
+    /// Returns up to `per_ball` inputs of each of `lists` with more than `crowd` of them, by
+    /// simplex.
+    pub(super) fn select_sample(
         &mut self,
         per_ball: u32,
         crowd: u32,

@@ -1,9 +1,9 @@
 //! The net's property against every ball there is, its size, its work.
 
-use super::PointId;
-use super::center::Center;
-use super::greedy::Net;
-use crate::netmesh::watch::Watch;
+use crate::netmesh::rounds::net::PointId;
+use crate::netmesh::rounds::net::center::Center;
+use crate::netmesh::rounds::net::greedy::Net;
+use crate::netmesh::state::watch::Watch;
 use crate::numerics::{Sign, affine_basis, in_ball, orientation};
 
 /// Doubles in \[0, 1), always the same.

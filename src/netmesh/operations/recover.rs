@@ -1,0 +1,195 @@
+//! Recovery: every subsegment becomes an edge whose diametral ball no vertex is in, and stays one.
+
+use crate::complex::VertexId;
+use crate::delaunay::Cavity;
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocResult, TryGrow};
+use crate::mesh;
+use crate::netmesh::state::hierarchy::{DomainId, ROOT};
+use crate::netmesh::state::segments::chain::Subsegment;
+use crate::netmesh::state::segments::{Crowded, Segments, name_of};
+use crate::netmesh::state::{Mesher, State};
+use crate::numerics::{distance, in_diametral_ball};
+
+/// The subsegments that a Steiner point would encroach, and what became of them.
+pub(super) enum Encroachment {
+    /// The point encroaches none.
+    None,
+    /// Some of them have been split.
+    Split,
+    /// Doubles have no room for a vertex on any of them.
+    TooShort,
+}
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Splits subsegments until all that wait are recovered.
+    ///
+    /// # Errors
+    /// `Limit` where doubles have no room for a chain; [`Segments::crowded`] has the points where
+    /// segments had to go through a common vertex.
+    pub(in crate::netmesh) fn recover_segments(&mut self, cavity: &mut Cavity) -> Result<()> {
+        while let Some(subsegment) = self.state.segments.chains.next() {
+            self.recover(subsegment, cavity)?;
+        }
+        match self.state.segments.crowded.first() {
+            None => Ok(()),
+            Some(crowded) => Err(self.state.crowded_error(crowded)),
+        }
+    }
+
+    /// Splits `subsegment` unless it is recovered.
+    fn recover(&mut self, subsegment: u32, cavity: &mut Cavity) -> Result<()> {
+        self.watch.poll_after(8)?;
+        let [a, b] = self.state.segments.chains.get(subsegment).ends;
+        self.leave_domains(a, b)?;
+        let apexes = self.state.apexes(a, b);
+        let [from, to] = [a, b].map(|end| self.state.delaunay.point(end));
+        let encroaches = |&apex: &VertexId| {
+            apex.is_valid()
+                && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
+        };
+        let has_room = match apexes {
+            None => true,
+            Some(apexes) => {
+                let mut encroaching = apexes.into_iter().filter(encroaches).peekable();
+                if encroaching.peek().is_none() {
+                    return Ok(());
+                }
+                !self.state.is_short(subsegment)
+                    && encroaching.any(|apex| self.state.is_apart([a, b], apex))
+            }
+        };
+        if has_room && self.split(subsegment, cavity)? {
+            return Ok(());
+        }
+        Ok(self.state.limit_subsegment(subsegment, apexes.is_some())?)
+    }
+
+    /// Splits `subsegment`; false where doubles have no room for a vertex on it.
+    pub(in crate::netmesh) fn split(
+        &mut self,
+        subsegment: u32,
+        cavity: &mut Cavity,
+    ) -> Result<bool> {
+        let Subsegment { ends: [a, _], line, .. } = *self.state.segments.chains.get(subsegment);
+        if self.state.segments.chains.is_limited(subsegment) {
+            return Ok(false);
+        }
+        let place = self.state.splitting_place(self.state.segments.chains.get(subsegment));
+        let x = self.state.point_at(line, place);
+        let near = self.state.delaunay.complex().incident(a);
+        if self.state.delaunay.vertex_at(near, &x).is_some() {
+            return Ok(false);
+        }
+        let Some(start) = self.state.delaunay.locate(near, &x) else { return Ok(false) };
+        self.state.delaunay.find_cavity(start, &x, cavity)?;
+        let domain = self.enter_from_segment(&x, cavity)?;
+        let vertex = self.state.add_vertex(x)?;
+        self.state.stats.segment_points += 1;
+        self.state.hierarchy.set_domain(vertex, domain);
+        self.state.segments.chains.split(subsegment, vertex, place)?;
+        self.insert_into_cavity(vertex, cavity)?;
+        Ok(true)
+    }
+
+    /// Releases the cages that a subsegment between two vertices crosses: those of the domains
+    /// that have one of them.
+    pub(in crate::netmesh) fn leave_domains(
+        &mut self,
+        a: VertexId,
+        b: VertexId,
+    ) -> AllocResult<()> {
+        loop {
+            let [first, second] = [a, b].map(|end| self.state.hierarchy.domain_of(end));
+            if first == second {
+                return Ok(());
+            }
+            let radius = |domain: DomainId| self.state.hierarchy.node(domain).radius;
+            let inner = if radius(first) < radius(second) { first } else { second };
+            self.release_cage(inner)?;
+        }
+    }
+
+    /// Releases all cages that `x`, which is on a segment, is too close to from either side.
+    /// Returns the innermost domain that then holds it.
+    pub(in crate::netmesh) fn enter_from_segment(
+        &mut self,
+        x: &[f64; D],
+        cavity: &Cavity,
+    ) -> AllocResult<DomainId> {
+        let mut domain = self.enter(x, cavity)?;
+        while let Some(encroached) = self.state.inner_encroached_from(domain, x) {
+            self.release_cage(encroached)?;
+            domain = self.state.hierarchy.find(domain);
+        }
+        debug_assert!(domain == ROOT || self.state.hierarchy.contains(domain, x));
+        Ok(domain)
+    }
+
+    /// Splits the subsegments that a Steiner point at `x` would encroach, and recovers all.
+    pub(super) fn split_encroached(
+        &mut self,
+        x: &[f64; D],
+        cavity: &mut Cavity,
+    ) -> Result<Encroachment> {
+        if !self.state.segments.is_active() || !self.state.find_encroached(x, cavity)? {
+            return Ok(Encroachment::None);
+        }
+        let mut encroached = std::mem::take(&mut self.state.segments.encroached);
+        encroached.sort_unstable();
+        encroached.dedup();
+        let mut is_any = false;
+        for &subsegment in &encroached {
+            is_any |= self.split(subsegment, cavity)?;
+        }
+        self.state.segments.encroached = encroached;
+        self.recover_segments(cavity)?;
+        Ok(if is_any { Encroachment::Split } else { Encroachment::TooShort })
+    }
+}
+
+impl<const D: usize> State<D> {
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
+    /// mesh, it must go through a vertex beside it.
+    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
+        let own = *self.segments.chains.get(subsegment);
+        let Subsegment { ends, line, .. } = own;
+        if !is_edge {
+            let place = self.splitting_place(&own);
+            let x = self.point_at(line, place);
+            let State { delaunay, segments: Segments { chains, .. }, .. } = self;
+            let vertex = delaunay.vertex_at(delaunay.complex().incident(ends[0]), &x);
+            let beside = vertex.and_then(|vertex| chains.line_at(vertex));
+            let segment_of = |line: u32| chains.lines[line as usize].segment;
+            let (segment, beside) = (segment_of(line), beside.map(segment_of));
+            let crowded = Crowded { segment, beside, at: self.crowded_at(line, &x) };
+            self.segments.crowded.try_push(crowded)?;
+        }
+        self.segments.chains.limit(subsegment);
+        ends.into_iter().for_each(|end| self.precision_limited[end] = true);
+        Ok(())
+    }
+
+    /// Returns a point on a line, with the ends of the line.
+    fn crowded_at(&self, line: u32, x: &[f64; D]) -> mesh::Crowded {
+        let flat = |x: &[f64; D]| [0, 1].map(|axis| x[axis]);
+        let ends = self.segments.chains.lines[line as usize].ends;
+        let mut ends = ends.map(|end| flat(self.delaunay.point(end)));
+        let x = flat(x);
+        if distance(&x, &ends[1]) < distance(&x, &ends[0]) {
+            ends.swap(0, 1);
+        }
+        mesh::Crowded { x, ends }
+    }
+
+    fn crowded_error(&self, &Crowded { segment, beside, at }: &Crowded) -> Error {
+        let [x, y] = at.x;
+        let name = name_of(segment);
+        let other = beside.filter(|&other| other != segment).map_or("a vertex".into(), name_of);
+        let message = message!(
+            "{name} passes {other} so closely near ({x:?}, {y:?}) that doubles have no room for its \
+             subsegments"
+        );
+        Error::new(ErrorKind::Limit, message)
+    }
+}

@@ -1,0 +1,21 @@
+//! Questions about a state. They change nothing that the mesh depends on: an answer may leave a
+//! shortcut in the tree of domains, or a note for the global mesh that a domain is wanted.
+//!
+//! - `encroachment`: the cages that a point is too close to (Definition 2).
+//! - `cage_site`: the place and the size of a cage.
+//! - `bad_simplex` and `quality`: the simplices that make a cell bad (Definition 4).
+//! - `steiner_point`: the point that mends a bad simplex.
+//! - `nearby`: the vertices and inputs near a point.
+//! - `subsegments`: the edges that subsegments are, and the points that split them.
+//! - `exempt`: the simplices that refinement leaves alone.
+//! - `permission`: the operations that the interface of a partition allows.
+
+pub(super) mod bad_simplex;
+pub(super) mod cage_site;
+pub(super) mod encroachment;
+pub(super) mod exempt;
+pub(super) mod nearby;
+pub(super) mod permission;
+pub(super) mod quality;
+pub(super) mod steiner_point;
+pub(super) mod subsegments;

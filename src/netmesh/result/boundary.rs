@@ -1,0 +1,165 @@
+//! The result: the chains and regions as arrays, without vertices that were removed, and cut to
+//! the domain if the caller asked for that.
+//!
+//! What is outside stays with the result (`Triangulation::whole`) for those who need a
+//! triangulation of all of the hull: location walks through it, and the certificate tests that it
+//! is Delaunay. Its first simplices and vertices are those of the domain, so ids are the same.
+
+use crate::complex::{SimplexId, VertexId};
+use crate::error::{Error, ErrorKind, Result, message};
+use crate::memory::{AllocResult, TryGrow, collected, copied, filled, with_capacity};
+use crate::mesh::{Boundary, Boxed, NONE, Triangulation, VertexKind};
+use crate::netmesh::result::numbering::Numbering;
+use crate::netmesh::state::segments::Segments;
+use crate::netmesh::state::{Mesher, State};
+
+impl<const D: usize> Mesher<'_, '_, D> {
+    /// Returns, for every simplex, true if it is outside of the domain; nothing for a mesh without
+    /// segments.
+    pub(super) fn outside_simplices(&mut self) -> Result<Vec<bool>> {
+        if !self.state.segments.is_active() {
+            return Ok(Vec::new());
+        }
+        let mut is_outside = with_capacity(self.state.delaunay.complex().simplex_bound())?;
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let State { delaunay, segments, .. } = &mut self.state;
+            let complex = delaunay.complex();
+            let Segments { regions, chains, visited, .. } = segments;
+            is_outside.push(match complex.is_live(simplex) && !complex.is_infinite(simplex) {
+                true => {
+                    let region = regions.resolve(simplex, complex, chains, visited)?;
+                    !regions.is_inside[region as usize]
+                }
+                false => false,
+            });
+        }
+        Ok(is_outside)
+    }
+
+    /// Returns the subsegments, regions and forced simplices of the result. All regions are known.
+    /// `limited`: vertex -> true if it is precision-limited.
+    pub(super) fn boundary(&mut self, numbering: &Numbering, limited: &[bool]) -> Result<Boundary> {
+        let mut boundary = Boundary::default();
+        if !self.state.segments.is_active() {
+            return Ok(boundary);
+        }
+        self.state.check_seeds()?;
+        self.check_regions()?;
+        let chains = &self.state.segments.chains;
+        boundary.subsegments = with_capacity(chains.len())?;
+        boundary.parents = with_capacity(chains.len())?;
+        for subsegment in chains.in_order() {
+            self.watch.poll_after(1)?;
+            let number = |vertex: VertexId| numbering.vertices[vertex];
+            boundary.subsegments.push(subsegment.ends.map(number));
+            let line = chains.lines[subsegment.line as usize];
+            boundary.parents.push(line.segment);
+        }
+        boundary.simplex_regions = filled(numbering.counts.iter().sum(), 0)?;
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let number = numbering.simplices[simplex];
+            if number == NONE {
+                continue;
+            }
+            let regions = &self.state.segments.regions;
+            let region = regions.of(simplex).expect("all regions are known") as usize;
+            boundary.simplex_regions[number as usize] = regions.labels[region];
+            // Where doubles are too coarse, lengths are not known well enough to tell.
+            let mut vertices = self.state.delaunay.complex().vertices(simplex).iter();
+            let is_limited = vertices.any(|vertex| limited[vertex.index()]);
+            if regions.is_inside[region] && !is_limited && self.state.is_bad_but_forced(simplex) {
+                boundary.forced.try_push(number)?;
+            }
+        }
+        boundary.forced.sort_unstable();
+        Ok(boundary)
+    }
+
+    /// Fails where regions meet without a segment between them. Vertices on segments are rounded,
+    /// and where others are as near to a segment as that, they may come to its other side.
+    fn check_regions(&mut self) -> Result<()> {
+        for simplex in self.state.delaunay.complex().simplices() {
+            self.watch.poll_after(1)?;
+            let State { delaunay, segments, .. } = &self.state;
+            let (complex, regions) = (delaunay.complex(), &segments.regions);
+            if !complex.is_live(simplex) || complex.is_infinite(simplex) {
+                continue;
+            }
+            let vertices = complex.vertices(simplex);
+            let sides = segments.chains.sides_of(vertices);
+            let leaks = |(side, &beyond): (Option<u32>, &SimplexId)| {
+                side.is_none()
+                    && !complex.is_infinite(beyond)
+                    && regions.of(beyond) != regions.of(simplex)
+            };
+            if sides.into_iter().zip(complex.neighbors(simplex)).any(leaks) {
+                let [x, y] = [0, 1].map(|axis| delaunay.point(vertices[0])[axis]);
+                let message = message!(
+                    "doubles have no room for the regions between segments near ({x:?}, {y:?}), \
+                     which vertices are within roundings of"
+                );
+                return Err(Error::new(ErrorKind::Limit, message));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the part of `whole` that is the domain, with the whole of it if that is more.
+pub(super) fn crop(whole: Triangulation, numbering: &Numbering) -> AllocResult<Triangulation> {
+    if numbering.inside_simplices == whole.simplex_count() {
+        return Ok(whole);
+    }
+    let mut result = part(&whole, numbering.inside_simplices, numbering.inside_vertices)?;
+    count_vertices(&mut result);
+    result.boundary.whole = Some(Boxed::new(whole)?);
+    Ok(result)
+}
+
+/// Returns the first simplices and vertices of `whole`.
+fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult<Triangulation> {
+    let per_simplex = whole.dim + 1;
+    let is_inside = |&simplex: &u32| (simplex as usize) < simplices;
+    let neighbors = whole.neighbors[..simplices * per_simplex].iter();
+    let all = &whole.boundary;
+    // A subsegment of which neither side is inside is no edge of the domain.
+    let inside = whole.simplices[..simplices * per_simplex].chunks_exact(per_simplex);
+    let is_edge = all.edges_of(vertices, inside)?;
+    let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
+    let boundary = Boundary {
+        subsegments: collected(kept().map(|at| all.subsegments[at]))?,
+        parents: collected(kept().map(|at| all.parents[at]))?,
+        simplex_regions: copied(&all.simplex_regions[..simplices])?,
+        forced: copied(&all.forced)?,
+        whole: None,
+    };
+    Ok(Triangulation {
+        dim: whole.dim,
+        points: copied(&whole.points[..vertices * whole.dim])?,
+        simplices: copied(&whole.simplices[..simplices * per_simplex])?,
+        neighbors: collected(neighbors.map(|id| if is_inside(id) { *id } else { NONE }))?,
+        kinds: copied(&whole.kinds[..vertices])?,
+        vertex_domains: copied(&whole.vertex_domains[..vertices])?,
+        cage_of: copied(&whole.cage_of[..vertices])?,
+        domains: copied(&whole.domains)?,
+        precision_limited: copied(&whole.precision_limited[..vertices])?,
+        below_min_dihedral: Vec::new(),
+        beyond_bound: Vec::new(),
+        boundary,
+        sizes: copied(&whole.sizes[..vertices.min(whole.sizes.len())])?,
+        parameters: whole.parameters.clone(),
+        stats: whole.stats.clone(),
+    })
+}
+
+fn count_vertices(triangulation: &mut Triangulation) {
+    let count = |kind| triangulation.kinds.iter().filter(|&&k| k == kind).count() as u64;
+    let limited = triangulation.precision_limited.iter().filter(|&&limited| limited).count();
+    let [inputs, steiner, cage] =
+        [VertexKind::Input, VertexKind::Steiner, VertexKind::Cage].map(count);
+    let stats = &mut triangulation.stats;
+    (stats.input_vertices, stats.steiner_vertices) = (inputs, steiner);
+    (stats.cage_vertices, stats.precision_limited) = (cage, limited as u64);
+}

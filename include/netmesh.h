@@ -336,7 +336,7 @@ typedef int32_t nm_interior;
 #endif // __cplusplus
 
 /**
- * What a histogram counts.
+ * Measure of the simplices or cells of a mesh that a histogram counts.
  */
 enum nm_measure
 #ifdef __cplusplus
@@ -453,7 +453,8 @@ typedef int32_t nm_phase;
 
 /**
  * Rule that a violation breaks. 1 to 99 are rules of level 1 (topology), 101 to 199 of level 2
- * (geometry), 201 to 299 of level 3 (the promises). Later versions may append kinds.
+ * (geometry), 201 to 299 of level 3 (the promises). Those from 51 to 58 are of meshes on several
+ * ranks of MPI. Later versions may append kinds.
  */
 enum nm_violation
 #ifdef __cplusplus
@@ -545,6 +546,39 @@ enum nm_violation
      * subsegments are not those that are edges of its simplices.
      */
     NM_VIOLATION_DOMAIN_ARRAYS = 20,
+    /**
+     * Ids of a mesh on several ranks do not rise, are out of range, or are counted from different
+     * numbers by two ranks.
+     */
+    NM_VIOLATION_IDS = 51,
+    /**
+     * Two ranks have different coordinates, kinds, domains or cages of a vertex.
+     */
+    NM_VIOLATION_SHARED_VERTEX = 52,
+    /**
+     * The owner of a vertex is not the lowest rank that has a simplex with it.
+     */
+    NM_VIOLATION_VERTEX_OWNER = 53,
+    /**
+     * A ghost is not what its owner has under its id, or shares no vertex with the rank.
+     */
+    NM_VIOLATION_GHOST = 54,
+    /**
+     * A simplex that shares a vertex with the rank is not among its ghosts.
+     */
+    NM_VIOLATION_MISSING_GHOST = 55,
+    /**
+     * The interface is not the facets whose neighbours are ghosts.
+     */
+    NM_VIOLATION_INTERFACE = 56,
+    /**
+     * The sizes of the whole mesh are not those of all parts.
+     */
+    NM_VIOLATION_TOTALS = 57,
+    /**
+     * Two ranks have different centres, radii or parents of a domain.
+     */
+    NM_VIOLATION_SHARED_DOMAIN = 58,
     /**
      * A simplex is flat or negatively oriented.
      */

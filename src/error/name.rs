@@ -1,4 +1,4 @@
-//! What messages name: options, their values, and other things that a caller has given.
+//! Names in messages: options, their values, and other things that a caller has given.
 
 pub use crate::options::Choice;
 use crate::options::{Chosen, each_option};

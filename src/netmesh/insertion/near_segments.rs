@@ -54,10 +54,15 @@ impl<const D: usize> State<D> {
         let x = *self.delaunay.point(vertex);
         let is_any = self.find_encroached(&x, cavity)?;
         let is_split = is_any || !self.is_within_regions(vertex, cavity);
-        let Segments { chains, regions, encroached, crossed, .. } = &mut self.segments;
-        for &subsegment in encroached.iter() {
-            chains.wait(subsegment)?;
+        for at in 0..self.segments.encroached.len() {
+            let subsegment = self.segments.encroached[at];
+            // It may have stayed whole beside a vertex close to its line; this one may be apart.
+            if !self.is_short(subsegment) {
+                self.segments.chains.release(subsegment);
+            }
+            self.segments.chains.wait(subsegment)?;
         }
+        let Segments { chains, regions, crossed, .. } = &mut self.segments;
         for &subsegment in crossed.iter() {
             chains.wait_although_limited(subsegment)?;
         }

@@ -48,6 +48,7 @@ impl<const D: usize> Mesher<'_, '_, D> {
             apex.is_valid()
                 && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
         };
+        let is_short = self.state.is_short(subsegment);
         let has_room = match apexes {
             None => true,
             Some(apexes) => {
@@ -55,14 +56,13 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 if encroaching.peek().is_none() {
                     return Ok(());
                 }
-                !self.state.is_short(subsegment)
-                    && encroaching.any(|apex| self.state.is_apart([a, b], apex))
+                !is_short && encroaching.any(|apex| self.state.is_apart([a, b], apex))
             }
         };
         if has_room && self.split(subsegment, cavity)? {
             return Ok(());
         }
-        Ok(self.state.limit_subsegment(subsegment, apexes.is_some())?)
+        Ok(self.state.limit_subsegment(subsegment, apexes.is_some() && (is_short || !has_room))?)
     }
 
     /// Splits `subsegment`; false where doubles have no room for a vertex on it.
@@ -149,12 +149,12 @@ impl<const D: usize> Mesher<'_, '_, D> {
 }
 
 impl<const D: usize> State<D> {
-    /// Leaves a subsegment as it is for which doubles are too coarse. Where it is no edge of the
-    /// mesh, it must go through a vertex beside it.
-    fn limit_subsegment(&mut self, subsegment: u32, is_edge: bool) -> AllocResult<()> {
+    /// Leaves a subsegment as it is for which doubles are too coarse. Where it cannot stay as it
+    /// is, it must go through a vertex beside it.
+    fn limit_subsegment(&mut self, subsegment: u32, may_stay: bool) -> AllocResult<()> {
         let own = *self.segments.chains.get(subsegment);
         let Subsegment { ends, line, .. } = own;
-        if !is_edge {
+        if !may_stay {
             let place = self.splitting_place(&own);
             let x = self.point_at(line, place);
             let State { delaunay, segments: Segments { chains, .. }, .. } = self;

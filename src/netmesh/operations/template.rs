@@ -155,7 +155,7 @@ fn uniform(random: &mut Pcg64Mcg) -> f64 {
 mod tests {
     use super::*;
 
-    /// The gap of random directions to the net: never above delta, and nearly so somewhere.
+    /// Checks that no random direction is farther than delta from the net, and some nearly so far.
     fn check_cover<const D: usize>(delta: f64) -> usize {
         let net = cage_template::<D>(delta, u64::MAX, &mut Watch::new(None)).unwrap();
         let mut random = Pcg64Mcg::new(7);

@@ -1,5 +1,5 @@
-//! Where a cage goes and how large it is: MEDIALITY (§6.2) as INSERTINPUT needs it, and the radii
-//! that NEWCAGE and GROWCAGE take.
+//! Places and sizes of cages: MEDIALITY (§6.2) as INSERTINPUT needs it, and the radii that NEWCAGE
+//! and GROWCAGE take.
 
 use crate::complex::VertexId;
 use crate::delaunay::Cavity;

@@ -1,4 +1,4 @@
-//! What refinement leaves alone: simplices outside of the domain, and those that a sharp corner of
+//! Simplices that refinement leaves alone: those outside of the domain, and those that a sharp corner of
 //! the input forces. Two lines that meet at a small angle are split on the same shells about their
 //! end, and the triangle between two vertices of a shell has an edge as short as the angle makes
 //! it. To refine it would make the next shell, and so on; so it stays, as in G. L. Miller, S. E.

@@ -339,9 +339,15 @@ impl Chains {
         Some(next)
     }
 
-    /// Doubles are too coarse for a vertex on `subsegment`: it is not split any more.
+    /// Marks a subsegment as one that is not split any more, since doubles are too coarse for a
+    /// vertex on it.
     pub fn limit(&mut self, subsegment: u32) {
         self.subsegments[subsegment as usize].is_limited = true;
+    }
+
+    /// Lets a subsegment be split again.
+    pub fn release(&mut self, subsegment: u32) {
+        self.subsegments[subsegment as usize].is_limited = false;
     }
 
     pub fn is_limited(&self, subsegment: u32) -> bool {

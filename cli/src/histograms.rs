@@ -75,7 +75,7 @@ impl Histograms {
     }
 }
 
-/// Tens of degrees, and fives at both ends.
+/// Returns the bounds of angles in degrees: tens from 0 to 180, and 5 and 175 at the ends.
 fn degrees() -> Vec<f64> {
     let tens = (1..=17).map(|ten| f64::from(10 * ten));
     [0.0, 5.0].into_iter().chain(tens).chain([175.0, 180.0]).collect()
@@ -158,7 +158,8 @@ impl Table {
     }
 }
 
-/// Without what is below the first edge and above the last: the tables' edges leave nothing there.
+/// Returns the counts without those below the first edge and above the last: the tables' edges
+/// leave nothing there.
 fn bins(counts: &[u64]) -> Vec<u64> {
     counts[1..counts.len() - 1].to_vec()
 }

@@ -46,7 +46,8 @@ pub fn require_format(arguments: &Arguments) -> std::result::Result<(), Failure>
     Err(Failure::new(ExitCode::Usage, message))
 }
 
-/// Points of too many dimensions are often points with other columns beside their coordinates.
+/// Adds a hint about `--columns` to a failure: points of too many dimensions are often points with
+/// other columns beside their coordinates.
 pub fn with_hint(failure: Failure, arguments: &Arguments) -> Failure {
     let format = match arguments.input_format() {
         Format::Auto => Format::from_path(&arguments.input).unwrap_or_default(),

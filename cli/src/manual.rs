@@ -41,7 +41,7 @@ fn part(man: &Man, render: fn(&Man, &mut dyn Write) -> std::io::Result<()>) -> S
     String::from_utf8(text).expect("the page is text")
 }
 
-/// Short, where clap_mangen would list every option.
+/// Returns a short synopsis, where clap_mangen would list every option.
 fn synopsis() -> String {
     let mut section = Roff::new();
     let name = Arguments::command().get_name().to_owned();

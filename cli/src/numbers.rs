@@ -1,6 +1,6 @@
 //! Numbers as a person reads them.
 
-/// 1234567 -> "1 234 567".
+/// Writes a number with spaces between groups of three digits: 1234567 -> "1 234 567".
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
@@ -13,12 +13,12 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
-/// "1 simplex", "2 simplices".
+/// Writes a number with the noun that goes with it: "1 simplex", "2 simplices".
 pub fn counted(number: u64, one: &str, many: &str) -> String {
     format!("{} {}", grouped(number), if number == 1 { one } else { many })
 }
 
-/// Four significant digits; scientific where the plain form would be long.
+/// Writes a value with four significant digits; scientific where the plain form would be long.
 pub fn measure(value: f64) -> String {
     let magnitude = value.abs();
     if value == 0.0 || !value.is_finite() {
@@ -31,7 +31,7 @@ pub fn measure(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Seconds with a unit that keeps the number readable.
+/// Writes a time in seconds with a unit that keeps the number readable: ms, s or min.
 pub fn duration(seconds: f64) -> String {
     if seconds < 1.0 {
         format!("{:.1} ms", seconds * 1e3)

@@ -28,7 +28,7 @@ pub fn set_background(mesh: &mut Mesh, path: &Path) -> Result<(), Failure> {
     mesh.set_background(Some((triangulation, &at_vertices))).map_err(refuse)
 }
 
-/// Points, and a size for each.
+/// Reads points, and a size for each.
 fn read_background(path: &Path) -> Result<(PointCloud, Vec<f64>), Failure> {
     let name = path.display().to_string();
     let reading = |error: netmesh::Error| Failure::reading(&name, &error);

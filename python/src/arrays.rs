@@ -21,10 +21,10 @@ pub unsafe fn shared<'py, T: Element, D: Dimension>(
     Ok(array)
 }
 
-/// Rows of ids as a read-only array, with -1 for none.
+/// Returns rows of ids as a read-only array, with -1 for none.
 ///
 /// # Safety
-/// As that of [`shared`].
+/// The ids stay as [`shared`] demands of its memory.
 pub unsafe fn shared_ids<'py>(
     owner: &Bound<'py, PyAny>,
     ids: &[u32],
@@ -39,7 +39,7 @@ pub unsafe fn shared_ids<'py>(
 /// Returns an array of ids in one column, which shares their memory; see [`shared_ids`].
 ///
 /// # Safety
-/// As that of [`shared`].
+/// The ids stay as [`shared`] demands of its memory.
 pub unsafe fn shared_ids_1<'py>(
     owner: &Bound<'py, PyAny>,
     ids: &[u32],
@@ -55,7 +55,7 @@ pub fn rows<T>(values: &[T], columns: usize) -> ArrayView<'_, T, Ix2> {
     ArrayView::from_shape(shape, values).expect("whole rows")
 }
 
-/// Ids below `count`, and [`netmesh::NONE`] as -1.
+/// Returns ids below `count` as signed integers, and [`netmesh::NONE`] as -1.
 fn signed<'a>(py: Python<'_>, ids: &'a [u32], count: usize) -> PyResult<&'a [i32]> {
     fits(py, count)?;
     // SAFETY: the same size and alignment; any bits are an i32.
@@ -71,7 +71,7 @@ pub fn fits(py: Python<'_>, count: usize) -> PyResult<()> {
     Err(raised(py, ErrorKind::Capacity, message))
 }
 
-/// Ids that are written as -1 where there is none.
+/// Returns signed ids as unsigned ones to write to: [`netmesh::NONE`] becomes -1.
 pub fn unsigned(ids: &mut [i32]) -> &mut [u32] {
     // SAFETY: as in `signed`; any bits are a u32 too.
     unsafe { std::slice::from_raw_parts_mut(ids.as_mut_ptr().cast(), ids.len()) }

@@ -56,7 +56,7 @@ impl Deref for Core {
 
 #[pymethods]
 impl Core {
-    /// Points are copied before other threads may change them.
+    /// Makes a mesh of points, which are copied before other threads may change them.
     #[new]
     fn new(
         py: Python<'_>,
@@ -203,7 +203,7 @@ impl Core {
         by_keyword(py, &self.triangulation().parameters.options())
     }
 
-    /// Centres, parents (-1 for none) and radii.
+    /// Returns the centres, parents (-1 for none) and radii of the domains.
     #[getter]
     fn domains(&self) -> (Vec<u32>, Vec<i64>, Vec<f64>) {
         let domains = || self.triangulation().domains.iter();
@@ -288,7 +288,7 @@ fn require_attributes(py: Python<'_>, path: &Path, format: Format) -> PyResult<(
     Err(invalid(py, message))
 }
 
-/// Values at the vertices, under names that the library allows.
+/// Returns values at the vertices as attributes, under names that the library allows.
 fn vertex_attributes(
     py: Python<'_>,
     given: &[(String, PyReadonlyArray2<'_, f64>)],

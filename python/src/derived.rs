@@ -71,7 +71,7 @@ impl Core {
 
 #[pymethods]
 impl Core {
-    /// Ids of simplices.
+    /// Returns the ids of the simplices of a part.
     fn part_simplices<'py>(
         &self,
         py: Python<'py>,
@@ -91,7 +91,7 @@ impl Core {
         edges.reshape([edges.len() / 2, 2])
     }
 
-    /// Vertices of facets, and their two simplices.
+    /// Returns the vertices of facets, and their two simplices.
     fn facets<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<FacetArrays<'py>> {
         let facets = self.of_part(py, selection, |part| part.facets())?;
         let dim = self.triangulation().dim;
@@ -101,7 +101,7 @@ impl Core {
         Ok((vertices.reshape([count, dim])?, simplices.reshape([count, 2])?))
     }
 
-    /// Vertices of the hull's facets, and their simplices.
+    /// Returns the vertices of the hull's facets, and their simplices.
     fn hull<'py>(&self, py: Python<'py>, selection: Given<'py>) -> PyResult<HullArrays<'py>> {
         let hull = self.of_part(py, selection, |part| part.hull())?;
         let dim = self.triangulation().dim;
@@ -128,7 +128,7 @@ impl Core {
         lists(py, neighbors, self.count_of_vertices())
     }
 
-    /// Centres and radii.
+    /// Returns the centres and radii of the circumballs of simplices.
     fn circumcenters<'py>(
         &self,
         py: Python<'py>,
@@ -172,7 +172,7 @@ impl Core {
         Ok(parts)
     }
 
-    /// Values at all vertices that agree with those at the inputs.
+    /// Returns values at all vertices that agree with those at the inputs.
     fn extend_values<'py>(
         &self,
         py: Python<'py>,

@@ -131,13 +131,13 @@ impl Core {
         Ok(found)
     }
 
-    /// Bytes that the index takes, which is made if there is none yet.
+    /// Returns the number of bytes of the index, which is made if there is none yet.
     fn index_bytes(&self, py: Python<'_>) -> PyResult<usize> {
         Ok(self.index(py)?.bytes())
     }
 
-    /// Level, violations, checked, and of the first violation: its number, simplex, vertex,
-    /// domain and message.
+    /// Returns the level, the numbers of violations and checks, and of the first violation: the
+    /// number and name of its kind, its simplex, vertex and domain, and its message.
     fn validate(&self, py: Python<'_>, level: u32) -> PyResult<Report> {
         let made = Arc::clone(&self.made);
         let report = abandonable(py, move || validate::validate_mesh(&made.mesh, level))?;

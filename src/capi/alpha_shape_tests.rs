@@ -10,7 +10,7 @@ use crate::options::{Algorithm, Options};
 use std::ffi::CString;
 use std::ptr::{null, null_mut};
 
-/// Four corners of the unit square, and a point far from it.
+/// Returns the Delaunay triangulation of the corners of the unit square and a point far from it.
 fn delaunay() -> nm_mesh {
     let points = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 9.0, 0.5];
     let mut mesh = Mesh::new(2, 5, &points, 0).unwrap();

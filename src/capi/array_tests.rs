@@ -123,7 +123,7 @@ unsafe extern "C" fn append(data: *const c_void, size: usize, text: *mut c_void)
     0
 }
 
-/// An export, as bytes.
+/// Returns the bytes of an export.
 fn export(mesh: &nm_mesh, selection: *const nm_selection, format: nm_format) -> Vec<u8> {
     let mut text = Vec::<u8>::new();
     let to = (&raw mut text).cast();

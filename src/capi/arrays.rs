@@ -64,7 +64,7 @@ pub(super) unsafe fn get<T: Copy>(
 /// Copies the ids of a group, as [`get`] copies an array.
 ///
 /// # Safety
-/// As [`get`].
+/// The arguments are as [`get`] demands.
 pub(super) unsafe fn get_ids(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
@@ -78,7 +78,7 @@ pub(super) unsafe fn get_ids(
 /// Copies the starts of a group's lists, as [`get`] copies an array.
 ///
 /// # Safety
-/// As [`get`].
+/// The arguments are as [`get`] demands.
 pub(super) unsafe fn get_starts(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
@@ -92,7 +92,7 @@ pub(super) unsafe fn get_starts(
 /// Copies an array as [`get`] does, with `encode` of each element.
 ///
 /// # Safety
-/// As [`get`].
+/// The arguments are as [`get`] demands.
 pub(super) unsafe fn get_as<T, S: Copy>(
     mesh: *const nm_mesh,
     selection: *const nm_selection,
@@ -115,6 +115,8 @@ pub(super) unsafe fn get_as<T, S: Copy>(
     }
 }
 
+/// Reads a selection; NULL selects everything.
+///
 /// # Safety
 /// `selection` is NULL or as long as its `struct_size` says.
 pub(super) unsafe fn read_selection(selection: *const nm_selection) -> Result<Selection> {

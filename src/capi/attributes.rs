@@ -48,6 +48,8 @@ pub unsafe extern "C" fn nm_mesh_set_input_attributes(
     unsafe { set(mesh, name, components, values, false) }
 }
 
+/// Sets attributes of the inputs; `is_extended`: vertices that are no inputs get values too.
+///
 /// # Safety
 /// `mesh` is NULL or a live handle, `name` NULL or a C string, `values` NULL or as long as said.
 unsafe fn set(

@@ -105,6 +105,8 @@ pub unsafe extern "C" fn nm_mesh_set_regions(
     unsafe { with_mesh_mut(mesh, |mesh| mesh.set_regions(&read_regions(count, regions)?)) }
 }
 
+/// Reads `count` regions, whose structs must be of one size.
+///
 /// # Safety
 /// `regions` is NULL or has `count` structs as long as the first says.
 unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Region>> {
@@ -223,7 +225,7 @@ mod tests {
     use crate::capi::test_support::{last_message, square};
     use std::ptr::{null, null_mut};
 
-    /// Inputs 0 to 4 are corners of the unit square, 2 the same as 0.
+    /// Sets segments between inputs 0 to 4, which are corners of the unit square, 2 the same as 0.
     fn set(mesh: &mut nm_mesh, inputs: &[u32], markers: Option<&[i32]>) -> nm_status {
         let markers = markers.map_or(null(), <[i32]>::as_ptr);
         // SAFETY: a live handle; the arrays fit the count.

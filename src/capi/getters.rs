@@ -274,7 +274,7 @@ pub unsafe extern "C" fn nm_mesh_get_domains(
 /// Copies one value per vertex: `before` for each distinct input until there is a result.
 ///
 /// # Safety
-/// As `with_mesh` and `copy_out`.
+/// The arguments are as `with_mesh` and `copy_out` demand.
 unsafe fn get_per_vertex<T: Copy>(
     mesh: *const nm_mesh,
     buf: *mut T,
@@ -341,7 +341,7 @@ mod tests {
 
     type Getter<T> = unsafe extern "C" fn(*const nm_mesh, *mut T, u64, *mut u64) -> nm_status;
 
-    /// Size, then values.
+    /// Returns the values of a getter, which is asked for their number first.
     fn get<T: Copy + Default>(mesh: &nm_mesh, getter: Getter<T>) -> Vec<T> {
         let mut needed = u64::MAX;
         // SAFETY: a live handle; NULL asks for the size.

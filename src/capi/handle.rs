@@ -93,7 +93,7 @@ pub(super) unsafe fn with_mesh(
 /// Runs `body` as [`with_mesh`] does, with what queries have made as well.
 ///
 /// # Safety
-/// As [`with_mesh`].
+/// The handle is as [`with_mesh`] demands.
 pub(super) unsafe fn with_prepared(
     mesh: *const nm_mesh,
     body: impl FnOnce(&Mesh, &Prepared) -> Result<()>,
@@ -110,7 +110,7 @@ pub(super) unsafe fn with_prepared(
 /// Runs `body` as [`with_prepared`] does, for writing.
 ///
 /// # Safety
-/// As [`with_mesh`].
+/// The handle is as [`with_mesh`] demands.
 pub(super) unsafe fn with_prepared_mut(
     mesh: *const nm_mesh,
     body: impl FnOnce(&mut Mesh, &mut Prepared) -> Result<()>,
@@ -128,7 +128,7 @@ pub(super) unsafe fn with_prepared_mut(
 /// body fails.
 ///
 /// # Safety
-/// As [`with_mesh`].
+/// The handle is as [`with_mesh`] demands.
 pub(super) unsafe fn with_mesh_mut(
     mesh: *const nm_mesh,
     body: impl FnOnce(&mut Mesh) -> Result<()>,
@@ -146,7 +146,7 @@ pub(super) unsafe fn with_mesh_mut(
 /// or the same.
 ///
 /// # Safety
-/// As [`with_mesh`], for both.
+/// Both handles are as [`with_mesh`] demands.
 pub(super) unsafe fn with_background(
     mesh: *mut nm_mesh,
     background: *const nm_mesh,
@@ -166,8 +166,10 @@ pub(super) unsafe fn with_background(
     unsafe { with_handle(mesh, body) }
 }
 
+/// Runs `body` within a [`barrier`] on the handle; a panic poisons it.
+///
 /// # Safety
-/// As [`with_mesh`].
+/// The handle is as [`with_mesh`] demands.
 unsafe fn with_handle(
     mesh: *const nm_mesh,
     body: impl FnOnce(&nm_mesh) -> Result<()>,

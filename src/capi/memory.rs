@@ -117,7 +117,7 @@ impl<T: Versioned> OutStruct<T> {
     /// Returns a struct of `size` bytes whose `struct_size` is not yet set.
     ///
     /// # Safety
-    /// As [`Self::new`], with `size` in place of the field.
+    /// The pointer is as [`Self::new`] demands, with `size` in place of the field.
     pub(super) unsafe fn with_size(argument: &str, pointer: *mut T, size: u32) -> Result<Self> {
         if pointer.is_null() {
             return Err(null_argument(argument));

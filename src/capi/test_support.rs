@@ -12,7 +12,7 @@ pub(super) fn square() -> nm_mesh {
     nm_mesh::new(Mesh::new(2, 5, &points, 0).expect("five good points"))
 }
 
-/// This thread's last message.
+/// Returns the last message of this thread.
 pub(super) fn last_message() -> String {
     let mut buf = [0x7f; 1024];
     // SAFETY: the buffer has the size that is said, and is a C string afterwards.

@@ -97,7 +97,7 @@ pub fn run(
 /// Meshes `inputs` as [`run`] does, with simplices no larger than `size` asks for.
 ///
 /// # Errors
-/// As those of [`run`]; `InvalidArgument` if `size` answers no size.
+/// Fails as [`run`] does; `InvalidArgument` if `size` answers no size.
 pub fn run_sized(
     inputs: &Inputs,
     arrangement: Option<&mut Arrangement>,

@@ -58,7 +58,7 @@ pub unsafe extern "C" fn nm_mpi_mesh_free(mesh: *mut nm_mpi_mesh) {
 /// Runs `nm_mpi_run`, behind the C function that knows MPI_Comm: `comm` points to one.
 ///
 /// # Safety
-/// As the header says of `nm_mpi_run`.
+/// The arguments are as the header says of `nm_mpi_run`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn netmesh_mpi_run(
     comm: *const c_void,
@@ -81,8 +81,10 @@ pub unsafe extern "C" fn netmesh_mpi_run(
     })
 }
 
+/// Reads the arguments, on which all ranks must agree, and runs.
+///
 /// # Safety
-/// As [`netmesh_mpi_run`].
+/// The arguments are as [`netmesh_mpi_run`] demands.
 unsafe fn run(
     comm: &dyn Communicator,
     caller: Environment,

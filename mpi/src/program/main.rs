@@ -47,7 +47,7 @@ fn main() -> std::process::ExitCode {
     std::process::ExitCode::from(code)
 }
 
-/// Only rank 0 has anything to say.
+/// Runs the program on a rank and returns its exit code. Only rank 0 has anything to say.
 fn run(comm: &dyn Communicator) -> u8 {
     let parsed = Arguments::try_parse();
     let speaks = comm.rank() == 0;

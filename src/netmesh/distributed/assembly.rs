@@ -355,7 +355,7 @@ fn simplex_bases<const D: usize>(pieces: &[Piece<D>]) -> Result<Vec<usize>> {
     Ok(bases)
 }
 
-/// Numbers the vertices of all pieces.
+/// Assigns numbers to the vertices of all pieces, one to those of one name.
 fn number<const D: usize>(
     pieces: &[Piece<D>],
     first: First,

@@ -41,7 +41,7 @@ impl<const D: usize> Coarse<D> {
     /// have one vertex.
     ///
     /// # Errors
-    /// As those of [`crate::Mesh::run`].
+    /// Fails as [`crate::Mesh::run`] does.
     pub fn new(
         sample: &[[f64; D]],
         names: &[u64],

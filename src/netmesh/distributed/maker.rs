@@ -1,4 +1,4 @@
-//! What makes partitions of pieces: the same on all processes.
+//! The maker of partitions of pieces, which is the same on all processes.
 
 use crate::error::Result;
 use crate::memory::{TryGrow, copied};

@@ -14,10 +14,10 @@
 //!     .     |     .
 //! ```
 //!
-//! What a partition makes depends on the pieces that it is made of, and on nothing else: not on
+//! The result of a partition depends on the pieces that it is made of, and on nothing else: not on
 //! where it is made, nor on how many processes there are.
 //!
-//! As for partitions of one process, the paper allows any order of insertions (§6.3, §6.4). The
+//! The paper allows any order of insertions (§6.3, §6.4), as for partitions of one process. The
 //! sample is a part of the inputs, chosen by their coordinates.
 
 mod assembly;

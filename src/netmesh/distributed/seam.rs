@@ -1,6 +1,6 @@
-//! What a partition leaves to the next one: the simplices about its interface, where others have
-//! to be seen before it goes on, and those where it could not do what it wanted. The rest is
-//! settled. A seam is what the partitions on both sides leave.
+//! The part of its mesh that a partition leaves to the next one: the simplices about its interface,
+//! where others have to be seen before it goes on, and those where it could not do what it wanted.
+//! The rest is settled. A seam is what the partitions on both sides leave.
 
 use crate::error::Result;
 use crate::memory::{TryGrow, collected, filled, with_capacity};

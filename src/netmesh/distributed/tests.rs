@@ -153,8 +153,8 @@ fn known_domains<const D: usize>(pieces: &[Piece<D>]) -> Known {
     known
 }
 
-/// A domain that a partition does not own has no new version. It stays where it is, and others are
-/// told if its clearance fell.
+/// Checks that a domain that a partition does not own has no new version, that it stays where it
+/// is, and that others are told if its clearance fell.
 fn assert_non_owned_are_left<const D: usize>(known: &Known, made: &Piece<D>) {
     for domain in &made.domains {
         let Some(&(version, parent, outside)) = known.get(&domain.name) else { continue };
@@ -182,7 +182,7 @@ fn scattered<const D: usize>(count: usize, seed: u64) -> Vec<[f64; D]> {
     (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect()
 }
 
-/// Points round one point at ten scales, in no order.
+/// Returns points round one point at ten scales, in no order.
 fn nested<const D: usize>(count: usize) -> Vec<[f64; D]> {
     let mut random = Random(3);
     let mut point = |at: usize| {
@@ -192,7 +192,7 @@ fn nested<const D: usize>(count: usize) -> Vec<[f64; D]> {
     (0..count).map(&mut point).collect()
 }
 
-/// `count` clusters of `size` points, each far smaller than its distance to the next.
+/// Returns `count` clusters of `size` points, each far smaller than its distance to the next.
 fn clusters<const D: usize>(count: usize, size: usize) -> Vec<[f64; D]> {
     let mut random = Random(6);
     let centers = scattered::<D>(count, 7);
@@ -203,8 +203,8 @@ fn clusters<const D: usize>(count: usize, size: usize) -> Vec<[f64; D]> {
     (0..count * size).map(&mut point).collect()
 }
 
-/// Every axis has `side` values, so that all small simplices are cospherical, and sample and
-/// interfaces go through points on facets.
+/// Returns a lattice with `side` values on every axis, so that all small simplices are cospherical,
+/// and sample and interfaces go through points on facets.
 fn lattice<const D: usize>(side: usize) -> Vec<[f64; D]> {
     let point = |at: usize| std::array::from_fn(|axis| (at / side.pow(axis as u32) % side) as f64);
     (0..side.pow(D as u32)).map(point).collect()
@@ -283,7 +283,7 @@ fn what_seams_leave_is_done_in_the_end() {
     assert_eq!(validate(&inputs, &made, 3).unwrap().level, 3);
 }
 
-/// One of two partitions of a coarse mesh.
+/// Returns one of two partitions of a coarse mesh.
 fn half_of_coarse() -> Piece<3> {
     let points = scattered::<3>(600, 5);
     let names: Vec<u64> = (0..600).collect();

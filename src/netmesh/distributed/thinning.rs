@@ -1,7 +1,7 @@
-//! Which inputs of the sample the coarse mesh is of. A cluster that is a small part of a partition
-//! has one vertex there: its domains are made by the partition that has all of it. If the coarse
-//! mesh had them, those at interfaces would belong to none, and the inputs that their cages have to
-//! grow for would wait through all phases.
+//! The choice of the inputs of the sample that the coarse mesh is of. A cluster that is a small
+//! part of a partition has one vertex there: its domains are made by the partition that has all of
+//! it. If the coarse mesh had them, those at interfaces would belong to none, and the inputs that
+//! their cages have to grow for would wait through all phases.
 
 use crate::complex::VertexId;
 use crate::error::Result;
@@ -86,7 +86,7 @@ mod tests {
     use crate::options::Options;
     use crate::parameters::Parameters;
 
-    /// The points that are left of `points`.
+    /// Returns the points that are left of `points`, if any go.
     fn left(points: &[[f64; 2]], most: usize) -> Option<Vec<[f64; 2]>> {
         let parameters = Parameters::resolve(2, &Options::default()).unwrap();
         let mut mesher = mesh(points, &parameters, Watch::new(None)).unwrap();

@@ -11,7 +11,7 @@ use crate::numerics::distance;
 use crate::options::Options;
 use crate::parameters::Parameters;
 
-/// Points of three scales, in pairs 2^-30 apart at the largest one.
+/// Returns points of three scales, in pairs 2^-30 apart at the largest one.
 fn points(dim: usize, n: usize) -> Vec<f64> {
     let mut state = dim as u64;
     let mut next = || {
@@ -30,7 +30,7 @@ fn points(dim: usize, n: usize) -> Vec<f64> {
     points
 }
 
-/// M_Omega and P_Omega, from the labels of all vertices.
+/// Collects M_Omega, with P_Omega in it, from the labels of all vertices.
 fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> Vec<VertexId> {
     let vertices = VertexId::below(mesher.state.delaunay.point_count());
     let inserted: Vec<_> = vertices.filter(|&v| mesher.state.is_inserted(v)).collect();
@@ -46,7 +46,7 @@ fn members<const D: usize>(mesher: &mut Mesher<'_, '_, D>, omega: DomainId) -> V
     members
 }
 
-/// Definition 5 by its words.
+/// Computes the feature sizes by the words of Definition 5.
 fn feature_sizes<const D: usize>(
     mesher: &mut Mesher<'_, '_, D>,
     vertex: VertexId,
@@ -64,7 +64,7 @@ fn feature_sizes<const D: usize>(
     FeatureSizes { mesh: second(&|_| true), inputs: second(&|v| mesher.state.is_input(v)) }
 }
 
-/// f_P / f_M at the vertex that has just gone in; 0 if there are too few inputs.
+/// Returns f_P / f_M at the vertex that has just gone in; 0 if there are too few inputs.
 fn ratio<const D: usize>(mesher: &mut Mesher<'_, '_, D>, vertex: VertexId) -> f64 {
     let omega = mesher.state.hierarchy.domain_of(vertex);
     let sizes = feature_sizes(mesher, vertex, omega);
@@ -81,7 +81,7 @@ struct Seen {
     cages: u32,
 }
 
-/// INSERTINPUT, and the constants that it left behind.
+/// Runs INSERTINPUT for an input, and checks the constants that it leaves behind.
 fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: VertexId, seen: &mut Seen) {
     let domains = mesher.state.hierarchy.len();
     mesher.state.stats.insertion_constant_input = 0.0;
@@ -101,8 +101,8 @@ fn insert<const D: usize>(mesher: &mut Mesher<'_, '_, D>, input: VertexId, seen:
     }
 }
 
-/// A cage vertex v went in between its centre, which was there, and the vertices that are there
-/// now.
+/// Checks that the constant of a cage is in the range that is possible: a vertex of the cage went
+/// in between its centre, which was there, and the vertices that are there now.
 fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: DomainId) {
     let sphere = mesher.state.parameters.cage_scale * mesher.state.hierarchy.node(cage).radius;
     let (mut least, mut most) = (0.0f64, 0.0f64);
@@ -116,7 +116,7 @@ fn check_cage<const D: usize>(mesher: &mut Mesher<'_, '_, D>, cage: DomainId) {
     assert!((least..=most).contains(&constant), "{least} {constant} {most}");
 }
 
-/// CLEAN, a step at a time.
+/// Runs CLEAN, a step at a time, and checks the constant of each.
 fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
     while let Some(entry) = mesher.state.refine_list.pop() {
         let simplex = entry.simplex;
@@ -150,7 +150,7 @@ fn clean<const D: usize>(mesher: &mut Mesher<'_, '_, D>, seen: &mut Seen) {
     }
 }
 
-/// Every vertex in every domain, the centres of children as well.
+/// Checks the feature sizes at every vertex in every domain, the centres of children as well.
 fn check_feature_sizes<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
     for omega in (0..mesher.state.hierarchy.len()).map(DomainId::new) {
         if !mesher.state.hierarchy.node(omega).alive {

@@ -1,6 +1,6 @@
-//! Where the mesh is cut. A partition defers every input next to a simplex at its interface, and
-//! the simplices of the coarse mesh are large. So the inputs at the interfaces go in before the
-//! mesh is cut, until the simplices there are as small as they get.
+//! Preparation of the places where the mesh is cut. A partition defers every input next to a
+//! simplex at its interface, and the simplices of the coarse mesh are large. So the inputs at the
+//! interfaces go in before the mesh is cut, until the simplices there are as small as they get.
 
 use crate::complex::{Anchored, SimplexId, VertexId};
 use crate::delaunay::Cavity;

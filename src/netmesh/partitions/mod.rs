@@ -13,8 +13,8 @@
 //! Partitions depend on the inputs only, and join in a fixed order. So the mesh does not depend on
 //! the number of threads.
 //!
-//! What divides the work of one mesh belongs here: `schedule` runs the partitions, `reserves` gives
-//! them memory to grow in, and `workers` share work that changes nothing.
+//! Everything that divides the work of one mesh belongs here: `schedule` runs the partitions,
+//! `reserves` gives them memory to grow in, and `workers` share work that changes nothing.
 
 pub(super) mod extract;
 pub(super) mod interfaces;

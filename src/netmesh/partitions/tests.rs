@@ -29,7 +29,7 @@ where
     mesh::<D>(inputs, None, parameters(D, options, threads), None, None).unwrap()
 }
 
-/// The run until partitions have joined.
+/// Runs a mesher until partitions have joined.
 fn insert_in_partitions<const D: usize>(mesher: &mut Mesher<'_, '_, D>) {
     let mut cavity = Cavity::default();
     mesher.start_netmesh(&mut cavity).unwrap();
@@ -57,8 +57,8 @@ fn bits(values: &[f64]) -> Vec<u64> {
     values.iter().map(|value| value.to_bits()).collect()
 }
 
-/// The mesh is the same on one thread and on three, has a certificate, and is about as large as
-/// that made as one, but another: so it was made in partitions.
+/// Checks that the mesh is the same on one thread and on three, has a certificate, and is about as
+/// large as that made as one, but another: so it was made in partitions.
 fn check<const D: usize>(points: &[[f64; D]], options: &Options)
 where
     for<'a, 'b> Mesher<'a, 'b, D>: Dimension,
@@ -82,20 +82,20 @@ fn scattered<const D: usize>(count: usize, seed: u64) -> Vec<[f64; D]> {
     (0..count).map(|_| std::array::from_fn(|_| random.unit())).collect()
 }
 
-/// Pairs of points that are 2^-30 apart: a cage to every pair, many of them at interfaces.
+/// Returns pairs of points that are 2^-30 apart: a cage to every pair, many of them at interfaces.
 fn pairs<const D: usize>(count: usize) -> Vec<[f64; D]> {
     let near = |point: &[f64; D], shift: f64| point.map(|x| x + shift);
     let points = scattered::<D>(count / 2, 5);
     points.iter().flat_map(|point| [*point, near(point, 2f64.powi(-30))]).collect()
 }
 
-/// Pairs of neighbouring doubles, which leave no room for a cage's vertices.
+/// Returns pairs of neighbouring doubles, which leave no room for a cage's vertices.
 fn neighbors<const D: usize>(count: usize) -> Vec<[f64; D]> {
     let points = scattered::<D>(count / 2, 8);
     points.iter().flat_map(|point| [*point, point.map(f64::next_up)]).collect()
 }
 
-/// Clusters within clusters: the domains that hold them are cut.
+/// Returns clusters within clusters: the domains that hold them are cut.
 fn nested<const D: usize>(levels: i32, count: usize) -> Vec<[f64; D]> {
     let shells = (0..levels).flat_map(|level| {
         let size = 2f64.powi(-8 * level);
@@ -106,8 +106,8 @@ fn nested<const D: usize>(levels: i32, count: usize) -> Vec<[f64; D]> {
     shells.collect()
 }
 
-/// Dense clusters, each large enough to be cut, with points at all distances around them: those
-/// encroach domains of more partitions than one, from inside and from outside.
+/// Returns dense clusters, each large enough to be cut, with points at all distances around them:
+/// those encroach domains of more partitions than one, from inside and from outside.
 fn halos<const D: usize>(clusters: usize, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(9);
     let mut points = Vec::new();

@@ -1,8 +1,8 @@
-//! Where a Steiner point goes. The paper inserts the farthest corner of a bad cell. A point on the
-//! way to the corner that is only as far from the vertices it serves as the bound asks for mends
-//! the cell as well and leaves a larger empty ball behind: off-centres, as in Üngör, "Off-centers:
-//! a new type of Steiner points for computing size-optimal quality-guaranteed Delaunay
-//! triangulations", 2004.
+//! The place of a Steiner point. The paper inserts the farthest corner of a bad cell. A point on
+//! the way to the corner that is only as far from the vertices it serves as the bound asks for
+//! mends the cell as well and leaves a larger empty ball behind: off-centres, as in Üngör,
+//! "Off-centers: a new type of Steiner points for computing size-optimal quality-guaranteed
+//! Delaunay triangulations", 2004.
 
 use crate::complex::{SimplexId, VertexId};
 use crate::netmesh::state::State;

@@ -1,7 +1,7 @@
 //! The result: the chains and regions as arrays, without vertices that were removed, and cut to
 //! the domain if the caller asked for that.
 //!
-//! What is outside stays with the result (`Triangulation::whole`) for those who need a
+//! Everything outside stays with the result (`Triangulation::whole`) for those who need a
 //! triangulation of all of the hull: location walks through it, and the certificate tests that it
 //! is Delaunay. Its first simplices and vertices are those of the domain, so ids are the same.
 

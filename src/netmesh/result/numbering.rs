@@ -34,8 +34,8 @@ pub(super) struct Numbering {
 }
 
 impl<const D: usize> Mesher<'_, '_, D> {
-    /// Numbers the vertices and simplices of the result. `is_outside`: simplex -> true if it is
-    /// outside of the domain; empty if none is.
+    /// Assigns numbers to the vertices and simplices of the result. `is_outside`: simplex -> true
+    /// if it is outside of the domain; empty if none is.
     pub(super) fn numbering(&mut self, is_outside: &[bool]) -> Result<Numbering> {
         let (simplices, counts) = self.simplex_numbers(is_outside)?;
         let inside_simplices = counts[..counts.len() / 2].iter().sum();
@@ -59,8 +59,8 @@ impl<const D: usize> Mesher<'_, '_, D> {
         Ok(Numbering { vertices, order, simplices, counts, inside_vertices, inside_simplices })
     }
 
-    /// Numbers the finite simplices by rising ids, those inside first, and counts them in each
-    /// piece.
+    /// Assigns numbers to the finite simplices by rising ids, those inside first, and counts them
+    /// in each piece.
     fn simplex_numbers(&mut self, is_outside: &[bool]) -> Result<(Vec<u32>, Vec<usize>)> {
         let threads = self.state.threads();
         let Self { state, watch, .. } = self;

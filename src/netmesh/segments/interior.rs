@@ -1,7 +1,7 @@
-//! Which regions are inside. With the extent all these are all, and without a rule for closed
-//! curves all but region 0. With one a region has a winding number, which differs from that of the
-//! region on the other side of a line by the balance of the line (for parity by whether that is
-//! odd), and is 0 outside of all.
+//! Selection of the regions that are inside. With the extent all these are all, and without a rule
+//! for closed curves all but region 0. With one a region has a winding number, which differs from
+//! that of the region on the other side of a line by the balance of the line (for parity by whether
+//! that is odd), and is 0 outside of all.
 
 use crate::memory::{AllocResult, Lists, TryGrow, collected, filled};
 use crate::netmesh::state::State;

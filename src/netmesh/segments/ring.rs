@@ -76,7 +76,7 @@ mod tests {
     use super::*;
     use crate::memory::Array;
 
-    /// The ring of the vertex in the middle of a regular polygon, `scale` in size.
+    /// Returns the ring of the vertex in the middle of a regular polygon of circumradius `scale`.
     fn regular(count: usize, scale: f64) -> Ring {
         let corner = |at: usize| {
             let turn = (at as f64 + 0.3) * std::f64::consts::TAU / count as f64;

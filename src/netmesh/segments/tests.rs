@@ -66,7 +66,7 @@ fn square(half: f64) -> [[f64; 2]; 4] {
     [[-half, -half], [half, -half], [half, half], [-half, half]]
 }
 
-/// `value` in units of 2^-1100.
+/// Returns `value` in units of 2^-1100.
 fn whole(value: f64) -> IBig {
     let (mantissa, exponent) = crate::numerics::testing::decomposed(value);
     IBig::from(mantissa) << (exponent + 1100) as usize
@@ -84,7 +84,7 @@ fn dot(a: &[IBig; 2], b: &[IBig; 2], c: &[IBig; 2]) -> IBig {
     (&b[0] - &a[0]) * (&c[0] - &a[0]) + (&b[1] - &a[1]) * (&c[1] - &a[1])
 }
 
-/// Twice the area of the simplices.
+/// Returns twice the area of the simplices that are selected, in units of 2^-2200.
 fn area(mesh: &Triangulation, selects: impl Fn(usize) -> bool) -> IBig {
     let area = |simplex: usize| {
         let [a, b, c] = [0, 1, 2].map(|i| point(mesh, mesh.simplex(simplex)[i]));
@@ -93,7 +93,7 @@ fn area(mesh: &Triangulation, selects: impl Fn(usize) -> bool) -> IBig {
     (0..mesh.simplex_count()).filter(|&simplex| selects(simplex)).map(area).sum()
 }
 
-/// The smallest angle in degrees of the simplices that no corner forces.
+/// Returns the smallest angle in degrees of the simplices that no corner forces.
 fn least_angle(mesh: &Triangulation) -> f64 {
     let is_free = |simplex: &usize| !mesh.boundary.forced.contains(&(*simplex as u32));
     let angle = |simplex: usize| {
@@ -107,8 +107,8 @@ fn least_angle(mesh: &Triangulation) -> f64 {
     (0..mesh.simplex_count()).filter(is_free).map(angle).fold(180.0, f64::min)
 }
 
-/// Every segment is a chain of Gabriel edges from end to end, and the vertices on it are as near to
-/// it as doubles can be.
+/// Checks that every segment is a chain of Gabriel edges from end to end, and that the vertices on
+/// it are as near to it as doubles can be.
 fn assert_conforming(domain: &Domain, mesh: &Triangulation) {
     let all = mesh.boundary.whole.as_deref().unwrap_or(mesh);
     let mut apexes: HashMap<[u32; 2], Vec<u32>> = HashMap::new();
@@ -151,7 +151,7 @@ fn assert_conforming(domain: &Domain, mesh: &Triangulation) {
     }
 }
 
-/// The certificate of the triangulation that the domain is cut from, and ids that agree.
+/// Checks the certificate of the triangulation that the domain is cut from, and that ids agree.
 fn assert_cut(mesh: &Mesh) {
     let result = mesh.result().unwrap();
     let whole = result.boundary.whole.as_deref().expect("the domain is cut out");

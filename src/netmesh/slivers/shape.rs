@@ -1,4 +1,5 @@
-//! How bad the shape of a tetrahedron is, by its dihedral angles and its radius-edge ratio.
+//! Measures of how bad the shape of a tetrahedron is, by its dihedral angles and its radius-edge
+//! ratio.
 
 use crate::complex::VertexId;
 use crate::delaunay::Delaunay;
@@ -271,7 +272,7 @@ mod tests {
     use super::*;
     use crate::numerics::testing::Random;
 
-    /// The least dihedral angle, in degrees, by the heights over an edge.
+    /// Returns the least dihedral angle, in degrees, by the heights over an edge.
     fn least_dihedral(tetrahedron: &Tetrahedron) -> f64 {
         let mut least = f64::INFINITY;
         for i in 0..4 {

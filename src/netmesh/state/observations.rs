@@ -1,4 +1,4 @@
-//! What the instruments keep between two insertions.
+//! Data that the instruments keep between two insertions.
 
 use crate::complex::{IdSet, SimplexId, VertexId, VertexSet};
 use crate::memory::{AllocResult, Array};

@@ -213,7 +213,7 @@ impl<const D: usize> Cells<D> {
         Ok(Self { low, scale, spread: spread::<D>()? })
     }
 
-    /// Bits of a key.
+    /// Returns the number of bits of a key.
     const fn bits(&self) -> usize {
         D * Self::AXIS_BITS
     }
@@ -253,7 +253,7 @@ mod tests {
         of_one
     }
 
-    /// The average distance of consecutive points.
+    /// Returns the average distance of consecutive points.
     fn step<const D: usize>(points: &[[f64; D]], order: &[InputId]) -> f64 {
         let distance = |pair: &[InputId]| {
             let [a, b] = [points[pair[0]], points[pair[1]]];

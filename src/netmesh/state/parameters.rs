@@ -1,4 +1,4 @@
-//! What the algorithm derives from its parameters (§4, end).
+//! Values that the algorithm derives from its parameters (§4, end).
 
 use crate::netmesh::state::hierarchy::{DomainId, ROOT};
 use crate::options::{Algorithm, Criterion};

@@ -1,4 +1,4 @@
-//! Which D-balls may still cover a ball with too many points.
+//! Selection of the D-balls that may still cover a ball with too many points.
 //!
 //! The D-ball cover theorem (Theorem 10; its proof is Theorem 43 in A.3) says more than its
 //! statement: an empty ball B is covered by at most d of the D-balls around one edge uv, those

@@ -2,7 +2,7 @@
 //! (`sampled`), or their net (`deterministic`): Theorem 3's NET is `greedy`, its two ingredients
 //! are `cover` (which balls still hold too many) and `center` (which inputs to take of those).
 //!
-//! What a round must achieve: the largest number of inputs in one conflict list at least halves. In
+//! A round must achieve this: the largest number of inputs in one conflict list at least halves. In
 //! the paper an input is listed in every D-ball that holds it. A new D-ball is empty of the old
 //! mesh M, so at most d old ones cover it (Theorem 10), each with fewer than a 1/(2d) of its inputs
 //! in the new one. Here an input is listed in one conflict list only. That leaves the net's

@@ -20,7 +20,7 @@ impl Random {
 const KINDS: [&str; 7] =
     ["uniform", "nested", "moment curve", "lattice", "sphere", "line", "hyperplane"];
 
-/// `count` distinct points, or a few less.
+/// Returns `count` distinct points of a kind, or a few less.
 fn points<const D: usize>(kind: &str, count: usize) -> Vec<[f64; D]> {
     let mut random = Random(count as u64 + D as u64);
     let mut cube = |side: f64| -> [f64; D] { [0.0; D].map(|_| side * (random.unit() - 0.5)) };
@@ -49,7 +49,7 @@ fn points<const D: usize>(kind: &str, count: usize) -> Vec<[f64; D]> {
     points
 }
 
-/// A simplex whose circumball holds all of the points by far, with no corner among them.
+/// Returns a simplex whose circumball holds all of the points by far, with no corner among them.
 fn surrounding<const D: usize>(points: &[[f64; D]]) -> Vec<[f64; D]> {
     let largest = points.iter().flatten().fold(1.0, |most: f64, x| most.max(x.abs()));
     let corner = |i: usize| -> [f64; D] {
@@ -86,9 +86,9 @@ fn subsets(count: usize, size: usize, mut visit: impl FnMut(&[usize])) {
     }
 }
 
-/// The most points in an open ball or half-space with none of `empty`, over all those that have D +
-/// 1 (half-spaces: D) of all the points on their boundary. Points on the boundary that a small
-/// motion takes inside, while those of `empty` stay outside, count as inside.
+/// Returns the largest number of points in an open ball or half-space with none of `empty`, over
+/// all those that have D + 1 (half-spaces: D) of all the points on their boundary. Points on the
+/// boundary that a small motion takes inside, while those of `empty` stay outside, count as inside.
 fn fullest<const D: usize>(empty: &[[f64; D]], others: &[[f64; D]]) -> usize {
     let all: Vec<[f64; D]> = empty.iter().chain(others).copied().collect();
     let mut most = 0;
@@ -123,7 +123,7 @@ fn fullest<const D: usize>(empty: &[[f64; D]], others: &[[f64; D]]) -> usize {
     most
 }
 
-/// Thresholds for eps = 1/(2D), and others.
+/// Returns the threshold of `count` points for eps = 1/(2D), and others, down to 1.
 fn thresholds<const D: usize>(count: usize) -> [u32; 5] {
     [count.div_ceil(2 * D), count.div_ceil(2), count.div_ceil(3), 2, 1].map(|t| t as u32)
 }
@@ -165,7 +165,7 @@ fn every_full_ball_holds_a_point_of_the_net() {
     check_property::<4>(13);
 }
 
-/// Two parents of a D-ball tell what is in it.
+/// Checks the list of the points in each D-ball, which its two parents tell.
 fn check_lists<const D: usize>() {
     for kind in KINDS {
         let points = points::<D>(kind, 60);
@@ -191,7 +191,7 @@ fn the_points_in_each_d_ball_are_known() {
     check_lists::<4>();
 }
 
-/// The sizes of nets for eps = 1/(2D), which do not grow with the number of points.
+/// Checks the sizes of nets for eps = 1/(2D), which do not grow with the number of points.
 fn check_size<const D: usize>(counts: [usize; 2], most: usize) {
     for kind in ["uniform", "nested", "moment curve", "line", "hyperplane"] {
         for count in counts {
@@ -239,8 +239,8 @@ fn a_net_does_not_depend_on_those_before() {
     }
 }
 
-/// Every ball with more than 1 - 2^-(D+1) of the points has one of X, that is has none of them as
-/// soon as it is empty of X.
+/// Checks that every ball with more than 1 - 2^-(D+1) of the points has one of X: a ball that is
+/// empty of X misses at least 2^-(D+1) of the points.
 fn check_center<const D: usize>(count: usize) {
     for kind in KINDS {
         let points = points::<D>(kind, count);

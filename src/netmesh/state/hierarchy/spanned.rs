@@ -98,7 +98,7 @@ impl<const D: usize> Hierarchy<D> {
 mod tests {
     use super::*;
 
-    /// A chain of three domains, a fourth beside the inner two, and a vertex in each.
+    /// Returns a chain of three domains, a fourth beside the inner two, and a vertex in each.
     fn hierarchy() -> Hierarchy<2> {
         let mut hierarchy = Hierarchy::new(4).unwrap();
         let parents = [DomainId::NONE, ROOT, DomainId::new(1), ROOT];
@@ -110,7 +110,7 @@ mod tests {
         hierarchy
     }
 
-    /// The domains that the vertices of these numbers span, in the order of the climb.
+    /// Returns the domains that the vertices of these numbers span, in the order of the climb.
     fn spanned(hierarchy: &Hierarchy<2>, vertices: &[usize]) -> Vec<usize> {
         let vertices: Vec<_> = vertices.iter().copied().map(VertexId::new).collect();
         let seen = std::cell::RefCell::new(Vec::new());

@@ -376,7 +376,7 @@ mod tests {
         VertexId::new(number)
     }
 
-    /// Two lines from vertex 0, and one between their other ends.
+    /// Returns the chains of two lines from vertex 0, and one between their other ends.
     fn triangle() -> Chains {
         let line = |a, b| {
             let ends = [vertex(a), vertex(b)];

@@ -139,6 +139,20 @@ impl<'a> Chains<'a> {
             == Some(Ordering::Less)
     }
 
+    /// Returns true if an edge leads along a segment as its chain may: both ends are near it, and in
+    /// its order from its first end to its second.
+    pub fn leads_along(&self, way: Way, edge: [u32; 2]) -> AllocResult<bool> {
+        let [from, to] = way.ends;
+        if from == to || from.max(to) as usize >= self.view.vertex_count() {
+            return Ok(false);
+        }
+        let [a, b] = if self.advances(way, edge[0], edge[1]) { edge } else { [edge[1], edge[0]] };
+        let is_in_order = self.advances(way, a, b)
+            && (a == from || self.advances(way, from, a))
+            && (b == to || self.advances(way, b, to));
+        Ok(is_in_order && self.is_near(way, a, true)? && self.is_near(way, b, true)?)
+    }
+
     /// Appends the vertices from `from` to `to`, along subsegments of earlier segments: as near to
     /// the segment as doubles can be, or if there are none bent.
     fn cross_gap(&mut self, way: Way, from: u32, to: u32) -> AllocResult<bool> {

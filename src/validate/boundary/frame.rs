@@ -25,10 +25,11 @@ pub(super) fn check(
     };
     let mut chains = Chains::new(inputs.distinct(), view, edges)?;
     let mut pieces: Vec<[u32; 2]> = Vec::new();
-    for (at, &from) in corners.iter().enumerate() {
-        let to = corners[(at + 1) % corners.len()];
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let sides = collected(sides.map(|(&from, &to)| Way { segment: NONE, ends: [from, to] }))?;
+    for (at, &way) in sides.iter().enumerate() {
+        let [from, to] = way.ends;
         let exist = from != to && (from.max(to) as usize) < view.vertex_count();
-        let way = Way { segment: NONE, ends: [from, to] };
         let is_closed = exist && chains.lead(way)?;
         findings.check(is_closed, || {
             let message = message!(
@@ -44,15 +45,24 @@ pub(super) fn check(
         }
     }
     pieces.sort_unstable();
-    check_pieces(view, &pieces, findings);
-    Ok(())
+    check_pieces(view, &chains, &sides, &pieces, findings)
 }
 
-/// Checks that each subsegment that belongs to no segment is one of `pieces`.
-fn check_pieces(view: View<'_, 2>, pieces: &[[u32; 2]], findings: &mut Findings) {
+/// Checks that each subsegment that belongs to no segment is one of `pieces`, or leads along a side
+/// as they do: beside segments of the caller's there may be two ways within roundings.
+fn check_pieces(
+    view: View<'_, 2>,
+    chains: &Chains<'_>,
+    sides: &[Way],
+    pieces: &[[u32; 2]],
+    findings: &mut Findings,
+) -> AllocResult<()> {
     let boundary = &view.mesh.boundary;
     for (at, (&[a, b], &parent)) in boundary.subsegments.iter().zip(&boundary.parents).enumerate() {
-        let is_there = parent != NONE || pieces.binary_search(&[a.min(b), a.max(b)]).is_ok();
+        let mut is_there = parent != NONE || pieces.binary_search(&[a.min(b), a.max(b)]).is_ok();
+        for &side in sides {
+            is_there = is_there || chains.leads_along(side, [a, b])?;
+        }
         findings.check(is_there, || {
             let message = message!(
                 "subsegment {at} from vertex {a} to {b} is of no segment, and not on the boundary \
@@ -61,6 +71,7 @@ fn check_pieces(view: View<'_, 2>, pieces: &[[u32; 2]], findings: &mut Findings)
             Violation::new(ViolationKind::SegmentLine, message).vertex(a as usize)
         });
     }
+    Ok(())
 }
 
 /// Returns the vertices at the corners of the box of the inputs, counterclockwise; [`NONE`] where

@@ -250,9 +250,11 @@ fn crossings_become_vertices() {
             for (a, b, point) in crossings_oracle(&case) {
                 let reaches =
                     [a, b].map(|s| Reach::of(case.ends(s).map(|v| &vertices[v as usize])));
-                let meet = |v: &Point| {
-                    reaches.iter().all(|reach| reach.ends.contains(v) || reach.holds(v))
+                // Segments that run along each other before they cross share vertices farther off.
+                let goes_through = |reach: &Reach<2>, v: &Point| {
+                    reach.ends.contains(v) || reach.is_beside(reach.ends.each_ref(), v)
                 };
+                let meet = |v: &Point| reaches.iter().all(|reach| goes_through(reach, v));
                 split += usize::from(vertices.contains(&point));
                 assert!(
                     vertices.contains(&point) || vertices.iter().any(meet),

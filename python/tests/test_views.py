@@ -37,6 +37,8 @@ def test_pyvista(dim, random):
 def test_plot(random, tmp_path):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("svg")
+    # Axes of examples that other tests run are not the current ones.
+    pytest.importorskip("matplotlib.pyplot").close("all")
     m = netmesh.mesh(random.random((30, 2)))
     ax = m.plot(color="red")
     edges, dots = ax.lines[0], ax.lines[-1]

@@ -130,7 +130,7 @@ fn other_extents_have_no_inside() {
     }
 }
 
-/// Where neither extent nor interior is named the input tells both, and the result says what they
+/// The input tells extent and interior where neither is named, and the result says what they
 /// are: a file of polygons is cut to these, without their lakes.
 #[test]
 fn extent_and_interior_follow_the_file() {

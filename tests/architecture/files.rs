@@ -1,7 +1,7 @@
-//! Which file below one module depends on which, read from parsed sources, tests apart: by imports
-//! and other paths, and by calls of methods. The type of a receiver is told from the fields and
-//! parameters that lead to it; where it is not known, the name of the method decides if no other
-//! module has one of that name.
+//! Dependencies between the files below one module, read from parsed sources, tests apart: by
+//! imports and other paths, and by calls of methods. The type of a receiver is told from the fields
+//! and parameters that lead to it; where it is not known, the name of the method decides if no
+//! other module has one of that name.
 
 use super::uses::{Source, attributes, flatten, is_for_tests, is_standard, words};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,7 +21,7 @@ pub struct Graph {
     pub methods: BTreeMap<Method, BTreeSet<Method>>,
 }
 
-/// What the files below the module define.
+/// Definitions in the files below the module.
 #[derive(Default)]
 struct Definitions {
     /// Modules by their paths from the root -> their files.
@@ -70,9 +70,9 @@ impl Graph {
         graph
     }
 
-    /// What is wrong with the files if those of a folder may use their own and the `folders` before
-    /// it only, files beside the folders may use all, and no files depend on each other in a
-    /// circle.
+    /// Returns the faults of the files if those of a folder may use their own and the `folders`
+    /// before it only, files beside the folders may use all, and no files depend on each other in
+    /// a circle.
     pub fn complaints(&self, root: &str, folders: &[String]) -> Vec<String> {
         let rank = |path: &str| {
             let below = path.strip_prefix(root).and_then(|path| path.strip_prefix('/'));
@@ -332,7 +332,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Of the methods that a call may be of, takes those in files that are used anyway, or else
+    /// Takes, from the methods that a call may be of, those in files that are used anyway, or else
     /// all.
     fn guess(&mut self) {
         for Unsure { owners: all, method, caller } in std::mem::take(&mut self.unsure) {

@@ -136,7 +136,7 @@ pub fn is_for_tests(attributes: &[Attribute]) -> bool {
     })
 }
 
-/// Whether the standard library's types have methods of that name.
+/// Returns true if the standard library's types have methods of that name.
 pub fn is_standard(method: &str) -> bool {
     STANDARD.contains(&method)
 }

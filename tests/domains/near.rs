@@ -23,13 +23,18 @@ fn check(points: &[Point], segments: &[[u32; 2]], extents: &[Extent]) -> Vec<Sta
                 let case = format!("{points:?} {extent:?} {min_angle} {crossings:?}");
                 let mesh = run(points, segments, &options)
                     .unwrap_or_else(|error| panic!("{case}: {error}"));
-                let report = validate_mesh(&mesh, 3).unwrap();
-                assert_eq!(report.first.map(|violation| violation.message), None, "{case}");
+                certify(&mesh, &case);
                 all.push(mesh.result().unwrap().stats.clone());
             }
         }
     }
     all
+}
+
+/// Checks that the certificate finds no violation at level 3.
+fn certify(mesh: &Mesh, case: &str) {
+    let report = validate_mesh(mesh, 3).unwrap();
+    assert_eq!(report.first.map(|violation| violation.message), None, "{case}");
 }
 
 fn run(points: &[Point], segments: &[[u32; 2]], options: &Options) -> Result<Mesh, Error> {
@@ -115,8 +120,7 @@ fn lines_through_nearly_one_point_meet_there() {
         let crossings = Crossings::Split;
         let options = Options { extent, crossings, max_vertices: 20_000, ..Options::default() };
         let mesh = run(&points, &segments, &options).unwrap();
-        let report = validate_mesh(&mesh, 3).unwrap();
-        assert_eq!(report.first.map(|violation| violation.message), None, "{extent:?}");
+        certify(&mesh, &format!("{extent:?}"));
     }
     // They do cross.
     let refused = run(&points, &segments, &Options::default()).unwrap_err();
@@ -150,13 +154,12 @@ fn lines_at_a_sharp_angle_are_told_apart() {
             [options.clone(), Options { min_angle: 30.0, max_vertices: 50000, ..options }]
         {
             let mesh = run(&points, &segments, &options).unwrap();
-            let report = validate_mesh(&mesh, 3).unwrap();
-            assert_eq!(report.first.map(|violation| violation.message), None, "{options:?}");
+            certify(&mesh, &format!("{options:?}"));
         }
     }
 }
 
-/// Where a run finds no room between two lines, they share vertices, each twice as far on as the
+/// Two lines between which a run finds no room share vertices, each twice as far on as the
 /// last: vertices at equal distances would not get to where there is room.
 #[test]
 fn lines_that_have_no_room_share_vertices() {
@@ -178,8 +181,7 @@ fn lines_that_have_no_room_share_vertices() {
     for extent in ALL {
         let options = Options { extent, crossings: Crossings::Split, ..Options::default() };
         let mesh = run(&points, &segments, &options).unwrap();
-        let report = validate_mesh(&mesh, 3).unwrap();
-        assert_eq!(report.first.map(|violation| violation.message), None, "{extent:?}");
+        certify(&mesh, &format!("{extent:?}"));
     }
 }
 

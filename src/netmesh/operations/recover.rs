@@ -48,7 +48,6 @@ impl<const D: usize> Mesher<'_, '_, D> {
             apex.is_valid()
                 && in_diametral_ball(from, to, self.state.delaunay.point(apex)).is_positive()
         };
-        let is_short = self.state.is_short(subsegment);
         let has_room = match apexes {
             None => true,
             Some(apexes) => {
@@ -56,13 +55,14 @@ impl<const D: usize> Mesher<'_, '_, D> {
                 if encroaching.peek().is_none() {
                     return Ok(());
                 }
-                !is_short && encroaching.any(|apex| self.state.is_apart([a, b], apex))
+                !self.state.is_short(subsegment)
+                    && encroaching.any(|apex| self.state.is_apart([a, b], apex))
             }
         };
         if has_room && self.split(subsegment, cavity)? {
             return Ok(());
         }
-        Ok(self.state.limit_subsegment(subsegment, apexes.is_some() && (is_short || !has_room))?)
+        Ok(self.state.limit_subsegment(subsegment, !has_room)?)
     }
 
     /// Splits `subsegment`; false where doubles have no room for a vertex on it.

@@ -22,6 +22,11 @@ const SHORTEST: f64 = 64.0;
 /// so many units.
 const NO_ROOM: f64 = 8.0;
 
+/// Returns the gap between a double that is not negative and the next one below.
+fn unit_below(x: f64) -> f64 {
+    x - x.next_down()
+}
+
 impl<const D: usize> State<D> {
     /// Returns the place on its line at which a subsegment is to be split.
     pub(in crate::netmesh) fn splitting_place(&self, subsegment: &Subsegment) -> Fraction {
@@ -108,8 +113,7 @@ impl<const D: usize> State<D> {
         let [a, b] = self.segments.chains.get(subsegment).ends;
         let [a, b] = [a, b].map(|end| self.delaunay.point(end));
         let largest = a.iter().chain(b).fold(0.0f64, |largest, x| largest.max(x.abs()));
-        let unit = largest - largest.next_down();
-        a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SHORTEST * unit)
+        a.iter().zip(b).all(|(x, y)| (x - y).abs() <= SHORTEST * unit_below(largest))
     }
 
     /// Returns true if a vertex is so far from the line through two others that doubles tell
@@ -121,10 +125,7 @@ impl<const D: usize> State<D> {
             [x[0], x[1]]
         };
         let [a, b] = line.map(flat);
-        let units = [0, 1].map(|axis: usize| {
-            let largest = a[axis].abs().max(b[axis].abs());
-            largest - largest.next_down()
-        });
+        let units = [0, 1].map(|axis: usize| unit_below(a[axis].abs().max(b[axis].abs())));
         offset_from_line(&a, &b, &flat(vertex), units) > NO_ROOM
     }
 

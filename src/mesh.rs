@@ -5,6 +5,7 @@
 pub(crate) mod attribute;
 mod boundary;
 mod boxed;
+mod facets;
 mod inputs;
 mod left_out;
 pub mod sizes;
@@ -12,6 +13,7 @@ pub mod sizes;
 pub use attribute::Attribute;
 pub use boundary::{Arrangement, Boundary, Crowded, Region, Segments, Subsegment};
 pub use boxed::Boxed;
+pub use facets::{ArrangedFacet, FacetTriangle, Facets};
 pub use inputs::Inputs;
 pub use left_out::LeftOut;
 
@@ -216,10 +218,13 @@ pub struct Mesh {
     triangulation: Option<Triangulation>,
     attributes: Vec<Attribute>,
     segments: Segments,
+    facets: Facets,
     regions: Vec<Region>,
     given_sizes: GivenSizes,
     /// Segments that the result was made with, if the caller has set others since.
     earlier_segments: Option<Segments>,
+    /// Facets that the result was made with, if the caller has set others since.
+    earlier_facets: Option<Facets>,
     /// Regions that the result was made with, if the caller has set others since.
     earlier_regions: Option<Vec<Region>>,
     left_out: LeftOut,
@@ -249,9 +254,11 @@ impl Mesh {
             triangulation,
             attributes: Vec::new(),
             segments: Segments::default(),
+            facets: Facets::default(),
             regions: Vec::new(),
             given_sizes: GivenSizes::default(),
             earlier_segments: None,
+            earlier_facets: None,
             earlier_regions: None,
             left_out: LeftOut::default(),
         }
@@ -328,6 +335,25 @@ impl Mesh {
         &self.segments
     }
 
+    /// Replaces the facets that the next run keeps. The result of a run stays as it is.
+    pub(crate) fn replace_facets(&mut self, facets: Facets) {
+        let earlier = std::mem::replace(&mut self.facets, facets);
+        if self.triangulation.is_some() {
+            self.earlier_facets.get_or_insert(earlier);
+        }
+    }
+
+    /// Returns the facets that the next run keeps.
+    pub fn given_facets(&self) -> &Facets {
+        &self.facets
+    }
+
+    /// Returns the facets that the result was made with, which [`Boundary::subfacet_parents`] refers
+    /// to.
+    pub fn facets_of_result(&self) -> &Facets {
+        self.earlier_facets.as_ref().unwrap_or(&self.facets)
+    }
+
     /// Returns the markers of the segments that the result was made with, which
     /// [`Boundary::parents`] refers to.
     pub fn markers_of_result(&self) -> &[i32] {
@@ -367,6 +393,7 @@ impl Mesh {
     /// Replaces the result.
     pub(crate) fn set_triangulation(&mut self, triangulation: Triangulation) {
         (self.earlier_segments, self.earlier_regions) = (None, None);
+        self.earlier_facets = None;
         self.triangulation = Some(triangulation);
     }
 

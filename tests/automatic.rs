@@ -162,7 +162,7 @@ fn whatever_tells_sizes_asks_for_a_well_spaced_mesh() {
     let mut mesh = mesh_of(&points, &segments);
     mesh.run(&plain, None).unwrap();
     assert!(!is_well_spaced(&mesh));
-    let ring = Region { seed: [1.0, 1.0], max_edge: 1.0, ..Region::default() };
+    let ring = Region { seed: [1.0, 1.0, 0.0], max_edge: 1.0, ..Region::default() };
     mesh.set_regions(&[ring]).unwrap();
     mesh.run(&plain, None).unwrap();
     assert!(is_well_spaced(&mesh));

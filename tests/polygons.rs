@@ -86,7 +86,7 @@ fn neighbours_share_a_border() {
     let parcels = "MULTIPOLYGON(((0 0,2 0,2 2,0 2,0 0)),((2 0,5 0,5 2,2 2,2 0)))";
     let mut mesh = mesh_of(parcels, Format::Wkt);
     assert_eq!(run(&mut mesh, Interior::Auto), Ok((10.0, Interior::Parity)));
-    let hole = Region { seed: [1.0, 1.0], is_hole: true, ..Region::default() };
+    let hole = Region { seed: [1.0, 1.0, 0.0], is_hole: true, ..Region::default() };
     mesh.set_regions(&[hole]).unwrap();
     assert_eq!(run(&mut mesh, Interior::Auto), Ok((6.0, Interior::Parity)));
 }

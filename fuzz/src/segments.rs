@@ -130,8 +130,11 @@ fn plane(bytes: &mut Bytes<'_>, of_curves: bool) -> Plane {
     }
     let mut region = || Region {
         seed: match bytes.below(3) {
-            0 => [bytes.finite(), bytes.finite()],
-            _ => middle([(); 3].map(|()| point(bytes.below(count as u8)))),
+            0 => [bytes.finite(), bytes.finite(), 0.0],
+            _ => {
+                let [x, y] = middle([(); 3].map(|()| point(bytes.below(count as u8))));
+                [x, y, 0.0]
+            }
         },
         label: bytes.small() as i32,
         is_hole: bytes.once_in(3),
@@ -204,7 +207,8 @@ fn check_uses(mesh: &Mesh, regions: &[Region]) {
         assert_eq!(write(mesh, format, &mut text), Ok(()), "{format:?}");
     }
     let result = mesh.triangulation().expect("it was meshed");
-    let seeds: Vec<f64> = regions.iter().flat_map(|region| region.seed).collect();
+    let seeds: Vec<f64> =
+        regions.iter().flat_map(|region| [region.seed[0], region.seed[1]]).collect();
     let mut found = vec![0; regions.len()];
     let index = Index::new(result).expect("there is memory");
     index.locate(result, &seeds, 1, &mut found).expect("seeds are finite");

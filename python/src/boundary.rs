@@ -32,7 +32,12 @@ pub fn set_boundary(py: Python<'_>, mesh: &mut Mesh, boundary: &Boundary<'_>) ->
             invalid(py, format!("markers[{at}] is {marker}; it must be a number of 32 bits"))
         })?);
     }
-    let region = |&(seed, label, max_edge, is_hole)| Region { seed, label, is_hole, max_edge };
+    let region = |&([x, y], label, max_edge, is_hole)| Region {
+        seed: [x, y, 0.0],
+        label,
+        is_hole,
+        max_edge,
+    };
     let regions: Vec<Region> = regions.iter().map(region).collect();
     let set = in_default_environment(|| {
         mesh.set_segments(&ends, markers.is_some().then_some(&*own_markers))?;

@@ -20,8 +20,9 @@ pub struct nm_region {
     pub struct_size: u32,
     /// A number of the caller's for the region's simplices (nm_mesh_get_simplex_regions).
     pub label: i32,
-    /// A point of the region, not on a segment. No other seed is in the region.
-    pub seed: [f64; 2],
+    /// A point of the region, not on a segment or facet. No other seed is in the region. In 2D the
+    /// third coordinate is 0.
+    pub seed: [f64; 3],
     /// The longest edge that the region may have, for NM_OUTPUT_WELL_SPACED; 0: any.
     pub max_edge: f64,
     /// 1: the region is no part of the result, whatever nm_options.extent. Otherwise 0.
@@ -40,7 +41,7 @@ unsafe impl Versioned for nm_region {
     }
 }
 
-const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 3 * 8 + 2 * 4);
+const _: () = assert!(size_of::<nm_region>() == 2 * 4 + 4 * 8 + 2 * 4);
 
 /// Gives the mesh segments, which nm_run keeps as chains of edges; 2D only. They replace those of
 /// an earlier call; count 0 removes them. The result of a run stays as it is until the next.
@@ -113,7 +114,7 @@ unsafe fn read_regions(count: u64, regions: *const nm_region) -> Result<Vec<Regi
     let defaults = nm_region {
         struct_size: size_of::<nm_region>() as u32,
         label: 0,
-        seed: [0.0; 2],
+        seed: [0.0; 3],
         max_edge: 0.0,
         is_hole: 0,
         reserved: 0,
@@ -241,7 +242,7 @@ mod tests {
     const GOOD: nm_region = nm_region {
         struct_size: size_of::<nm_region>() as u32,
         label: -4,
-        seed: [0.25, 0.5],
+        seed: [0.25, 0.5, 0.0],
         max_edge: 0.5,
         is_hole: 0,
         reserved: 0,
@@ -266,7 +267,7 @@ mod tests {
         let inputs = [0, 1, 1, 3, 3, 4, 4, 2, 0, 3, 3, 0];
         assert_eq!(set(&mut mesh, &inputs, Some(&[7, 8, 9, 10, 11, 12])), nm_status::NM_OK);
         let above = nm_region { max_edge: 0.0, ..GOOD };
-        let below = nm_region { label: 9, seed: [0.5, 0.25], ..above };
+        let below = nm_region { label: 9, seed: [0.5, 0.25, 0.0], ..above };
         assert_eq!(regions(&mut mesh, &[above, below]), (nm_status::NM_OK, String::new()));
         let mut needed = 0;
         // SAFETY: a live handle; NULL asks for the size.

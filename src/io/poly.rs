@@ -151,8 +151,8 @@ fn next_count(lines: &mut Lines<'_>, what: &str) -> Result<Option<u64>> {
 }
 
 /// Reads the seed of a region: the second column and the third.
-fn seed(line: &Line<'_>) -> Result<[f64; 2]> {
-    let mut seed = [0.0; 2];
+fn seed(line: &Line<'_>) -> Result<[f64; 3]> {
+    let mut seed = [0.0; 3];
     for (column, word) in line.words().take(3) {
         match column {
             0 => _ = line.integer(column, word, "id")?,
@@ -195,12 +195,9 @@ mod tests {
         let Outline { segments, markers, regions, .. } = table.outline;
         assert_eq!(segments, [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]]);
         assert_eq!(markers, [10, -1, 2, 0, 7]);
-        let hole = Region { seed: [0.25, 0.75], is_hole: true, ..Region::default() };
-        let [first, second] = [([0.75, 0.25], 4), ([0.9, 0.1], -3)].map(|(seed, label)| Region {
-            seed,
-            label,
-            ..Region::default()
-        });
+        let hole = Region { seed: [0.25, 0.75, 0.0], is_hole: true, ..Region::default() };
+        let [first, second] = [([0.75, 0.25, 0.0], 4), ([0.9, 0.1, 0.0], -3)]
+            .map(|(seed, label)| Region { seed, label, ..Region::default() });
         assert_eq!((regions[0], regions[2]), (hole, second));
         // Half the area of a square of side 1: an equilateral triangle.
         let max_edge = regions[1].max_edge;

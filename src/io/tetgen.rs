@@ -240,7 +240,7 @@ pub(super) fn write_poly(
     writeln!(out, "{}", holes().count())?;
     for (id, hole) in holes().enumerate() {
         write!(out, "{id} ")?;
-        write_point(out, &hole.seed, " ")?;
+        write_point(out, &hole.seed[..2], " ")?;
         out.write_all(b"\n")?;
     }
     Ok(())
@@ -306,7 +306,7 @@ mod tests {
         let mut text = Vec::new();
         write_ele(triangulation, &mut text).unwrap();
         write_edge(triangulation, markers, &mut text).unwrap();
-        let hole = Region { seed: [0.5, -0.25], is_hole: true, ..Region::default() };
+        let hole = Region { seed: [0.5, -0.25, 0.0], is_hole: true, ..Region::default() };
         let regions = [Region::default(), hole];
         write_poly(triangulation, markers, &regions, &mut text).unwrap();
         let edges = "2 1\n0 0 2 -5\n1 1 0 6\n";

@@ -1,7 +1,7 @@
-//! Boundaries in the plane: segments between inputs, seeds of regions, and arrangements of segments
+//! Boundaries: segments between inputs, seeds of regions, and arrangements of segments and facets
 //! without crossings.
 
-use super::{Boxed, Inputs, Mesh, Triangulation};
+use super::{ArrangedFacet, Boxed, FacetTriangle, Inputs, Mesh, Triangulation};
 use crate::error::{Error, ErrorKind, Result, message};
 use crate::memory::{AllocResult, Lists, collected, copied, filled, with_capacity};
 
@@ -22,7 +22,8 @@ pub struct Segments {
 /// Properties that a seed point gives to the region around it; a region has at most one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Region {
-    pub seed: [f64; 2],
+    /// Point in the region; in the plane the last coordinate is 0.
+    pub seed: [f64; 3],
     /// Number that the caller gave the simplices of the region.
     pub label: i32,
     /// True if the region is no part of the result, whatever its extent.
@@ -32,6 +33,11 @@ pub struct Region {
 }
 
 impl Region {
+    /// Returns a region of the plane with a seed, and with nothing else.
+    pub fn in_plane([x, y]: [f64; 2]) -> Self {
+        Self { seed: [x, y, 0.0], ..Self::default() }
+    }
+
     /// Returns true if region `number` is a hole, and the number of regions of its kind that come
     /// before it: for interfaces that have holes apart from other regions. A number beyond the last
     /// counts as that of a region.
@@ -71,7 +77,12 @@ pub struct Arrangement {
     pub crossings: Vec<[f64; 2]>,
     /// Pieces of segments, sorted by segment, and along each from its first end to its second.
     pub subsegments: Vec<Subsegment>,
-    /// Properties that the caller gave the regions between segments.
+    /// Facets in space, which meet only at common vertices and subsegments.
+    pub facets: Vec<ArrangedFacet>,
+    /// Triangles that the facets consist of, sorted by facet. Triangles of one facet that share an
+    /// edge are neighbours there, unless the edge is a subsegment.
+    pub triangles: Vec<FacetTriangle>,
+    /// Properties that the caller gave the regions between segments or facets.
     pub regions: Vec<Region>,
     /// Number of segments without a piece of their own: duplicates, and those that others cover.
     pub covered_segments: u64,
@@ -95,6 +106,17 @@ pub struct Boundary {
     /// Subsegment -> the segment to which it belongs; [`NONE`](super::NONE) for the boundary of a
     /// hull or box.
     pub parents: Vec<u32>,
+    /// Triangles into which facets are split, counterclockwise where the normal of the facet points
+    /// to the eye; sorted by facet.
+    pub subfacets: Vec<[u32; 3]>,
+    /// Subfacet -> the facet to which it belongs, of facets that are one the first;
+    /// [`NONE`](super::NONE) for a side of a hull or box.
+    pub subfacet_parents: Vec<u32>,
+    /// Subfacet -> the simplex where the normal of the facet points to, and the one on the other
+    /// side; [`NONE`](super::NONE) where the domain ends.
+    pub subfacet_simplices: Vec<[u32; 2]>,
+    /// Simplices with all vertices on one facet, which roundings of its vertices make, ascending.
+    pub flat: Vec<u32>,
     /// Simplex -> the label of its region, 0 where no seed gave one.
     pub simplex_regions: Vec<i32>,
     /// Simplices beyond the bound that small angles between segments force, ascending.
@@ -151,12 +173,13 @@ impl Boundary {
         })?;
         for simplex in simplices {
             for (slot, &from) in simplex.iter().enumerate() {
-                let to = simplex[(slot + 1) % simplex.len()];
-                let [shorter, longer] = [from, to].map(|vertex| at.of(vertex as usize));
-                let own = if shorter.len() < longer.len() { shorter } else { longer };
-                for &subsegment in own {
-                    let ends = self.subsegments[subsegment as usize];
-                    is_edge[subsegment as usize] |= ends == [from, to] || ends == [to, from];
+                for &to in &simplex[slot + 1..] {
+                    let [shorter, longer] = [from, to].map(|vertex| at.of(vertex as usize));
+                    let own = if shorter.len() < longer.len() { shorter } else { longer };
+                    for &subsegment in own {
+                        let ends = self.subsegments[subsegment as usize];
+                        is_edge[subsegment as usize] |= ends == [from, to] || ends == [to, from];
+                    }
                 }
             }
         }
@@ -183,7 +206,7 @@ impl Boundary {
             parents: collected(kept().map(|at| all.parents[at]))?,
             simplex_regions: collected(simplices.iter().filter_map(regions))?,
             forced: collected(numbered.map(|(_, new)| new))?,
-            whole: None,
+            ..Self::default()
         })
     }
 }
@@ -368,10 +391,10 @@ mod tests {
 
     #[test]
     fn regions_that_cannot_be_are_refused_by_name() {
-        let good = Region { seed: [0.5, 0.5], label: 3, is_hole: false, max_edge: 0.25 };
+        let good = Region { seed: [0.5, 0.5, 0.0], label: 3, is_hole: false, max_edge: 0.25 };
         let mut mesh = mesh();
         mesh.set_regions(&[good]).unwrap();
-        let far = Region { seed: [0.0, f64::INFINITY], ..good };
+        let far = Region { seed: [0.0, f64::INFINITY, 0.0], ..good };
         let (kind, message) = refusal(mesh.set_regions(&[good, far]));
         assert_eq!(kind, ErrorKind::NonFinite);
         assert!(message.starts_with("regions[1].seed has a non-finite coordinate 1: inf;"));

@@ -158,7 +158,8 @@ fn placements_in_what_is_cut_out_are_those_of_brute_force() {
         for is_hole in [false, true] {
             let mut mesh = Mesh::new(2, 7, inputs.as_flattened(), 0).unwrap();
             mesh.set_segments(&[4, 5, 5, 6, 6, 4], None).unwrap();
-            mesh.set_regions(&[Region { seed: [2.0, 1.5], is_hole, ..Region::default() }]).unwrap();
+            mesh.set_regions(&[Region { seed: [2.0, 1.5, 0.0], is_hole, ..Region::default() }])
+                .unwrap();
             mesh.run(&Options { extent, ..Options::default() }, None).unwrap();
             let result = mesh.triangulation().unwrap();
             let is_cut = is_hole || extent == options::Extent::Box;

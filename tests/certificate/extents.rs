@@ -12,8 +12,8 @@ fn squares(options: &Options, size: Option<&SizeFn<'_>>, inner: f64) -> Domain {
     let points = [square(1.0), square(0.5)].concat();
     let mut mesh = Mesh::new(2, points.len(), points.as_flattened(), 0).unwrap();
     mesh.set_segments(&[0, 1, 1, 2, 2, 3, 3, 0, 4, 5, 5, 6, 6, 7, 7, 4], None).unwrap();
-    let region = Region { seed: [0.1, 0.2], label: 3, is_hole: false, max_edge: inner };
-    let whole = Region { seed: [0.1, 0.7], label: 4, ..Region::default() };
+    let region = Region { seed: [0.1, 0.2, 0.0], label: 3, is_hole: false, max_edge: inner };
+    let whole = Region { seed: [0.1, 0.7, 0.0], label: 4, ..Region::default() };
     mesh.set_regions(&[region, whole]).unwrap();
     mesh.run_sized(&Options { output: Output::WellSpaced, ..options.clone() }, size, None).unwrap();
     let case = Case { inputs: mesh.inputs().clone(), mesh: mesh.result().unwrap().clone() };

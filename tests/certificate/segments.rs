@@ -114,8 +114,8 @@ fn lake() -> Domain {
     points.extend(circle(9, [0.1, -0.7], 0.2));
     points.extend(circle(7, [-0.3, 0.4], 0.25));
     let segments = [closed(0, 4), closed(4, 9), closed(13, 7)].concat();
-    let hole = Region { seed: [0.1, -0.7], is_hole: true, ..Region::default() };
-    let label = Region { seed: [-0.3, 0.4], label: 7, ..Region::default() };
+    let hole = Region { seed: [0.1, -0.7, 0.0], is_hole: true, ..Region::default() };
+    let label = Region { seed: [-0.3, 0.4, 0.0], label: 7, ..Region::default() };
     Domain::of(&points, &segments, &[hole, label]).1
 }
 
@@ -186,7 +186,8 @@ fn later_segments_are_not_those_of_the_result() {
     assert_eq!(validate_mesh(&mesh, 3).unwrap().level, 3);
     mesh.set_segments(&[0, 2], None).unwrap();
     mesh.set_segments(&[1, 3], None).unwrap();
-    mesh.set_regions(&[Region { seed: [0.5, 0.25], is_hole: true, ..Region::default() }]).unwrap();
+    mesh.set_regions(&[Region { seed: [0.5, 0.25, 0.0], is_hole: true, ..Region::default() }])
+        .unwrap();
     assert_eq!(validate_mesh(&mesh, 3).unwrap().violations, 0);
     mesh.set_regions(&[]).unwrap();
     mesh.set_segments(&closed(0, 4)[..3].concat(), None).unwrap();
@@ -298,10 +299,10 @@ fn a_subsegment_that_the_domain_does_not_have() {
 /// No run makes a mesh with such seeds.
 #[test]
 fn seeds_without_a_region_of_their_own() {
-    let outside = Region { seed: [5.0, 5.0], is_hole: true, ..Region::default() };
-    let beyond = Region { seed: [1e9, 5.0], ..Region::default() };
-    let second = Region { seed: [-0.3, 0.45], label: 7, ..Region::default() };
-    let again = Region { seed: [0.1, -0.75], is_hole: true, ..Region::default() };
+    let outside = Region { seed: [5.0, 5.0, 0.0], is_hole: true, ..Region::default() };
+    let beyond = Region { seed: [1e9, 5.0, 0.0], ..Region::default() };
+    let second = Region { seed: [-0.3, 0.45, 0.0], label: 7, ..Region::default() };
+    let again = Region { seed: [0.1, -0.75, 0.0], is_hole: true, ..Region::default() };
     for seed in [outside, beyond, second, again] {
         let mut domain = lake();
         domain.regions.push(seed);

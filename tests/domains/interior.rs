@@ -261,8 +261,8 @@ fn curves_are_for_domains_that_they_bound() {
 fn seeds_in_curves() {
     let mut domain = rings(5, 0);
     let center = [0.25, -0.125];
-    let hole = Region { seed: center, is_hole: true, ..Region::default() };
-    let label = Region { seed: [center[0] + 0.77, center[1]], label: 7, ..Region::default() };
+    let hole = Region { is_hole: true, ..Region::in_plane(center) };
+    let label = Region { seed: [center[0] + 0.77, center[1], 0.0], label: 7, ..Region::default() };
     let striped = area_of(&domain, Interior::Parity);
     let disc = area_of(&Domain::new(&domain.points, &domain.segments[48..]), Interior::Parity);
     domain.regions = vec![hole, label];
@@ -272,7 +272,7 @@ fn seeds_in_curves() {
     assert!((area(&mesh) - (striped - disc)).abs() < 1e-12);
     assert!(mesh.result().unwrap().boundary.simplex_regions.contains(&7));
     let all = [0.955, 0.775, 0.55].map(|x| [center[0] + x, center[1]]);
-    domain.regions = all.map(|seed| Region { seed, is_hole: true, ..Region::default() }).to_vec();
+    domain.regions = all.map(|seed| Region { is_hole: true, ..Region::in_plane(seed) }).to_vec();
     let (kind, message) = refusal(&domain, &options(Interior::Parity));
     assert_eq!(kind, ErrorKind::InvalidArgument);
     assert!(message.starts_with("all that is inside is a hole"), "{message}");

@@ -9,11 +9,11 @@ use netmesh::validate::validate_mesh;
 use netmesh::{ErrorKind, Mesh, NONE, Region};
 
 fn hole(seed: [f64; 2]) -> Region {
-    Region { seed, is_hole: true, ..Region::default() }
+    Region { is_hole: true, ..Region::in_plane(seed) }
 }
 
 fn label(seed: [f64; 2], label: i32) -> Region {
-    Region { seed, label, ..Region::default() }
+    Region { label, ..Region::in_plane(seed) }
 }
 
 fn with(extent: Extent) -> Options {
@@ -116,8 +116,10 @@ fn two_seeds_in_a_region_are_refused() {
         for others in [[true, true], [true, false], [false, true], [false, false]] {
             let mut domain = frame();
             let [first, last] = others.map(|is_hole| Region { is_hole, ..label([0.0; 2], 4) });
-            let (first, last) =
-                (Region { seed: [0.1, 0.2], ..first }, Region { seed: [-0.3, 0.9], ..last });
+            let (first, last) = (
+                Region { seed: [0.1, 0.2, 0.0], ..first },
+                Region { seed: [-0.3, 0.9, 0.0], ..last },
+            );
             domain.regions = vec![first, label([0.0, 1.5], 3), last];
             let message = "regions[2].seed is in the same region as regions[0].seed; no segment is";
             assert_refused(&domain, &options, message);

@@ -32,7 +32,7 @@ impl Domain {
 
     /// Adds a closed curve, counterclockwise, about a hole with a seed.
     pub fn hole(mut self, points: &[Point], seed: Point) -> Self {
-        self.regions.push(Region { seed, is_hole: true, ..Region::default() });
+        self.regions.push(Region { is_hole: true, ..Region::in_plane(seed) });
         self.curve(points, -1)
     }
 
@@ -55,7 +55,11 @@ impl Domain {
     /// All of it somewhere else.
     pub fn moved(mut self, place: impl Fn(Point) -> Point) -> Self {
         self.points.iter_mut().for_each(|point| *point = place(*point));
-        self.regions.iter_mut().for_each(|region| region.seed = place(region.seed));
+        self.regions.iter_mut().for_each(|region| {
+            let [x, y, _] = region.seed;
+            let [x, y] = place([x, y]);
+            region.seed = [x, y, 0.0];
+        });
         self
     }
 }

@@ -16,7 +16,7 @@ fn strips() -> Mesh {
     let segments = [0, 2, 2, 4, 4, 6, 6, 7, 7, 5, 5, 3, 3, 1, 1, 0, 2, 3, 4, 5];
     let markers = [7, 7, 0, -2, i32::MAX, 1, 1, 2, i32::MIN, -2];
     mesh.set_segments(&segments, Some(&markers)).unwrap();
-    let seed = |x, label| Region { seed: [x, 1.5], label, ..Region::default() };
+    let seed = |x, label| Region { seed: [x, 1.5, 0.0], label, ..Region::default() };
     mesh.set_regions(&[seed(0.5, 3), seed(2.5, -3)]).unwrap();
     let extent = Extent::Boundary;
     let options =

@@ -128,9 +128,18 @@ fn part(whole: &Triangulation, simplices: usize, vertices: usize) -> AllocResult
     let inside = whole.simplices[..simplices * per_simplex].chunks_exact(per_simplex);
     let is_edge = all.edges_of(vertices, inside)?;
     let kept = || (0..is_edge.len()).filter(|&at| is_edge[at]);
+    let number = |simplex: u32| if is_inside(&simplex) { simplex } else { NONE };
+    let is_side = |&at: &usize| all.subfacet_simplices[at].iter().any(is_inside);
+    let kept_facets = || (0..all.subfacets.len()).filter(is_side);
     let boundary = Boundary {
         subsegments: collected(kept().map(|at| all.subsegments[at]))?,
         parents: collected(kept().map(|at| all.parents[at]))?,
+        subfacets: collected(kept_facets().map(|at| all.subfacets[at]))?,
+        subfacet_parents: collected(kept_facets().map(|at| all.subfacet_parents[at]))?,
+        subfacet_simplices: collected(
+            kept_facets().map(|at| all.subfacet_simplices[at].map(number)),
+        )?,
+        flat: collected(all.flat.iter().copied().filter(is_inside))?,
         simplex_regions: copied(&all.simplex_regions[..simplices])?,
         forced: copied(&all.forced)?,
         whole: None,

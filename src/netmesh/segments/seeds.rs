@@ -85,7 +85,7 @@ impl<const D: usize> State<D> {
         is_enclosed: bool,
     ) -> Result<()> {
         let Parameters { extent, interior, .. } = self.parameters;
-        let [x, y] = seed.seed;
+        let [x, y, _] = seed.seed;
         if is_enclosed || seed.is_hole && region != OUTSIDE {
             return Ok(());
         }

@@ -25,7 +25,7 @@ impl Domain {
     }
 
     fn hole(mut self, seed: [f64; 2]) -> Self {
-        self.regions.push(Region { seed, is_hole: true, ..Region::default() });
+        self.regions.push(Region { is_hole: true, ..Region::in_plane(seed) });
         self
     }
 
@@ -38,7 +38,7 @@ impl Domain {
     }
 
     fn region(mut self, seed: [f64; 2], label: i32) -> Self {
-        self.regions.push(Region { seed, label, ..Region::default() });
+        self.regions.push(Region { label, ..Region::in_plane(seed) });
         self
     }
 
@@ -347,7 +347,7 @@ fn a_seed_at_an_end_of_segments_is_refused() {
                 domain.points.extend(circle(11, center, 0.25));
                 domain.segments.extend(spokes.iter().map(|spoke| [4, 5 + spoke]));
                 domain.regions.push(Region {
-                    seed: center,
+                    seed: [center[0], center[1], 0.0],
                     label: 7,
                     is_hole,
                     ..Region::default()
@@ -468,7 +468,7 @@ fn points_in_holes_are_outside() {
 fn regions_have_sizes_of_their_own() {
     let mut domain =
         Domain::default().curve(&square(1.0)).curve(&square(0.25)).region([0.75, 0.0], 1);
-    let fine = Region { seed: [0.0; 2], label: 2, is_hole: false, max_edge: 0.03 };
+    let fine = Region { seed: [0.0; 3], label: 2, is_hole: false, max_edge: 0.03 };
     domain.regions.push(fine);
     let mesh = domain.mesh(&inside(20.0));
     assert_good(&domain, &mesh, 20.0);

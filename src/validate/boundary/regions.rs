@@ -197,7 +197,8 @@ impl Components {
         let is_at_hull = |component: &Component| component.is_outside;
         let beyond = self.all.iter().position(is_at_hull).unwrap_or(0);
         for (number, region) in regions.iter().enumerate() {
-            let simplex = locate(view, near, &region.seed, &mut signs)?;
+            let seed = std::array::from_fn(|axis| region.seed[axis]);
+            let simplex = locate(view, near, &seed, &mut signs)?;
             near = simplex.unwrap_or(near);
             let own = simplex.map_or(beyond, |simplex| self.of[simplex] as usize);
             let component = &mut self.all[own];

@@ -33,7 +33,7 @@ pub(in crate::netmesh) struct Segments {
 #[derive(Clone, Copy)]
 pub(in crate::netmesh) struct Seed {
     pub number: u32,
-    pub x: [f64; 2],
+    pub x: [f64; 3],
     pub region: u32,
 }
 

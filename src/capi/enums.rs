@@ -169,6 +169,36 @@ pub enum nm_placement {
     NM_PLACEMENT_OUTSIDE = 2,
 }
 
+/// Kind of a feature that a mesh in space is given.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_feature {
+    /// A facet of nm_mesh_set_facets, or a triangle of nm_mesh_set_triangles.
+    NM_FEATURE_FACET = 0,
+    /// A segment of nm_mesh_set_segments.
+    NM_FEATURE_SEGMENT = 1,
+}
+
+/// Kind of an intersection of nm_mesh_get_intersections; of several places where two features meet
+/// it is that of one.
+/// cbindgen:rename-all=none
+#[allow(non_camel_case_types)]
+#[repr(i32)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum nm_intersection_kind {
+    /// The interior of one of the two goes through the other.
+    NM_INTERSECTION_CROSS = 1,
+    /// They meet on the boundary of one of them, and neither goes through the other.
+    NM_INTERSECTION_TOUCH = 2,
+    /// They share an area or a length: coplanar facets that overlap, collinear segments and edges,
+    /// duplicates.
+    NM_INTERSECTION_OVERLAP = 3,
+    /// The facet, or a triangle of it, has no area; both features are that facet.
+    NM_INTERSECTION_ZERO_AREA = 4,
+}
+
 /// File formats; docs/formats.md tells what each contains. Point formats (XYZ, CSV, NPY) can be
 /// written before a run, the others answer NM_STATE. A format that cannot hold the mesh's dimension
 /// answers NM_INVALID_ARGUMENT. VTU and the two JSON formats cannot be read. Of the others the

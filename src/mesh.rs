@@ -7,6 +7,7 @@ mod boundary;
 mod boxed;
 mod facets;
 mod inputs;
+mod intersection;
 mod left_out;
 pub mod sizes;
 
@@ -15,6 +16,7 @@ pub use boundary::{Arrangement, Boundary, Crowded, Region, Segments, Subsegment}
 pub use boxed::Boxed;
 pub use facets::{ArrangedFacet, FacetTriangle, Facets};
 pub use inputs::Inputs;
+pub use intersection::{Feature, Intersection, IntersectionKind};
 pub use left_out::LeftOut;
 
 use crate::error::{Error, ErrorKind, Result, message};

@@ -125,6 +125,11 @@ impl<T: Versioned> OutStruct<T> {
         Ok(Self { pointer, size: check_struct_size::<T>(argument, size)? })
     }
 
+    /// Returns the number of the caller's bytes.
+    pub(super) fn size(&self) -> usize {
+        self.size
+    }
+
     /// Writes `value`, as much as fits; `struct_size` stays the caller's.
     pub fn write(&self, value: &T) {
         let start = size_of::<u32>();

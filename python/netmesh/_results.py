@@ -124,12 +124,15 @@ class Quality(NamedTuple):
     below_min_dihedral_between_domains: int
     #: Cells, or simplices, beyond the bound where that gave way to the angle.
     beyond_bound: int
-    #: Triangles that a small angle between segments forces; the figures above leave them out.
+    #: Simplices that a small angle between segments or facets forces; the figures above leave them
+    #: out.
     forced: int
-    #: Smallest angle of the forced triangles, in degrees.
+    #: Smallest angle (2D) or dihedral angle of the forced simplices, in degrees.
     least_forced_angle_degrees: float
     #: Triangles that miss the angle and that nothing forces: beside cages, in hierarchical meshes.
     below_min_angle: int
+    #: Tetrahedra with all vertices on one facet, flat but for roundings; the figures leave them out.
+    flat: int
 
 
 class Stats(NamedTuple):

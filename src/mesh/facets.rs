@@ -2,7 +2,7 @@
 
 use super::Inputs;
 use super::boundary::{check_dimension, check_markers, markers_or_zeros};
-use crate::error::{Error, ErrorKind, Result, message};
+use crate::error::{Error, ErrorKind, Name, Result, message, say};
 use crate::memory::{collected, copied};
 
 /// Facets as the caller gave them. A facet has one or more loops of inputs; a point of its plane is
@@ -202,23 +202,24 @@ fn check_capacity(elements: &str, count: usize) -> Result<()> {
 }
 
 fn check_triangle(inputs: &Inputs, at: usize, corners: &[u32]) -> Result<()> {
-    let refuse = |message| Err(Error::invalid(message));
-    if let Some(bad) = corners.iter().find(|&&input| input as usize >= inputs.count()) {
-        return refuse(message!(
-            "triangles[{at}] has the input {bad}; it must be less than the number of inputs, {}",
-            inputs.count()
-        ));
+    let (triangle, count) = (Name::Triangle(at), inputs.count());
+    if let Some(bad) = corners.iter().find(|&&input| input as usize >= count) {
+        return Err(Error::invalid(say!(
+            triangle,
+            " has the input {bad}; it must be less than the number of inputs, {count}"
+        )));
     }
     let pairs = [[0, 1], [1, 2], [2, 0]].map(|pair| pair.map(|corner: usize| corners[corner]));
-    match pairs.into_iter().find(|&[from, to]| are_equal(inputs, from, to)) {
-        None => Ok(()),
-        Some([from, to]) if from == to => {
-            refuse(message!("triangles[{at}] has input {from} twice; its area is 0"))
-        }
-        Some([from, to]) => refuse(message!(
-            "triangles[{at}] has the inputs {from} and {to}, which are the same point; its area is 0"
-        )),
-    }
+    let Some([from, to]) = pairs.into_iter().find(|&[from, to]| are_equal(inputs, from, to)) else {
+        return Ok(());
+    };
+    Err(Error::invalid(match from == to {
+        true => say!(triangle, " has input {from} twice; its area is 0"),
+        false => say!(
+            triangle,
+            " has the inputs {from} and {to}, which are the same point; its area is 0"
+        ),
+    }))
 }
 
 fn are_equal(inputs: &Inputs, from: u32, to: u32) -> bool {

@@ -25,6 +25,19 @@ pub enum IntersectionKind {
     ZeroArea = 4,
 }
 
+impl IntersectionKind {
+    /// Returns a number that is larger for a kind that is told before others, where two features
+    /// meet in several ways.
+    pub(crate) fn rank(self) -> u8 {
+        match self {
+            Self::Touch => 0,
+            Self::Cross => 1,
+            Self::Overlap => 2,
+            Self::ZeroArea => 3,
+        }
+    }
+}
+
 /// Pair of features that meet where they share neither a vertex nor an edge, or a facet that meets
 /// itself; of several such places of one pair the first that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -803,7 +803,7 @@ enum nm_format
  {
     /**
      * Format that the extension of the path names: .vtu, .node and .ele, .msh, .mesh, .off, .ply, .xyz (.txt,
-     * .xy, .pts), .csv, .npy, .poly, .geojson, .wkt, .voronoi.json, .domains.json.
+     * .xy, .pts), .csv, .npy, .poly, .smesh, .geojson, .wkt, .voronoi.json, .domains.json.
      */
     NM_FORMAT_AUTO = 0,
     /**
@@ -853,8 +853,8 @@ enum nm_format
      */
     NM_FORMAT_DOMAINS_JSON = 11,
     /**
-     * Triangle's points, segments, holes and regions of the plane, read only (.poly); the points
-     * may be in the .node file beside.
+     * Triangle's points, segments, holes and regions of the plane, or TetGen's points, facets,
+     * holes and regions of space, read only (.poly); the points may be in the .node file beside.
      */
     NM_FORMAT_POLY = 12,
     /**
@@ -868,6 +868,10 @@ enum nm_format
      * NM_FORMAT_GEOJSON; the marker is the number of the geometry, from 1.
      */
     NM_FORMAT_WKT = 14,
+    /**
+     * TetGen's points, facets of one polygon each, holes and regions, read only (.smesh).
+     */
+    NM_FORMAT_SMESH = 15,
 };
 #ifndef __cplusplus
 typedef int32_t nm_format;
@@ -1824,8 +1828,10 @@ nm_status nm_mesh_create(uint32_t dim,
 
 /**
  * Makes a mesh of the points of a file, as nm_mesh_create does; of NM_FORMAT_POLY,
- * NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments and regions, as by nm_mesh_set_segments
- * and nm_mesh_set_regions.
+ * NM_FORMAT_SMESH, NM_FORMAT_GEOJSON and NM_FORMAT_WKT with its segments, facets and regions, as by
+ * nm_mesh_set_segments, nm_mesh_set_facets and nm_mesh_set_regions; of NM_FORMAT_OFF and
+ * NM_FORMAT_PLY in 3D with its faces, as by nm_mesh_set_triangles or, if some are no triangles,
+ * nm_mesh_set_facets.
  *
  * path_utf8: UTF-8 on every system. format: NM_FORMAT_AUTO goes by the extension. The dimension is
  * the file's.
@@ -1995,10 +2001,9 @@ NM_NODISCARD NM_API nm_status nm_mesh_counts(const struct nm_mesh *mesh, struct 
 
 /**
  * Writes what the file of nm_mesh_create_from_file or nm_mesh_create_from_columns has beside what
- * the mesh has of it: edges, faces and cells of a mesh or a surface (NM_FORMAT_GMSH,
- * NM_FORMAT_MEDIT, NM_FORMAT_OFF, NM_FORMAT_PLY, and an .ele file), of which the points alone
- * become something. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and
- * after.
+ * the mesh has of it: edges, faces and cells of a mesh (NM_FORMAT_GMSH, NM_FORMAT_MEDIT, nOFF, an
+ * .ele file), of which the points alone become something, and of NM_FORMAT_PLY what is no face in
+ * space. Zero for all other files, and for nm_mesh_create. O(1). Before nm_run and after.
  *
  * left_out: the caller sets struct_size.
  *

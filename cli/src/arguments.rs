@@ -15,6 +15,7 @@ Examples:
   netmesh points.xyz -o mesh.vtu --validate
   netmesh points.csv -o mesh.off --finish --bound 3.5
   netmesh points.xyz -o delaunay.vtu --algorithm delaunay
+  netmesh part.off -o part.msh --max-edge 0.5
   netmesh scan.csv --columns x,y,z --attributes intensity -o scan.vtu
   program | netmesh - --input-format xyz -o - --output-format off > mesh.off";
 

@@ -118,7 +118,7 @@ fn pairs_of_soups_are_those_of_exact_fractions() {
         let case = Case::surface(&points, &triangles).with_segments(&segments);
         let found = pairs(&case.intersections());
         let expected = pairs_of_fractions(&case);
-        expected.iter().for_each(|&(_, _, kind)| seen[kind as usize] += 1);
+        expected.iter().for_each(|&(_, _, kind)| seen[usize::from(kind.rank())] += 1);
         assert_eq!(found, expected, "{points:?} {triangles:?} {segments:?}");
     }
     assert!(seen.iter().all(|&count| count > 200), "{seen:?}");
@@ -288,7 +288,7 @@ fn triangles_tile_polygons() {
             total += area(*a, *b, *c);
             let is_in =
                 |v: &u32| area(*a, *b, *v) > 0 && area(*b, *c, *v) > 0 && area(*c, *a, *v) > 0;
-            assert!(!own.iter().any(|v| is_in(v)));
+            assert!(!own.iter().any(is_in));
         }
         let last = own.len() as u32 - 1;
         let expected: i128 = (1..last).map(|v| area(0, v, v + 1)).sum();

@@ -1,40 +1,50 @@
-//! Intersections: pairs of facets and segments in space that meet in more than they share.
+//! Places where facets and segments in space meet though they must not.
 
-/// Facet or segment of the caller's. Facets come before segments in the order.
+/// Facet or segment of the caller's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Feature {
-    /// Facet, by its number in [`super::Facets`].
+    /// Facet, or triangle of a surface, by its number.
     Facet(u32),
-    /// Segment, by its number in [`super::Segments`].
+    /// Segment, by its number.
     Segment(u32),
 }
 
-/// Kind of an intersection, with C's numbers; 0 is none in C.
+/// Manner in which two facets or segments meet. Facets may meet only in vertices and edges that
+/// both have, by the number of the distinct input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(i32)]
 pub enum IntersectionKind {
-    /// The interior of one goes through the other.
-    Cross = 1,
-    /// They meet at a point or along a line that is on the boundary of one of them, and neither
-    /// goes through the other.
-    Touch = 2,
-    /// They share an area or, of two that meet along a line, a length without sharing it as an edge:
-    /// coplanar facets that overlap, collinear segments, duplicates.
-    Overlap = 3,
-    /// The facet, or a triangle of it, has no area. Both features are the facet.
-    ZeroArea = 4,
+    /// They go through each other: a point is in the interior of both.
+    Cross = 0,
+    /// They meet only where one of them ends, at a corner or along an edge.
+    Touch = 1,
+    /// They share a piece of positive length of their edges, or a piece of positive area.
+    Overlap = 2,
+    /// The facet has no area. Both features are this facet.
+    ZeroArea = 3,
 }
 
-/// Pair of features that meet where they share neither a vertex nor an edge, or a facet that meets
-/// itself; of several such places of one pair the first that was found.
+impl IntersectionKind {
+    /// Returns a number that is larger for a kind that is told before others, where two features
+    /// meet in several ways.
+    pub(crate) fn rank(self) -> u8 {
+        match self {
+            Self::Touch => 0,
+            Self::Cross => 1,
+            Self::Overlap => 2,
+            Self::ZeroArea => 3,
+        }
+    }
+}
+
+/// Two facets or segments that meet though they must not, or one facet that is at fault itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intersection {
-    /// The lesser of the two features.
+    /// Feature that comes first: facets come before segments, both in the caller's order.
     pub first: Feature,
-    /// The greater of the two features; equal to the first where a facet meets itself.
+    /// Other feature; the same one for a facet that meets itself or has no area.
     pub second: Feature,
-    /// Kind of the intersection.
     pub kind: IntersectionKind,
-    /// Point of the intersection, rounded to doubles.
+    /// Point where they meet, but for roundings.
     pub point: [f64; 3],
 }

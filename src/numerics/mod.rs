@@ -47,6 +47,7 @@ pub use exact::{ScaledCenter, circumcenter_exact, in_ball_exact, orientation_exa
 pub use filters::{Circumball, in_ball, orientation, orientation_filtered};
 pub(crate) use filters::{F64x2, Hyperplane, Real};
 pub use lengths::{distance, norm, shortest_distance};
+pub(crate) use power::scale_by_power;
 pub use random::{SplitMix, mixed};
 pub use segment::{in_diametral_ball, offset_from_line, point_between};
 pub use sign::Sign;
